@@ -60,8 +60,8 @@ impl NameKind {
             NameKind::Dimension => "dimension",
             NameKind::Unit => "unit",
             NameKind::Module => "module",
-            NameKind::Builtin => "function of the language",
-            NameKind::Constant => "constant of the language",
+            NameKind::Builtin => "built-in function",
+            NameKind::Constant => "built-in constant",
         }
     }
 }

@@ -84,9 +84,8 @@ impl Diagnostic {
         let written = format!("{whole}.{fraction}");
         let message = format!("`{whole},{fraction}` is not one number");
         let problem = Diagnostic::error("E0130", message, span, "a comma separates values");
-        is_number.then(|| {
-            problem.help("the decimal separator is a point").fix(format!("write `{written}`"), span, written)
-        })
+        is_number
+            .then(|| problem.help("use a decimal point").fix(format!("write `{written}`"), span, written))
     }
 
     pub fn label(mut self, span: Span, message: impl Into<String>) -> Self {

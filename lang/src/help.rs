@@ -47,18 +47,26 @@ const BUILTINS: &[Help] = &[
     ),
     help(
         "atan2",
-        "The angle of the point `(x, y)`, from -180 to 180 degrees; both have one dimension.",
+        "The angle of the point `(x, y)`, from -180 to 180 degrees; both have the same dimension.",
         "print(atan2(3 mm, 4 mm));",
     ),
     help("exp", "Exponential of a pure number.", "print(exp(1));"),
     help("log", "Natural logarithm of a pure number.", "print(log(10));"),
-    help("sqrt", "Square root; its dimension has half the exponents.", "print(sqrt(9 mm^2));"),
+    help("sqrt", "Square root; the exponents of the dimension are halved.", "print(sqrt(9 mm^2));"),
     help("abs", "Absolute value.", "print(abs(-3 N));"),
-    help("min", "The least of two or more of one dimension.", "print(min(3 mm, 1 mm, 2 mm));"),
-    help("max", "The largest of two or more of one dimension.", "print(max(3 mm, 1 mm, 2 mm));"),
-    help("floor", "The next whole number below.", "print(floor(2.7));"),
-    help("ceil", "The next whole number above.", "print(ceil(2.1));"),
-    help("round", "The nearest whole number; halves go away from zero.", "print(round(2.5));"),
+    help(
+        "min",
+        "The smallest of two or more numbers with the same dimension.",
+        "print(min(3 mm, 1 mm, 2 mm));",
+    ),
+    help(
+        "max",
+        "The largest of two or more numbers with the same dimension.",
+        "print(max(3 mm, 1 mm, 2 mm));",
+    ),
+    help("floor", "The largest integer that is not greater.", "print(floor(2.7));"),
+    help("ceil", "The smallest integer that is not less.", "print(ceil(2.1));"),
+    help("round", "The nearest integer; halves are rounded away from zero.", "print(round(2.5));"),
     help("dot", "Scalar product of two vectors.", "print(dot(3 N * e1, 2 mm * e1));"),
     help(
         "cross",
@@ -68,27 +76,23 @@ const BUILTINS: &[Help] = &[
     help("norm", "Length of a vector.", "print(norm(3 mm * e1 + 4 mm * e2));"),
     help(
         "Translate",
-        "The frame moved by a vector. In `A * B` the frame is moved by `B` first, then by `A` in the frame reached.",
+        "The frame translated by a vector. In `A * B`, the frame is first moved by `B`, then by `A` relative to the resulting frame.",
         "var second := Rotate(-3 rpm * Time, e3) * Translate(2 inch * e1);\nprint(origin(second) at Time = 0 s);",
     ),
     help(
         "Rotate",
-        "The frame turned about a unit vector by the right-hand rule.",
+        "The frame rotated about a unit vector, by the right-hand rule.",
         "var pinion := Rotate(3 rpm * Time, e3);\nprint(direction(pinion, e1) at Time = 5 s);",
     ),
     help(
         "inverse",
-        "The way back: from the frame to where it was moved from.",
+        "The inverse transformation.",
         "var frame = Translate(3 mm * e1);\nprint(origin(inverse(frame)));",
     ),
-    help(
-        "origin",
-        "Where the origin of a frame is, in ground coordinates.",
-        "print(origin(Translate(3 mm * e1)).x);",
-    ),
+    help("origin", "The origin of a frame in ground coordinates.", "print(origin(Translate(3 mm * e1)).x);"),
     help(
         "direction",
-        "How a vector of a frame points, in ground coordinates; what moves the frame does not matter.",
+        "A vector of a frame in ground coordinates; translations of the frame do not matter.",
         "print(direction(Rotate(90 deg, e3), e1));",
     ),
     help(
@@ -103,69 +107,61 @@ const BUILTINS: &[Help] = &[
     ),
     help(
         "angular_velocity",
-        "Angular velocity of a frame that turns with `Time`, in ground coordinates.",
+        "Angular velocity of a frame that rotates with `Time`, in ground coordinates.",
         "var shaft := Rotate(3000 rpm * Time, e3);\nprint(angular_velocity(shaft).z at Time = 0 s);",
     ),
     help(
         "angular_acceleration",
-        "Angular acceleration of a frame that turns with `Time`, in ground coordinates.",
+        "Angular acceleration of a frame that rotates with `Time`, in ground coordinates.",
         "var start := Rotate(2 rad/s^2 * Time^2 / 2, e3);\nprint(angular_acceleration(start).z at Time = 0 s);",
     ),
     help(
         "derivative",
-        "The exact derivative of an expression by `Time`, a number param or an argument of the symbolic function around.",
+        "The exact derivative of an expression with respect to `Time`, a number param or an argument of the enclosing symbolic function.",
         "param rate = 2 rad/s;\nvar x := 3 mm * sin(rate * Time);\nprint(derivative(x, Time) at Time = 0 s);",
     ),
     help(
         "gradient",
-        "The derivatives of an expression by several symbols: an array, or a tuple where their dimensions differ.",
+        "The derivatives of an expression with respect to several symbols: an array, or a tuple if their dimensions differ.",
         "param width = 2 mm;\nparam depth = 3 mm;\nprint(gradient(width * depth^2, [width, depth]));",
     ),
     help("len", "The number of elements of an array.", "print(len([1 mm, 2 mm]));"),
     help(
         "push",
-        "Appends to an array; a statement of its own.",
+        "Appends an element to an array. It is a statement without a value.",
         "var widths = [10 mm, 20 mm];\npush(widths, 30 mm);\nprint(widths);",
     ),
     help(
         "print",
-        "Prints a line: its values as text, in the units of the file's system, with blanks between them.",
+        "Prints its values on a line, in the units of the file's system, separated by blanks.",
         "print(\"width\", 20 mm);",
     ),
     help(
         "assert",
-        "Ends the run with an error if the condition is false. The message may be left out.",
+        "Ends the run with an error if the condition is false. The message is optional.",
         "var teeth = 20;\nassert(teeth > 11, \"{teeth} teeth are too few\");",
     ),
     help(
         "Time",
-        "The time. It has no value while the model is built, so it stands in `:=` expressions only.",
+        "The time. It has no value while the model is built, so it is allowed only in `:=` expressions.",
         "var angle := 3 rpm * Time;\nprint(angle at Time = 5 s);",
     ),
     help("e1", "The unit vector along x.", "var arm = 30 mm * e1;\nprint(arm);"),
     help("e2", "The unit vector along y.", "var load = -100 N * e2;\nprint(load);"),
     help(
         "e3",
-        "The unit vector along z: the axis of gears in a plane model.",
+        "The unit vector along z: the axis of gears in a two-dimensional model.",
         "var moment = 5 N*m * e3;\nprint(moment);",
     ),
     help("pi", "The ratio of a circle's circumference to its diameter.", "print(pi / 4 * (10 mm)^2);"),
     help(
         "inf",
-        "Infinity, of whatever dimension is needed.",
+        "Infinity, with any dimension.",
         "var least = inf;\nleast = min(least, 2 mm);\nprint(least);",
     ),
-    help(
-        "nan",
-        "Not a number, of whatever dimension is needed.",
-        "var missing = nan;\nprint(missing == 2 mm);",
-    ),
-    help("TRUE", "The truth value of what is so.", "param crowned = TRUE;\nif (crowned) print(\"crowned\");"),
-    help(
-        "FALSE",
-        "The truth value of what is not so.",
-        "param crowned = FALSE;\nif (!crowned) print(\"straight\");",
-    ),
+    help("nan", "Not a number (NaN), with any dimension.", "var missing = nan;\nprint(missing == 2 mm);"),
+    help("TRUE", "The truth value `true`.", "param crowned = TRUE;\nif (crowned) print(\"crowned\");"),
+    help("FALSE", "The truth value `false`.", "param crowned = FALSE;\nif (!crowned) print(\"straight\");"),
 ];
 
 const KEYWORDS: &[Help] = &[
@@ -188,7 +184,7 @@ const KEYWORDS: &[Help] = &[
     ),
     help(
         "const",
-        "Names a value that is known before the program runs. It is seen in its whole block.",
+        "Names a value that is known before the program runs. It is visible in its whole block.",
         "const tooth_count = 2 * 10 + 1;\nprint(tooth_count);",
     ),
     help(
@@ -199,22 +195,22 @@ const KEYWORDS: &[Help] = &[
     ),
     help(
         "record",
-        "Named fields, each with a type, a default or both. A record is made like a call.",
+        "Named fields, each with a type, a default or both. A record is created like a call.",
         "record Blank {\n    width = 25 mm;\n    teeth: Number;\n}\nprint(Blank(teeth = 20));",
     ),
     help(
         "dimension",
-        "A name for a product of dimensions, or, without a value, a new base dimension.",
+        "Declares a name for a product of dimensions or, without a value, a new base dimension.",
         "dimension Cost;\nunit euro: Cost;\ndimension Wage = Cost/Time;\nprint(200 euro / 8 hour);",
     ),
     help(
         "unit",
-        "A unit, by how large it is, or the first unit of a new base dimension.",
+        "Declares a unit by its size, or the first unit of a new base dimension.",
         "unit hand = 4 inch;\nprint(3 hand);",
     ),
     help(
         "import",
-        "Makes what a module declares visible as `module.name`: a module of the library, or a file beside this one.",
+        "Makes the declarations of a module visible as `module.name`. The module is part of the library, or a file in the folder of this one.",
         "import gears;\nvar rack = gears.rack(module = 2 mm, tip_radius = 0.6 mm);",
     ),
     help(
@@ -225,38 +221,34 @@ const KEYWORDS: &[Help] = &[
     ),
     help(
         "private",
-        "A declaration that those who import the module do not see.",
+        "Hides a declaration from files that import the module.",
         "private const ratio = 3;\nfunction scaled(in x) { return ratio * x; }",
     ),
-    help(
-        "extern",
-        "Declares a function of the engine. Only the library does; models have no engine of their own to call.",
-        "",
-    ),
+    help("extern", "Declares a function of the engine. Only the library can do this.", ""),
     help(
         "host",
-        "A function that the program which embeds the model may provide. Its body is used where nobody does.",
+        "A function that the embedding program may provide. Its body runs if no program provides it.",
         "host function friction(in v: Velocity) -> Number { return 0.05; }\nprint(friction(2 m/s));",
     ),
     help("test", "Marks a function that `calyx test` runs.", "test function adds() { assert(1 + 1 == 2); }"),
     help(
         "if",
-        "A choice, of statements or of values.",
+        "A conditional statement or a conditional expression.",
         "var torque = -3 N*m;\nif (torque < 0) print(\"coast\");\nprint(if (torque < 0) -1 else 1);",
     ),
     help(
         "else",
-        "What is done, or the value, if the condition of the nearest `if` is false.",
+        "The statement or the value if the condition of the nearest `if` is false.",
         "print(if (1 < 2) 1 else 2);",
     ),
     help(
         "for",
-        "A loop: what begins it, the condition under which it goes on, and what ends each turn. All three may be empty.",
+        "A loop with an initialization, a condition, and a step after each iteration. All three may be empty.",
         "for (var i = 0; i < 3; i = i + 1) print(i);",
     ),
     help(
         "while",
-        "A loop that goes on while its condition is true.",
+        "A loop that repeats while its condition is true.",
         "var n = 100;\nwhile (n > 1) n = n / 2;\nprint(n);",
     ),
     help(
@@ -272,69 +264,69 @@ const KEYWORDS: &[Help] = &[
     ),
     help(
         "case",
-        "A value that a `switch` enters here.",
+        "A value for which a `switch` continues here.",
         "switch (\"a\") {\n    case \"a\":\n    case \"b\":\n        print(\"a or b\");\n}",
     ),
     help(
         "default",
-        "Where a `switch` goes on if no case is equal.",
+        "The point at which a `switch` continues if no case is equal.",
         "switch (3) {\n    case 1:\n        print(1);\n        break;\n    default:\n        print(\"other\");\n}",
     ),
     help("break", "Leaves the innermost loop or `switch`.", "while (TRUE) break;"),
     help(
         "continue",
-        "Goes on with the next turn of the innermost loop.",
+        "Continues with the next iteration of the innermost loop.",
         "for (var i = 0; i < 3; i = i + 1) {\n    if (i == 1) continue;\n    print(i);\n}",
     ),
     help(
         "return",
-        "Leaves a function, with its value if it has one.",
+        "Leaves a function and returns its value, if any.",
         "function twice(in x) { return 2 * x; }\nprint(twice(3));",
     ),
     help(
         "goto",
-        "Goes to a label of the same block or of one around it.",
+        "Jumps to a label of the same block or of an enclosing one.",
         "for (var i = 0; i < 3; i = i + 1) {\n    for (var j = 0; j < 3; j = j + 1) if (i * j == 2) goto found;\n}\n\
          found: print(\"left both loops\");",
     ),
     help(
         "throw",
-        "Ends what is under way with an error: a text or an `Error`. `throw;` in a `catch` passes the same one on.",
+        "Fails with an error: a text or an `Error`. In a `catch`, `throw;` throws the caught error again.",
         "try throw \"out of stock\";\ncatch (error) print(error.message);",
     ),
     help(
         "try",
-        "Runs a statement; if an error ends it, what stands after `catch` runs.",
+        "Runs a statement; if it fails, the statement after `catch` runs.",
         "try {\n    print([1, 2][2]);\n} catch (error) {\n    print(error.code, error.message);\n}",
     ),
     help(
         "catch",
-        "What runs if an error has ended the `try` before it. It receives an `Error` with `code`, `message`, `place` and `value`.",
+        "The statement that runs if the `try` before it fails. It receives an `Error` with `code`, `message`, `place` and `value`.",
         "try throw Error(code = \"STOCK\", message = \"out of stock\");\ncatch (error) print(error.code);",
     ),
     help(
         "in",
-        "Before a parameter: its value is passed. After a param's or parameter's default: the range or choices it must lie in.",
+        "Before a parameter: its value is passed. After the default of a param or parameter: its range or choices.",
         "function hob(in teeth = 20 in 5 .. 200) { return teeth; }\nprint(hob(30));",
     ),
     help(
         "out",
-        "A parameter that hands a value back when the function returns.",
+        "A parameter whose value is copied back when the function returns.",
         "function half(in x, out y) { y = x / 2; }\nvar y;\nhalf(3, y);\nprint(y);",
     ),
     help(
         "inout",
-        "A parameter that is passed and handed back when the function returns.",
+        "A parameter that is passed, and copied back when the function returns.",
         "function double(inout x) { x = 2 * x; }\nvar x = 3;\ndouble(x);\nprint(x);",
     ),
     help(
         "at",
-        "The value of an expression at a time, or with a value put in for a param.",
+        "The value of an expression at a time, or with another value of a param.",
         "var angle := 3 rpm * Time;\nprint(angle at Time = 5 s);",
     ),
-    help("pure", "Of a function of the engine: it depends on its arguments alone.", ""),
-    help("scene", "Of a function of the engine: it adds to the model.", ""),
-    help("effect", "Of a function of the engine: it does what checking does not do, such as solving.", ""),
+    help("pure", "Marks an engine function that depends only on its arguments.", ""),
+    help("scene", "Marks an engine function that adds to the model.", ""),
+    help("effect", "Marks an engine function that checking does not call, such as one that solves.", ""),
 ];
 
 #[cfg(test)]

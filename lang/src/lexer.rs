@@ -122,7 +122,7 @@ impl Lexer<'_> {
             let start = self.at;
             match c {
                 '\n' => {
-                    self.close_strings("the line ends inside it");
+                    self.close_strings("the line ends inside the string");
                     self.lines_since_doc += 1;
                     self.at += 1;
                 }
@@ -172,7 +172,8 @@ impl Lexer<'_> {
     fn foreign_comment(&mut self, start: usize) {
         self.at += 1;
         let span = self.span(start);
-        let problem = Diagnostic::error("E0101", "`#` begins no comment", span, "not part of the language");
+        let problem =
+            Diagnostic::error("E0101", "`#` does not start a comment", span, "not part of the language");
         self.out.diagnostics.push(problem.help("write `//`").fix("write `//`", span, "//"));
         self.at += self.rest().find('\n').unwrap_or(self.rest().len());
     }
@@ -184,7 +185,7 @@ impl Lexer<'_> {
             None => {
                 self.at += 2;
                 let span = self.span(start);
-                self.error("E0102", "this comment does not end", span, "begins here", "close it with `*/`");
+                self.error("E0102", "this comment is not closed", span, "starts here", "close it with `*/`");
                 self.at = self.text.len();
             }
         }
@@ -289,7 +290,7 @@ impl Lexer<'_> {
         self.at += rest.find(begins_token).unwrap_or(rest.len());
         let shown: String = self.text[start..self.at].chars().take(10).collect();
         let span = self.span(start);
-        let message = format!("`{}` has no meaning here", shown.escape_debug());
+        let message = format!("unexpected character `{}`", shown.escape_debug());
         let problem = Diagnostic::error("E0101", message, span, "not part of the language");
         self.out.diagnostics.push(problem.help("remove it").suggest("remove it", span, ""));
     }
@@ -309,8 +310,8 @@ impl Lexer<'_> {
         self.push(Kind::StringClose, close);
         let span = self.span(start);
         let fixed = format!("\"{}\"", &self.text[content_start..close]);
-        let mut problem = Diagnostic::error("E0103", "strings stand in double quotes", span, "single quotes")
-            .help("use `\"`");
+        let mut problem =
+            Diagnostic::error("E0103", "strings need double quotes", span, "single quotes").help("use `\"`");
         if content_end.is_some() && !fixed[1..fixed.len() - 1].contains(['"', '{', '}', '\\']) {
             problem = problem.fix("use double quotes", span, fixed);
         }
@@ -352,9 +353,14 @@ impl Lexer<'_> {
                 self.at += 1;
                 let span = self.span(here);
                 self.out.diagnostics.push(
-                    Diagnostic::error("E0104", "`}` in a string closes nothing", span, "no `{` before it")
-                        .help("write `}}` for the character itself")
-                        .fix("double it", span, "}}"),
+                    Diagnostic::error(
+                        "E0104",
+                        "`}` in a string has no matching `{`",
+                        span,
+                        "no matching `{`",
+                    )
+                    .help("write `}}` for the character itself")
+                    .fix("write `}}`", span, "}}"),
                 );
             } else if c == '\\' {
                 self.escape(here);
@@ -382,7 +388,7 @@ impl Lexer<'_> {
             Some(other) => {
                 self.at += other.len_utf8();
                 let span = self.span(start);
-                let message = format!("`\\{}` is no escape", other.escape_debug());
+                let message = format!("`\\{}` is not an escape", other.escape_debug());
                 let help = "the escapes are `\\n`, `\\t`, `\\\"` and `\\\\`; braces are doubled";
                 let problem = Diagnostic::error("E0104", message, span, "unknown escape").help(help);
                 // A Windows path, or a character that needs no escape.
@@ -398,7 +404,7 @@ impl Lexer<'_> {
         let Some(outermost) = self.open_strings.first() else { return };
         let span = Span::new(self.file, outermost.start, self.at);
         let help = "close it with `\"` on the same line; `\\n` stands for a line end";
-        self.error("E0103", "this string does not end", span, reason, help);
+        self.error("E0103", "this string is not closed", span, reason, help);
         while let Some(open) = self.open_strings.pop() {
             let here = self.at;
             if open.interpolating {

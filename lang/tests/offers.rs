@@ -56,7 +56,7 @@ fn diagnostics_offer_what_they_say() {
                         .count()
                 };
                 if certain && like(&diagnostics(&changed(program, fix), &library)) >= like(&all) {
-                    failures.push(format!("`{}` does not mend\n{program}", fix.title));
+                    failures.push(format!("`{}` does not fix the error\n{program}", fix.title));
                 }
             }
         }

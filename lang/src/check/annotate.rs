@@ -74,7 +74,7 @@ impl<'a> Checker<'a> {
                         self.report(
                             Diagnostic::error(
                                 "E0503",
-                                "an expression is handed over with `:=`",
+                                "a symbolic expression is passed with `:=`",
                                 annotation.span,
                                 "declared as a value",
                             )
@@ -97,7 +97,7 @@ impl<'a> Checker<'a> {
             Res::Record(id) => Some(Type::Record(id)),
             Res::Dimension(id) => self.own_dimension(id).map(Type::quantity),
             Res::Unknown => None,
-            _ => Some(self.bad_annotation(format!("`{}` is no type", name.name), name.span)),
+            _ => Some(self.bad_annotation(format!("`{}` is not a type", name.name), name.span)),
         }
     }
 
@@ -126,12 +126,12 @@ impl<'a> Checker<'a> {
             TypeKind::Member(_, name) => match self.declared_type(name)? {
                 Type::Number(dim) => dim.as_known(),
                 _ => {
-                    self.bad_annotation("a dimension belongs here, such as `Length`".into(), name.span);
+                    self.bad_annotation("write a dimension, such as `Length`".into(), name.span);
                     None
                 }
             },
             TypeKind::Apply(..) => {
-                self.bad_annotation("a dimension belongs here, such as `Length`".into(), annotation.span);
+                self.bad_annotation("write a dimension, such as `Length`".into(), annotation.span);
                 None
             }
             TypeKind::Error => None,
@@ -181,9 +181,9 @@ impl<'a> Checker<'a> {
                         self.report(
                             Diagnostic::error(
                                 "E0213",
-                                format!("`{}` is no kind of function", purity.name),
+                                format!("`{}` is not a kind of function", purity.name),
                                 purity.span,
-                                "unknown word",
+                                "unknown kind",
                             )
                             .help("write `pure`, `scene` or `effect`"),
                         );
@@ -200,11 +200,14 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0308",
-                        format!("`{}` cannot be handed back by an extern function", parameter.name.name),
+                        format!(
+                            "an extern function cannot have the `out` or `inout` parameter `{}`",
+                            parameter.name.name
+                        ),
                         parameter.name.span,
-                        "the engine takes values and returns one",
+                        "engine functions have only `in` parameters",
                     )
-                    .help("return it"),
+                    .help("return the value instead"),
                 );
             }
             let Some(annotation) = &parameter.annotation else {

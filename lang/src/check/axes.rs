@@ -39,7 +39,7 @@ impl Checker<'_> {
             let unit = format!("({text}) / norm({text})");
             self.report(match length > 0.0 {
                 true => diagnostic.suggest("divide it by its length", axis.span, unit),
-                false => diagnostic.suggest("turn about `e3`", axis.span, "e3"),
+                false => diagnostic.suggest("rotate about `e3`", axis.span, "e3"),
             });
         }
     }

@@ -12,17 +12,19 @@ impl Checker<'_> {
         let name_of = |id: u32| self.params.get(id as usize).map(|p| p.name.as_str()).unwrap_or_default();
         let name = name_of(param);
         let message = match question {
-            Question::Derivative => format!("this derivative by `{name}` would miss a dependence on it"),
-            Question::Value => format!("this value at another `{name}` would miss a dependence on it"),
+            Question::Derivative => {
+                format!("this derivative with respect to `{name}` would miss a dependence on it")
+            }
+            Question::Value => format!("this value for another `{name}` would miss a dependence on it"),
         };
         let error = |label: String| Diagnostic::error("E0509", message.clone(), span, label);
         match blind {
             Blind::Computed(id) => {
                 let captured = self.variable(id);
-                error(format!("`{}` was computed from `{name}` beforehand", captured.name))
+                error(format!("`{}` was computed from `{name}` before", captured.name))
                     .label(captured.span, "captured as a value here")
                     .help(format!(
-                        "bind `{}` with `:=`, so that `{name}` stays a symbol in it",
+                        "bind `{}` with `:=`, so that it depends on `{name}` symbolically",
                         captured.name
                     ))
             }
@@ -38,18 +40,18 @@ impl Checker<'_> {
             }
             Blind::Chosen(id) => {
                 let bound = self.variable(id);
-                error(format!("a condition on `{name}` decides which expression `{}` is", bound.name))
+                error(format!("a condition on `{name}` selects the expression of `{}`", bound.name))
                     .label(bound.span, "bound in several places")
                     .help(format!(
-                        "bind `{0}` once, with the choice in it: `{0} := if (...) a else b`",
+                        "bind `{0}` once, to a conditional expression: `{0} := if (...) a else b`",
                         bound.name
                     ))
             }
             Blind::Follows(other) => {
                 let follower = name_of(other);
                 let declared = self.params.get(other as usize).map_or(span, |p| p.span);
-                error(format!("the default of `{follower}` follows `{name}`"))
-                    .label(declared, format!("follows `{name}` unless it is set itself"))
+                error(format!("the default of `{follower}` depends on `{name}`"))
+                    .label(declared, format!("depends on `{name}` unless it is set"))
                     .help(format!(
                         "bind what follows `{name}` with `var {follower} := ...`; for the change with `{name}` \
                          alone, use a symbolic function of both"

@@ -60,7 +60,7 @@ impl<'a> Checker<'a> {
                 let given = self.match_arguments("assert", &parameters, arguments, span).unwrap_or_default();
                 let [Some(written), message] = given[..] else { return Expr::error(span) };
                 let condition = self.as_value(|c| c.expr(&written.value));
-                self.expect(&Type::Bool, &condition, "what is asserted", None);
+                self.expect(&Type::Bool, &condition, "the condition of `assert`", None);
                 let message = match message {
                     Some(message) => {
                         let message = self.as_value(|c| c.expr(&message.value));
@@ -94,7 +94,7 @@ impl<'a> Checker<'a> {
             Builtin::Push => {
                 self.check_loosely(arguments);
                 self.report(
-                    Diagnostic::error("E0311", "`push` is a statement", span, "gives no value")
+                    Diagnostic::error("E0311", "`push` is a statement", span, "has no value")
                         .help("write `push(array, value);` on its own"),
                 );
                 Expr::error(span)
@@ -112,9 +112,9 @@ impl<'a> Checker<'a> {
                     "E0205",
                     format!("`{function}` has no parameter `{}`", name.name),
                     name.span,
-                    "its arguments have no names",
+                    "has no named parameters",
                 )
-                .help(format!("give values alone: `{function}(a, b)`"))
+                .help(format!("omit the names: `{function}(a, b)`"))
                 .suggest(format!("remove `{} =`", name.name), written, ""),
             );
         }

@@ -135,7 +135,7 @@ impl<'a> Checker<'a> {
                         .filter(|((name, optional), given)| given.is_none() && !optional && !written(name));
                     let diagnostic = Diagnostic::error(
                         "E0206",
-                        "an argument without a name follows named ones",
+                        "an argument without a name follows a named argument",
                         argument.value.span,
                         "which parameter is this?",
                     )
@@ -150,7 +150,7 @@ impl<'a> Checker<'a> {
                 }
                 None if index >= parameters.len() => {
                     let help = match parameters.len() {
-                        0 => "it takes none".to_string(),
+                        0 => "it has no parameters".to_string(),
                         _ => format!("its parameters are {}", list()),
                     };
                     self.report(
@@ -162,7 +162,7 @@ impl<'a> Checker<'a> {
                                 arguments.len()
                             ),
                             argument.value.span,
-                            "one too many",
+                            "extra argument",
                         )
                         .help(help),
                     );
@@ -180,12 +180,12 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0206",
-                        format!("`{}` is given twice", parameters[at].0),
+                        format!("the argument `{}` occurs twice", parameters[at].0),
                         argument.value.span,
-                        "given again here",
+                        "second occurrence",
                     )
-                    .label(first.value.span, "first given here")
-                    .help("give each argument once")
+                    .label(first.value.span, "first occurrence")
+                    .help("remove one of the two")
                     .suggest(format!("remove this `{}`", parameters[at].0), removed, ""),
                 );
                 sound = false;
@@ -203,7 +203,7 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0206",
-                    format!("`{function}` also needs {}", missing.join(" and ")),
+                    format!("the call of `{function}` lacks {}", missing.join(" and ")),
                     span,
                     "an argument is missing",
                 )
@@ -271,7 +271,7 @@ impl<'a> Checker<'a> {
                         span,
                         "has an effect",
                     )
-                    .help("use functions that only compute"),
+                    .help("use functions without effects"),
                 );
             }
         }
@@ -507,7 +507,10 @@ impl<'a> Checker<'a> {
                     };
                     let value =
                         Expr { kind: place_value(&place), ty: place.ty.clone(), span: argument.value.span };
-                    let cause = (parameter.span(), format!("`{}` is handed back here", parameter.name.name));
+                    let cause = (
+                        parameter.span(),
+                        format!("`{}` is an `out` or `inout` parameter", parameter.name.name),
+                    );
                     self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
                     copy_back.push(place);
                     value

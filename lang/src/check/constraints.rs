@@ -155,11 +155,11 @@ impl Checker<'_> {
                     self.report(
                         Diagnostic::error(
                             "E0307",
-                            format!("nothing says what has this field `{name}`"),
+                            format!("the type of the value with the field `{name}` is not known"),
                             constraint.span,
-                            "its type is not known here",
+                            "unknown type",
                         )
-                        .help("give the variable a record before its fields are named"),
+                        .help("assign a record to the variable before using its fields"),
                     );
                     self.pending.remove(0);
                     continue;
@@ -223,7 +223,7 @@ impl Checker<'_> {
                                     constraint.span,
                                     "frame times vector",
                                 )
-                                .help("use `direction(frame, v)` for a vector that is no point"),
+                                .help("use `direction(frame, v)` for a vector that is not a point"),
                             );
                         }
                         Type::Vector(length)
@@ -288,10 +288,10 @@ impl Checker<'_> {
                 other => {
                     let shown = with_article(&self.store.show(&other));
                     let help = match other {
-                        Type::String => "put texts together by interpolation: `\"{a}{b}\"`",
+                        Type::String => "join strings by interpolation: `\"{a}{b}\"`",
                         Type::Array(_) => "use `push` to append, or a loop to add element by element",
-                        Type::Transform => "frames are combined with `*`",
-                        _ => "only numbers and vectors add",
+                        Type::Transform => "combine frames with `*`",
+                        _ => "only numbers and vectors can be added",
                     };
                     Outcome::failed(
                         Diagnostic::error(
@@ -361,11 +361,11 @@ impl Checker<'_> {
                     Outcome::failed(
                         Diagnostic::error(
                             "E0304",
-                            format!("{shown} has no text form"),
+                            format!("{shown} cannot be converted to text"),
                             constraint.span,
                             format!("this is {shown}"),
                         )
-                        .help("print numbers, truth values, strings, vectors, frames, and arrays, tuples and records of them"),
+                        .help("numbers, truth values, strings, vectors, frames, and arrays, tuples and records of them can"),
                     )
                 }
             },
@@ -408,7 +408,7 @@ impl Checker<'_> {
                     None => Outcome::failed(
                         Diagnostic::error(
                             "E0305",
-                            format!("this tuple has {} elements, there is no element {at}", parts.len()),
+                            format!("this tuple has {} elements, so there is no element {at}", parts.len()),
                             constraint.span,
                             "index out of range",
                         )
@@ -429,11 +429,11 @@ impl Checker<'_> {
                     Outcome::failed(
                         Diagnostic::error(
                             "E0305",
-                            format!("{shown} has no elements to index"),
+                            format!("{shown} cannot be indexed"),
                             constraint.span,
                             format!("this is {shown}"),
                         )
-                        .help("only arrays and tuples are indexed"),
+                        .help("only arrays and tuples can be indexed"),
                     )
                 }
             },
@@ -489,7 +489,7 @@ impl Checker<'_> {
                                 constraint.span,
                                 format!("this is {shown}"),
                             )
-                            .help("choose a unit of its own dimension, or leave the unit out"),
+                            .help("use a unit of its dimension, or omit the unit"),
                         )
                     }
                 }
@@ -521,7 +521,7 @@ impl Checker<'_> {
                         constraint.span,
                         format!("this is {shown}"),
                     )
-                    .help("formats are for numbers; only a width is for texts too: `{name : 12}`"),
+                    .help("digits and units apply to numbers; texts can have a width: `{name : 12}`"),
                 )
             }
         }

@@ -55,9 +55,9 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0212",
-                        format!("the constant `{}` is computed from itself", decl.name.name),
+                        format!("the constant `{}` depends on itself", decl.name.name),
                         decl.name.span,
-                        "needed for its own value",
+                        "circular definition",
                     )
                     .help("compute constants from literals and other constants"),
                 );
@@ -92,7 +92,7 @@ impl<'a> Checker<'a> {
                     "E0221",
                     format!("the constant `{name}` has more than {MOST_PARTS} parts"),
                     value.span,
-                    "with the constants it names put in",
+                    "including the constants that it uses",
                 )
                 .help("use a variable"),
             );
@@ -111,9 +111,9 @@ fn variable_part(e: &Expr, parts: &mut usize) -> Option<(Span, &'static str)> {
     *parts += 1;
     let what = match &e.kind {
         Kind::Var(_) => Some("a variable"),
-        Kind::Param(_) => Some("a param, which is set from outside"),
+        Kind::Param(_) => Some("a param, which is set before the run"),
         Kind::Time => Some("`Time`"),
-        Kind::Call(_) | Kind::CallExtern(..) => Some("a call of a function that is not the language's own"),
+        Kind::Call(_) | Kind::CallExtern(..) => Some("a call of a function that is not built in"),
         Kind::Print(..) | Kind::Assert(..) => Some("a statement"),
         Kind::Def(_)
         | Kind::MakeSymbolic(_)

@@ -68,7 +68,7 @@ impl<'a> Checker<'a> {
                 for (end, e) in ends.iter_mut().zip([low, high]) {
                     if let Some(e) = e {
                         let e = self.as_value(|c| c.whole(e));
-                        self.expect(ty, &e, &format!("an end of the range of `{name}`"), None);
+                        self.expect(ty, &e, &format!("a limit of the range of `{name}`"), None);
                         *end = Some(e);
                     }
                 }
@@ -171,9 +171,9 @@ impl<'a> Checker<'a> {
                     "E0313",
                     format!("the range of `{}` is empty", check.name),
                     check.span,
-                    "low end above high end",
+                    "the lower limit is above the upper limit",
                 )
-                .help("write the smaller end first");
+                .help("write the lower limit first");
                 if let (Some(low), Some(high)) = (&check.low, &check.high) {
                     let swapped = format!("{} .. {}", self.text(high.span), self.text(low.span));
                     let title = format!("write `{swapped}`");
@@ -201,7 +201,7 @@ impl<'a> Checker<'a> {
         let message = format!("`{}` must lie in {range}", check.name);
         let diagnostic = Diagnostic::error("E0314", message, span, "outside the allowed range")
             .label(check.span, "allowed here")
-            .help(format!("choose a value in {range}, ends included"));
+            .help(format!("choose a value in {range}, limits included"));
         // An angle without a unit that would be within the range in degrees.
         let angle = Dimension::of(Base::Angle);
         let written = self.text(span).trim().to_owned();
@@ -227,7 +227,7 @@ impl<'a> Checker<'a> {
         }
         let allowed = check.choices.iter().map(|c| format!("\"{c}\"")).collect::<Vec<_>>().join(", ");
         let message = format!("`{}` cannot be \"{text}\"", check.name);
-        let diagnostic = Diagnostic::error("E0314", message, span, "not among the allowed values")
+        let diagnostic = Diagnostic::error("E0314", message, span, "not an allowed value")
             .label(check.span, "allowed here");
         let begun: Vec<&String> =
             check.choices.iter().filter(|choice| !text.is_empty() && choice.starts_with(text)).collect();

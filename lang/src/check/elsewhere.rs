@@ -29,7 +29,7 @@ pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> 
     match (listed(doc, name), declared.is_empty()) {
         (Some(Listed::Absent(concept)), _) => format!("Calyx does not have {concept} yet{near}"),
         (Some(Listed::Renamed(text)), _) => text,
-        (None, true) => "the module has no names that importers see".into(),
+        (None, true) => "the module exports no names".into(),
         (None, false) if !related.is_empty() => {
             near.trim_start_matches("; ").replacen("names", "it has names", 1)
         }

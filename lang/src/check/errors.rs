@@ -25,11 +25,13 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0216",
-                        "there is no error to pass on here",
+                        "there is no error to rethrow here",
                         span,
-                        "outside of a `catch`",
+                        "outside a `catch`",
                     )
-                    .help("write `throw \"...\";`; `throw;` stands in a `catch` and throws its error again"),
+                    .help(
+                        "write `throw \"...\";`; `throw;` is only for a `catch`, whose error it throws again",
+                    ),
                 );
                 return StmtKind::Nothing;
             }

@@ -193,9 +193,9 @@ impl<'a> Checker<'a> {
                             "E0212",
                             format!("{place} cannot use a variable"),
                             span,
-                            "this variable has no value yet when params are set",
+                            "variables have no values when params are set",
                         )
-                        .help("use literals, params declared earlier, and functions of them"),
+                        .help("use literals, earlier params, and functions of them"),
                     );
                     return Expr::error(span);
                 }
@@ -211,9 +211,9 @@ impl<'a> Checker<'a> {
                     self.report(
                         Diagnostic::error(
                             "E0212",
-                            format!("{place} cannot use a param, which is set from outside"),
+                            format!("{place} cannot use a param, which is set before the run"),
                             span,
-                            "not known here",
+                            "not constant",
                         )
                         .help("use literals, units and constants"),
                     );
@@ -230,9 +230,9 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0306",
-                        format!("`{}` is a record; records are made by naming their fields", name.name),
+                        format!("`{}` is a record type, not a value", name.name),
                         span,
-                        "not called",
+                        "not a value",
                     )
                     .help(format!("write `{}(field = value)`", name.name))
                     .suggest(
@@ -251,7 +251,7 @@ impl<'a> Checker<'a> {
                         span,
                         "not a value",
                     )
-                    .help("dimensions stand in types; a value needs a unit"),
+                    .help("use dimensions in types and units in values"),
                 );
                 (Kind::Error, Type::Error)
             }
@@ -273,7 +273,7 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0306",
-                        format!("`{}` is a function; functions are not values", name.name),
+                        format!("`{}` is a function, and functions are not values", name.name),
                         span,
                         "not called",
                     )
@@ -289,7 +289,7 @@ impl<'a> Checker<'a> {
             Res::Module(_) => {
                 self.report(
                     Diagnostic::error("E0306", format!("`{}` is a module", name.name), span, "not a value")
-                        .help(format!("name something in it: `{}.name`", name.name)),
+                        .help(format!("use one of its names: `{}.name`", name.name)),
                 );
                 (Kind::Error, Type::Error)
             }
@@ -368,7 +368,7 @@ impl<'a> Checker<'a> {
             }
             (Type::Unknown(_), Some(op)) if self.symbolic => {
                 let (vector, dim) = self.fresh_vector();
-                self.expect(&vector, &base, &format!("what stands before `.{}`", field.name), None);
+                self.expect(&vector, &base, &format!("the value before `.{}`", field.name), None);
                 Expr { kind: Kind::Op(op, vec![base]), ty: Type::Number(dim), span }
             }
             (Type::Unknown(_), _) => {
@@ -393,9 +393,9 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0305",
-                    "an element of symbolic brackets is chosen by a constant index",
+                    "the index of symbolic brackets must be constant",
                     index.span,
-                    "known only when the model runs",
+                    "known only at run time",
                 )
                 .help("write the index as a number, such as `[0]`"),
             );
@@ -498,7 +498,7 @@ impl<'a> Checker<'a> {
         let ty = match super::constant::number(&exponent, &self.store) {
             Some(value) => match Rational::from_f64(value).and_then(|r| self.store.dim(&dim).power(r)) {
                 Some(power) => Type::Number(power),
-                None => self.pure_base(&base, "an exponent that is no simple fraction"),
+                None => self.pure_base(&base, "an exponent that is not a simple fraction"),
             },
             None => self.pure_base(&base, "an exponent that is not constant"),
         };
@@ -547,7 +547,7 @@ impl<'a> Checker<'a> {
                     Some(Type::Number(dim)) => Some((Sym::Param(id), dim)),
                     Some(Type::Error) | None => None,
                     Some(_) => {
-                        self.bad_symbol(name, "this param is no number");
+                        self.bad_symbol(name, "this param is not a number");
                         None
                     }
                 }
@@ -556,7 +556,7 @@ impl<'a> Checker<'a> {
                 let dim = self.store.fresh_dim();
                 let ty = self.variable_type(id);
                 if self.store.unify(&ty, &Type::Number(dim.clone())).is_err() {
-                    self.bad_symbol(name, "this argument is no number");
+                    self.bad_symbol(name, "this argument is not a number");
                     return None;
                 }
                 Some((Sym::Argument(id), dim))
@@ -577,7 +577,7 @@ impl<'a> Checker<'a> {
                 name.span,
                 label,
             )
-            .help("only `Time`, params and the arguments of the symbolic function around stay symbols"),
+            .help("only `Time`, number params and arguments of the enclosing symbolic function are symbols"),
         );
     }
 

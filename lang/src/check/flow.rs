@@ -150,11 +150,11 @@ impl Finder<'_> {
                     Diagnostic::error(
                         "E0218",
                         format!(
-                            "`{}` can end before its out parameter `{name}` has a value",
+                            "`{}` can return before its out parameter `{name}` has a value",
                             self.function.name
                         ),
                         self.function.span,
-                        "not every way through it assigns it",
+                        "not assigned on every path",
                     )
                     .help(format!("assign `{name}` before every `return` and at the end")),
                 );
@@ -180,9 +180,9 @@ impl Finder<'_> {
                 "E0217",
                 format!("`{name}` is read before it has a value"),
                 span,
-                "no value yet",
+                "may have no value",
             )
-            .help(format!("assign `{name}` on every way that leads here")),
+            .help(format!("assign `{name}` on every path to this point")),
         );
     }
 

@@ -143,10 +143,12 @@ impl<'a> Checker<'a> {
                     "E0502",
                     format!("`{name}` depends on `Time`, so it has no value here"),
                     *span,
-                    "this is computed at once",
+                    "this is evaluated immediately",
                 )
                 .label(self.variable(*id).span, "declared here")
-                .help(format!("bind with `:=` to keep `Time`, or say when: `{name} at Time = 0.1 s`")),
+                .help(format!(
+                    "bind with `:=` to keep `Time`, or evaluate at a time: `{name} at Time = 0.1 s`"
+                )),
             );
         }
         for id in &self.graphs.chosen {
@@ -157,12 +159,12 @@ impl<'a> Checker<'a> {
                     found.push(
                         Diagnostic::error(
                             "E0505",
-                            format!("`{name}` is chosen when the model runs and cannot hold an observable"),
+                            format!("the expression of `{name}` is selected at run time and cannot contain an observable"),
                             def.span,
                             "this contains an observable",
                         )
                         .label(self.variable(*id).span, "has several expressions")
-                        .help("bind the observable to a name of its own"),
+                        .help("bind the observable to a separate name"),
                     );
                 }
             }

@@ -14,10 +14,10 @@ impl Checker<'_> {
         let name = &decl.name.name;
         if matches!(decl.body, FunctionBody::Symbolic(_)) {
             self.no_host(
-                format!("the host function `{name}` cannot stand for an expression"),
+                format!("the host function `{name}` cannot be symbolic"),
                 decl.name.span,
                 "declared with `:=`",
-                "it computes a value: write `{ return ...; }`",
+                "write a body that returns a value: `{ return ...; }`",
             );
         }
         let signature = self.signatures.get(&id);
@@ -27,10 +27,10 @@ impl Checker<'_> {
             let (given, span) = (&parameter.name.name, parameter.name.span);
             if parameter.mode != Mode::In {
                 self.no_host(
-                    format!("`{given}` cannot be handed back by a host function"),
+                    format!("a host function cannot have the `out` or `inout` parameter `{given}`"),
                     span,
-                    "the embedding program takes values and returns one",
-                    "return it",
+                    "host functions have only `in` parameters",
+                    "return the value instead",
                 );
             } else if matches!(parameter.default, Some((Bind::Symbolic, _))) {
                 self.no_host(
@@ -56,8 +56,8 @@ impl Checker<'_> {
             None => self.no_host(
                 format!("the host function `{name}` needs the type of its result"),
                 decl.name.span,
-                "no result",
-                "write `-> Type` behind the parameters",
+                "no result type",
+                "write `-> Type` after the parameters",
             ),
         }
         let module = self.modules.iter().find(|module| module.file == decl.name.span.file);
@@ -87,7 +87,7 @@ impl Checker<'_> {
         };
         if !crosses {
             self.no_host(
-                "a value of this type cannot cross to another program".to_owned(),
+                "a value of this type cannot be passed to the embedding program".to_owned(),
                 span,
                 "in a host function",
                 "numbers and vectors of a known dimension, such as `Length` and `Vector(Length)`, `Bool`, `String` and arrays of these can",

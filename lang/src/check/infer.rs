@@ -280,7 +280,7 @@ impl<'a> Checker<'a> {
             (_, (_, Type::Observable(_))) => self.observable_as_value(found.span),
             (_, (_, Type::Unit)) => Diagnostic::error(
                 "E0303",
-                format!("{what} needs a value, and this call returns nothing"),
+                format!("{what} needs a value, but this call returns nothing"),
                 found.span,
                 "no value here",
             )
@@ -309,7 +309,7 @@ impl<'a> Checker<'a> {
             (Type::Vector(_), Type::Number(_)) => "multiply it by a basis vector: `... * e3`".into(),
             (Type::Number(_), Type::Vector(_)) => "take a component (`.x`, `.y`, `.z`) or `norm(...)`".into(),
             (Type::Bool, Type::Number(_)) => "compare it: `... != 0`".into(),
-            (Type::Transform, Type::Vector(_)) => "make a frame of it: `Translate(...)`".into(),
+            (Type::Transform, Type::Vector(_)) => "convert it to a frame: `Translate(...)`".into(),
             (Type::Handle(name), _) => {
                 let makers = self.names.around.map(|around| around.makers(name)).unwrap_or_default();
                 elsewhere::handle(&makers, name, &self.store.show(found))
@@ -498,7 +498,7 @@ impl<'a> Checker<'a> {
 pub(super) fn too_large(span: Span) -> Diagnostic {
     Diagnostic::error(
         "E0302",
-        "a value cannot contain itself, nor more than 100 arrays inside one another or 1000 parts",
+        "a value cannot contain itself, more than 100 nested arrays or more than 1000 parts",
         span,
         "its type would be infinite or too large",
     )

@@ -59,7 +59,7 @@ impl Checker<'_> {
                 };
                 let text = [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.shallow(ty), Type::String));
                 let help = if text && verb == "add" {
-                    "values become text by interpolation: `\"{a}{b}\"`"
+                    "convert values to text by interpolation: `\"{a}{b}\"`"
                 } else {
                     "both sides must have the same type"
                 };
@@ -190,7 +190,7 @@ impl Checker<'_> {
         match (factor(missing), factor(inverse)) {
             (_, Some(name)) => Some(format!("divide by {} (`{}`)", with_article(name), unit(inverse))),
             (Some(name), _) => Some(format!("multiply by {} (`{}`)", with_article(name), unit(missing))),
-            _ => Some(format!("the two differ by a factor of {}", vocabulary.in_bases(missing))),
+            _ => Some(format!("the dimensions differ by a factor of {}", vocabulary.in_bases(missing))),
         }
     }
 }

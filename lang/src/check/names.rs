@@ -120,9 +120,9 @@ impl<'a> Resolver<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0224",
-                        "a file has one system of units",
+                        "a file has only one unit system",
                         statement.span,
-                        format!("`{}` comes too late", second.name),
+                        format!("second unit system `{}`", second.name),
                     )
                     .label(first.span, format!("all numbers of the file are in `{}`", first.name))
                     .help("remove one of the two; a single number may have any unit, as in `3 inch`"),
@@ -142,7 +142,7 @@ impl<'a> Resolver<'a> {
                     _ => self.report(
                         Diagnostic::error(
                             "E0210",
-                            "a module holds only functions, constants, records, dimensions, units and imports",
+                            "a module may contain only functions, constants, records, dimensions, units and imports",
                             statement.span,
                             "not allowed in a module",
                         )
@@ -454,11 +454,13 @@ impl<'a> Resolver<'a> {
         self.report(
             Diagnostic::error(
                 "E0222",
-                format!("the test `{}` takes or gives something", decl.name.name),
+                format!("the test `{}` has a parameter or a result", decl.name.name),
                 place,
-                "not for a test",
+                "not allowed in a test",
             )
-            .help("write `test function name() { assert(...); }`; a test calls functions with arguments of its own"),
+            .help(
+                "write `test function name() { assert(...); }`, and call functions with arguments inside it",
+            ),
         );
     }
 
@@ -472,12 +474,12 @@ impl<'a> Resolver<'a> {
             if info.decl.is_some_and(|decl| decl.is_test) {
                 let diagnostic = Diagnostic::error(
                     "E0223",
-                    format!("a test does not see the variable `{}`", name.name),
+                    format!("a test cannot use the variable `{}`", name.name),
                     name.span,
                     "a variable of the model",
                 )
                 .label(declared, "declared here")
-                .help("compute what the test needs inside it, or make this a `const` or a function");
+                .help("compute the value inside the test, or make it a `const` or a function");
                 return self.report(diagnostic);
             }
             at = info.parent;

@@ -27,8 +27,8 @@ impl<'a> Checker<'a> {
                         if let Some(e) = e {
                             let e = self.whole(e);
                             let number = self.fresh_number();
-                            self.expect(&number, &e, "an end of a range", None);
-                            self.expect(&ty, &e, &format!("an end of the range of `{name}`"), cause.clone());
+                            self.expect(&number, &e, "a limit of a range", None);
+                            self.expect(&ty, &e, &format!("a limit of the range of `{name}`"), cause.clone());
                             *end = Some(e);
                         }
                     }
@@ -43,11 +43,11 @@ impl<'a> Checker<'a> {
                                 self.report(
                                     Diagnostic::error(
                                         "E0212",
-                                        "choices are texts written out, without values in braces",
+                                        "choices must be texts without values in braces",
                                         value.span,
-                                        "this text is computed",
+                                        "this text is not constant",
                                     )
-                                    .help("write what it comes to"),
+                                    .help("write the text itself"),
                                 );
                             }
                             None => {}

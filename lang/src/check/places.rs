@@ -32,15 +32,15 @@ impl<'a> Checker<'a> {
                 if overlap == Overlap::Always {
                     let name = &self.variable(later.variable).name;
                     let what = match (earlier.steps.is_empty(), later.steps.is_empty()) {
-                        (true, true) => format!("`{name}` is given to two out parameters"),
+                        (true, true) => format!("`{name}` is passed to two `out` parameters"),
                         (false, false) if earlier.steps.len() == later.steps.len() => {
-                            format!("a part of `{name}` is given to two out parameters")
+                            format!("a part of `{name}` is passed to two `out` parameters")
                         }
-                        _ => format!("`{name}` and a part of it are given to two out parameters"),
+                        _ => format!("`{name}` and a part of it are passed to two `out` parameters"),
                     };
                     self.report(
-                        Diagnostic::error("E0310", what, later.span, "given again here")
-                            .label(earlier.span, "first given here")
+                        Diagnostic::error("E0310", what, later.span, "second occurrence")
+                            .label(earlier.span, "first occurrence")
                             .help("use two variables"),
                     );
                 }
@@ -96,7 +96,7 @@ impl<'a> Checker<'a> {
                         "E0207",
                         format!("the param `{}` cannot be assigned", name.name),
                         e.span,
-                        "a param is set from outside",
+                        "a param is set before the run",
                     )
                     .help("copy it into a variable: `var x = ...;`");
                     let diagnostic = match declared {
@@ -178,7 +178,7 @@ impl<'a> Checker<'a> {
                     self.report(
                         Diagnostic::error(
                             "E0305",
-                            format!("this tuple has {} elements, there is no element {at}", parts.len()),
+                            format!("this tuple has {} elements, so there is no element {at}", parts.len()),
                             span,
                             "index out of range",
                         )
@@ -204,11 +204,11 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0305",
-                        format!("{shown} has no elements to index"),
+                        format!("{shown} cannot be indexed"),
                         span,
                         format!("this is {shown}"),
                     )
-                    .help("only arrays and tuples are indexed"),
+                    .help("only arrays and tuples can be indexed"),
                 );
                 return None;
             }
@@ -235,7 +235,7 @@ impl<'a> Checker<'a> {
                         "E0208",
                         format!("the component `.{}` of a vector cannot be assigned", field.name),
                         span,
-                        "vectors are values as a whole",
+                        "the components of a vector cannot change separately",
                     )
                     .help("assign a new vector: `v = a*e1 + b*e2 + c*e3;`"),
                 );
@@ -267,8 +267,8 @@ impl<'a> Checker<'a> {
 
     pub(super) fn keeps_expression(&self, id: VarId, span: Span) -> Diagnostic {
         let variable = self.variable(id);
-        let message = format!("`{}` is bound with `:=` and keeps an expression", variable.name);
-        Diagnostic::error("E0503", message, span, "cannot take a value")
+        let message = format!("`{}` is symbolic and cannot be assigned a value", variable.name);
+        Diagnostic::error("E0503", message, span, "assigned with `=`")
             .label(variable.span, "declared with `:=` here")
             .help(format!("write `{} := ...`, or use another variable", variable.name))
     }

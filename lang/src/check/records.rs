@@ -126,7 +126,7 @@ impl<'a> Checker<'a> {
                 decl.fields[at].name.span,
                 "its type would be infinite",
             )
-            .help("keep the parts in an array beside it, and an index here"),
+            .help("store the parts in a separate array, and an index here"),
         );
         self.store.records[id.0 as usize].fields[at].1 = Type::Error;
     }
@@ -139,9 +139,9 @@ impl<'a> Checker<'a> {
                 "E0302",
                 format!("a `{}` would be too large", name.name),
                 name.span,
-                format!("more than {MOST_NESTED} values inside one another, or {MOST_FIELDS} parts"),
+                format!("more than {MOST_NESTED} nested values, or {MOST_FIELDS} parts"),
             )
-            .help("keep the parts in an array"),
+            .help("store the parts in an array"),
         );
         self.store.records[id.0 as usize].fields.iter_mut().for_each(|(_, ty)| *ty = Type::Error);
     }
@@ -246,7 +246,7 @@ impl<'a> Checker<'a> {
                     };
                     self.report(
                         Diagnostic::error("E0301", message, argument.value.span, "not a record")
-                            .help("its fields become arguments by name; give a parameter its record as type"),
+                            .help("declare the type of the parameter as a record, because its fields are passed by name"),
                     );
                     sound = false;
                     continue;
@@ -256,7 +256,7 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0206",
-                        "the record after `..` is read once for each field, so it must have a name",
+                        "the record after `..` must be a variable, because each field reads it",
                         argument.value.span,
                         "computed here",
                     )
@@ -272,11 +272,11 @@ impl<'a> Checker<'a> {
                         "E0205",
                         format!("`{function}` has no parameter for the field `{name}` of `{}`", found.name),
                         argument.value.span,
-                        "every field becomes an argument",
+                        "every field is passed as an argument",
                     );
                     let diagnostic = match similar(name, parameters.iter().copied()) {
                         Some(near) => diagnostic.help(format!("is the parameter `{near}` meant?")),
-                        None => diagnostic.help("name the fields one by one: `f(a = r.a)`"),
+                        None => diagnostic.help("pass the fields one by one: `f(a = r.a)`"),
                     };
                     self.report(diagnostic);
                     sound = false;
@@ -296,9 +296,9 @@ impl<'a> Checker<'a> {
                     self.report(
                         Diagnostic::error(
                             "E0206",
-                            format!("`{name}` is given by two records"),
+                            format!("two records have the field `{name}`"),
                             argument.value.span,
-                            "given again here",
+                            "second occurrence",
                         )
                         .help(format!("write `{name} = ...` to choose one")),
                     );
@@ -349,11 +349,12 @@ impl<'a> Checker<'a> {
                     ),
                     None => {
                         let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-                        diagnostic.help(format!("its fields are {}", names.join(", ")))
+                        diagnostic.help(format!("the record has the fields {}", names.join(", ")))
                     }
                 }
             }
-            _ => diagnostic.help("vectors have `.x`, `.y` and `.z`, records the fields they declare"),
+            _ => diagnostic
+                .help("vectors have the components `.x`, `.y` and `.z`, records their declared fields"),
         }
     }
 }

@@ -216,7 +216,7 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0303",
-                    "a value is needed here, and this call returns nothing",
+                    "a value is needed here, but this call returns nothing",
                     value.span,
                     "no value here",
                 )
@@ -293,9 +293,9 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0503",
-                    format!("`{}` holds a value and cannot be bound with `:=`", variable.name),
+                    format!("`{}` is a variable with a value and cannot be bound with `:=`", variable.name),
                     place.span,
-                    "a name's kind is fixed where it is declared",
+                    "the declaration determines the kind of a name",
                 )
                 .label(variable.span, "declared here")
                 .help(format!("write `{0} = ...`, or declare it with `var {0} := ...`", variable.name))
@@ -328,7 +328,7 @@ impl<'a> Checker<'a> {
                 "W0203",
                 "the value of this expression is not used",
                 e.span,
-                "computed for nothing",
+                "the value is dropped",
             )
             .help("assign it to a variable, or remove it");
             // `a == b;` was probably intended as an assignment.
@@ -368,7 +368,7 @@ impl<'a> Checker<'a> {
         let duplicate = earlier.iter().find(|e| constant::equal(e, &value, &self.store)).map(|e| e.span);
         if let Some(first) = duplicate {
             self.report(
-                Diagnostic::error("E0315", "this case stands twice", value.span, "never reached")
+                Diagnostic::error("E0315", "this case occurs twice", value.span, "never reached")
                     .label(first, "first here")
                     .help("remove one of them"),
             );
@@ -381,13 +381,8 @@ impl<'a> Checker<'a> {
 
     fn outside_switch(&mut self, word: &str, span: Span) {
         self.report(
-            Diagnostic::error(
-                "E0214",
-                format!("`{word}` stands outside a `switch`"),
-                span,
-                "not in a switch",
-            )
-            .help("put it into the body of a `switch`"),
+            Diagnostic::error("E0214", format!("`{word}` is outside a `switch`"), span, "not in a switch")
+                .help("move it into the body of a `switch`"),
         );
     }
 
@@ -403,7 +398,7 @@ impl<'a> Checker<'a> {
                             "E0316",
                             "this function returns a value",
                             span,
-                            "returns nothing here",
+                            "no value returned here",
                         )
                         .help(format!("return a {}", self.store.show(&result))),
                     );

@@ -34,7 +34,7 @@ struct Builder {
 
 impl<'a> Checker<'a> {
     pub(super) fn time_as_value(&self, span: Span) -> Diagnostic {
-        Diagnostic::error("E0501", "`Time` has no value here", span, "this is computed at once").help(
+        Diagnostic::error("E0501", "`Time` has no value here", span, "this is evaluated immediately").help(
             "bind the expression with `:=` to keep `Time` in it, or evaluate it with `... at Time = 0.1 s`",
         )
     }
@@ -94,10 +94,12 @@ impl<'a> Checker<'a> {
                     "E0502",
                     format!("`{name}` depends on `Time`, so it has no value here"),
                     span,
-                    "this is computed at once",
+                    "this is evaluated immediately",
                 )
                 .label(bound, "bound to this expression")
-                .help(format!("bind with `:=` to keep `Time`, or say when: `{name} at Time = 0.1 s`"))
+                .help(format!(
+                    "bind with `:=` to keep `Time`, or evaluate at a time: `{name} at Time = 0.1 s`"
+                ))
             };
             self.report(diagnostic);
         } else {
@@ -137,7 +139,7 @@ impl<'a> Checker<'a> {
         self.report(
             Diagnostic::error(
                 "E0506",
-                "one differentiates by `Time`, a number param or an argument",
+                "derivatives are with respect to `Time`, a number param or an argument",
                 by.span,
                 "not a symbol",
             )
@@ -156,14 +158,14 @@ impl<'a> Checker<'a> {
             Type::Transform => {
                 let help =
                     "use `velocity(frame)`, `angular_velocity(frame)`, or the derivative of `origin(frame)`";
-                let message = "the derivative of a frame is no frame";
+                let message = "a frame has no derivative";
                 self.report(Diagnostic::error("E0304", message, span, "a frame").help(help));
                 Type::Error
             }
             known @ (Type::Bool | Type::String | Type::Record(_) | Type::Handle(_)) => {
                 let shown = with_article(&self.store.show(&known));
                 let message = format!("{shown} has no derivative");
-                let help = "numbers, vectors, and brackets of them have derivatives";
+                let help = "only numbers, vectors, and brackets of them have derivatives";
                 self.report(Diagnostic::error("E0304", message, span, format!("this is {shown}")).help(help));
                 Type::Error
             }
@@ -191,7 +193,7 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0506",
-                    "a gradient is taken by symbols in brackets",
+                    "the symbols of a gradient must be in brackets",
                     by.span,
                     "not in brackets",
                 )
@@ -299,10 +301,9 @@ impl<'a> Checker<'a> {
                 to.closed &= found.closed;
                 to.chosen.extend(&found.chosen);
                 if to.function.is_some() && !found.closed {
-                    let diagnostic = self.outside_argument(&found.name, span).label(
-                        found.span,
-                        "values were captured here, which a symbolic function has no place for",
-                    );
+                    let diagnostic = self
+                        .outside_argument(&found.name, span)
+                        .label(found.span, "a symbolic function cannot capture values");
                     self.report(diagnostic);
                 }
                 kind
@@ -378,7 +379,7 @@ impl<'a> Checker<'a> {
                     "E0508",
                     "an observable cannot be differentiated",
                     span,
-                    "its values come from the analysis",
+                    "the analysis computes its values",
                 )
                 .help("differentiate expressions in `Time` and params only"),
             );

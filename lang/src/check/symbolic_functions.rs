@@ -74,9 +74,9 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0513",
-                        format!("the symbolic function `{}` needs itself", decl.name.name),
+                        format!("the symbolic function `{}` is recursive", decl.name.name),
                         decl.name.span,
-                        "its expression would never end",
+                        "its expression would be infinite",
                     )
                     .help("write a loop that binds a `:=` name again, or an ordinary function"),
                 );
@@ -152,7 +152,7 @@ impl<'a> Checker<'a> {
             "not an argument",
         )
         .help(format!(
-            "it sees its arguments, `Time`, params, constants and symbolic functions; give `{name}` as an argument"
+            "pass `{name}` as an argument; the body can use only arguments, `Time`, params, constants and symbolic functions"
         ))
     }
 
@@ -173,15 +173,15 @@ impl<'a> Checker<'a> {
                     base.span,
                     "must be a number, a truth value or a vector",
                 )
-                .help("give each element as an argument of its own, or a vector")
+                .help("pass each element as a separate argument, or pass a vector")
             }
             _ => Diagnostic::error(
                 "E0511",
-                "this is computed at once, and a symbolic function has no moment for that",
+                "a symbolic function cannot evaluate this, because it is not a symbolic expression",
                 value.span,
-                "not an expression in symbols",
+                "not symbolic",
             )
-            .help("compute it before and give it as an argument"),
+            .help("compute it before the call and pass it as an argument"),
         };
         self.report(diagnostic);
     }

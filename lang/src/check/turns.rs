@@ -45,7 +45,7 @@ impl Checker<'_> {
         }
         let diagnostic = Diagnostic::warning(
             "W0518",
-            "cycles meet angles here: one cycle is 2 pi radians, so a factor of 2 pi is missing",
+            "cycles and angles are mixed: one cycle is 2 pi radians, so a factor of 2 pi is missing",
             span,
             format!("this counts {}", counted(y)),
         )
@@ -141,7 +141,7 @@ impl Checker<'_> {
                     "W0519",
                     "the reciprocal of an angular velocity is the time for one radian, not for a revolution",
                     span,
-                    format!("`{text}` is in radians by time"),
+                    format!("`{text}` is in radians per time"),
                 )
                 .help(format!(
                     "write `{number} rev / {text}` for revolutions, `{number} rad / {text}` for radians"
@@ -223,7 +223,7 @@ fn is_bare(e: &Expr) -> bool {
 pub(super) fn turn_in_format(span: Span) -> Diagnostic {
     Diagnostic::error(
         "E0519",
-        "a unit of angles cannot show cycles, nor a unit of cycles angles: one cycle is 2 pi radians",
+        "cycles and angles cannot be shown in each other's units: one cycle is 2 pi radians",
         span,
         "a factor of 2 pi would be missing",
     )

@@ -81,7 +81,7 @@ impl<'a> Checker<'a> {
                 Type::Error => None,
                 _ => {
                     c.report(
-                        Diagnostic::error("E0308", "a dimension belongs here", value.span, "not a dimension")
+                        Diagnostic::error("E0308", "a dimension is expected", value.span, "not a dimension")
                             .help("write a product of powers of dimensions, such as `Force/Length`"),
                     );
                     None
@@ -99,7 +99,7 @@ impl<'a> Checker<'a> {
                             "E0405",
                             format!("a program declares at most {OWN_BASES} base dimensions"),
                             decl.name.span,
-                            "one too many",
+                            "exceeds the limit",
                         )
                         .help("derive it from others: `dimension Name = Length/Time;`"),
                     );
@@ -162,21 +162,21 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0406",
-                    format!("{shown} has units already"),
+                    format!("{shown} already has units"),
                     span,
-                    "no new base dimension",
+                    "not a new base dimension",
                 )
-                .help(format!("say how large it is: `unit {} = 2 {example};`", name.name)),
+                .help(format!("define its size: `unit {} = 2 {example};`", name.name)),
             );
             return None;
         };
         let first = self.store.vocabulary.bases[base].unit.clone();
         if let Some(first) = first {
             let message =
-                format!("{} is measured in `{first}` already", self.store.vocabulary.bases[base].name);
+                format!("{} already has the unit `{first}`", self.store.vocabulary.bases[base].name);
             self.report(
-                Diagnostic::error("E0406", message, span, "a second unit of the same size")
-                    .help(format!("say how large it is: `unit {} = 0.01 {first};`", name.name)),
+                Diagnostic::error("E0406", message, span, "a second unit of size 1")
+                    .help(format!("define its size: `unit {} = 0.01 {first};`", name.name)),
             );
             return None;
         }
@@ -200,7 +200,7 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0406",
-                    "a unit is a positive quantity that is known",
+                    "the size of a unit must be a positive constant",
                     value.span,
                     "not a constant quantity",
                 )
@@ -211,17 +211,17 @@ impl<'a> Checker<'a> {
     }
 
     fn taken(&mut self, kind: &str, name: &ast::Ident) {
-        let message = format!("`{}` is a {kind} of the language", name.name);
+        let message = format!("`{}` is a built-in {kind}", name.name);
         self.report(
             Diagnostic::error("E0202", message, name.span, "declared again here").help("choose another name"),
         );
     }
 
     fn made_of_itself(&mut self, kind: &str, name: &ast::Ident) {
-        let message = format!("the {kind} `{}` is defined by itself", name.name);
+        let message = format!("the {kind} `{}` depends on itself", name.name);
         self.report(
-            Diagnostic::error("E0407", message, name.span, "needed for its own meaning")
-                .help("define it by what is known already"),
+            Diagnostic::error("E0407", message, name.span, "circular definition")
+                .help("define it by other units and dimensions"),
         );
     }
 
@@ -270,7 +270,7 @@ impl<'a> Checker<'a> {
         let unit = if sound { self.written_unit(e) } else { return None };
         let Some(unit) = unit else {
             self.report(
-                Diagnostic::error("E0408", "a format ends in a unit", e.span, "not a product of units")
+                Diagnostic::error("E0408", "a format must end with a unit", e.span, "not a product of units")
                     .help("write units joined by `*` and `/`: `{x : .3 lbf/inch^2}`"),
             );
             return None;
@@ -306,7 +306,7 @@ impl<'a> Checker<'a> {
         match &e.kind {
             ExprKind::Name(name) if self.names.uses.get(&name.span) == Some(&Res::Unknown) => {
                 *sound = false;
-                self.unknown_unit(name, "a format ends in a unit");
+                self.unknown_unit(name, "a format must end with a unit");
             }
             ExprKind::Binary { left, right, .. } => {
                 self.check_unit_names(left, sound);

@@ -131,8 +131,13 @@ fn missing_modules(db: &dyn salsa::Database, text: Text, file: FileId, library: 
 /// The error of a module whose file is there and not read.
 fn refused(module: &str, span: Span, refusal: &str) -> Diagnostic {
     let file = format!("{}.cx", module.replace('.', "/"));
-    Diagnostic::error("E0230", format!("the module `{module}` cannot be read: {refusal}"), span, format!("its file is `{file}`"))
-        .help("modules are regular files of text below the model's directory; put the file itself there, not a link to another place")
+    Diagnostic::error(
+        "E0230",
+        format!("the module `{module}` cannot be read: {refusal}"),
+        span,
+        format!("its file is `{file}`"),
+    )
+    .help("put the file itself into the model's directory, not a link to another location")
 }
 
 fn missing(module: &str, span: Span, known: &[String]) -> Diagnostic {
@@ -140,14 +145,14 @@ fn missing(module: &str, span: Span, known: &[String]) -> Diagnostic {
         "E0209",
         format!("there is no module `{module}`"),
         span,
-        "neither in the library nor beside this file",
+        "neither in the library nor in the folder of this file",
     );
     match crate::check::similar(module, known.iter().map(String::as_str)) {
         Some(near) => {
             diagnostic.help(format!("did you mean `{near}`?")).fix(format!("change to `{near}`"), span, near)
         }
         None if known.is_empty() => {
-            diagnostic.help(format!("put `{}.cx` beside this file", module.replace('.', "/")))
+            diagnostic.help(format!("create `{}.cx` in the folder of this file", module.replace('.', "/")))
         }
         None => diagnostic.help(format!("the library has {}", known.join(", "))),
     }

@@ -68,7 +68,7 @@ pub(super) fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnosti
     if inside.is_none() && (after_statement || source.begins_line(at)) {
         return None;
     }
-    let message = format!("{} stands at the top level of the file only", source.describe(at));
+    let message = format!("{} is allowed only at the top level of a file", source.describe(at));
     let problem =
         Diagnostic::error("E0123", message, source.place(at), "inside another statement").help("move it out");
     Some(match inside {
@@ -88,7 +88,7 @@ fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
     let upper = when(move |at| source.kind(at) != Some(Kind::Comma)).ignore_then(bound.clone()).or_not();
     let range = bound
         .or_not()
-        .then_ignore(expect(source, Kind::DotDot, "between the ends of the range"))
+        .then_ignore(expect(source, Kind::DotDot, "between the limits of the range"))
         .then(upper)
         .map_with(|(low, high), extra| Domain::Range { low, high, span: source.range(extra.span()) });
     just(Kind::In)
@@ -187,7 +187,7 @@ pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
             let message =
                 format!("a declaration is expected after `private`, not {}", source.describe(at + 1));
             let problem = Diagnostic::error("E0115", message, source.place(at + 1), "found here")
-                .help("`private` hides a declaration of a module from those who import it");
+                .help("write `private` before a declaration of a module, to hide it from importers");
             input.emit(problem.into());
         }
         Ok(())
@@ -209,9 +209,9 @@ fn parameter<'a>(
         }
         let place = source.place(at);
         let before = crate::span::Span { end: place.start, ..place };
-        let message = format!("the parameter `{}` says neither `in`, `out` nor `inout`", source.text(at));
+        let message = format!("the parameter `{}` has no mode: `in`, `out` or `inout`", source.text(at));
         input.emit(
-            Diagnostic::error("E0120", message, place, "how is it passed?")
+            Diagnostic::error("E0120", message, place, "missing mode")
                 .help("`in` passes a value, `out` and `inout` copy one back")
                 .fix("pass it by value", before, "in ")
                 .into(),
@@ -327,9 +327,9 @@ fn rational<'a>(source: &'a Source<'a>) -> Rule<'a, (i32, i32)> {
             input.emit(
                 Diagnostic::error(
                     "E0124",
-                    "the exponent of a dimension is a whole number or a fraction",
+                    "the exponent of a dimension must be an integer or a fraction",
                     source.place(at),
-                    "a whole number is expected here",
+                    "an integer is expected here",
                 )
                 .help("write `Length^2` or `Length^(1/2)`")
                 .into(),

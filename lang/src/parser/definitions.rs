@@ -70,7 +70,7 @@ fn record<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind>
                     "E0115",
                     format!("the field `{}` has neither a type nor a default", name.name),
                     name.span,
-                    "what does it hold?",
+                    "missing type or default",
                 )
                 .help(format!("write `{0}: Length;` or `{0} = 1 mm;`", name.name));
                 extra.emit(problem.into());

@@ -150,7 +150,7 @@ fn unit_exponent<'a>(source: &'a Source<'a>, input: &mut Reader<'a, '_>) -> (i32
     }
     let span = source.place(caret).to(source.place(digits));
     let mut problem =
-        Diagnostic::error("E0121", "the exponent of a unit is a whole number", span, "not a whole number")
+        Diagnostic::error("E0121", "the exponent of a unit must be an integer", span, "not an integer")
             .help("put the quantity in parentheses to raise all of it to a power: `(2 inch)^x`");
     if let (Some(unit), Some(number)) = (caret.checked_sub(1), caret.checked_sub(2)) {
         let raised = format!("({} {})", source.text(number), source.text(unit));
@@ -175,9 +175,9 @@ fn string<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
             at = source.next(at);
         }
         if at > start {
-            let message = format!("{} does not belong here", source.describe(start));
+            let message = format!("{} is unexpected", source.describe(start));
             let problem = Diagnostic::error("E0113", message, source.place(start), "not expected here")
-                .help("braces in a string hold one expression; write `{{` for the character itself");
+                .help("put one expression between the braces; write `{{` for the character itself");
             input.emit(problem.into());
         }
         advance_to(input, at + 1);
@@ -212,7 +212,7 @@ fn format<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Format> {
                     "E0112",
                     "a format is expected after `:`",
                     source.place(at),
-                    "nothing follows",
+                    "missing format",
                 );
                 extra.emit(problem.help("write digits after the point and a unit: `{x : .3 mm}`").into());
             }
@@ -221,11 +221,11 @@ fn format<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Format> {
                 if value.is_none() && !text.is_empty() {
                     let problem = Diagnostic::error(
                         "E0105",
-                        "a format holds numbers up to 100",
+                        "a number in a format is at most 100",
                         source.place(at),
                         "too large",
                     );
-                    extra.emit(problem.help("write fewer characters or digits").into());
+                    extra.emit(problem.help("reduce the width or the number of digits").into());
                 }
                 value
             };
@@ -338,7 +338,7 @@ fn condition<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> 
         input.next();
         let place = source.place(at);
         input.emit(
-            Diagnostic::error("E0117", "`=` assigns and is no condition", place, "an assignment")
+            Diagnostic::error("E0117", "`=` assigns and is not a condition", place, "an assignment")
                 .help("compare with `==`")
                 .fix("write `==`", place, "==")
                 .into(),
@@ -393,12 +393,12 @@ fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
         let doubled = at >= 2 && source.touches_previous(at - 1) && source.previous(at - 1) == before;
         problem.help = match (before, source.kind(at)) {
             (Some(Kind::Plus | Kind::Minus), _) if doubled => {
-                Some("there is no `++` or `--`; write `i = i + 1`".into())
+                Some("write `i = i + 1`; there is no `++` or `--`".into())
             }
             (Some(Kind::Plus | Kind::Minus | Kind::Star | Kind::Slash), Some(Kind::Assign)) => {
-                Some("there are no assignments with an operator; write `a = a + b`".into())
+                Some("write `a = a + b`; there is no `+=`".into())
             }
-            (Some(Kind::Star), Some(Kind::Star)) => Some("the power is written `^`".into()),
+            (Some(Kind::Star), Some(Kind::Star)) => Some("write a power as `a^b`".into()),
             _ => None,
         };
         if problem.help.is_some() {
@@ -537,7 +537,7 @@ fn doubled<'a>(source: &'a Source<'a>, kind: Kind, op: BinaryOp, single: &'stati
             let message = format!("{} is written `{single}`", kind.describe());
             extra.emit(
                 Diagnostic::error("E0118", message, place, "unknown operator")
-                    .help(format!("`{single}` evaluates its right side only where that matters"))
+                    .help(format!("write `{single}`, which evaluates its right side only if needed"))
                     .fix(format!("write `{single}`"), place, single)
                     .into(),
             );

@@ -55,11 +55,10 @@ pub(super) fn too_deep(source: &Source<'_>) -> Option<Diagnostic> {
         if open.len() > MAX_BRACKETS || levels > MAX_LEVELS {
             let message = "this is nested too deeply";
             let help = format!(
-                "split it into several statements; {MAX_BRACKETS} brackets or {MAX_LEVELS} operators inside one \
-                 another are allowed"
+                "split it into several statements; at most {MAX_BRACKETS} nested brackets or {MAX_LEVELS} nested operators are allowed"
             );
             let place = source.place(index);
-            return Some(Diagnostic::error("E0106", message, place, "the limit is reached here").help(help));
+            return Some(Diagnostic::error("E0106", message, place, "exceeds the limit here").help(help));
         }
     }
     None

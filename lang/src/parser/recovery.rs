@@ -74,7 +74,7 @@ pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, O
         }
         let problem = if reserved && same_line {
             input.next();
-            let message = format!("`{}` is a word of the language and cannot name {what}", source.text(at));
+            let message = format!("the keyword `{}` cannot name {what}", source.text(at));
             Diagnostic::error("E0114", message, source.place(at), "reserved").help("choose another name")
         } else {
             let message = format!("the name of {what} is expected, not {}", source.describe(at));
@@ -147,8 +147,8 @@ fn unknown_word(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     }
     let word = source.text(first);
     let place = source.place(first);
-    let message = format!("`{word}` begins no statement");
-    let problem = Diagnostic::error("E0113", message, place, "not a word of the language");
+    let message = format!("a statement cannot start with `{word}`");
+    let problem = Diagnostic::error("E0113", message, place, "not a keyword");
     let types = ["int", "double", "float", "real", "number", "let", "auto", "bool", "string", "Number"];
     if types.contains(&word) {
         return Some(problem.help("declare variables with `var`; types are inferred").fix(
@@ -240,7 +240,7 @@ fn second_number(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
         return Some(problem.help("write an operator or a `,` between the two"));
     }
     let written = format!("{first}/{}", source.text(at + 2));
-    let problem = problem.help(format!("a unit of the form 1/x is written with `/` alone: `{written}`"));
+    let problem = problem.help(format!("write a unit of the form 1/x with `/`: `{written}`"));
     // Without parentheses the operator would apply to the number alone.
     if matches!(source.previous(before), Some(Kind::Slash | Kind::Caret)) {
         return Some(problem);
@@ -258,7 +258,7 @@ pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
     let problem = |what: String| Diagnostic::error("E0113", what, place, "not expected here");
     match source.kind(at) {
         Some(Kind::CloseParen | Kind::CloseBracket | Kind::CloseBrace) => {
-            let message = format!("{} closes nothing", source.describe(at));
+            let message = format!("{} has no matching bracket", source.describe(at));
             Diagnostic::error("E0116", message, place, "no bracket is open here").help("remove it").suggest(
                 "remove it",
                 place,
@@ -267,15 +267,15 @@ pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
         }
         Some(Kind::Percent) => problem("`%` is a unit and follows a number".into())
             .help("the remainder of a division is `a - b*floor(a/b)`"),
-        Some(Kind::OpenBrace) => problem("no block belongs here".into())
-            .help("the word before it may be misspelt: `if`, `while`, `for`, `switch` take blocks"),
-        Some(Kind::Else) => problem("this `else` belongs to no `if`".into())
-            .help("`else` follows the one statement or block of its `if`"),
-        Some(Kind::Catch) => problem("this `catch` belongs to no `try`".into())
-            .help("`catch` follows the one statement or block of its `try`"),
-        Some(Kind::Assign | Kind::Bind) => problem(format!("{} assigns nothing here", source.describe(at)))
-            .help("one statement assigns one value; compare with `==`"),
-        _ => problem(format!("{} does not belong here", source.describe(at)))
+        Some(Kind::OpenBrace) => problem("unexpected block".into())
+            .help("check the spelling of the previous word: `if`, `while`, `for` and `switch` have blocks"),
+        Some(Kind::Else) => problem("this `else` has no `if`".into())
+            .help("`else` must follow the single statement or block of its `if`"),
+        Some(Kind::Catch) => problem("this `catch` has no `try`".into())
+            .help("`catch` must follow the single statement or block of its `try`"),
+        Some(Kind::Assign | Kind::Bind) => problem(format!("{} is unexpected", source.describe(at)))
+            .help("assign one value per statement, or compare with `==`"),
+        _ => problem(format!("{} is unexpected", source.describe(at)))
             .help("an operator, a `,` or a `;` may be missing before it"),
     }
 }
@@ -320,7 +320,7 @@ pub(super) fn close<'a>(source: &'a Source<'a>, kind: Kind, expected: &'static s
             }
             None => {
                 let message = format!("a {} is missing", kind.describe());
-                Diagnostic::error("E0111", message, place, "it should be closed by here")
+                Diagnostic::error("E0111", message, place, "expected here")
                     .help(format!("close the bracket with {}", kind.describe()))
             }
         };

@@ -91,7 +91,7 @@ fn expression_or_assignment<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> 
                         "E0122",
                         "this cannot be assigned to",
                         place.span,
-                        "a value, not a place",
+                        "a value, not a variable",
                     )
                     .help("assign to a variable or an element of one; compare with `==`")
                     .into(),
@@ -178,7 +178,7 @@ fn block<'a>(source: &'a Source<'a>, statement: Rule<'a, Stmt>) -> Rule<'a, Stmt
         let open =
             source.opening(at, Kind::CloseBrace).map_or_else(|| source.after(at), |open| source.place(open));
         input.emit(
-            Diagnostic::error("E0111", "this block does not end", open, "opened here")
+            Diagnostic::error("E0111", "this block is not closed", open, "opened here")
                 .label(source.after(at), "the file ends inside it")
                 .help("close it with `}`")
                 .into(),
@@ -242,7 +242,7 @@ fn loops<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) 
         .or_not();
     let header = expect(source, Kind::OpenParen, "after `for`")
         .ignore_then(init)
-        .then_ignore(expect(source, Kind::Semicolon, "after the beginning of a `for`"))
+        .then_ignore(expect(source, Kind::Semicolon, "after the initialization of a `for`"))
         .then(condition)
         .then_ignore(expect(source, Kind::Semicolon, "after the condition of a `for`"))
         .then(step)
@@ -300,7 +300,7 @@ fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
         let message = format!("a statement is expected, not {}", source.describe(at));
         input.emit(
             Diagnostic::error("E0115", message, source.place(at), "a statement is expected here")
-                .help("`;` alone is a statement that does nothing")
+                .help("write `;` for an empty statement")
                 .into(),
         );
         Ok(StmtKind::Error)

@@ -36,7 +36,7 @@ fn the_plan_is_that_of_the_text_in_the_editor() {
     client.open("untitled:pair", &text);
     let plan = command(&mut client, "calyx.plan", json!(["untitled:pair"])).expect("the example is sound");
     let plan = plan.as_str().expect("a text");
-    assert!(plan.starts_with("How\n") && plan.contains("\nBodies\n"), "{plan}");
+    assert!(plan.starts_with("Method\n") && plan.contains("\nBodies\n"), "{plan}");
     client.set("untitled:pair", 2, &format!("{text}print(nothing);\n"));
     let broken = command(&mut client, "calyx.plan", json!(["untitled:pair"]));
     assert_eq!(broken, Err("untitled:pair has errors: mend them first".to_owned()));

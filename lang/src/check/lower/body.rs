@@ -101,7 +101,7 @@ impl<'l, 'c> Body<'l, 'c> {
                         "E0317",
                         format!("`{}` can end without returning a value", function.name),
                         function.span,
-                        "not every way through it ends in `return`",
+                        "not every path ends with `return`",
                     )
                     .help("add a `return` with a value at its end"),
                 );
@@ -283,9 +283,9 @@ impl<'l, 'c> Body<'l, 'c> {
                     self.lowering.report(
                         Diagnostic::error(
                             "E0202",
-                            format!("the label `{name}` stands twice in the same block"),
+                            format!("the label `{name}` is declared twice in the same block"),
                             statement.span,
-                            "again here",
+                            "declared again here",
                         )
                         .help("choose another name"),
                     );
@@ -304,7 +304,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 warned = true;
                 if statement.span.file == FileId(0) {
                     self.lowering.report(
-                        Diagnostic::warning("W0202", "this is never reached", statement.span, "unreachable")
+                        Diagnostic::warning("W0202", "this is unreachable", statement.span, "unreachable")
                             .help("remove it, or the `return`, `break` or `goto` before it")
                             .suggest("remove this statement", statement.span, ""),
                     );
@@ -453,11 +453,11 @@ impl<'l, 'c> Body<'l, 'c> {
                     None => self.lowering.report(
                         Diagnostic::error(
                             "E0214",
-                            "a case must stand directly in the body of its `switch`",
+                            "a case must be directly in the body of its `switch`",
                             span,
                             "inside another statement",
                         )
-                        .help("move it out of the block around it"),
+                        .help("move it out of the enclosing block"),
                     ),
                 }
                 self.statement(inner);

@@ -132,9 +132,9 @@ impl Body<'_, '_> {
                 let (name, callee) = (&checker.variable(variable).name, checker.function_name(call.function));
                 let diagnostic = Diagnostic::error(
                     "E0310",
-                    format!("`{name}` is handed back by `{callee}`, which also assigns it itself"),
+                    format!("`{name}` is an `out` argument of `{callee}`, which also assigns it directly"),
                     given.span,
-                    "two values for one place",
+                    "two values for one variable",
                 )
                 .help("use two variables");
                 self.lowering.report(diagnostic);
@@ -221,7 +221,7 @@ impl Body<'_, '_> {
         let same = equal.into_iter().reduce(|a, b| truth(ExprKind::And(Box::new(a), Box::new(b))));
         let same = same.unwrap_or_else(|| truth(ExprKind::Bool(true)));
         let name = &self.lowering.checker.variable(written.variable).name;
-        let message = text(&format!("a part of `{name}` is given to two out parameters"), span);
+        let message = text(&format!("a part of `{name}` is passed to two `out` parameters"), span);
         let (refuse, go_on) = (self.new_block(), self.new_block());
         self.branch_on(same, refuse, go_on);
         self.refuse(

@@ -76,7 +76,7 @@ impl Body<'_, '_> {
         parts.push(FormatPart::Text(after.into()));
         let message = ir::Expr { kind: ExprKind::Format(parts), repr: Repr::String, span };
         let help = match demand.choices.is_empty() {
-            true => format!("choose a value in {}, ends included", demand.text),
+            true => format!("choose a value in {}, limits included", demand.text),
             false => format!("choose one of {}", demand.text),
         };
         let (go_on, refuse) = (self.new_block(), self.new_block());

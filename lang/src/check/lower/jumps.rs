@@ -103,7 +103,7 @@ impl Body<'_, '_> {
                     );
                     match similar(name, known) {
                         Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
-                        None => diagnostic.help(format!("put `{name}:` before the statement to go to")),
+                        None => diagnostic.help(format!("put `{name}:` before the target statement")),
                     }
                 };
                 self.lowering.report(diagnostic);
@@ -113,8 +113,8 @@ impl Body<'_, '_> {
 
     pub(super) fn outside(&mut self, word: &str, place: &str, span: Span) {
         self.lowering.report(
-            Diagnostic::error("E0214", format!("`{word}` stands outside {place}"), span, "nothing to leave")
-                .help(format!("put it into {place}")),
+            Diagnostic::error("E0214", format!("`{word}` is outside {place}"), span, "nothing to leave")
+                .help(format!("move it into {place}")),
         );
     }
 }

@@ -120,7 +120,7 @@ impl Body<'_, '_> {
                     "E0510",
                     format!("`{name}` grows beyond {MOST_NODES} operations or {MOST_LEVELS} levels"),
                     span,
-                    "with all definitions it names put in",
+                    "including all definitions that it uses",
                 )
                 .help("split the model, or compute parts of it with `=`"),
             );
@@ -298,11 +298,11 @@ impl Body<'_, '_> {
             self.lowering.report(
                 Diagnostic::error(
                     "E0305",
-                    format!("there is no such element in brackets of {}", parts.len()),
+                    format!("the index is beyond the {} elements of the brackets", parts.len()),
                     span,
-                    "beyond the end",
+                    "index out of range",
                 )
-                .help("elements count from 0"),
+                .help("indices start at 0"),
             );
             return SymExpr { kind: SymKind::Number(f64::NAN), repr: Repr::Number, span };
         };

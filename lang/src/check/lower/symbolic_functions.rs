@@ -79,17 +79,17 @@ fn not_plain(name: &str, host: bool, called: Span) -> Diagnostic {
             "E0516",
             format!("the host function `{name}` cannot be differentiated"),
             called,
-            "called with symbols here",
+            "called with symbolic arguments here",
         )
-        .help("call it with values and bind what it gives, or interpolate values of it");
+        .help("call it with values and bind the result, or interpolate its values");
     }
     Diagnostic::error(
         "E0514",
-        format!("`{name}` cannot become part of a symbolic expression"),
+        format!("`{name}` cannot be called with symbolic arguments"),
         called,
-        "called with symbols here",
+        "called with symbolic arguments here",
     )
-    .help("its body may only name values with `var` and return one; or write it as a symbolic function")
+    .help("reduce its body to `var` declarations and a `return`, or write it as a symbolic function")
 }
 
 impl Body<'_, '_> {
@@ -148,11 +148,11 @@ impl Lowering<'_> {
             self.report(
                 Diagnostic::error(
                     "E0510",
-                    format!("symbolic functions name one another more than {MOST_NESTED} deep"),
+                    format!("calls of symbolic functions are nested more than {MOST_NESTED} deep"),
                     span,
                     "called here",
                 )
-                .help("put some of them together"),
+                .help("merge some of these functions"),
             );
             return None;
         }

@@ -58,11 +58,10 @@ impl<'a> Resolver<'a> {
                 self.names.hidden_by_units.insert(id);
             }
             let before = Span { end: unit.span.start, ..unit.span };
-            let message =
-                format!("`{0}` after a number is the unit, not what is called `{0}` here", unit.name);
+            let message = format!("`{0}` after a number is the unit, not the declared `{0}`", unit.name);
             self.report(
                 Diagnostic::warning("W0205", message, unit.span, "the unit")
-                    .label(declared, "this is not meant")
+                    .label(declared, "this declaration is not used")
                     .help(format!("write `*` to multiply by it: `2*{}`, or choose another name", unit.name))
                     .suggest(format!("multiply by `{}`", unit.name), before, "* "),
             );
@@ -189,16 +188,16 @@ impl<'a> Resolver<'a> {
                 let message = format!("`{}` is private to the module `{}`", field.name, name.name);
                 let diagnostic = Diagnostic::error("E0204", message, field.span, "not visible here")
                     .label(*declared, "declared `private` here")
-                    .help("use what the module offers, or remove `private`");
+                    .help("use an exported name, or remove `private`");
                 self.report(diagnostic);
                 Res::Unknown
             }
             None => {
                 let mut diagnostic = Diagnostic::error(
                     "E0204",
-                    format!("module `{}` has nothing called `{}`", name.name, field.name),
+                    format!("the module `{}` has no `{}`", name.name, field.name),
                     field.span,
-                    "not found in the module",
+                    "not declared in the module",
                 );
                 let all = self.around.declared(&self.modules[module].name);
                 let doc = self.around.doc(&self.modules[module].name);
@@ -241,12 +240,8 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn unknown(&mut self, name: &Ident) {
-        let diagnostic = Diagnostic::error(
-            "E0201",
-            format!("`{}` is not known here", name.name),
-            name.span,
-            "unknown name",
-        );
+        let diagnostic =
+            Diagnostic::error("E0201", format!("`{}` is not declared", name.name), name.span, "unknown name");
         let reserved = match name.name.as_str() {
             "true" | "True" => Some("TRUE"),
             "false" | "False" => Some("FALSE"),
