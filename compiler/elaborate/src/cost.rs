@@ -56,7 +56,7 @@ impl PlannedCost {
         for (bodies, cost) in structures {
             let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
             lines.push(format!(
-                "structure of {}: {}, {} while it is condensed",
+                "structure of {}: {}, {} during condensation",
                 names.join(", "),
                 seconds(cost.time),
                 bytes(cost.memory)
@@ -69,7 +69,7 @@ impl PlannedCost {
         if self.estimates != Estimates::None {
             lines.push(format!("\"{}\" error estimates: {}", self.estimates.name(), seconds(errors.time)));
         }
-        lines.push(format!("together {}, at most {}", seconds(self.time()), bytes(self.memory())));
+        lines.push(format!("total {}, peak memory {}", seconds(self.time()), bytes(self.memory())));
         lines
     }
 }
@@ -78,19 +78,20 @@ fn search_lines(tolerance: f64, search: &SearchCost) -> Vec<String> {
     let percent = (1e6 * tolerance).round() / 1e4;
     let mut lines = vec![
         format!("Predicted for this machine, to a tolerance of {percent} %"),
-        "settings are tried in this order until one is estimated to meet it; error estimates included".into(),
+        "settings are tried in this order until the estimated error meets it; error estimates included"
+            .into(),
     ];
     for rung in &search.rungs {
         lines.push(format!(
-            "{}: {} to compare it at a few positions, {} for all",
+            "{}: {} to compare at a few positions, {} for all positions",
             rung.setting.describe(),
             seconds(rung.few),
             seconds(rung.all)
         ));
     }
-    lines.push("contact grids with more cells, or more positions, take longer where they are needed".into());
+    lines.push("finer contact grids or more positions take longer, if they are needed".into());
     lines
-        .push(format!("at most {}: then the search ends with the best results so far", seconds(search.most)));
+        .push(format!("at most {}; the search then ends with the best results so far", seconds(search.most)));
     lines
 }
 

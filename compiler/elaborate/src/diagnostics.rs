@@ -14,7 +14,7 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 
 /// Converts a run-time error to a diagnostic at its source location.
 pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
-    let label = if error.argument.is_some() { "because of this" } else { "it happened here" };
+    let label = if error.argument.is_some() { "caused by this argument" } else { "the error occurs here" };
     let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
     diagnostic.calls = error.details.calls.clone();
     let diagnostic = error
@@ -28,7 +28,7 @@ pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
             diagnostic.help(format!("see `calyx explain {}` for what to do", error.code))
         }
         ("", "") => diagnostic,
-        ("", origin) => diagnostic.help(format!("by its own words it arose at {origin}")),
+        ("", origin) => diagnostic.help(format!("the error states its origin: {origin}")),
         (help, _) => diagnostic.help(help),
     }
 }

@@ -239,7 +239,7 @@ fn wrong_default(program: &Program, Refused { message, help, .. }: Refused) -> D
     let name = message.split('`').nth(1).unwrap_or_default();
     let param = program.params.iter().find(|param| param.name == name);
     let span = param.map_or(Span::default(), |param| param.span);
-    let found = Diagnostic::error("E0314", message.clone(), span, "the default is this").help(help);
+    let found = Diagnostic::error("E0314", message.clone(), span, "the default value").help(help);
     match of_default(program) {
         Some((default, source)) if default == span => {
             let (at, note) = note(program, &source, None);

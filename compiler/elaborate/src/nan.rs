@@ -94,7 +94,7 @@ fn from_outside(program: &Program, site: SiteId, input: u32, span: Span) -> (Pla
     let captures =
         program.sites.get(site.0 as usize).map(|site| site.captures.as_slice()).unwrap_or_default();
     let name = captures.get((input as usize).saturating_sub(first)).map_or("this", |capture| &capture.name);
-    ((span.file.0, span.start, span.end), format!("the engine observed no number for `{name}`"))
+    ((span.file.0, span.start, span.end), format!("the engine observed NaN for `{name}`"))
 }
 
 /// Interprets the program again with the same params and NaN tracing, and returns the result of

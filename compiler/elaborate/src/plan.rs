@@ -297,7 +297,7 @@ impl Planned {
                 let _ = write!(text, "{gap}{title}\n  {}\n", lines.join("\n  "));
             }
         };
-        section("How", vec![self.fidelity_text()]);
+        section("Method", vec![self.fidelity_text()]);
         let modelled = self.bodies.iter().filter(|body| !body.left_out);
         section("Bodies", modelled.flat_map(body_lines).collect());
         let sizes = self.sizes();
@@ -306,7 +306,7 @@ impl Planned {
         let modelled = self.bearings.iter().filter(|bearing| !bearing.left_out);
         section("Bearings", modelled.map(bearing_line).collect());
         section("Degrees of freedom", self.freedom_lines());
-        section("Wanted", lines_of(&self.outputs));
+        section("Outputs", lines_of(&self.outputs));
         let left_out = self.bodies.iter().filter(|body| body.left_out);
         let left_out =
             left_out.map(|body| format!("body \"{}\": {}", body.name, without_verdict(body.reason)));
@@ -316,28 +316,28 @@ impl Planned {
         let not_seen = self.not_seen.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
         let refused = self.refused.iter().map(|(output, needs)| {
             format!(
-                "output `{output}`: it needs {needs}, which the fidelity \"{}\" does not have",
+                "output `{output}`: it needs {needs}, which the fidelity \"{}\" does not support",
                 self.fidelity
             )
         });
-        section("Left out", left_out.chain(idle).chain(refused).chain(not_seen).collect());
+        section("Omitted", left_out.chain(idle).chain(refused).chain(not_seen).collect());
         section("Cost", self.cost_lines(&sizes));
         text
     }
 
     fn fidelity_text(&self) -> String {
         let place = match self.in_space {
-            false => "one transverse section in plane strain, the same all along the face",
-            true => "in three dimensions, contact of surfaces on grids along and across the face",
+            false => "two-dimensional transverse section (plane strain)",
+            true => "three-dimensional, surface contact on grids along and across the face",
         };
         match self.fidelity {
-            "rigid" => format!("fidelity \"rigid\": undeformed surfaces as the load vanishes, {place}"),
+            "rigid" => format!("fidelity \"rigid\": rigid bodies in the limit of zero load, {place}"),
             "analytic" => format!(
-                "fidelity \"analytic\": teeth as cantilevers on rings with Hertz's contact, in closed forms, {place}"
+                "fidelity \"analytic\": teeth as cantilevers on rings with Hertzian contact, in closed form, {place}"
             ),
             "plane" => format!("fidelity \"plane\": {place}"),
             other => format!(
-                "fidelity \"{other}\": finite elements in three dimensions, contact of surfaces on grids along and across the face"
+                "fidelity \"{other}\": three-dimensional finite elements, surface contact on grids along and across the face"
             ),
         }
     }
@@ -349,7 +349,7 @@ impl Planned {
                 body.free.iter().map(move |(freedom, load)| format!("{freedom} of \"{}\", {load}", body.name))
             })
             .collect();
-        if free.is_empty() { vec!["none: every frame moves as given".into()] } else { free }
+        if free.is_empty() { vec!["none: the motion of every frame is prescribed".into()] } else { free }
     }
 
     /// Returns each structure with the bodies that share it and with its size.
@@ -367,12 +367,12 @@ impl Planned {
         let lines = |(bodies, size): &(Vec<&str>, StructureSize)| {
             let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
             let stress = match size.stresses {
-                0 => "no places of stress".to_owned(),
-                count => format!("{} places of stress", grouped(count)),
+                0 => "no stress points".to_owned(),
+                count => format!("{} stress points", grouped(count)),
             };
             let means = match size.means {
                 0 => String::new(),
-                count => format!(" and {} that hold the bore", grouped(count)),
+                count => format!(" and {} of the bore constraint", grouped(count)),
             };
             [
                 format!(
@@ -383,14 +383,11 @@ impl Planned {
                     grouped(size.freedoms),
                     grouped(size.body_freedoms())
                 ),
-                format!("  condensed to {} unknowns of cuts{means}", grouped(2 * size.cut)),
-                format!("  known of a tooth: {} loads on its flanks, {stress}", grouped(size.loads)),
+                format!("  condensed to {} interface unknowns{means}", grouped(2 * size.cut)),
+                format!("  per tooth: {} unit loads on the flanks, {stress}", grouped(size.loads)),
                 format!(
-                    "  about {} multiplications, {} kept",
-                    of_thousands(
-                        size.operations(),
-                        [" thousand", " million", " thousand million", " million million"]
-                    ),
+                    "  about {} multiplications, {} stored",
+                    of_thousands(size.operations(), [" thousand", " million", " billion", " trillion"]),
                     of_thousands(size.bytes() as f64, [" kB", " MB", " GB", " TB"])
                 ),
             ]
@@ -400,34 +397,34 @@ impl Planned {
 
     fn cost_lines(&self, sizes: &[(Vec<&str>, StructureSize)]) -> Vec<String> {
         let mut lines = vec![match self.structures {
-            _ if matches!(self.fidelity, "rigid" | "analytic") => {
-                "no meshes, and nothing to condense".to_owned()
-            }
-            1 => "1 elastic structure is condensed, once".to_owned(),
-            count => format!("{count} elastic structures are condensed, each once"),
+            _ if matches!(self.fidelity, "rigid" | "analytic") => "no finite-element meshes".to_owned(),
+            1 => "static condensation of 1 elastic structure".to_owned(),
+            count => format!("static condensation of {count} elastic structures"),
         }];
         if sizes.len() > 1 {
             let operations = sizes.iter().map(|(_, size)| size.operations()).sum();
             let bytes: usize = sizes.iter().map(|(_, size)| size.bytes()).sum();
             lines.push(format!(
-                "together about {} multiplications, {} kept",
-                of_thousands(operations, [" thousand", " million", " thousand million", " million million"]),
+                "together about {} multiplications, {} stored",
+                of_thousands(operations, [" thousand", " million", " billion", " trillion"]),
                 of_thousands(bytes as f64, [" kB", " MB", " GB", " TB"])
             ));
         }
         let cells = self.cells_in_contact();
         let freedoms = match self.freedoms() {
-            1 => "1 free motion".to_owned(),
-            count => format!("{count} free motions"),
+            1 => "1 degree of freedom".to_owned(),
+            count => format!("{count} degrees of freedom"),
         };
         let unknowns = format!("about {cells} contact pressures and {freedoms}");
         lines.push(match self.positions[..] {
-            [] => format!("no list of positions; each would be one contact problem of {unknowns}"),
-            [count] => format!("{count} positions, each one contact problem of {unknowns}"),
+            [] => format!("no positions are given; each position is a contact problem with {unknowns}"),
+            [count] => format!("{count} positions, each a contact problem with {unknowns}"),
             _ => {
                 let counts: Vec<String> = self.positions.iter().map(usize::to_string).collect();
                 let counts = counts.join(" or ");
-                format!("{counts} positions, whichever are analysed, each one contact problem of {unknowns}")
+                format!(
+                    "{counts} positions, depending on the analysis, each a contact problem with {unknowns}"
+                )
             }
         });
         lines
@@ -498,8 +495,8 @@ fn bearing_line(bearing: &PlannedBearing) -> String {
     let [body, to] = &bearing.between;
     let walls = match bearing.walls {
         0 => String::new(),
-        1 => ", one wall behind a clearance".into(),
-        count => format!(", {count} walls behind clearances"),
+        1 => ", 1 clearance gap".into(),
+        count => format!(", {count} clearance gaps"),
     };
     format!("\"{}\": {body} on {to}, {}{walls}", bearing.name, bearing.reason)
 }
@@ -508,9 +505,9 @@ fn mesh_line(mesh: &PlannedMesh) -> String {
     let [first, second] = &mesh.bodies;
     let ratio = mesh.contact_ratio.map(|ratio| format!(", contact ratio {ratio:.3}")).unwrap_or_default();
     let edges = match (mesh.back_sides, mesh.edges) {
-        (true, _) => "back sides of the teeth",
+        (true, _) => "back flanks",
         (false, true) => "flanks and tip edges",
-        (false, false) => "flanks on the nominal path",
+        (false, false) => "flanks on the nominal path of contact",
     };
-    format!("\"{first}\" with \"{second}\": {edges}, {} cells a pair of teeth{ratio}", mesh.grid.cells())
+    format!("\"{first}\" with \"{second}\": {edges}, {} cells per tooth pair{ratio}", mesh.grid.cells())
 }

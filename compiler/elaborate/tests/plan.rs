@@ -25,8 +25,8 @@ fn planned_with(text: &str, set: &[(&str, &str)], overrides: Override) -> Option
 fn the_plan_says_what_how_and_why() {
     assert_eq!(
         planned(PAIR, &[("fidelity", "plane")]).expect("a plan").text(),
-        "How
-  fidelity \"plane\": one transverse section in plane strain, the same all along the face
+        "Method
+  fidelity \"plane\": two-dimensional transverse section (plane strain)
 
 Bodies
   \"pinion\": 20 teeth, face width 1 inch
@@ -36,31 +36,31 @@ Bodies
 
 Structures
   \"pinion\": 20 sectors of 946 elements and 17,286 degrees of freedom, 344,400 in all
-    condensed to 132 unknowns of cuts
-    known of a tooth: 256 loads on its flanks, 104 places of stress
-    about 118 million multiplications, 3.6 MB kept
+    condensed to 132 interface unknowns
+    per tooth: 256 unit loads on the flanks, 104 stress points
+    about 118 million multiplications, 3.6 MB stored
   \"gear\": 40 sectors of 1,064 elements and 19,428 degrees of freedom, 774,000 in all
-    condensed to 156 unknowns of cuts
-    known of a tooth: 256 loads on its flanks, 112 places of stress
-    about 159 million multiplications, 3.7 MB kept
+    condensed to 156 interface unknowns
+    per tooth: 256 unit loads on the flanks, 112 stress points
+    about 159 million multiplications, 3.7 MB stored
 
 Contact
-  \"pinion\" with \"gear\": flanks and tip edges, 49 cells a pair of teeth, contact ratio 1.493
+  \"pinion\" with \"gear\": flanks and tip edges, 49 cells per tooth pair, contact ratio 1.493
 
 Degrees of freedom
   theta_z of \"pinion\", moment 1000 lbf*inch
 
-Wanted
+Outputs
   transmission_error, transmission_error_length, load_share, mesh_stiffness, max_contact_pressure,
   max_edge_pressure, max_root_stress_pinion, max_root_stress_gear
 
-Left out
+Omitted
   `lead_crown`: a plane model has no direction along the face
 
 Cost
-  2 elastic structures are condensed, each once
-  together about 277 million multiplications, 7.3 MB kept
-  35 positions, each one contact problem of about 98 contact pressures and 1 free motion
+  static condensation of 2 elastic structures
+  together about 277 million multiplications, 7.3 MB stored
+  35 positions, each a contact problem with about 98 contact pressures and 1 degree of freedom
 "
     );
 }
@@ -131,7 +131,7 @@ fn the_cost_of_a_tolerance_is_that_of_its_settings() {
     assert_eq!(names, expected);
     assert!(search.rungs.iter().all(|rung| rung.few > 0.0 && rung.all > 0.0), "{search:?}");
     let said = cost.text();
-    for part in ["to a tolerance of 3 %", "\"medium\": ", "at most 10 min: "] {
+    for part in ["to a tolerance of 3 %", "\"medium\": ", "at most 10 min; "] {
         assert!(said.contains(part), "{part} in {said}");
     }
     // With a setting on the command line there is no tolerance search.

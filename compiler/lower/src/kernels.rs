@@ -441,7 +441,9 @@ impl<'a> Lowering<'a> {
         for (input, name) in observables {
             if self.graph.depends_on(&nodes, |symbol| symbol == input) {
                 return Err(KernelError {
-                    message: format!("`{name}` is known only step by step, so it has no derivative here"),
+                    message: format!(
+                        "`{name}` has values only at solved steps, so it has no derivative here"
+                    ),
                     help: "differentiate the series of results instead".into(),
                     span,
                 });

@@ -137,9 +137,9 @@ impl<'a> Lowering<'a> {
     pub(super) fn argument_symbol(&self, index: u32, span: Span) -> Result<u32, KernelError> {
         match self.argument(index, span)? {
             Value::Number(node) => {
-                self.graph.symbol_index(node).ok_or_else(|| broken("an argument that is no symbol", span))
+                self.graph.symbol_index(node).ok_or_else(|| broken("an argument that is not a symbol", span))
             }
-            _ => Err(broken("an argument that is no number", span)),
+            _ => Err(broken("an argument that is not a number", span)),
         }
     }
 

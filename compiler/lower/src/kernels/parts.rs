@@ -82,10 +82,12 @@ impl Lowering<'_> {
             return Ok(());
         }
         Err(KernelError {
-            message: "an expression chosen when the model runs is known with its first two derivatives by `Time`, and \
-                      once by a param"
+            message: "an expression selected at run time has only two derivatives with respect to `Time`, \
+                      and one with respect to a param"
                 .into(),
-            help: "differentiate before the expression is chosen, or write it without a choice".into(),
+            help:
+                "differentiate the expression before it is selected, or write it as a conditional expression"
+                    .into(),
             span,
         })
     }
@@ -102,10 +104,9 @@ impl Lowering<'_> {
             return Ok(());
         }
         Err(KernelError {
-            message:
-                "inside an expression, one that is chosen when the model runs has no value `at` another place"
-                    .into(),
-            help: "evaluate it before, with `=`".into(),
+            message: "within an expression, one that is selected at run time cannot be evaluated with `at`"
+                .into(),
+            help: "evaluate it separately, with `=`".into(),
             span,
         })
     }
