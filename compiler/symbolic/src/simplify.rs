@@ -22,7 +22,8 @@
 //! | `sin(-x)`, `tan(-x)`, `asin(-x)`, `atan(-x)` | sign outside | |
 //! | `cos(-x)`, `abs(-x)` | sign dropped | |
 //! | `abs(abs(x))`, `min(x, x)`, `max(x, x)` | `abs(x)`, `x`, `x` | |
-//! | `x^-2`, `x^-1`, `x^0` ... `x^8` | products, `1 / ...` | |
+//! | `x^-2`, `x^-1`, `x^0`, `x^1`, `x^2`, `x^3`, `x^4` | products, `1 / ...` | |
+//! | `x^5`, `x^6`, `x^7`, `x^8` | products | |
 //! | `!!(x < y)`, `true & (x < y)`, `false \| (x < y)` | the truth value | |
 //! | `false & x`, `true \| x` | the constant | |
 //! | `select(true, x, y)`, `select(false, x, y)`, `select(c, x, x)` | the arm | |
