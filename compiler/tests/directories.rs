@@ -10,7 +10,7 @@ use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// A pair without meshes, whose analysis takes little time.
-fn model() -> String {
+fn model_text() -> String {
     let analysis =
         "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, steps), fidelity = \"analytic\");\n";
     pair("param steps = 3 in 1 .. 100;\n", analysis)
@@ -30,7 +30,7 @@ fn said(mut command: Command) -> (Option<i32>, String) {
 /// A folder with the model.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
-    fs::write(folder.path().join("pair.cx"), model()).expect("writable");
+    fs::write(folder.path().join("pair.cx"), model_text()).expect("writable");
     folder
 }
 
@@ -130,8 +130,8 @@ fn a_run_that_fails_before_its_first_position_changes_nothing() {
         ("fidelity = \"analytic\"", "fidelity = \"finer\""),
         ("var steel", "assert(steps < 2, \"stop\"); var steel"),
     ] {
-        assert!(model().contains(old), "{old}");
-        fs::write(&model, model().replace(old, new)).unwrap();
+        assert!(model_text().contains(old), "{old}");
+        fs::write(&model, model_text().replace(old, new)).unwrap();
         let (status, err) = said(calyx(folder.path(), &["run", "pair.cx"]));
         assert!(matches!(status, Some(1 | 2)), "{new}: {err}");
         assert_eq!(all_files(&folder.path().join("pair.cx.run")), before, "{new}");

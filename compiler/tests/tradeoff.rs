@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// A pair in section, whose model asks for a mesh that would take long.
-fn model() -> String {
+fn model_text() -> String {
     pair("", "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 5), fidelity = \"finest\");\n")
 }
 
@@ -62,7 +62,7 @@ fn errors(results: &Path) -> BTreeMap<(String, String), Vec<String>> {
 fn a_killed_comparison_goes_on_to_the_same_files() {
     let directory = tempfile::tempdir().unwrap();
     let directory = directory.path();
-    fs::write(directory.join("pair.cx"), model()).unwrap();
+    fs::write(directory.join("pair.cx"), model_text()).unwrap();
     let (status, out, err) = said(tradeoff(directory, &[&GRIDS[..], &["--out", "whole"]].concat()));
     assert_eq!(status, Some(0), "{err}");
     for part in [
@@ -132,7 +132,7 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
 fn levels_that_a_model_cannot_be_analysed_at_are_listed_with_the_reason() {
     let directory = tempfile::tempdir().unwrap();
     let directory = directory.path();
-    fs::write(directory.join("pair.cx"), model()).unwrap();
+    fs::write(directory.join("pair.cx"), model_text()).unwrap();
     let (status, out, err) =
         said(tradeoff(directory, &["--levels", "plane,medium", "--knobs", "none", "--longest", "0.001ms"]));
     assert_eq!((status, out.as_str()), (Some(1), ""), "{err}");
