@@ -67,7 +67,7 @@ fn listed<'p>(parameters: impl ExactSizeIterator<Item = &'p CallParameter>) -> S
 
 /// Writes the arguments that a call needs and does not have, each with a value of its type that is plainly to be replaced.
 pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
-    if problem.code != "E0206" || !problem.message.contains("also needs") {
+    if problem.code != "E0206" || !problem.message.contains(" lacks ") {
         return;
     }
     let around = asked.around(problem.primary.span);

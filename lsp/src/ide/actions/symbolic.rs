@@ -23,7 +23,7 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
             found.push(fix("Use `=`: this has a value at once", vec![between]).preferred());
         }
         // The value was taken before: where it is declared it would have to stay an expression.
-        "E0509" if problem.primary.message.ends_with("beforehand") => {
+        "E0509" if problem.primary.message.contains("was computed from") => {
             let captured = problem
                 .labels
                 .iter()
