@@ -7,6 +7,7 @@ use calyx::{Engine, Instance, Module};
 use calyx_abi::Context;
 use calyx_gears::host::ModelHost;
 use calyx_runtime::cache::OperatorCache;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::StepRow;

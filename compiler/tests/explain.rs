@@ -49,7 +49,13 @@ fn every_code_of_library_and_engine_has_a_page() {
     let mut codes = BTreeSet::new();
     for folder in [
         "stdlib-gears/src",
-        "runtime/src",
+        "runtime/analysis/src",
+        "runtime/solve/src",
+        "runtime/model/src",
+        "runtime/contact/src",
+        "runtime/structure/src",
+        "runtime/fe/src",
+        "runtime/numerics/src",
         "runtime/abi/src",
         "runtime/rt/src",
         "compiler/src",

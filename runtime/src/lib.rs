@@ -1,5 +1,9 @@
-//! The engine: plane finite elements and exact contact of bodies on moving frames. A library of its own, which knows nothing of the
-//! Calyx language: a scene is built in code, planned, solved and read.
+//! The engine: finite elements and exact contact of bodies on moving frames, as programs that embed it
+//! need it. It knows nothing of the Calyx language: a scene is built in code, planned, solved and read.
+//!
+//! This crate is a facade. It re-exports the crates of which the engine is made, each of which names only
+//! those before it: `calyx-numerics`, `calyx-fe`, `calyx-structure`, `calyx-contact`, `calyx-model`,
+//! `calyx-solve`, `calyx-analysis`.
 //!
 //! # Two cylinders
 //!
@@ -61,21 +65,23 @@
 //!
 //! | module | what |
 //! |---|---|
-//! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`]; [`scene::Prototype`] is how a body is modelled |
-//! | [`motion`], [`load`], [`material`], [`inertia`] | where frames are meant to be, what acts on them, what bodies are made of and weigh |
-//! | [`bearing`] | what connects bodies to each other and to ground besides contact |
+//! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`], and what is observed of it; [`scene::Prototype`] is how a body is modelled |
+//! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`freedom`], [`ids`] | the parts of a scene that are simulated, whatever is observed of them |
+//! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
-//! | [`plan`] | what of the scene is modelled, what is left out, and why |
+//! | [`fidelity`], [`plan`], [`target`] | how bodies are modelled; what of the scene is modelled, what is left out, and why |
 //! | [`validate`] | whether a requested analysis is possible: the rules that a check and a run share |
 //! | [`holding`] | whether contacts can hold what is free, known before anything is solved |
-//! | [`system`], [`step`], [`observe`] | the planned scene, built; a position in equilibrium; values read off it, one [`observe::Observable`] each |
+//! | [`system`], [`step`], [`integration`], [`vibrations`] | the planned mechanism, built; a position in equilibrium; a step in time; free vibrations |
+//! | [`observe`], [`observed`] | values read off a solved position, one [`observe::Observable`] each |
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
-//! | [`analysis`], [`results`], [`summary`] | a list of positions: [`analysis::Steps`] is the iterator, [`analysis::quasi_static`] tells an observer |
-//! | [`overriding`] | knobs of an analysis that somebody outside the model turns |
-//! | [`estimate`] | how wrong outputs are: estimates of the errors of their statistics |
-//! | [`tolerance`] | the cheapest setting whose estimated error keeps to one |
-//! | [`resources`], [`cache`], [`interrupt`] | what an analysis uses and no result depends on: threads, kept structures, a way to end it |
-//! | [`structure`], [`fe`], [`profile`] | elastic bodies by their surfaces, the finite elements behind them, the true curves contact sees |
+//! | [`analysis`], [`dynamics`], [`options`], [`position`], [`rows`], [`results`], [`summary`] | an analysis from options to results: [`analysis::Steps`] is the iterator over a list of positions, [`analysis::quasi_static`] reports to an observer |
+//! | [`overriding`] | settings of an analysis that are changed from outside the model |
+//! | [`estimate`] | estimated errors of the statistics of outputs |
+//! | [`tolerance`] | the cheapest setting whose estimated error meets a tolerance |
+//! | [`cost`] | predicted time and memory of an analysis |
+//! | [`resources`], [`cache`], [`interrupt`] | what an analysis uses and no result depends on: threads, stored structures, an interrupt |
+//! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies by their surfaces, the finite elements behind them, the true curves contact sees |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
 //! | [`error`] | why the engine could not do what was asked: a code, a sentence, a remedy |
 //!
@@ -97,38 +103,18 @@
 
 #![warn(missing_docs)]
 
-pub mod analysis;
-pub mod bearing;
-mod building;
-pub mod cache;
-pub mod contact;
-pub mod cost;
-mod dense;
-pub mod disc;
-pub mod dynamics;
-pub mod error;
-pub mod estimate;
-pub mod fe;
-pub mod holding;
-pub mod inertia;
-pub mod interrupt;
-pub mod load;
-pub mod lug_contact;
-pub mod material;
-pub mod motion;
-pub mod observe;
-pub mod overriding;
-pub mod plan;
-pub mod profile;
-pub mod resources;
-pub mod results;
-pub mod rigid;
-pub mod scene;
-pub mod signal;
-pub mod step;
-pub mod structure;
-pub mod summary;
-pub mod surface;
-pub mod system;
-pub mod tolerance;
-pub mod validate;
+pub use calyx_analysis::{
+    analysis, cost, dynamic_options, dynamics, estimate, observe, options, overriding, results, rows, scene,
+    signal, summary, tolerance, validate,
+};
+pub use calyx_contact as contact;
+pub use calyx_fe as fe;
+pub use calyx_fe::{inertia, material};
+pub use calyx_model::{
+    bearing, body, disc, fidelity, freedom, ids, load, lug_contact, mechanism, motion, observed, pairs, plan,
+    position, prototype, resources, rigid, target,
+};
+pub use calyx_numerics::{error, interrupt};
+pub use calyx_solve::{holding, integration, step, system, vibrations};
+pub use calyx_structure as structure;
+pub use calyx_structure::{cache, profile, surface};

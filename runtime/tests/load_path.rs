@@ -4,6 +4,7 @@ use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{Displacement, Equilibrium, MaxContactPressure, Observable, Quantity};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::Observed;

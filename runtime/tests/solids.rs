@@ -6,6 +6,7 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::Motion;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{MaxContactPressure, MaxLineLoad};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{

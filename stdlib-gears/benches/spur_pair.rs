@@ -16,6 +16,7 @@ use calyx_runtime::fe::dissection::Dissection;
 use calyx_runtime::fe::elimination::eliminate;
 use calyx_runtime::fe::solid::SolidModel;
 use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;

@@ -9,6 +9,7 @@ use calyx_runtime::fe::quadrature::gauss_legendre;
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{MeshForce, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, Component, PairId, Scene};

@@ -10,6 +10,7 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     Displacement, Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, MeshStiffness, ModeShare,
     NaturalFrequency, Reading, Rotation, SupportMoment, TransmissionError,

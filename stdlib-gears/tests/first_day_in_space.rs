@@ -7,6 +7,7 @@ use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::rack::Rack;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     Coordinate, Efficiency, Equilibrium, FaceLoadFactor, FrictionLoss, LoadedFace, MaxContactPressure,
     MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MeshStiffness, Observable,

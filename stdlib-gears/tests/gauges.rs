@@ -11,6 +11,7 @@ use calyx_gears::rack::Rack;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::results::Observed;

@@ -7,6 +7,7 @@ use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{Displacement, NaturalFrequency, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Component, Scene};

@@ -10,6 +10,7 @@ use calyx_gears::shaper::Shaper;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     MaxContactPressure, MaxRootStress, MeshStiffness, PairsInContact, SecantStiffness, TransmissionError,
     UnloadedTransmissionError,

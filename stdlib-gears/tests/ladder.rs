@@ -6,6 +6,7 @@ use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::disc::Disc;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     HighestContact, MaxContactPressure, MaxRootStress, MaxSlidingVelocity, PairsInContact, TransmissionError,
     UnloadedTransmissionError,

@@ -9,6 +9,7 @@ use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::motion::Motion;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{MeshForce, MeshStiffness, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::Scene;

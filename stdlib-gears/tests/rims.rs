@@ -8,6 +8,7 @@ use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     LugLoad, MaxRootCompression, Observable, SupportForce, SupportMoment, TransmissionError,
 };

@@ -3,6 +3,7 @@
 pub mod coverage;
 pub mod document;
 pub mod judge;
+pub mod modules;
 pub mod pictures;
 
 use std::path::PathBuf;

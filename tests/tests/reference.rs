@@ -160,7 +160,19 @@ fn codes_in(folder: &Path, codes: &mut BTreeSet<String>) {
 #[test]
 fn every_code_of_library_and_engine_is_there() {
     let mut used = BTreeSet::new();
-    for folder in ["compiler/src", "runtime/abi/src", "runtime/src", "runtime/rt/src", "stdlib-gears/src"] {
+    for folder in [
+        "compiler/src",
+        "runtime/abi/src",
+        "runtime/numerics/src",
+        "runtime/fe/src",
+        "runtime/structure/src",
+        "runtime/contact/src",
+        "runtime/model/src",
+        "runtime/solve/src",
+        "runtime/analysis/src",
+        "runtime/rt/src",
+        "stdlib-gears/src",
+    ] {
         codes_in(&root().join(folder), &mut used);
     }
     for code in codes::all() {

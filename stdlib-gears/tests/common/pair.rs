@@ -14,6 +14,7 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::{PlanePose, SteadyRotation};
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     LoadShare, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, Observable,
     TransmissionError,

@@ -9,6 +9,7 @@ use calyx_gears::blank::Rim;
 use calyx_gears::external::ExternalGear;
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{MaxRootCompression, MaxRootStress, Observable, TransmissionError};
 use calyx_runtime::scene::Prototype;
 use calyx_runtime::scene::StructureOptions;

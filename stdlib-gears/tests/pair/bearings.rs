@@ -8,6 +8,7 @@ use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
 use calyx_runtime::contact::clarabel_check;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     BearingDeflection, BearingForce, Direction, Displacement, Equilibrium, MaxContactPressure, MeshStiffness,
     Observable, TransmissionError, UnloadedTransmissionError,

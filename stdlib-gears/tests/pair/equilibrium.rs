@@ -7,6 +7,7 @@ use crate::common::pair::{FIRST, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, V
 use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::contact::clarabel_check;
 use calyx_runtime::contact::problem::ContactProblem;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::step::StepResult;
 use nalgebra::{DMatrix, DVector};
 

@@ -6,6 +6,7 @@ use crate::common::pair::{FIRST, MESH, PLAIN, PSI, PairOptions, RELIEVED, SECOND
 use calyx_gears::gauging::{Along, Placing};
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_runtime::analysis::mesh_cycle;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     Coordinate, Displacement, Efficiency, FaceLoadFactor, FilletSide, FrictionLoss, Gauge, GaugeReading,
     HighestContact, LoadedFace, LowestContact, MaxLineLoad, MaxRootCompression, MaxRootStress,

@@ -16,6 +16,7 @@ use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
 use calyx_runtime::holding;
 use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Component, Fidelity};
 use calyx_runtime::structure::BoreHold;

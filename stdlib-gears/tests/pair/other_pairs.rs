@@ -5,6 +5,7 @@ use calyx_gears::external::ExternalGearData;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::rack::Rack;
 use calyx_runtime::analysis::mesh_cycle;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::TransmissionError;
 use calyx_runtime::scene::{Body, BodyId, PairId};
 
@@ -116,11 +117,11 @@ fn pairs_of_one_scene_do_not_disturb_each_other() {
         let step = system.solve(time).expect("equilibrium");
         system.value(&step, &TransmissionError(MESH)).value
     });
-    for (index, body) in other.bodies.into_iter().enumerate() {
+    for (index, body) in other.mechanism.bodies.into_iter().enumerate() {
         let prototype = scene.bodies[index].prototype.clone();
         scene.add_body(Body { name: format!("{} again", body.name), prototype, ..body });
     }
-    for mut pair in other.pairs {
+    for mut pair in other.mechanism.pairs {
         pair.bodies = pair.bodies.map(|body| BodyId(body.0 + 2));
         scene.add_pair(pair);
     }

@@ -6,6 +6,7 @@ use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::Placed;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, Fidelity};
 use calyx_runtime::system::System;

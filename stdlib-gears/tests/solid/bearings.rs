@@ -8,6 +8,7 @@ use calyx_runtime::bearing::{Bearing, BearingMatrix, axisymmetric};
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::{Placed, SteadyRotation, moved_by};
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{BearingTilt, Direction, Displacement, Equilibrium, FaceLoadFactor, Rotation};
 use calyx_runtime::scene::{
     BearingId, Body, BodyId, Component, Fidelity, GearMesh, Scene, StructureOptions, Template,

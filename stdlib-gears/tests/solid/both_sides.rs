@@ -6,6 +6,7 @@ use crate::common::built;
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::load::Wrench;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     Equilibrium, LoadShare, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
     UnloadedTransmissionError,

@@ -1,6 +1,7 @@
 //! Pairs with their finite elements, on coarse meshes.
 
 use super::pairs::{FIRST, MESH, Options, SECOND, TORQUE, system};
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     LoadShare, MaxContactPressure, MaxRootStress, MeshStiffness, Observable, TransmissionError,
 };

@@ -4,6 +4,7 @@ use super::pairs::{FIRST, MESH, Options};
 use crate::common::built;
 use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     MaxRootStress, MeshStiffness, Observable, TransmissionError, UnloadedTransmissionError,
 };

@@ -6,6 +6,7 @@ use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::motion::swung;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{
     Equilibrium, FaceLoadFactor, LoadedFace, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
 };

@@ -4,6 +4,7 @@ use super::helical::{CYCLE, solved};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE};
 use crate::common::built;
 use calyx_gears::helix::Hand;
+use calyx_runtime::observe::Observe;
 use calyx_runtime::observe::{Observable, TransmissionError, UnloadedTransmissionError};
 use calyx_runtime::scene::{Fidelity, StructureOptions};
 use calyx_runtime::step::StepResult;

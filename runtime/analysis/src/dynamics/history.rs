@@ -1,0 +1,472 @@
+//! A dynamic analysis from its start through all steps, row by row.
+
+mod evidence;
+
+use crate::analysis::{ERRORS, Event, Observer, check_solved, refuse_nan, tells_fields};
+use crate::dynamic_options::{DynamicOptions, Start};
+use crate::estimate::{self, Estimates};
+use crate::observe::Observe;
+use crate::observe::{Equilibrium, ModesTable};
+use crate::options::AnalysisOptions;
+use crate::results::{AnalysisResult, Timing};
+use crate::rows::{Solved, StepRow};
+use crate::scene::Scene;
+use crate::summary::summarize;
+use crate::validate::{Method, Request};
+use calyx_contact::problem::Certificate;
+use calyx_fe::inertia::Inertia;
+use calyx_model::load::Wrench;
+use calyx_model::observed::OutputRequest;
+use calyx_model::plan::Plan;
+use calyx_model::position::Position;
+use calyx_model::resources::Resources;
+use calyx_numerics::error::EngineError;
+use calyx_solve::integration::{Effective, Forces, Matrices, State, Step, kept_positions, steps};
+use calyx_solve::modal::{Elastic, Modes};
+use calyx_solve::step::StepResult;
+use calyx_solve::system::System;
+use calyx_solve::vibration::check_vibrations;
+use calyx_structure::cache::OperatorCache;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Bytes of the structures that are kept for siblings, where nobody else keeps them.
+const KEPT: usize = 1 << 30;
+
+/// A history under way: an iterator over the rows that are kept, in order. After an error it is at its end.
+pub struct History<'s> {
+    scene: &'s Scene,
+    outputs: &'s [OutputRequest],
+    options: DynamicOptions,
+    resources: Resources,
+    plan: Plan,
+    timing: Timing,
+    system: System<'s>,
+    /// Of the bodies, about their axles.
+    inertias: Vec<Inertia>,
+    positions: Vec<Position>,
+    steps: Vec<Step>,
+    /// Steps taken.
+    taken: usize,
+    state: State,
+    /// What contact did to all coordinates there, per width of the model.
+    contact: Vec<f64>,
+    /// The load that contact grids are sized for.
+    sizing: Vec<f64>,
+    solved: Vec<Solved>,
+    current: Option<StepResult>,
+    failed: bool,
+    /// As it was asked for, without rows of earlier runs.
+    analysis: AnalysisOptions,
+    /// By output: magnitude up to which it may be nothing but rounding, of a sibling.
+    rounding: Option<Vec<f64>>,
+    /// Time spent on steps.
+    solving: Duration,
+}
+
+impl<'s> History<'s> {
+    /// Plans the analysis, builds the structures and finds the modes.
+    ///
+    /// # Errors
+    /// E0761 to E0764, E0767: the scene or what is asked cannot be analysed in time; those of [`crate::analysis::Planned`]; the interrupt's.
+    pub fn new(
+        scene: &'s Scene,
+        outputs: &'s [OutputRequest],
+        options: &AnalysisOptions,
+        dynamics: &DynamicOptions,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, EngineError> {
+        let mut timing = Timing::default();
+        let mut analysis = AnalysisOptions { solved: Vec::new(), ..options.clone() };
+        if analysis.error_estimates == Estimates::Full {
+            analysis.resources.cache.get_or_insert_with(|| Arc::new(OperatorCache::new(KEPT)));
+        }
+        let highest = options.highest_frequency;
+        let request = Request::new(scene, outputs, Method::Dynamic(dynamics), options);
+        let plan = timing.stage("plan", || request.plan(&options.resources.interrupt))?;
+        let positions = kept_positions(dynamics.from, &dynamics.ranges);
+        check_solved(&options.solved, &positions, outputs)?;
+        observer.observe(Event::Planned(&plan))?;
+        observer.observe(Event::Stage("structures"))?;
+        let mut system = timing.stage("structures", || System::with(scene, &plan, &analysis.resources))?;
+        timing.structures = system.structure_counts();
+        let inertias = system.inertias().to_vec();
+        system.modes = timing.stage("modes", || Modes::find(scene, &plan, &options.resources, highest))?;
+        check_vibrations(&system, scene)?;
+        let count = system.freedoms.len() + system.modes.count();
+        let sizing = system.load_at(dynamics.from)?;
+        let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
+        let mut history = History {
+            scene,
+            outputs,
+            options: dynamics.clone(),
+            resources: options.resources.clone(),
+            plan,
+            timing,
+            system,
+            inertias,
+            positions,
+            solving: Duration::ZERO,
+            steps: all,
+            taken: 0,
+            state: State::at_rest(vec![0.0; count]),
+            contact: vec![0.0; count],
+            sizing,
+            solved: Vec::new(),
+            current: None,
+            failed: false,
+            analysis,
+            rounding: None,
+        };
+        history.go_on_behind(options.solved.clone())?;
+        observer.observe(Event::Stage("positions"))?;
+        Ok(history)
+    }
+
+    /// Behind rows that an earlier run kept, in the state that the last of them left.
+    fn go_on_behind(&mut self, solved: Vec<Solved>) -> Result<(), EngineError> {
+        let Some(last) = solved.last() else { return Ok(()) };
+        let count = self.state.displacement.len();
+        let (state, contact) = last.state.split_at(3 * count.min(last.state.len() / 3));
+        let state = State::of_row(state, count).filter(|_| contact.len() == count).ok_or_else(|| {
+            EngineError::new("E0724", "the stored rows belong to another analysis", "start a new run")
+        })?;
+        self.contact = contact.to_vec();
+        let kept = solved.len() - 1;
+        let ends = self.steps.iter().enumerate().filter(|(_, step)| step.kept).map(|(index, _)| index + 1);
+        self.taken = std::iter::once(0).chain(ends).nth(kept).unwrap_or(self.steps.len());
+        (self.state, self.solved) = (state, solved);
+        Ok(())
+    }
+
+    /// What is modelled, and why.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// How many modal coordinates there are.
+    pub fn modal_coordinates(&self) -> usize {
+        self.system.modes.count()
+    }
+
+    /// The state at the end of the step taken last.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Rows there will be.
+    pub fn rows(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Rows kept so far.
+    pub fn solved(&self) -> &[Solved] {
+        &self.solved
+    }
+
+    /// The end of the last kept step as observables see it.
+    pub fn equilibrium(&self) -> Option<Equilibrium<'_>> {
+        Some(Equilibrium::new(&self.system, self.current.as_ref()?))
+    }
+
+    /// The next row.
+    fn advance(&mut self) -> Result<(), EngineError> {
+        let (mut passed, mut warnings) = (Certificate::default(), Vec::new());
+        let step = match self.solved.len() {
+            0 => self.begin()?,
+            _ => loop {
+                self.resources.interrupt.check()?;
+                let Some(next) = self.steps.get(self.taken).copied() else { return Ok(()) };
+                let Taken { mut result, state, contact } = self.step(&next, &self.state)?;
+                // What was wrong in steps of which no row is kept is told with the next one that is.
+                passed = passed.worst(&result.certificate);
+                for warning in std::mem::take(&mut result.warnings) {
+                    if !warnings.contains(&warning) {
+                        warnings.push(warning);
+                    }
+                }
+                (self.state, self.contact) = (state, contact);
+                self.taken += 1;
+                if next.kept {
+                    result.certificate = passed;
+                    result.warnings = std::mem::take(&mut warnings);
+                    break result;
+                }
+            },
+        };
+        let position = self.positions[self.solved.len()].clone();
+        let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
+        self.resources.interrupt.check()?;
+        self.note_rounding(&observed, position.time);
+        let row = StepRow::new(position, self.outputs, &observed, step.warnings.clone());
+        refuse_nan(&row, self.outputs, &self.plan)?;
+        let state = [self.state.to_row().as_slice(), &self.contact].concat();
+        self.solved.push(Solved { row, certificate: step.certificate, state });
+        self.current = Some(step);
+        Ok(())
+    }
+
+    /// The start, and the state there.
+    fn begin(&mut self) -> Result<StepResult, EngineError> {
+        let (time, system) = (self.options.from, &self.system);
+        let part = self.options.ranges.first().map_or(1.0, |range| range.load_at(0.0));
+        match self.options.start {
+            Start::Equilibrium => {
+                let matrices = Matrices::at(system, &self.inertias, time)?;
+                let springs = system.springs_at(time)?;
+                let mut load = system.load_in_part(time, part)?;
+                load.iter_mut().zip(&matrices.load).for_each(|(load, own)| *load += own);
+                let squares = system.modes.squares.clone();
+                let (m, count) = (load.len(), squares.len());
+                let elastic = Elastic {
+                    modes: &system.modes,
+                    coupling: vec![0.0; m * count],
+                    load: matrices.modal_load.clone(),
+                    start: vec![0.0; count],
+                    stiffness: squares,
+                };
+                let with = Some(&elastic).filter(|_| count > 0);
+                let mut step = system.begin(time, &load, with, &self.sizing)?;
+                if step.modal.len() != count {
+                    step.modal = elastic.load.iter().zip(&elastic.stiffness).map(|(g, d)| g / d).collect();
+                }
+                let at = Step { time, length: 0.0, load: part, kept: true };
+                let state = State::at_rest([step.motion.as_slice(), &step.modal].concat());
+                step.velocity = state.velocity.clone();
+                // It is at rest by what statics knows of.
+                let nothing = matrices.following(system, &state.velocity, &state.velocity);
+                step.beside = self.beside(&matrices, &at, &nothing, &state);
+                let rest = Effective {
+                    matrix: &springs.stiffness,
+                    coupling: &elastic.coupling,
+                    stiffness: &elastic.stiffness,
+                };
+                load.iter_mut().zip(&springs.load).for_each(|(load, own)| *load += own);
+                load.extend(&elastic.load);
+                self.contact = difference(&rest.times(&state.displacement), &load);
+                self.state = state;
+                Ok(step)
+            }
+            Start::Frames => {
+                // The accelerations it begins with are those of a step that is over at once.
+                let at_once = 1e-6 * self.steps.first().map_or(1.0, |step| step.length);
+                let step = Step { time, length: at_once, load: part, kept: true };
+                let Taken { mut result, state, contact } = self.step(&step, &self.state)?;
+                self.state.acceleration = state.acceleration;
+                self.contact = contact;
+                result.motion = self.state.displacement[..result.motion.len()].to_vec();
+                result.velocity = self.state.velocity.clone();
+                Ok(result)
+            }
+        }
+    }
+
+    /// A step from a state: what it ends in, and the state there.
+    fn step(&self, step: &Step, state: &State) -> Result<Taken, EngineError> {
+        let (h, scheme, system) = (step.length, self.options.scheme, &self.system);
+        let (m, count) = (system.freedoms.len(), system.modes.count());
+        let matrices = Matrices::at(system, &self.inertias, step.time)?;
+        let fast = matrices.softening(system)?;
+        let springs = system.springs_at(step.time)?;
+        let predicted = scheme.predicted(state, h);
+        let [of_mass, of_damping, _] = scheme.weights(h);
+        let [by_mass, by_stiffness] = self.options.rayleigh;
+        let (x, v) = (&predicted.displacement, &predicted.velocity);
+
+        // Freedoms: M y'' + (C + a M + b K) y' + K y.
+        let mut matrix = vec![0.0; m * m];
+        let mut load = system.load_in_part(step.time, step.load)?;
+        for i in 0..m {
+            load[i] += springs.load[i] + matrices.load[i];
+            for j in 0..m {
+                let (mass, spring) = (matrices.mass[i * m + j], springs.stiffness[i * m + j]);
+                let damping = matrices.damping[i * m + j] + by_mass * mass + by_stiffness * spring;
+                matrix[i * m + j] = of_mass * mass + of_damping * damping + spring;
+                load[i] -= damping * v[j] + spring * x[j];
+            }
+            for k in 0..count {
+                load[i] -= by_mass * matrices.coupling[i * count + k] * v[m + k];
+            }
+        }
+        // Modal coordinates, of unit mass.
+        let mut stiffness = vec![0.0; count];
+        load.extend(&matrices.modal_load);
+        for k in 0..count {
+            let square = system.modes.squares[k];
+            let damping = by_mass + by_stiffness * square;
+            stiffness[k] = of_mass + of_damping * damping + square;
+            load[m + k] -= damping * v[m + k] + square * x[m + k];
+            for i in 0..m {
+                load[m + k] -= by_mass * matrices.coupling[i * count + k] * v[i];
+            }
+        }
+        let coupled = of_mass + of_damping * by_mass;
+        let coupling: Vec<f64> = matrices.coupling.iter().map(|entry| coupled * entry).collect();
+
+        // Terms that would make the matrix unsymmetric, where the step would end if contact did what it did before.
+        let effective = Effective { matrix: &matrix, coupling: &coupling, stiffness: &stiffness };
+        let following = |y: &[f64]| {
+            let rates: Vec<f64> = y.iter().map(|y| of_damping * y).collect();
+            matrices.following(system, y, &rates).on_coordinates(system)
+        };
+        let known = matrices.following(system, x, v).on_coordinates(system);
+        let meanwhile: Vec<f64> = (0..m + count).map(|i| load[i] + known[i] + self.contact[i]).collect();
+        let untouched = effective.free(&meanwhile, following);
+        let end = |from: &[f64], by: f64| match &untouched {
+            Some(y) => from.iter().zip(y).map(|(from, y)| from + by * y).collect(),
+            None => from.to_vec(),
+        };
+        let following: Forces = matrices.following(system, &end(x, 1.0), &end(v, of_damping));
+        load.iter_mut().zip(following.on_coordinates(system)).for_each(|(load, more)| *load += more);
+
+        let modal_load = load.split_off(m);
+        let elastic = Elastic {
+            modes: &system.modes,
+            stiffness: stiffness.clone(),
+            coupling: coupling.clone(),
+            load: modal_load,
+            start: x[m..].to_vec(),
+        };
+        let start = &x[..m];
+        let moving = springs.stepping(start, matrix.clone());
+        let with = Some(&elastic).filter(|_| count > 0);
+        let mut result = system.step(step.time, &moving, &load, start, with, &self.sizing)?;
+        let mut y = difference(&result.motion, start);
+        y.extend(&result.modal);
+        load.extend(&elastic.load);
+        let contact = difference(&effective.times(&y), &load);
+        let state = scheme.corrected(predicted.clone(), &y, h);
+        result.modal = state.displacement[m..].to_vec();
+        result.velocity = state.velocity.clone();
+        result.beside = self.beside(&matrices, step, &following, &state);
+        // Damping in proportion to the stiffness of bearings, which these do not tell of themselves.
+        for (i, freedom) in system.freedoms.iter().enumerate() {
+            let row = &springs.stiffness[i * m..(i + 1) * m];
+            let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
+            result.beside[freedom.body][freedom.component] -=
+                system.width(freedom.body) * by_stiffness * rate;
+        }
+        result.warnings.extend(fast);
+        // Observables see the springs of the scene and not the matrix of a step.
+        result.problem.stiffness = springs.stiffness;
+        Ok(Taken { result, state, contact })
+    }
+
+    /// What acts on each body beside contact, bearings and its whole load.
+    fn beside(&self, matrices: &Matrices, step: &Step, following: &Forces, state: &State) -> Vec<[f64; 6]> {
+        // Damping in proportion to mass acts as an acceleration by the rate.
+        let [by_mass, _] = self.options.rayleigh;
+        let rates = state.acceleration.iter().zip(&state.velocity);
+        let resisted: Vec<f64> = rates.map(|(a, v)| a + by_mass * v).collect();
+        let mut all = matrices.inertia(&self.system, following, &resisted);
+        for (wrench, body) in all.iter_mut().zip(&self.system.scene.bodies) {
+            let Wrench { force: [fx, fy, fz], moment: [mx, my, mz] } = body.load.at(step.time);
+            for (part, whole) in wrench.iter_mut().zip([fx, fy, fz, mx, my, mz]) {
+                *part += (step.load - 1.0) * whole;
+            }
+        }
+        all
+    }
+
+    /// The table of modes about the start, which is had once more for it: a run that goes on has not seen it.
+    fn first_modes(&mut self) -> Option<ModesTable> {
+        let request = self.scene.modes_table.as_ref()?;
+        let first = self.begin().ok()?;
+        Equilibrium::new(&self.system, &first).modes_table(request)
+    }
+
+    /// Sums up, and estimates errors if they are asked for.
+    ///
+    /// # Errors
+    /// The interrupt's.
+    pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
+        let first = Certificate::default();
+        let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
+        let modes = self.first_modes();
+        let solved = std::mem::take(&mut self.solved);
+        let rows: Vec<StepRow> = solved.into_iter().map(|solved| solved.row).collect();
+        let mut summaries = summarize(&rows, self.outputs, &self.scene.observables);
+        self.timing.add("positions", self.solving);
+        if self.analysis.error_estimates != Estimates::None {
+            let started = Instant::now();
+            let evidence = self.evidence(&rows)?;
+            let observables = &self.scene.observables;
+            estimate::attach(&mut summaries, &rows, self.outputs, observables, &evidence);
+            self.timing.add(ERRORS, started.elapsed());
+        }
+        self.timing.memory = self.resources.interrupt.most_asked();
+        Ok(AnalysisResult {
+            plan: self.plan,
+            rows,
+            summaries,
+            certificate,
+            modes,
+            timing: self.timing,
+            chosen: None,
+        })
+    }
+}
+
+/// A step, and what it ends in.
+struct Taken {
+    result: StepResult,
+    state: State,
+    /// What contact does to all coordinates, per width of the model.
+    contact: Vec<f64>,
+}
+
+fn difference(one: &[f64], other: &[f64]) -> Vec<f64> {
+    one.iter().zip(other).map(|(one, other)| one - other).collect()
+}
+
+impl Iterator for History<'_> {
+    type Item = Result<Solved, EngineError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed || self.solved.len() >= self.positions.len() {
+            return None;
+        }
+        let started = Instant::now();
+        let advanced = self.advance();
+        self.solving += started.elapsed();
+        match advanced {
+            Ok(()) => self.solved.last().cloned().map(Ok),
+            Err(error) => {
+                self.failed = true;
+                Some(Err(error))
+            }
+        }
+    }
+}
+
+/// A dynamic analysis from beginning to end, watched.
+///
+/// # Errors
+/// Those of [`History::new`] and of its steps, and of the observer.
+pub fn dynamic(
+    scene: &Scene,
+    outputs: &[OutputRequest],
+    options: &AnalysisOptions,
+    dynamics: &DynamicOptions,
+    observer: &mut dyn Observer,
+) -> Result<AnalysisResult, EngineError> {
+    let mut history = History::new(scene, outputs, options, dynamics, observer)?;
+    let meshed = history.timing.meshed(scene, &history.plan, options)?;
+    while let Some(solved) = history.next() {
+        let solved = &solved?;
+        let (index, count) = (history.solved().len() - 1, history.rows());
+        let told = tells_fields(options.fields, index, count);
+        let fields = history.equilibrium().filter(|_| told).map(|at| at.fields_with(meshed.as_ref()));
+        let fields = fields.transpose()?;
+        observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })?;
+    }
+    if options.error_estimates != Estimates::None {
+        observer.observe(Event::Stage(ERRORS))?;
+    }
+    history.finish()
+}
+
+#[cfg(test)]
+mod ring_tests;
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,351 @@
+//! The part of the error estimate that comes from positions: extremes and means between them.
+//!
+//! In every interval between two positions an output is continued from the left and from the
+//! right, by parabolas through the positions on either side alone ([`super::continuation`]). The
+//! estimate of an extreme is by how much the largest of the values expected in the intervals
+//! exceeds the largest value at the positions. It depends on nothing but the interval and the
+//! positions next to it: an extreme on a plateau has no error, however much the output varies
+//! elsewhere. At places where loads of rigid teeth jump, positions lie on both sides, and nothing is
+//! continued across. Elastic teeth do not jump there; their time histories are continued through
+//! both positions.
+//!
+//! Continuations miss what begins and ends inside an interval. A few intervals are therefore
+//! divided ([`most_promising`]), in turn the one whose expected extreme is largest and the one whose
+//! continuations fit worst. The values found there are known, and continuations begin from them.
+
+use super::continuation::{Continuations, Point};
+use super::{Ends, Statistics, ends};
+use crate::rows::StepRow;
+use calyx_model::position::Position;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Named positions nearer to each other than this part of a cycle stand on both sides of a place where loads of rigid teeth jump.
+const BESIDE: f64 = 1e-5;
+/// They do jump if an output changes there by more than this part of its peak to peak: those of elastic teeth do not.
+const JUMP: f64 = 0.01;
+/// Positions nearer to each other than this part of the interval that they are continued into do not make a parabola: what little they differ by would
+/// be carried too far.
+const APART: f64 = 0.3;
+/// Intervals shorter than this part of an average one of the analysis are not divided.
+const SHORTEST: f64 = 0.02;
+/// Part of an interval with a name at one end at which it is divided, from that end. No interval is
+/// divided closer to an end.
+const BESIDE_NAMES: f64 = 0.25;
+/// How much of what is hidden in an interval an extreme may gain by it, of peak to peak, while intervals are chosen.
+const HIDDEN: f64 = 0.25;
+/// Estimated error of the mean over an interval, in what continuations miss at its ends.
+const MISSED_MEAN: f64 = 0.15;
+/// Rises below this part of peak to peak divide no interval.
+const RISING: f64 = 1e-3;
+/// Outputs that change by no more than this part of their magnitude choose no intervals.
+const CHANGING: f64 = 1e-3;
+
+/// Where the positions are.
+pub(crate) struct Course {
+    /// Ascending: parts of a mesh cycle, or s.
+    at: Vec<f64>,
+    /// Of a closed course: a cycle.
+    period: f64,
+    /// Whether a position and the next one are at one place.
+    beside: Vec<bool>,
+    /// Whether nothing is continued from a position to the next: the output jumps there.
+    breaks: Vec<bool>,
+    /// Whether a position has a name.
+    named: Vec<bool>,
+}
+
+/// An interval, as far as the largest value in it is concerned.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    /// Root mean square of the rise above a level.
+    rise: f64,
+    /// By how much the better continuation misses the position at its other end.
+    missed: f64,
+    /// Expected location of a kink, as a part of the interval.
+    kink: Option<f64>,
+}
+
+impl Course {
+    /// The course of an output, if one is given; `None` of rows that do not go anywhere.
+    pub(crate) fn of(rows: &[StepRow], output: Option<usize>) -> Option<Course> {
+        let positions = || rows.iter().map(|row| &row.position);
+        let cyclic = positions().any(|position| position.cycle != 0.0);
+        let at: Vec<f64> = positions().map(|p| if cyclic { p.cycle } else { p.time }).collect();
+        if at.len() < 2 || !at.windows(2).all(|pair| pair[1] > pair[0]) {
+            return None;
+        }
+        let named: Vec<bool> = positions().map(|position| !position.name.is_empty()).collect();
+        let mut course = Course { at, period: 1.0, beside: Vec::new(), breaks: Vec::new(), named };
+        let is_beside = |i: usize| {
+            let both = course.named[i] && course.named[(i + 1) % rows.len()];
+            cyclic && both && course.place(i as isize + 1) - course.at[i] < BESIDE
+        };
+        course.beside = (0..rows.len()).map(is_beside).collect();
+        let values: Vec<f64> =
+            output.map_or_else(Vec::new, |output| ends(rows, output).iter().map(|end| end.value).collect());
+        let finite = || values.iter().copied().filter(|value| value.is_finite());
+        let spread = finite().fold(f64::NEG_INFINITY, f64::max) - finite().fold(f64::INFINITY, f64::min);
+        let jumps = |i: usize| {
+            let ends = values.get(i).zip(values.get((i + 1) % rows.len()));
+            ends.is_some_and(|(one, next)| (next - one).abs() > JUMP * spread)
+        };
+        course.breaks = (0..rows.len()).map(|i| course.beside[i] && jumps(i)).collect();
+        Some(course)
+    }
+
+    /// Of a position counted on round the cycle.
+    fn place(&self, index: isize) -> f64 {
+        let count = self.at.len() as isize;
+        self.at[index.rem_euclid(count) as usize] + self.period * index.div_euclid(count) as f64
+    }
+
+    /// Positions from one on, away from the interval behind it (`step` is their direction), that make a parabola over an interval so long.
+    fn stencil(&self, from: isize, step: isize, length: f64, closed: bool) -> Vec<isize> {
+        let count = self.at.len() as isize;
+        let apart = APART * length;
+        let mut stencil = vec![from];
+        let mut last = from;
+        for _ in 1..count {
+            let next = last + step;
+            let between = if step > 0 { last } else { next };
+            let is_end = !closed && !(0..count).contains(&next);
+            if is_end || self.breaks[between.rem_euclid(count) as usize] || stencil.len() == 3 {
+                break;
+            }
+            last = next;
+            let nearest = stencil.last().map_or(from, |&nearest| nearest);
+            if (self.place(next) - self.place(nearest)).abs() >= apart {
+                stencil.push(next);
+            }
+        }
+        stencil
+    }
+
+    /// The length of an interval, on average.
+    pub(crate) fn average(&self) -> f64 {
+        self.span(false) / (self.at.len() - 1) as f64
+    }
+
+    fn span(&self, closed: bool) -> f64 {
+        if closed { self.period } else { self.at[self.at.len() - 1] - self.at[0] }
+    }
+
+    /// Intervals between neighbours of which something is to be known, by the position they begin with.
+    fn intervals(&self, closed: bool) -> impl Iterator<Item = isize> + '_ {
+        let count = self.at.len() as isize;
+        (0..if closed { count } else { count - 1 }).filter(|&interval| !self.beside[interval as usize])
+    }
+
+    /// What continues a course into an interval from the left and from the right, and which of them by itself.
+    fn stencils(&self, interval: isize, closed: bool) -> ([Vec<isize>; 2], [bool; 2]) {
+        let length = self.place(interval + 1) - self.place(interval);
+        let mut stencils =
+            [self.stencil(interval, -1, length, closed), self.stencil(interval + 1, 1, length, closed)];
+        let alone = [0, 1].map(|side: usize| stencils[side].len() > 1);
+        // A single position beside a jump or an end continues nothing: it is met from the other side.
+        let nearest = [0, 1].map(|side: usize| stencils[side].iter().take(2).copied().collect::<Vec<_>>());
+        for side in 0..2 {
+            if !alone[side] {
+                stencils[side].extend(&nearest[1 - side]);
+            }
+        }
+        (stencils, alone)
+    }
+
+    /// Both continuations into an interval, and which of them has two positions of its own.
+    fn continued(
+        &self,
+        interval: isize,
+        of: impl Fn(isize) -> f64,
+        closed: bool,
+        limited: bool,
+    ) -> (Continuations, [bool; 2]) {
+        let (stencils, alone) = self.stencils(interval, closed);
+        let points =
+            stencils.map(|stencil| stencil.iter().map(|&i| (self.place(i), of(i))).collect::<Vec<Point>>());
+        let ends = [interval, interval + 1].map(|end| self.place(end));
+        (Continuations::new(&points, ends, limited), alone)
+    }
+
+    /// The largest value in an interval against a level.
+    fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Look {
+        let (continued, alone) = self.continued(interval, of, closed, true);
+        let missed = missed(&continued, alone);
+        Look { rise: continued.largest(level).rise, missed, kink: continued.kink() }
+    }
+
+    /// How far above the largest value at the positions it may be between them.
+    fn above(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let largest = |i| self.continued(i, of, closed, true).0.largest(most).expected;
+        self.intervals(closed).map(largest).fold(most, f64::max)
+    }
+
+    /// The area below the chords from position to position.
+    fn chords(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let all = 0..if closed { count } else { count - 1 };
+        all.map(|i| 0.5 * (of(i) + of(i + 1)) * (self.place(i + 1) - self.place(i))).sum()
+    }
+
+    /// The area between chords and continuations.
+    fn area(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let above_chord = |interval| {
+            let (continued, _) = self.continued(interval, of, closed, false);
+            continued.above_chord() * (self.place(interval + 1) - self.place(interval))
+        };
+        self.intervals(closed).map(above_chord).sum()
+    }
+
+    /// The area that continuations may miss: in some intervals it is above them and in others below.
+    fn missed_area(&self, values: &[f64], closed: bool) -> f64 {
+        let count = values.len() as isize;
+        let of = |index: isize| values[index.rem_euclid(count) as usize];
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let missed = |interval: isize| {
+            // The mean is of parabolas that are not limited, and so is what they miss.
+            let (continued, alone) = self.continued(interval, of, closed, false);
+            let missed = missed(&continued, alone).min(most - least);
+            missed * (self.place(interval + 1) - self.place(interval))
+        };
+        self.intervals(closed).map(|interval| missed(interval).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// How far what lies between positions is from what they say themselves. `known` is the course of the positions and of others between
+    /// them, with its values.
+    pub(crate) fn errors(&self, ends: &[Ends], known: (&Course, &[Ends]), closed: bool) -> Statistics {
+        let beyond = |of: &dyn Fn(&Ends) -> f64| {
+            let most = ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+            known.0.above(&known.1.iter().map(of).collect::<Vec<_>>(), closed) - most
+        };
+        let [above, below] = [beyond(&|end| end.high), beyond(&|end| -end.low)];
+        let [own, more] = [ends, known.1].map(|ends| ends.iter().map(|end| end.value).collect::<Vec<_>>());
+        let course = known.0;
+        let beside = course.chords(&more, closed) + course.area(&more, closed) - self.chords(&own, closed);
+        let missed = MISSED_MEAN * course.missed_area(&more, closed);
+        let mean = beside.hypot(missed) / self.span(closed);
+        Statistics { min: below, max: above, mean, peak_to_peak: above + below }
+    }
+}
+
+/// By how much the better of two continuations, of those with two positions of their own, misses the
+/// position at its other end.
+fn missed(continued: &Continuations, alone: [bool; 2]) -> f64 {
+    let missed = continued.misses().into_iter().zip(alone).filter(|(_, alone)| *alone);
+    let missed = missed.map(|(missed, _)| missed.abs()).fold(f64::INFINITY, f64::min);
+    if missed.is_finite() { missed } else { 0.0 }
+}
+
+/// An output as far as it is known.
+pub(crate) struct Known<'a> {
+    pub course: &'a Course,
+    pub ends: Vec<Ends>,
+    pub closed: bool,
+}
+
+/// An interval that is worth dividing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Promising {
+    /// The position that it begins with.
+    pub interval: usize,
+    /// Expected location of a kink, as a part of the interval.
+    pub kink: Option<f64>,
+}
+
+/// Sorts the intervals by how much dividing them promises for the extremes of all outputs, the most
+/// promising first. Leaves out those shorter than a small part of `average`, the length of an
+/// interval of the analysis.
+///
+/// Two orders take turns, the first one if `turn` is even. The first is by the expected rise above
+/// the extreme, relative to peak to peak. The second adds the misfit of continuations in any output:
+/// a feature that one output shows is hidden in others, such as a pair that takes up load.
+pub(crate) fn most_promising(all: &[Known<'_>], average: f64, turn: usize) -> Vec<Promising> {
+    // Interval, rise relative to peak to peak, and the rest, for every output and either sign.
+    let mut looks: Vec<(usize, f64, Look)> = Vec::new();
+    let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
+    for Known { course, ends, closed } in all {
+        if !ends.iter().all(|end| (end.low + end.high).is_finite()) {
+            continue;
+        }
+        let high: Vec<f64> = ends.iter().map(|end| end.high).collect();
+        let low: Vec<f64> = ends.iter().map(|end| -end.low).collect();
+        let [most, least] =
+            [&high, &low].map(|values| values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+        let (spread, magnitude) = (most + least, most.abs().max(least.abs()));
+        if spread <= CHANGING * magnitude {
+            continue;
+        }
+        for (values, most) in [(&high, most), (&low, least)] {
+            let of = |index: isize| values[index.rem_euclid(values.len() as isize) as usize];
+            let long = |&i: &isize| course.place(i + 1) - course.place(i) > SHORTEST * average;
+            for interval in course.intervals(*closed).filter(long) {
+                let look = course.look(interval, of, *closed, most);
+                let interval = interval as usize;
+                looks.push((interval, look.rise / spread, look));
+                let part = (look.missed / spread).min(1.0);
+                hidden.entry(interval).and_modify(|most| *most = most.max(part)).or_insert(part);
+            }
+        }
+    }
+    let in_order = |promise: &dyn Fn(usize, f64) -> f64, least: f64| {
+        let mut best: BTreeMap<usize, (f64, Option<f64>)> = BTreeMap::new();
+        for &(interval, rise, look) in &looks {
+            let own = (promise(interval, rise), look.kink);
+            let best = best.entry(interval).or_insert(own);
+            if own.0 > best.0 {
+                *best = own;
+            }
+        }
+        let mut in_order: Vec<(usize, (f64, Option<f64>))> =
+            best.into_iter().filter(|(_, (promise, _))| *promise > least).collect();
+        in_order.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
+        in_order.into_iter().map(|(interval, (_, kink))| Promising { interval, kink })
+    };
+    let mut orders = [
+        in_order(&|_, rise| rise, RISING),
+        in_order(&|interval, rise| rise + HIDDEN * hidden[&interval], f64::NEG_INFINITY),
+    ];
+    let mut promising: Vec<Promising> = Vec::new();
+    let mut turn = turn;
+    loop {
+        let own = turn % 2;
+        let is_new = |next: &Promising| promising.iter().all(|old| old.interval != next.interval);
+        let next = orders[own].find(is_new);
+        let Some(next) = next.or_else(|| orders[1 - own].find(is_new)) else { return promising };
+        promising.push(next);
+        turn += 1;
+    }
+}
+
+/// The position that divides an interval after a row, or the one round the end of the cycle after the
+/// last row: at the expected kink, close to a row with a name, or in the middle.
+pub(crate) fn divided(rows: &[StepRow], Promising { interval, kink }: Promising) -> Position {
+    let (first, last) = (&rows[0].position, &rows[rows.len() - 1].position);
+    let one = &rows[interval].position;
+    let named = [one, &rows[(interval + 1) % rows.len()].position].map(|at| !at.name.is_empty());
+    let part = match (kink, named) {
+        (Some(kink), _) => kink.clamp(BESIDE_NAMES, 1.0 - BESIDE_NAMES),
+        (None, [true, false]) => BESIDE_NAMES,
+        (None, [false, true]) => 1.0 - BESIDE_NAMES,
+        _ => 0.5,
+    };
+    // By what the next one is later: a row, or the first one of the next cycle.
+    let later = |of: fn(&Position) -> f64| match rows.get(interval + 1) {
+        Some(next) => of(&next.position) - of(one),
+        None => (of(last) - of(first)) / (last.cycle - first.cycle) * (first.cycle + 1.0 - last.cycle),
+    };
+    let between = |of: fn(&Position) -> f64| of(one) + part * later(of);
+    Position {
+        time: between(|at| at.time),
+        cycle: between(|at| at.cycle),
+        roll: between(|at| at.roll),
+        name: Cow::Borrowed(""),
+    }
+}

@@ -1,0 +1,19 @@
+//! Analyses from plan to results: what is observed, over which positions, how far it may be off.
+
+#![warn(missing_docs)]
+
+pub mod analysis;
+pub mod cost;
+pub mod dynamic_options;
+pub mod dynamics;
+pub mod estimate;
+pub mod observe;
+pub mod options;
+pub mod overriding;
+pub mod results;
+pub mod rows;
+pub mod scene;
+pub mod signal;
+pub mod summary;
+pub mod tolerance;
+pub mod validate;

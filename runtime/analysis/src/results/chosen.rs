@@ -1,0 +1,156 @@
+//! Settings that were tried for a tolerance, and the one that was chosen.
+
+use calyx_model::fidelity::Fidelity;
+use calyx_numerics::error::EngineError;
+
+/// A way to analyse a scene. Factors are on what the model asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setting {
+    /// The level.
+    pub fidelity: Fidelity,
+    /// On the elements along every direction.
+    pub refinement: f64,
+    /// On the cells of contact, across and along.
+    pub cells: usize,
+    /// On the number of positions.
+    pub positions: usize,
+}
+
+impl Setting {
+    /// In words, naming what is not as the model asks for it.
+    pub fn describe(&self) -> String {
+        let mut text = format!("\"{}\"", self.fidelity.name());
+        if self.refinement != 1.0 {
+            text += &format!(" with {} times the elements along every direction", self.refinement);
+        }
+        if self.cells != 1 {
+            text += &format!(", {} times the cells of contact across and along", self.cells);
+        }
+        if self.positions != 1 {
+            text += &format!(", {} times the positions", self.positions);
+        }
+        text
+    }
+}
+
+/// A setting, and how it did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tried {
+    /// The setting.
+    pub setting: Setting,
+    /// Whether all positions were solved, or a few.
+    pub whole: bool,
+    /// The output with the largest error by its name, and that error as a part of the output's largest magnitude: infinite of one that has no value,
+    /// or no estimate.
+    pub worst: (String, f64),
+}
+
+impl Tried {
+    /// The error in words.
+    pub(crate) fn error(&self) -> String {
+        match &self.worst {
+            (output, error) if error.is_finite() => format!("{} in `{output}`", percent(*error)),
+            (output, _) => format!("nothing to judge `{output}` by"),
+        }
+    }
+}
+
+/// What was chosen for a tolerance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chosen {
+    /// Of the largest magnitude of every output.
+    pub tolerance: f64,
+    /// With which the results were had.
+    pub setting: Setting,
+    /// All settings tried, in order. If the tolerance is met, the last is the chosen one at all positions.
+    pub tried: Vec<Tried>,
+    /// Which of these the results are of.
+    pub taken: usize,
+    /// The reason for which the search ended before a setting met the tolerance, if it did.
+    pub ended: Option<String>,
+    /// Why what the level leaves out is not in the estimates, if it is not.
+    pub level_unseen: Option<String>,
+}
+
+/// The reason for which a search ends if no setting is left to try.
+pub(crate) const EXHAUSTED: &str = "no setting is estimated to meet it";
+
+/// What to do where no setting meets a tolerance.
+pub(crate) const LARGER: &str =
+    "ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
+
+impl Chosen {
+    /// The warning if the results do not meet the tolerance.
+    pub fn missed(&self) -> Option<EngineError> {
+        let reason = self.ended.as_ref()?;
+        let reached = self.tried.get(self.taken).map_or_else(String::new, |taken| {
+            let all = if taken.whole { "" } else { " at a few of the positions" };
+            format!(": they are of {}{all}, with {}", self.setting.describe(), taken.error())
+        });
+        let tolerance = percent(self.tolerance);
+        let message =
+            format!("the results do not meet the tolerance of {tolerance}, because {reason}{reached}");
+        let help = match reason.starts_with(EXHAUSTED) {
+            true => LARGER.to_owned(),
+            false => format!("run it again to its end, {LARGER}"),
+        };
+        Some(EngineError::new("E0793", message, help).blame("tolerance"))
+    }
+
+    /// What was chosen, and why.
+    pub fn describe(&self) -> String {
+        let mut text = format!("tolerance {}: took {}", percent(self.tolerance), self.setting.describe());
+        if let Some(reason) = &self.ended {
+            text = format!(
+                "tolerance {} not met, because {reason}: took {}",
+                percent(self.tolerance),
+                self.setting.describe()
+            );
+        }
+        if let Some(taken) = self.tried.get(self.taken) {
+            let all = if taken.whole { "" } else { " at a few of the positions" };
+            text += &format!("{all}, estimated to be within {}", taken.error());
+        }
+        let others = self.tried.iter().enumerate().filter(|(index, _)| *index != self.taken);
+        for (_, missed) in others.filter(|(_, tried)| tried.worst.1 > self.tolerance) {
+            text += &format!("; {} has {}", missed.setting.describe(), missed.error());
+        }
+        if let Some(reason) = &self.level_unseen {
+            text += &format!("; what the level leaves out is not in it ({reason})");
+        }
+        text
+    }
+}
+
+/// A part of one in percent, to two digits.
+pub(crate) fn percent(part: f64) -> String {
+    let rounded: f64 = format!("{:.1e}", 100.0 * part).parse().unwrap_or(f64::NAN);
+    format!("{rounded} %")
+}
+
+/// A setting that is tried next for a tolerance, as reported to observers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choosing {
+    /// The setting.
+    pub setting: Setting,
+    /// True at all positions, false at a few of them.
+    pub whole: bool,
+    /// The attempt with the least estimated error so far: an interrupted search ends with it.
+    pub best: Option<Tried>,
+    /// Part of the work that the search may do which is done, 0 to 1.
+    pub part: f64,
+}
+
+impl Choosing {
+    /// In words.
+    pub fn describe(&self) -> String {
+        let mut text = format!("trying {}", self.setting.describe());
+        if !self.whole {
+            text += " at a few of the positions";
+        }
+        if let Some(best) = &self.best {
+            text += &format!("; the best so far is {} with {}", best.setting.describe(), best.error());
+        }
+        text
+    }
+}

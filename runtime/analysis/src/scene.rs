@@ -1,0 +1,67 @@
+//! Everything that a model says, before anything is built: a mechanism, and what is to be observed of it.
+
+pub use calyx_model::body::Body;
+pub use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions, Template};
+pub use calyx_model::freedom::{Component, FREEDOMS};
+pub use calyx_model::ids::{BearingId, BodyId, ObservableId, PairId};
+pub use calyx_model::mechanism::Mechanism;
+pub use calyx_model::pairs::{CharacteristicPoint, GearMesh, GridOptions, SurfacePair};
+pub use calyx_model::prototype::{Ignored, Prototype};
+
+use crate::observe::{ModesRequest, Observable};
+use calyx_model::target::{Examined, Target};
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+/// Everything the model says. Frozen by the first analysis.
+///
+/// It is a [`Mechanism`] with observables: fields and methods of the mechanism are those of the scene.
+#[derive(Clone, Default)]
+pub struct Scene {
+    /// What is simulated.
+    pub mechanism: Mechanism,
+    /// By [`ObservableId`].
+    pub observables: Vec<Arc<dyn Observable>>,
+    /// Whether a table of the modes at the first position is wanted.
+    pub modes_table: Option<ModesRequest>,
+}
+
+impl Scene {
+    /// Observing the same thing twice costs nothing.
+    pub fn observe(&mut self, observable: impl Observable) -> ObservableId {
+        let known = self.observables.iter().position(|known| known.as_ref().equals(observable.as_any()));
+        let at = known.unwrap_or_else(|| {
+            self.observables.push(Arc::new(observable));
+            self.observables.len() - 1
+        });
+        ObservableId(at)
+    }
+}
+
+impl Deref for Scene {
+    type Target = Mechanism;
+
+    fn deref(&self) -> &Mechanism {
+        &self.mechanism
+    }
+}
+
+impl DerefMut for Scene {
+    fn deref_mut(&mut self) -> &mut Mechanism {
+        &mut self.mechanism
+    }
+}
+
+impl Examined for Scene {
+    fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
+    }
+
+    fn targets(&self) -> Vec<Target> {
+        self.observables.iter().map(|observable| observable.target()).collect()
+    }
+
+    fn examines_modes(&self) -> bool {
+        self.modes_table.is_some()
+    }
+}

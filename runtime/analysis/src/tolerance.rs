@@ -1,0 +1,469 @@
+//! The cheapest way to analyse whose estimated error keeps to a tolerance.
+//!
+//! Settings stand on a ladder from cheap to dear: the levels, and meshes of each. From the bottom up, each solves a few positions with
+//! estimates of all its errors, what its level leaves out among them; the first that keeps to the tolerance analyses the whole. What is
+//! found wanting says what to change: the level, the mesh, the contact grid. Contact cells come first where they alone miss the tolerance: they are
+//! had cheapest at a low level, and so is the knowledge that no number of them will do. Levels that the scene cannot be had at are passed over. The
+//! whole analysis is judged by its own estimates, and where they miss the tolerance it is done again one better; so are positions doubled where too
+//! much lies between them. What is not estimated keeps to nothing.
+//!
+//! Choices depend on estimates and on counted work ([`bound`]), never on times, so that they are the
+//! same on every machine. A search that would take too much work, or that is interrupted, ends with
+//! the best results so far, and says so ([`Chosen::ended`]).
+
+mod best;
+mod bound;
+
+pub use crate::results::{Choosing, Chosen, Setting, Tried};
+pub use bound::{MOST_WORK, Rung, SearchCost, search_cost};
+
+use crate::analysis::{Event, Observer, quasi_static};
+use crate::estimate::Estimates;
+use crate::options::AnalysisOptions;
+use crate::results::{AnalysisResult, EXHAUSTED, LARGER, OutputSummary, Part, Statistics, percent};
+use crate::scene::Scene;
+use best::Best;
+use bound::Work;
+use calyx_model::fidelity::{BodyModel, Fidelity, Template};
+use calyx_model::observed::OutputRequest;
+use calyx_model::pairs::SurfacePair;
+use calyx_model::position::Position;
+use calyx_numerics::error::EngineError;
+use calyx_structure::cache::OperatorCache;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// Positions that settings are compared at, beside those with names.
+const SPREAD: usize = 4;
+/// Contact grids and positions are doubled so often at most.
+const DOUBLINGS: u32 = 3;
+/// What is left of the error of contact grids where their cells are doubled: estimates are from the same order.
+const LEFT_OF_GRID: f64 = 0.3;
+/// A part of the error that takes more than this of the tolerance is worth mending by itself.
+const SHARE: f64 = 0.5;
+/// Bytes of the structures that are kept while settings are compared, where nobody else keeps them.
+const KEPT: usize = 1 << 30;
+
+/// Factors on the elements of a level along every direction, from coarse to fine. In space a finer template does more.
+fn meshes(fidelity: Fidelity) -> &'static [f64] {
+    match fidelity {
+        Fidelity::Rigid | Fidelity::Analytic => &[1.0],
+        Fidelity::Plane => &[0.5, 1.0, 2.0],
+        Fidelity::Solid(Template::Finest) => &[1.0, 1.4],
+        Fidelity::Solid(_) => &[1.0],
+    }
+}
+
+/// A quasi-static analysis that keeps to a tolerance, a part of the largest magnitude of every output. It begins with the fidelity of the
+/// options and goes up from there.
+///
+/// # Errors
+/// E0791: the tolerance is no part. E0793: the search ended without results. Those of
+/// [`quasi_static`].
+///
+/// If no setting meets the tolerance, the results are those with the least estimated error, and
+/// [`Chosen::missed`] is the warning about them.
+pub fn quasi_static_within(
+    tolerance: f64,
+    scene: &Scene,
+    positions: &[Position],
+    outputs: &[OutputRequest],
+    options: &AnalysisOptions,
+    observer: &mut dyn Observer,
+) -> Result<AnalysisResult, EngineError> {
+    check_tolerance(tolerance)?;
+    let mut resources = options.resources.clone();
+    resources.cache.get_or_insert_with(|| Arc::new(OperatorCache::new(KEPT)));
+    // Rows of an earlier run may be those of another setting.
+    let options = AnalysisOptions {
+        resources,
+        solved: Vec::new(),
+        error_estimates: Estimates::Full,
+        ..options.clone()
+    };
+    let refinement = meshes(options.fidelity)[0];
+    let setting = Setting { fidelity: options.fidelity, refinement, cells: 1, positions: 1 };
+    let levels = options.fidelity.all_above().collect();
+    let ladder = Ladder { tolerance, setting, levels };
+    let mut search = Search {
+        ladder,
+        scene,
+        outputs,
+        options,
+        missing: None,
+        tried: Vec::new(),
+        work: Work::default(),
+        best: None,
+        observed: None,
+    };
+    match search.climb(positions, observer) {
+        Ok(result) => Ok(search.chosen(result, None)),
+        Err(Stop::Failed(error)) => Err(error),
+        Err(Stop::Ended(reason, error)) => match search.best.take() {
+            Some(best) => {
+                best.observed(&search, observer)?;
+                search.ladder.setting = best.setting;
+                Ok(search.chosen(best.result, Some((reason, best.tried))))
+            }
+            None => Err(error),
+        },
+    }
+}
+
+/// Whether there can be such a tolerance.
+///
+/// # Errors
+/// E0791: it is no part between 0 and 1.
+pub fn check_tolerance(tolerance: f64) -> Result<(), EngineError> {
+    if tolerance > 0.0 && tolerance < 1.0 {
+        return Ok(());
+    }
+    let message = format!("a tolerance cannot be {tolerance} of an output's largest magnitude");
+    Err(EngineError::new("E0791", message, "give a part above 0 and below 1, like `tolerance = 2 %`")
+        .blame("tolerance"))
+}
+
+/// Where a search stands on the ladder.
+#[derive(Clone, Debug)]
+struct Ladder {
+    tolerance: f64,
+    setting: Setting,
+    /// Above the setting's that the scene may be had at.
+    levels: Vec<Fidelity>,
+}
+
+/// The search for a setting.
+struct Search<'a> {
+    ladder: Ladder,
+    scene: &'a Scene,
+    outputs: &'a [OutputRequest],
+    options: AnalysisOptions,
+    /// The first that it cannot be had at, and why.
+    missing: Option<(Fidelity, EngineError)>,
+    tried: Vec<Tried>,
+    work: Work,
+    /// The results with the least estimated error.
+    best: Option<Best>,
+    /// Which of those tried the observer has been told the positions of last.
+    observed: Option<usize>,
+}
+
+/// The reason for which a search ends without a setting that meets the tolerance.
+enum Stop {
+    /// There are no results.
+    Failed(EngineError),
+    /// It is interrupted, has done its work, or has no setting left: the best results so far are
+    /// taken. The reason, and the error if there are none.
+    Ended(String, EngineError),
+}
+
+impl From<EngineError> for Stop {
+    fn from(error: EngineError) -> Stop {
+        Stop::Failed(error)
+    }
+}
+
+/// Who is told, and whether it was they that ended an analysis.
+struct Heard<'a> {
+    observer: &'a mut dyn Observer,
+    refused: bool,
+}
+
+impl Observer for Heard<'_> {
+    fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
+        let heard = self.observer.observe(event);
+        self.refused |= heard.is_err();
+        heard
+    }
+}
+
+/// What is wrong with a setting, each as the largest part of an output's magnitude.
+#[derive(Clone, Copy, Debug)]
+struct Wanting {
+    /// Whether an output has no value at all.
+    values: bool,
+    level: f64,
+    /// What the level leaves out beyond what the mesh may be wrong by: the level above, which has a mesh of its own, sees both.
+    beyond_mesh: f64,
+    grid: f64,
+    between: f64,
+}
+
+impl Ladder {
+    /// Goes to a better setting, by what is wrong with this one; false where there is none.
+    fn better(&mut self, wanting: Wanting) -> bool {
+        let Wanting { values, level, beyond_mesh, grid, between } = wanting;
+        let Setting { fidelity, refinement, cells, positions } = self.setting;
+        let finer = meshes(fidelity).iter().copied().find(|&finer| finer > refinement);
+        let next = self.levels.first().copied();
+        let worth = SHARE * self.tolerance;
+        // How often cells and positions may be doubled yet.
+        let [cells_left, positions_left] =
+            [cells, positions].map(|count| DOUBLINGS.saturating_sub(count.ilog2()));
+        let least = grid * LEFT_OF_GRID.powi(cells_left as i32);
+        match (finer, next) {
+            _ if values => return self.rise(),
+            _ if between > worth && positions_left > 0 => self.setting.positions *= 2,
+            _ if between > self.tolerance => return false,
+            _ if grid.is_finite() && least > self.tolerance => return false,
+            _ if grid > self.tolerance && cells_left > 0 => self.setting.cells *= 2,
+            (_, Some(_)) if beyond_mesh > self.tolerance => return self.rise(),
+            (None, Some(_)) if level > self.tolerance => return self.rise(),
+            _ if grid > worth && cells_left > 0 => self.setting.cells *= 2,
+            (Some(finer), _) => self.setting.refinement = finer,
+            (None, _) => return self.rise(),
+        }
+        true
+    }
+
+    /// To the next level, with its coarsest mesh; false where there is none.
+    fn rise(&mut self) -> bool {
+        if self.levels.is_empty() {
+            return false;
+        }
+        let fidelity = self.levels.remove(0);
+        let Setting { cells, positions, .. } = self.setting;
+        self.setting = Setting { fidelity, refinement: meshes(fidelity)[0], cells, positions };
+        true
+    }
+}
+
+impl Search<'_> {
+    /// Tries settings from cheap to dear until one meets the tolerance at all positions.
+    fn climb(&mut self, positions: &[Position], observer: &mut dyn Observer) -> Result<AnalysisResult, Stop> {
+        let few = few_of(positions);
+        let few_are_all = few.len() == positions.len();
+        // Whether a few positions have been compared by the setting, or need not be.
+        let mut compared = few_are_all;
+        loop {
+            observer.observe(Event::Stage("choosing"))?;
+            observer.observe(Event::Choosing(&self.choosing(compared)))?;
+            if !compared && !self.attempt(&few, false, &mut ())? {
+                continue;
+            }
+            let setting = self.ladder.setting;
+            let all = (0..setting.positions.ilog2()).fold(positions.to_vec(), |all, _| doubled(&all));
+            if self.attempt(&all, true, observer)?
+                && let Some(best) = self.best.take()
+            {
+                return Ok(best.result);
+            }
+            // More positions change nothing at the few.
+            compared =
+                few_are_all || Setting { positions: setting.positions, ..self.ladder.setting } == setting;
+        }
+    }
+
+    /// How far the search is.
+    fn choosing(&self, whole: bool) -> Choosing {
+        Choosing {
+            setting: self.ladder.setting,
+            whole,
+            best: self.best.as_ref().and_then(|best| self.tried.get(best.tried)).cloned(),
+            part: self.work.part(),
+        }
+    }
+
+    /// Analyses with the setting, and stores the results if none are better. Returns true if they meet
+    /// the tolerance; otherwise the setting is a better one afterwards.
+    fn attempt(
+        &mut self,
+        positions: &[Position],
+        whole: bool,
+        observer: &mut dyn Observer,
+    ) -> Result<bool, Stop> {
+        let Setting { fidelity, refinement, cells, .. } = self.ladder.setting;
+        let mut scene = self.scene.clone();
+        for SurfacePair { grid, .. } in scene.pairs.iter_mut().filter(|_| cells > 1) {
+            let own = match fidelity {
+                Fidelity::Solid(_) => grid.half_cells_in_space(),
+                Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => grid.half_cells_in_plane(),
+            };
+            grid.half_cells = Some(cells * own);
+            grid.half_slices *= cells;
+        }
+        let mut options = AnalysisOptions { fidelity, ..self.options.clone() };
+        options.structure.refinement *= refinement;
+        if !whole {
+            options.fields = 0;
+        }
+        let first = self.best.is_none();
+        if self.work.begin(&scene, self.outputs, &options, (refinement, positions.len()), first).is_none() {
+            return Err(Stop::Ended(
+                "the next setting would take more work than a search may do".into(),
+                self.without_results(),
+            ));
+        }
+        if whole {
+            self.observed = Some(self.tried.len());
+        }
+        let mut heard = Heard { observer, refused: false };
+        let result = match quasi_static(&scene, positions, self.outputs, &options, &mut heard) {
+            Err(error) if heard.refused => return Err(error.into()),
+            Err(error) if options.resources.interrupt.check().is_err() => {
+                return Err(Stop::Ended(error.message.clone(), error));
+            }
+            // The scene cannot be had at a level that nobody asked for.
+            Err(error) if fidelity != self.options.fidelity => {
+                return Ok(self.pass_over(error).map(|()| false)?);
+            }
+            result => result?,
+        };
+
+        let several = positions.len() > 1;
+        let worst_in = |parts: &[Part]| {
+            let of = |summary: &OutputSummary| relative(summary, parts, fidelity, several);
+            let all = result.summaries.iter().map(of).enumerate();
+            all.fold((0, 0.0), |worst, this| if this.1 > worst.1 { this } else { worst })
+        };
+        // Few positions say nothing of what lies between them.
+        let counted: Vec<Part> =
+            Part::ALL.into_iter().filter(|&part| whole || part != Part::Positions).collect();
+        let (output, error) = worst_in(&counted);
+        let name = self.outputs.get(output).map(|request| request.name.clone()).unwrap_or_default();
+        self.tried.push(Tried { setting: self.ladder.setting, whole, worst: (name, error) });
+        let beyond_mesh = |summary: &OutputSummary| {
+            let of = |part: Part| relative(summary, &[part], fidelity, several);
+            of(Part::Level) - of(Part::Discretization)
+        };
+        let wanting = Wanting {
+            values: result.summaries.iter().any(|summary| !summary.max.is_finite()),
+            level: worst_in(&[Part::Level]).1,
+            beyond_mesh: result.summaries.iter().map(beyond_mesh).fold(0.0, f64::max),
+            grid: worst_in(&[Part::ContactGrid]).1,
+            between: if whole { worst_in(&[Part::Positions]).1 } else { 0.0 },
+        };
+        let kept = error <= self.ladder.tolerance;
+        let (setting, tried) = (self.ladder.setting, self.tried.len() - 1);
+        let is_better = |best: &Best| {
+            kept || error <= self.tried[best.tried].worst.1 || (whole && best.setting == setting)
+        };
+        if self.best.as_ref().is_none_or(is_better) {
+            self.best = Some(Best { result, setting, tried });
+        }
+        if kept {
+            return Ok(true);
+        }
+        match self.ladder.better(wanting) {
+            true => Ok(false),
+            false => Err(self.exhausted()),
+        }
+    }
+
+    /// The scene cannot be had at the setting's level: the next above it is tried; where there is none, the finest mesh below.
+    fn pass_over(&mut self, error: EngineError) -> Result<(), Stop> {
+        let Setting { fidelity, cells, positions, .. } = self.ladder.setting;
+        self.missing.get_or_insert((fidelity, error));
+        if self.ladder.rise() {
+            return Ok(());
+        }
+        let before = self.tried.last().map(|tried| tried.setting);
+        let finer = before.and_then(|Setting { fidelity, refinement, .. }| {
+            let refinement = meshes(fidelity).iter().copied().find(|&finer| finer > refinement)?;
+            Some(Setting { fidelity, refinement, cells, positions })
+        });
+        self.ladder.setting = finer.ok_or_else(|| self.exhausted())?;
+        Ok(())
+    }
+
+    /// The end of a search that has no better setting left to try.
+    fn exhausted(&self) -> Stop {
+        let mut reason = EXHAUSTED.to_owned();
+        if let Some((fidelity, error)) = &self.missing {
+            let name = fidelity.name();
+            reason += &format!(" (\"{name}\" cannot analyze this model: {}: {})", error.code, error.message);
+        }
+        Stop::Ended(reason, self.without_results())
+    }
+
+    /// The error of a search that ends before it has results.
+    fn without_results(&self) -> EngineError {
+        let tolerance = percent(self.ladder.tolerance);
+        let message = format!("there are no results that meet the tolerance of {tolerance}");
+        EngineError::new("E0793", message, LARGER).blame("tolerance")
+    }
+
+    /// Notes in results with which setting they were had: with the last one, or for a reason with
+    /// another of those tried.
+    fn chosen(self, mut result: AnalysisResult, ended: Option<(String, usize)>) -> AnalysisResult {
+        let unseen = result.summaries.iter().filter_map(|summary| summary.error.as_ref()).find_map(|error| {
+            error
+                .not_estimated
+                .iter()
+                .find(|(part, _)| *part == Part::Level)
+                .map(|(_, reason)| reason.clone())
+        });
+        let last = self.tried.len().saturating_sub(1);
+        let (ended, taken) = ended.map_or((None, last), |(reason, taken)| (Some(reason), taken));
+        result.chosen = Some(Chosen {
+            tolerance: self.ladder.tolerance,
+            setting: self.ladder.setting,
+            tried: self.tried,
+            taken,
+            ended,
+            level_unseen: unseen,
+        });
+        result
+    }
+}
+
+/// The largest error of extremes and mean in some parts, as a part of the largest magnitude; infinite of what is not known to keep to anything.
+/// `several`: whether there is more than one position.
+fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity, several: bool) -> f64 {
+    // An output without a value keeps to nothing.
+    let Some(error) = summary.error.as_ref().filter(|_| summary.max.is_finite() && summary.min.is_finite())
+    else {
+        return f64::INFINITY;
+    };
+    let is_missing = |(part, _): &(Part, String)| {
+        let needed = match part {
+            Part::Discretization | Part::ContactGrid | Part::TimeStep => true,
+            // A single position has nothing beside it.
+            Part::Positions => several,
+            // Meshes may be all that a scene can be had by; what has none is not to be trusted by itself.
+            Part::Level => fidelity.body_model() != BodyModel::Elements,
+        };
+        needed && parts.contains(part)
+    };
+    if error.not_estimated.iter().any(is_missing) {
+        return f64::INFINITY;
+    }
+    // Where nothing is but rounding there is nothing to keep to.
+    if error.is_rounding(summary) {
+        return 0.0;
+    }
+    let Statistics { min, max, mean, .. } = error.within(parts);
+    let error = min.max(max).max(mean);
+    if error == 0.0 { 0.0 } else { error / summary.max.abs().max(summary.min.abs()) }
+}
+
+/// Those with names, where loads jump, and some spread over all.
+fn few_of(positions: &[Position]) -> Vec<Position> {
+    let spread = |index: usize| (0..SPREAD).any(|k| k * positions.len() / SPREAD == index);
+    let wanted = positions.iter().enumerate().filter(|(index, at)| !at.name.is_empty() || spread(*index));
+    wanted.map(|(_, position)| position.clone()).collect()
+}
+
+/// One more position between any two.
+fn doubled(positions: &[Position]) -> Vec<Position> {
+    let mut all = Vec::with_capacity(2 * positions.len());
+    for pair in positions.windows(2) {
+        let [one, other] = [&pair[0], &pair[1]];
+        all.push(one.clone());
+        // Both sides of a jump stay as near to each other as they are.
+        if one.name.is_empty() || other.name.is_empty() {
+            let middle = |of: fn(&Position) -> f64| 0.5 * (of(one) + of(other));
+            all.push(Position {
+                time: middle(|at| at.time),
+                cycle: middle(|at| at.cycle),
+                roll: middle(|at| at.roll),
+                name: Cow::Borrowed(""),
+            });
+        }
+    }
+    all.extend(positions.last().cloned());
+    all
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,216 @@
+//! Validation of a requested analysis: everything that can be decided before a structure is built.
+//!
+//! [`Request::plan`] decides whether a scene can be analysed as requested. A run calls it before it
+//! builds anything; a check calls it and stops there. So both accept the same requests, with the
+//! same messages. Where a message suggests another fidelity or method, this function has accepted
+//! the scene with it, so that no advice leads to a refusal that advises back.
+
+use crate::dynamic_options::{DynamicOptions, Start};
+use crate::options::AnalysisOptions;
+use crate::scene::Scene;
+use calyx_fe::inertia::Inertia;
+use calyx_model::fidelity::{Fidelity, StructureOptions};
+use calyx_model::frames::number_freedoms;
+use calyx_model::motion::axle;
+use calyx_model::observed::OutputRequest;
+use calyx_model::plan::{Plan, Refused};
+use calyx_model::position::Position;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_solve::holding;
+use calyx_solve::integration::{check_in_section, check_inertia, check_section};
+use calyx_solve::modal::check_modes;
+use calyx_solve::vibration::check_mode_count;
+
+/// Method of an analysis.
+#[derive(Clone, Copy, Debug)]
+pub enum Method<'a> {
+    /// Equilibrium at every position; inertia is left out.
+    QuasiStatic(&'a [Position]),
+    /// Motion in time.
+    Dynamic(&'a DynamicOptions),
+}
+
+/// An analysis as requested, before anything is known about whether it is possible.
+#[derive(Clone, Copy)]
+pub struct Request<'a> {
+    /// Scene to analyse.
+    pub scene: &'a Scene,
+    /// Outputs to record.
+    pub outputs: &'a [OutputRequest],
+    /// Quasi-static or dynamic.
+    pub method: Method<'a>,
+    /// How bodies are modelled.
+    pub fidelity: Fidelity,
+    /// How finely.
+    pub structure: StructureOptions,
+    /// Natural frequency up to which bodies have modes, Hz; 0 for none.
+    pub highest_frequency: f64,
+}
+
+/// Codes of errors that another fidelity or another method may avoid.
+const AVOIDABLE: [&str; 12] = [
+    "E0610", "E0611", "E0623", "E0676", "E0690", "E0756", "E0761", "E0771", "E0780", "E0781", "E0782",
+    "E0783",
+];
+
+impl<'a> Request<'a> {
+    /// The request of an analysis with these options.
+    pub fn new(
+        scene: &'a Scene,
+        outputs: &'a [OutputRequest],
+        method: Method<'a>,
+        options: &AnalysisOptions,
+    ) -> Request<'a> {
+        let AnalysisOptions { fidelity, structure, highest_frequency, .. } = *options;
+        Request { scene, outputs, method, fidelity, structure, highest_frequency }
+    }
+
+    /// The plan of the analysis, if it is possible.
+    ///
+    /// # Errors
+    /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676, E0677, E0690, E0714, E0715,
+    /// E0723, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to E0783. Also the interrupt's.
+    pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
+        let plan = self.decide().map_err(|error| self.advise(error))?;
+        let first = match self.method {
+            Method::QuasiStatic(positions) => Some(positions.first().map_or(0.0, |position| position.time)),
+            // A motion that begins where frames stand needs no equilibrium.
+            Method::Dynamic(dynamics) => (dynamics.start == Start::Equilibrium).then_some(dynamics.from),
+        };
+        if let Some(time) = first {
+            holding::check(self.scene, &plan, time, interrupt)?;
+        }
+        Ok(plan)
+    }
+
+    /// Outputs that have no value at the requested fidelity while others have one, each as the
+    /// error to report.
+    pub fn without_value(&self) -> Vec<EngineError> {
+        let refused = Refused::of(self.scene, self.outputs, self.fidelity);
+        if refused.len() == self.outputs.len() {
+            return Vec::new();
+        }
+        let report = |refused: &Refused| {
+            let own = self.outputs.get(refused.output..=refused.output).unwrap_or_default();
+            let about_it = Request { outputs: own, ..*self };
+            about_it.advise(refused.error(self.fidelity))
+        };
+        refused.iter().map(report).collect()
+    }
+
+    /// Applies all rules but the restraint check, which depends on neither fidelity nor method.
+    fn decide(&self) -> Result<Plan, EngineError> {
+        let Request { scene, fidelity, structure, highest_frequency, .. } = *self;
+        structure.check()?;
+        if let Method::Dynamic(dynamics) = self.method {
+            check_section(fidelity)?;
+            dynamics.check()?;
+        }
+        check_modes(fidelity, highest_frequency)?;
+        let plan = match self.method {
+            Method::QuasiStatic(_) => Plan::new(scene, fidelity, structure)?,
+            Method::Dynamic(_) => Plan::in_time(scene, fidelity, structure)?,
+        };
+        let plan = plan.yielding(scene, self.outputs)?.vibrating(scene, highest_frequency);
+        let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
+        if matches!(self.method, Method::Dynamic(_)) {
+            check_in_section(&plan)?;
+        }
+        if matches!(self.method, Method::Dynamic(_)) || modes || scene.modes_table.is_some() {
+            self.check_vibrations(&plan)?;
+        }
+        Ok(plan)
+    }
+
+    /// Checks that free bodies have inertia and that the scene has the modes that outputs request.
+    fn check_vibrations(&self, plan: &Plan) -> Result<(), EngineError> {
+        let freedoms = number_freedoms(self.scene, plan);
+        // Inertia of a gear takes its mesh, so it is found for free bodies alone.
+        let inertia = |(index, body): (usize, &calyx_model::body::Body)| match freedoms
+            .iter()
+            .any(|freedom| freedom.body == index)
+        {
+            true => body.inertia().from(axle(body.motion.as_ref())),
+            false => Inertia::default(),
+        };
+        let inertias: Vec<Inertia> = self.scene.bodies.iter().enumerate().map(inertia).collect();
+        check_inertia(self.scene, &freedoms, &inertias)?;
+        // How many modes bodies have up to a frequency is known when they are found.
+        match self.highest_frequency > 0.0 {
+            true => Ok(()),
+            false => check_mode_count(self.scene, freedoms.len()),
+        }
+    }
+
+    /// The error with a remedy that works: first changes of the request that make it possible, then
+    /// what the error itself advises.
+    fn advise(&self, error: EngineError) -> EngineError {
+        if !AVOIDABLE.contains(&error.code) {
+            return error;
+        }
+        let help = match self.possible_change() {
+            Some(change) if error.help.is_empty() => change,
+            Some(change) => format!("{change}, or {}", error.help),
+            None => error.help,
+        };
+        EngineError { help, ..error }
+    }
+
+    /// The smallest change of fidelity, modes and method that makes the request possible, as an
+    /// imperative.
+    fn possible_change(&self) -> Option<String> {
+        let possible = |request: &Request<'_>| request.decide().is_ok();
+        let elsewhere = |request: Request<'_>| -> Vec<Fidelity> {
+            let at = |fidelity: &Fidelity| possible(&Request { fidelity: *fidelity, ..request });
+            let elastic = |fidelity: &Fidelity| *fidelity != Fidelity::Rigid && at(fidelity);
+            // The nearest with more detail and the nearest with less; rigid bodies only if there is
+            // nothing else.
+            let more = self.fidelity.all_above().find(at);
+            let named: Vec<Fidelity> = more.into_iter().chain(below(self.fidelity).find(elastic)).collect();
+            match named.is_empty() && self.fidelity != Fidelity::Rigid && at(&Fidelity::Rigid) {
+                true => vec![Fidelity::Rigid],
+                false => named,
+            }
+        };
+        let choice = |named: &[Fidelity]| {
+            let names: Vec<String> =
+                named.iter().map(|fidelity| format!("\"{}\"", fidelity.name())).collect();
+            names.join(" or ")
+        };
+        let named = elsewhere(*self);
+        if !named.is_empty() {
+            return Some(format!("choose the fidelity {}", choice(&named)));
+        }
+        let without_modes = Request { highest_frequency: 0.0, ..*self };
+        let at_rest = Request { method: Method::QuasiStatic(&[]), ..*self };
+        let both = Request { highest_frequency: 0.0, ..at_rest };
+        const NO_MODES: &str = "leave `highest_frequency` at 0";
+        const STATICS: &str =
+            "choose the method \"quasi_static\" (over positions such as `gears.mesh_cycle(mesh, 32)`)";
+        let changes = [
+            (self.highest_frequency != 0.0, without_modes, NO_MODES.to_owned()),
+            (true, at_rest, STATICS.to_owned()),
+            (self.highest_frequency != 0.0, both, format!("{STATICS} and {NO_MODES}")),
+        ];
+        for (changes, request, words) in changes {
+            if !changes {
+                continue;
+            }
+            if possible(&request) {
+                return Some(words);
+            }
+            let named = elsewhere(request);
+            if !named.is_empty() {
+                return Some(format!("{words} with the fidelity {}", choice(&named)));
+            }
+        }
+        None
+    }
+}
+
+/// Fidelities with less detail, the nearest first.
+fn below(fidelity: Fidelity) -> impl Iterator<Item = Fidelity> {
+    let at = Fidelity::ALL.into_iter().position(|known| known == fidelity).unwrap_or(0);
+    Fidelity::ALL.into_iter().take(at).rev()
+}

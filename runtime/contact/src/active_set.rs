@@ -1,0 +1,406 @@
+//! Exact solution of the contact problem by pivoting between active sets.
+//!
+//! Block principal pivoting (Júdice & Pires, Computers & Operations Research 21, 1994) exchanges all cells of wrong sign
+//! at once and takes a handful of factorisations. If it stops gaining ground, a primal active-set method (Nocedal & Wright,
+//! Numerical Optimization, alg. 16.3) takes over: one exchange at a time from a feasible start, with falling objective, so it
+//! ends. Clarabel is the last resort.
+//!
+//! The problem is first scaled to unit compliance of every cell and to arms of order one, by powers of two: nothing is
+//! rounded and units do not matter. The equations of the final active set are always those of its cells in ascending
+//! order with one step of refinement, so the answer's bits do not depend on where the search started.
+
+use super::clarabel_check;
+use super::dense::{ActiveEquations, Matrix, Singular, dot, null_motion};
+use super::feasibility::{Balance, balance};
+use super::problem::{ContactError, ContactProblem, FreeMotion, Method, Solution};
+use super::scaled::Scaled;
+use calyx_numerics::interrupt::Interrupt;
+
+/// Blocks of exchanges tried without fewer wrong signs before single exchanges take over.
+const PATIENCE: usize = 10;
+/// A force below this fraction of the largest counts as zero: rounding, times the compliance's condition.
+const FORCE_TOLERANCE: f64 = 1e-12;
+/// An overlap below this fraction of the terms of a gap counts as zero.
+const GAP_TOLERANCE: f64 = 1e-13;
+
+/// Solves a contact problem. `warm_start` is a guess of the cells that carry force (from a neighbouring step, say);
+/// indices beyond the cells are ignored.
+///
+/// Without any load the motion is one of many that leave no overlap: [`super::rigid_limit`] picks the one that a drive
+/// would leave.
+///
+/// # Errors
+/// [`ContactError::Infeasible`] and [`ContactError::Unconstrained`] name the motion at fault,
+/// [`ContactError::DependentCells`] the cell.
+pub fn solve(problem: &ContactProblem, warm_start: Option<&[usize]>) -> Result<Solution, ContactError> {
+    solve_until(problem, warm_start, &Interrupt::never())
+}
+
+/// The same, with a checkpoint before each factorisation.
+///
+/// # Errors
+/// As [`solve`]; [`ContactError::Interrupted`].
+pub fn solve_until(
+    problem: &ContactProblem,
+    warm_start: Option<&[usize]>,
+    interrupt: &Interrupt,
+) -> Result<Solution, ContactError> {
+    problem.validate()?;
+    let solution = pivot(problem, warm_start, interrupt)?;
+    // Largest residuals pass over what is no number: such a solution has no certificate.
+    let finite = solution.forces.iter().chain(&solution.motion).all(|value| value.is_finite());
+    if finite { Ok(solution) } else { Err(ContactError::NotConverged) }
+}
+
+/// Of a valid problem.
+fn pivot(
+    problem: &ContactProblem,
+    warm_start: Option<&[usize]>,
+    interrupt: &Interrupt,
+) -> Result<Solution, ContactError> {
+    let scaled = Scaled::new(problem);
+    scaled.check_freedoms()?;
+    let mut warm: Vec<usize> =
+        warm_start.unwrap_or_default().iter().copied().filter(|&i| i < problem.cells()).collect();
+    warm.sort_unstable();
+    warm.dedup();
+    let mut iterations = 0;
+    // A warm start that leads nowhere (it may not even hold all freedoms) is followed by a cold one, from all cells.
+    for start in [warm, (0..problem.cells()).collect()] {
+        if start.is_empty() && problem.cells() > 0 {
+            continue;
+        }
+        if let Some(found) = block_pivoting(&scaled, start, &mut iterations, interrupt)? {
+            return Ok(scaled.solution(problem, found, Method::BlockPivoting, iterations));
+        }
+    }
+    if let Some(found) = single_pivoting(&scaled, &mut iterations, interrupt)? {
+        return Ok(scaled.solution(problem, found, Method::SinglePivoting, iterations));
+    }
+    let (forces, motion) = clarabel_check::solve(problem)?;
+    let largest = forces.iter().copied().fold(0.0, f64::max);
+    let active = (0..forces.len()).filter(|&i| forces[i] > 1e-6 * largest).collect();
+    let certificate = problem.certify(&forces, &motion);
+    let gaps = problem.gaps_at(&forces, &motion);
+    Ok(Solution { forces, motion, gaps, active, method: Method::Clarabel, iterations, certificate })
+}
+
+/// A set of cells with its forces and the motion, in scaled variables.
+struct Found {
+    active: Vec<usize>,
+    forces: Vec<f64>,
+    motion: Vec<f64>,
+}
+
+impl Scaled<'_> {
+    fn free_motion(&self, scaled_motion: &[f64]) -> FreeMotion {
+        free_motion(scaled_motion, &self.freedom_scale)
+    }
+
+    /// Motions that no cell and no spring resists make the problem ill-posed, whatever the active set.
+    fn check_freedoms(&self) -> Result<(), ContactError> {
+        let m = self.load.len();
+        let Some(motion) = null_motion(&self.resistance(0..self.cells()), 1e-14) else {
+            return Ok(());
+        };
+        let work = dot(&self.load, &motion);
+        let magnitude: f64 = (0..m).map(|k| (self.load[k] * motion[k]).abs()).sum();
+        if work.abs() <= 1e-9 * magnitude {
+            return Err(ContactError::Unconstrained(self.free_motion(&motion)));
+        }
+        let motion: Vec<f64> = motion.iter().map(|v| v * work.signum()).collect();
+        Err(ContactError::Infeasible(self.free_motion(&motion)))
+    }
+
+    /// `K + C_S' C_S`: singular on the motions that the cells S and the springs do not see.
+    fn resistance(&self, cells: impl Iterator<Item = usize>) -> Matrix {
+        let mut sum = self.stiffness.clone();
+        for i in cells {
+            let row = self.arms.row(i);
+            for k in 0..row.len() {
+                for l in 0..row.len() {
+                    sum[(k, l)] += row[k] * row[l];
+                }
+            }
+        }
+        sum
+    }
+
+    /// Forces of the active cells and the motion that close their gaps, with one step of refinement.
+    fn close(&self, active: &[usize], interrupt: &Interrupt) -> Result<(Vec<f64>, Vec<f64>), Singular> {
+        let m = self.load.len();
+        let equations = ActiveEquations::new(
+            |i, j| self.compliance(i, j),
+            &self.arms,
+            &self.stiffness,
+            active,
+            interrupt,
+        )?;
+        let right_gaps: Vec<f64> = active.iter().map(|&i| -self.gaps[i]).collect();
+        let right_loads: Vec<f64> = self.load.iter().map(|f| -f).collect();
+        let (mut forces, mut motion) = equations.solve(&right_gaps, &right_loads);
+        let gap_residual: Vec<f64> = active.iter().map(|&i| -self.gap(i, active, &forces, &motion)).collect();
+        let load_residual: Vec<f64> = (0..m)
+            .map(|k| {
+                let contact: f64 = active.iter().zip(&forces).map(|(&i, q)| self.arms[(i, k)] * q).sum();
+                dot(self.stiffness.row(k), &motion) - contact - self.load[k]
+            })
+            .collect();
+        let (more_forces, more_motion) = equations.solve(&gap_residual, &load_residual);
+        for (q, dq) in forces.iter_mut().zip(&more_forces) {
+            *q += dq;
+        }
+        for (y, dy) in motion.iter_mut().zip(&more_motion) {
+            *y += dy;
+        }
+        Ok((forces, motion))
+    }
+
+    fn gap(&self, i: usize, active: &[usize], forces: &[f64], motion: &[f64]) -> f64 {
+        let elastic: f64 = active.iter().zip(forces).map(|(&j, q)| self.compliance(i, j) * q).sum();
+        elastic + dot(self.arms.row(i), motion) + self.gaps[i]
+    }
+
+    /// Sum of magnitudes of the terms of the active cells' gaps, the largest: what overlaps are compared with.
+    fn gap_scale(&self, active: &[usize], forces: &[f64], motion: &[f64]) -> f64 {
+        active
+            .iter()
+            .map(|&i| {
+                let elastic: f64 =
+                    active.iter().zip(forces).map(|(&j, q)| (self.compliance(i, j) * q).abs()).sum();
+                let rigid: f64 = self.arms.row(i).iter().zip(motion).map(|(c, y)| (c * y).abs()).sum();
+                elastic + rigid + self.gaps[i].abs()
+            })
+            .fold(0.0, f64::max)
+    }
+
+    /// Cells outside the active set that overlap beyond rounding, with their (negative) gaps.
+    fn overlapping(&self, found: &Found) -> Vec<(usize, f64)> {
+        let tolerance = self.gap_tolerance(found);
+        self.open(found).filter(|&(_, gap)| gap < -tolerance).collect()
+    }
+
+    /// The first of some cells that touches without being part of the active set.
+    fn touching(&self, found: &Found, cells: &[usize]) -> Option<usize> {
+        let tolerance = self.gap_tolerance(found);
+        self.open(found).find(|(i, gap)| *gap <= tolerance && cells.contains(i)).map(|(i, _)| i)
+    }
+
+    /// Gaps of the cells beside the active set.
+    fn open(&self, found: &Found) -> impl Iterator<Item = (usize, f64)> {
+        let mut loaded = vec![false; self.cells()];
+        for &i in &found.active {
+            loaded[i] = true;
+        }
+        (0..self.cells())
+            .filter(move |&i| !loaded[i])
+            .map(|i| (i, self.gap(i, &found.active, &found.forces, &found.motion)))
+    }
+
+    fn gap_tolerance(&self, found: &Found) -> f64 {
+        GAP_TOLERANCE * self.gap_scale(&found.active, &found.forces, &found.motion)
+    }
+
+    fn solution(
+        &self,
+        problem: &ContactProblem,
+        found: Found,
+        method: Method,
+        iterations: usize,
+    ) -> Solution {
+        let mut forces = vec![0.0; self.cells()];
+        for (&i, q) in found.active.iter().zip(&found.forces) {
+            forces[i] = q * self.cell_scale[i];
+        }
+        let motion: Vec<f64> = found.motion.iter().zip(&self.freedom_scale).map(|(y, s)| y * s).collect();
+        let gaps = problem.gaps_at(&forces, &motion);
+        let certificate = problem.certify(&forces, &motion);
+        Solution { forces, motion, gaps, active: found.active, method, iterations, certificate }
+    }
+}
+
+/// Back to the freedoms' units, the one that moves most in scaled units named and set to ±1.
+pub(super) fn free_motion(scaled_motion: &[f64], freedom_scale: &[f64]) -> FreeMotion {
+    let freedom = (0..scaled_motion.len())
+        .max_by(|&k, &l| scaled_motion[k].abs().total_cmp(&scaled_motion[l].abs()).then(l.cmp(&k)))
+        .unwrap_or(0);
+    let own: Vec<f64> = scaled_motion.iter().zip(freedom_scale).map(|(y, s)| y * s).collect();
+    let size = own[freedom].abs();
+    FreeMotion { freedom, direction: own[freedom].signum(), motion: own.iter().map(|x| x / size).collect() }
+}
+
+/// What counts as zero beside these forces, or, should all be rounding, beside the force that a gap is worth.
+fn force_tolerance(scaled: &Scaled, forces: &[f64]) -> f64 {
+    let largest = |values: &[f64]| values.iter().fold(0.0f64, |a, v| a.max(v.abs()));
+    (FORCE_TOLERANCE * largest(forces)).max(1e-16 * largest(&scaled.gaps))
+}
+
+/// `None` if it does not converge, or meets a set of cells that does not hold all freedoms.
+fn block_pivoting(
+    scaled: &Scaled,
+    start: Vec<usize>,
+    iterations: &mut usize,
+    interrupt: &Interrupt,
+) -> Result<Option<Found>, ContactError> {
+    let mut active = start;
+    let mut fewest = usize::MAX;
+    let mut patience = PATIENCE;
+    let mut dependent = Vec::new();
+    loop {
+        *iterations += 1;
+        interrupt.check().map_err(ContactError::Interrupted)?;
+        let (forces, motion) = match scaled.close(&active, interrupt) {
+            Ok(closed) => closed,
+            // What depends on others may well be open in the end: it matters only if it is not.
+            Err(Singular::Compliance(position)) => {
+                dependent.push(active.remove(position));
+                continue;
+            }
+            Err(Singular::Freedoms(_)) => return Ok(None),
+            Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
+        };
+        let tolerance = force_tolerance(scaled, &forces);
+        let pulled: Vec<usize> =
+            active.iter().zip(&forces).filter(|&(_, &q)| q < -tolerance).map(|(&i, _)| i).collect();
+        let found = Found { active, forces, motion };
+        let overlapping = scaled.overlapping(&found);
+        let wrong = pulled.len() + overlapping.len();
+        if wrong == 0 {
+            return match scaled.touching(&found, &dependent) {
+                Some(cell) => Err(ContactError::DependentCells { cell }),
+                None => without_idle_cells(scaled, found, interrupt),
+            };
+        }
+        if wrong < fewest {
+            fewest = wrong;
+            patience = PATIENCE;
+        } else if patience == 0 {
+            return Ok(None);
+        } else {
+            patience -= 1;
+        }
+        active = found.active;
+        active.retain(|i| pulled.binary_search(i).is_err());
+        active.extend(overlapping.iter().map(|&(i, _)| i));
+        active.sort_unstable();
+    }
+}
+
+/// Cells whose force is rounding are no part of the active set: which of them a search ends with depends on its start.
+fn without_idle_cells(
+    scaled: &Scaled,
+    mut found: Found,
+    interrupt: &Interrupt,
+) -> Result<Option<Found>, ContactError> {
+    loop {
+        let tolerance = force_tolerance(scaled, &found.forces);
+        let kept: Vec<usize> = found
+            .active
+            .iter()
+            .zip(&found.forces)
+            .filter(|&(_, &q)| q > tolerance)
+            .map(|(&i, _)| i)
+            .collect();
+        if kept.len() == found.active.len() {
+            return Ok(Some(found));
+        }
+        match scaled.close(&kept, interrupt) {
+            Ok((forces, motion)) => found = Found { active: kept, forces, motion },
+            Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
+            // Idle cells alone fix some freedom (a load that vanishes in its direction): keep them, unloaded.
+            Err(_) => {
+                for q in found.forces.iter_mut().filter(|q| **q <= tolerance) {
+                    *q = 0.0;
+                }
+                return Ok(Some(found));
+            }
+        }
+    }
+}
+
+/// Primal active set from a feasible start. `None` at the limit of iterations.
+fn single_pivoting(
+    scaled: &Scaled,
+    iterations: &mut usize,
+    interrupt: &Interrupt,
+) -> Result<Option<Found>, ContactError> {
+    let n = scaled.cells();
+    let (mut forces, mut active) = match balance(&scaled.arms, &scaled.stiffness, &scaled.load, interrupt) {
+        Balance::Found { forces, cells } => (forces, cells),
+        Balance::RunsAway(motion) => return Err(ContactError::Infeasible(scaled.free_motion(&motion))),
+        Balance::Interrupted(error) => return Err(ContactError::Interrupted(error)),
+    };
+    // The active cells must see every freedom; once they do, exchanges keep it so.
+    while let Some(motion) = null_motion(&scaled.resistance(active.iter().copied()), 1e-12) {
+        let seen = |i: usize| dot(scaled.arms.row(i), &motion).abs();
+        let Some(cell) = (0..n)
+            .filter(|i| !active.contains(i))
+            .max_by(|&i, &j| seen(i).total_cmp(&seen(j)).then(j.cmp(&i)))
+        else {
+            return Err(ContactError::Unconstrained(scaled.free_motion(&motion)));
+        };
+        active.push(cell);
+        active.sort_unstable();
+    }
+    for _ in 0..10 * n + 100 {
+        *iterations += 1;
+        interrupt.check().map_err(ContactError::Interrupted)?;
+        let (target, motion) = match scaled.close(&active, interrupt) {
+            Ok(closed) => closed,
+            Err(Singular::Compliance(position)) => {
+                return Err(ContactError::DependentCells { cell: active[position] });
+            }
+            Err(Singular::Freedoms(_)) => return Ok(None),
+            Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
+        };
+        let tolerance = force_tolerance(scaled, &target);
+        // The first cell whose force reaches zero on the way to the target; ties by index.
+        let blocking = active
+            .iter()
+            .zip(&target)
+            .filter(|&(_, &t)| t < -tolerance)
+            .map(|(&i, &t)| (forces[i].max(0.0) / (forces[i].max(0.0) - t), i))
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        if let Some((step, cell)) = blocking {
+            for (&i, &t) in active.iter().zip(&target) {
+                forces[i] += step * (t - forces[i]);
+            }
+            forces[cell] = 0.0;
+            active.retain(|&i| i != cell);
+            continue;
+        }
+        for (&i, &t) in active.iter().zip(&target) {
+            forces[i] = t;
+        }
+        let found = Found { active, forces: target, motion };
+        let overlapping = scaled.overlapping(&found);
+        let Some(&(cell, _)) = overlapping.iter().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
+        else {
+            return without_idle_cells(scaled, found, interrupt);
+        };
+        active = found.active;
+        active.push(cell);
+        active.sort_unstable();
+    }
+    Ok(None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::solver_tests::{Random, random_problem};
+    use super::*;
+
+    #[test]
+    fn single_pivoting_ends_where_block_pivoting_does() {
+        let mut random = Random(1618033988749895);
+        for trial in 0..60 {
+            let problem = random_problem(4 + trial % 30, trial % 4, trial % 3 == 0, &mut random);
+            let reference = solve(&problem, None).unwrap();
+            let scaled = Scaled::new(&problem);
+            let found = single_pivoting(&scaled, &mut 0, &Interrupt::never()).unwrap().expect("it ends");
+            let solution = scaled.solution(&problem, found, Method::SinglePivoting, 0);
+            assert_eq!(solution.forces, reference.forces, "trial {trial}");
+            assert_eq!(solution.motion, reference.motion, "trial {trial}");
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! The compliance of all cells of all patches: half-planes where load and observer share a surface, structures where they share
+//! a body.
+//!
+//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit for bit; nothing is
+//! averaged with its transpose.
+
+use super::grid::Cell;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_structure::half_plane::HalfPlane;
+use calyx_structure::{Chart, Structure};
+
+/// One body's part in a patch.
+#[derive(Clone, Copy)]
+pub struct Side<'a> {
+    /// Tells bodies apart: several may share a structure (planets made alike) without touching each other's displacements.
+    pub body: usize,
+    /// Elastic behaviour of the body.
+    pub structure: &'a dyn Structure,
+    /// Loaded surface of the body.
+    pub chart: Chart,
+}
+
+/// A patch: its two different bodies, in the order of its grid's sides, and its cells.
+#[derive(Clone, Copy)]
+pub struct Patch<'a> {
+    /// First and second body.
+    pub sides: [Side<'a>; 2],
+    /// Cells of the contact grid.
+    pub cells: &'a [Cell],
+}
+
+/// A, row-major, cells in the order of the patches: growth of a cell's gap, averaged over it, per force on a cell,
+/// m/(N/m). Each row of a block is a checkpoint.
+///
+/// # Errors
+/// The interrupt's.
+pub fn compliance(patches: &[Patch], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+    let starts: Vec<usize> = patches
+        .iter()
+        .scan(0, |next, patch| {
+            let start = *next;
+            *next += patch.cells.len();
+            Some(start)
+        })
+        .collect();
+    let n: usize = patches.iter().map(|patch| patch.cells.len()).sum();
+    let mut matrix = vec![0.0; n * n];
+    for (p, observing) in patches.iter().enumerate() {
+        for (q, loaded) in patches.iter().enumerate().skip(p) {
+            let block = block(observing, loaded, p == q, interrupt)?;
+            let columns = loaded.cells.len();
+            debug_assert!(
+                p != q || is_symmetric(&block, columns),
+                "a structure's compliance is not symmetric"
+            );
+            for i in 0..observing.cells.len() {
+                for j in 0..columns {
+                    let value = block[i * columns + j];
+                    matrix[(starts[p] + i) * n + starts[q] + j] = value;
+                    matrix[(starts[q] + j) * n + starts[p] + i] = value;
+                }
+            }
+        }
+    }
+    Ok(matrix)
+}
+
+fn is_symmetric(block: &[f64], n: usize) -> bool {
+    (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
+}
+
+/// Growth of the gaps of one patch per force on the cells of another, or of the `same`.
+fn block(
+    observing: &Patch,
+    loaded: &Patch,
+    same: bool,
+    interrupt: &Interrupt,
+) -> Result<Vec<f64>, EngineError> {
+    let columns = loaded.cells.len();
+    let mut block = vec![0.0; observing.cells.len() * columns];
+    for (a, observer) in observing.sides.iter().enumerate() {
+        for (b, load) in loaded.sides.iter().enumerate() {
+            if observer.body != load.body {
+                continue;
+            }
+            let arcs =
+                |patch: &Patch, side: usize| -> Vec<f64> { patch.cells.iter().map(|c| c.s[side]).collect() };
+            observer.structure.add_compliance_until(
+                observer.chart,
+                &arcs(observing, a),
+                load.chart,
+                &arcs(loaded, b),
+                &mut block,
+                interrupt,
+            )?;
+            if observer.chart != load.chart {
+                continue;
+            }
+            let half_plane = HalfPlane {
+                surface_modulus: observer.structure.surface_modulus(),
+                reference_length: observer.structure.reference_length(),
+            };
+            for (i, cell) in observing.cells.iter().enumerate() {
+                interrupt.check()?;
+                // Exchanging its cells leaves the half-plane's answer as it is.
+                let others = if same { &loaded.cells[..=i] } else { loaded.cells };
+                for (j, other) in others.iter().enumerate() {
+                    let given = half_plane.cell_compliance(cell.arc[a], other.arc[b]);
+                    block[i * columns + j] += given;
+                    if same && j < i {
+                        block[j * columns + i] += given;
+                    }
+                }
+            }
+        }
+    }
+    Ok(block)
+}

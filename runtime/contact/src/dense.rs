@@ -1,0 +1,296 @@
+//! The equations of one active set: a dense Cholesky factor of its compliance and a Schur complement for the freedoms.
+
+use calyx_numerics::dense::{add_product, divide_by_factor};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt;
+use faer::{Mat, MatMut, Par};
+
+/// Row-major rows by columns, as small and plain as the freedoms of a contact problem need.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Matrix {
+    pub rows: usize,
+    pub columns: usize,
+    pub data: Vec<f64>,
+}
+
+impl Matrix {
+    pub fn zeros(rows: usize, columns: usize) -> Self {
+        Self { rows, columns, data: vec![0.0; rows * columns] }
+    }
+
+    pub fn row(&self, i: usize) -> &[f64] {
+        &self.data[i * self.columns..(i + 1) * self.columns]
+    }
+}
+
+impl std::ops::Index<(usize, usize)> for Matrix {
+    type Output = f64;
+
+    fn index(&self, (i, j): (usize, usize)) -> &f64 {
+        &self.data[i * self.columns + j]
+    }
+}
+
+impl std::ops::IndexMut<(usize, usize)> for Matrix {
+    fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut f64 {
+        &mut self.data[i * self.columns + j]
+    }
+}
+
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// Why the equations of an active set have no unique solution.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Singular {
+    /// The compliance is not positive definite; the position in the active set where the factor breaks down.
+    Compliance(usize),
+    /// This motion of the freedoms is not seen by the active cells nor by a spring.
+    Freedoms(Vec<f64>),
+    /// The factorization was interrupted.
+    Interrupted(EngineError),
+}
+
+/// The end of a factorization without a factor.
+enum Broken {
+    /// The first row that depends on those before it.
+    Dependent(usize),
+    Interrupted(EngineError),
+}
+
+/// Size of a matrix that is factored in one piece: less than half a second.
+const WHOLE: usize = 1536;
+/// Multiplications between two checkpoints: less than a second.
+const PIECE: usize = 1 << 32;
+
+/// A pivot under this fraction of its diagonal entry is rounding: the row depends on those before it.
+const PIVOT_TOLERANCE: f64 = 1e-13;
+
+/// `A = L L'`, in place. Only the lower triangle is that of the factor.
+fn cholesky(a: &mut Mat<f64>, interrupt: &Interrupt) -> Result<(), Broken> {
+    let n = a.nrows();
+    let diagonal: Vec<f64> = (0..n).map(|i| a[(i, i)]).collect();
+    factor(a.as_mut(), 0, interrupt)?;
+    match (0..n).find(|&i| a[(i, i)] * a[(i, i)] <= PIVOT_TOLERANCE * diagonal[i]) {
+        Some(dependent) => Err(Broken::Dependent(dependent)),
+        None => Ok(()),
+    }
+}
+
+/// Factors a part of a matrix whose first row is row `first` of the whole. Large parts are cut up
+/// by their size alone, with a checkpoint before each piece.
+fn factor(a: MatMut<'_, f64>, first: usize, interrupt: &Interrupt) -> Result<(), Broken> {
+    let checkpoint = || interrupt.check().map_err(Broken::Interrupted);
+    checkpoint()?;
+    let n = a.nrows();
+    if n <= WHOLE {
+        return factor_whole(a).map_err(|row| Broken::Dependent(first + row));
+    }
+    let cut = n / 2;
+    let (mut upper, _, mut between, mut lower) = a.split_at_mut(cut, cut);
+    factor(upper.as_mut(), first, interrupt)?;
+    let rows = (PIECE / (cut * cut)).max(1);
+    for from in (0..n - cut).step_by(rows) {
+        checkpoint()?;
+        let count = rows.min(n - cut - from);
+        divide_by_factor(between.as_mut().subrows_mut(from, count), upper.as_ref());
+    }
+    let columns = (PIECE / (n * cut)).max(1);
+    for from in (0..n - cut).step_by(columns) {
+        checkpoint()?;
+        let count = columns.min(n - cut - from);
+        let below = between.as_ref().subrows(from, n - cut - from);
+        let target = lower.as_mut().submatrix_mut(from, from, n - cut - from, count);
+        add_product(target, -1.0, below, below.subrows(0, count).transpose());
+    }
+    factor(lower, first + cut, interrupt)
+}
+
+/// Factors a matrix in one piece. The error is the row at which it is not positive definite.
+fn factor_whole(mut a: MatMut<'_, f64>) -> Result<(), usize> {
+    let n = a.nrows();
+    // Sequential: the bits must not depend on the number of threads.
+    let mut memory =
+        MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f64>(n, Par::Seq, Default::default()));
+    llt::factor::cholesky_in_place(
+        a.as_mut(),
+        Default::default(),
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Default::default(),
+    )
+    .map_err(|llt::factor::LltError::NonPositivePivot { index }| index)?;
+    Ok(())
+}
+
+fn solve_in_place(factor: &Mat<f64>, right: &mut Mat<f64>) {
+    let mut memory =
+        MemBuffer::new(llt::solve::solve_in_place_scratch::<f64>(factor.nrows(), right.ncols(), Par::Seq));
+    llt::solve::solve_in_place(factor.as_ref(), right.as_mut(), Par::Seq, MemStack::new(&mut memory));
+}
+
+/// Factored equations of an active set S:
+/// `A_SS p + C_S x = -e_S`, `C_S' p - K x = -f`.
+pub(super) struct ActiveEquations {
+    factor: Mat<f64>,
+    /// `C_S` and `A_SS^-1 C_S`.
+    arms: Mat<f64>,
+    solved_arms: Mat<f64>,
+    /// Factor of `K + C_S' A_SS^-1 C_S`.
+    schur: Mat<f64>,
+}
+
+/// Relative size under which a pivot of the freedoms' Schur complement (of unit diagonal) counts as zero.
+const RANK_TOLERANCE: f64 = 1e-12;
+
+impl ActiveEquations {
+    /// `compliance` (between two cells) and `arms` of all cells, `active` ascending, `stiffness` of
+    /// the free DOFs.
+    pub fn new(
+        compliance: impl Fn(usize, usize) -> f64,
+        arms: &Matrix,
+        stiffness: &Matrix,
+        active: &[usize],
+        interrupt: &Interrupt,
+    ) -> Result<Self, Singular> {
+        let (n, m) = (active.len(), arms.columns);
+        let mut factor = Mat::from_fn(n, n, |i, j| compliance(active[i], active[j]));
+        cholesky(&mut factor, interrupt).map_err(|broken| match broken {
+            Broken::Dependent(row) => Singular::Compliance(row),
+            Broken::Interrupted(error) => Singular::Interrupted(error),
+        })?;
+        let active_arms = Mat::from_fn(n, m, |i, k| arms[(active[i], k)]);
+        let mut solved_arms = active_arms.clone();
+        solve_in_place(&factor, &mut solved_arms);
+        let mut schur = Mat::from_fn(m, m, |k, l| {
+            stiffness[(k, l)] + (0..n).map(|i| active_arms[(i, k)] * solved_arms[(i, l)]).sum::<f64>()
+        });
+        let whole = Matrix { rows: m, columns: m, data: (0..m * m).map(|e| schur[(e / m, e % m)]).collect() };
+        if let Some(motion) = null_motion(&whole, RANK_TOLERANCE) {
+            return Err(Singular::Freedoms(motion));
+        }
+        // Positive definite beyond RANK_TOLERANCE, so the factor exists; were rounding to break it, the last
+        // freedom is as good a name as any.
+        cholesky(&mut schur, interrupt).map_err(|broken| match broken {
+            Broken::Dependent(k) => {
+                let mut motion = vec![0.0; m];
+                motion[k.min(m - 1)] = 1.0;
+                Singular::Freedoms(motion)
+            }
+            Broken::Interrupted(error) => Singular::Interrupted(error),
+        })?;
+        Ok(Self { factor, arms: active_arms, solved_arms, schur })
+    }
+
+    /// `(p_S, x)` for the right-hand sides `gaps` (of the gap rows) and `loads` (of the equilibrium rows).
+    pub fn solve(&self, gaps: &[f64], loads: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let (n, m) = (gaps.len(), loads.len());
+        let mut pressed = Mat::from_fn(n, 1, |i, _| gaps[i]);
+        solve_in_place(&self.factor, &mut pressed);
+        let mut motion = Mat::from_fn(m, 1, |k, _| {
+            (0..n).map(|i| self.arms[(i, k)] * pressed[(i, 0)]).sum::<f64>() - loads[k]
+        });
+        solve_in_place(&self.schur, &mut motion);
+        let x: Vec<f64> = (0..m).map(|k| motion[(k, 0)]).collect();
+        let p = (0..n)
+            .map(|i| pressed[(i, 0)] - (0..m).map(|k| self.solved_arms[(i, k)] * x[k]).sum::<f64>())
+            .collect();
+        (p, x)
+    }
+}
+
+/// A motion that a positive semi-definite matrix maps to zero, largest component 1; `None` if it is definite.
+/// Diagonal pivoting after scaling to unit diagonal, so that units of the freedoms do not matter.
+pub(super) fn null_motion(matrix: &Matrix, tolerance: f64) -> Option<Vec<f64>> {
+    let m = matrix.rows;
+    let scale: Vec<f64> =
+        (0..m).map(|k| if matrix[(k, k)] > 0.0 { matrix[(k, k)].sqrt().recip() } else { 0.0 }).collect();
+    if let Some(k) = scale.iter().position(|&s| s == 0.0) {
+        return Some((0..m).map(|l| if l == k { 1.0 } else { 0.0 }).collect());
+    }
+    let mut a = Matrix::zeros(m, m);
+    for k in 0..m {
+        for l in 0..m {
+            a[(k, l)] = scale[k] * matrix[(k, l)] * scale[l];
+        }
+    }
+    let mut remaining: Vec<usize> = (0..m).collect();
+    let mut pivots = Vec::new();
+    while let Some(position) = (0..remaining.len()).max_by(|&p, &q| {
+        a[(remaining[p], remaining[p])].total_cmp(&a[(remaining[q], remaining[q])]).then(q.cmp(&p))
+    }) {
+        let k = remaining[position];
+        if a[(k, k)] <= tolerance {
+            // a v = 0 with v_k = 1: back through the eliminated rows.
+            let mut motion = vec![0.0; m];
+            motion[k] = 1.0;
+            for &(row, ref values) in pivots.iter().rev() {
+                let values: &Vec<f64> = values;
+                let sum: f64 = (0..m).filter(|&l| l != row).map(|l| values[l] * motion[l]).sum();
+                motion[row] = -sum / values[row];
+            }
+            for l in 0..m {
+                motion[l] *= scale[l];
+            }
+            let largest = motion.iter().fold(0.0, |b: f64, v| if v.abs() > b.abs() { *v } else { b });
+            return Some(motion.iter().map(|v| v / largest).collect());
+        }
+        remaining.swap_remove(position);
+        let row: Vec<f64> =
+            (0..m).map(|l| if l == k || remaining.contains(&l) { a[(k, l)] } else { 0.0 }).collect();
+        for &i in &remaining {
+            let factor = a[(i, k)] / row[k];
+            for &j in &remaining {
+                a[(i, j)] -= factor * row[j];
+            }
+        }
+        pivots.push((k, row));
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    /// A matrix of that size whose factor is not sparse.
+    fn compliance(n: usize) -> Mat<f64> {
+        Mat::from_fn(n, n, |i, j| {
+            let apart = i.abs_diff(j) as f64;
+            if i == j { 2.0 } else { (-0.01 * apart).exp() }
+        })
+    }
+
+    #[test]
+    fn a_large_factor_has_checkpoints_and_reproduces_its_matrix() {
+        let n = WHOLE + 200;
+        let asked = Arc::new(AtomicUsize::new(0));
+        let counted = asked.clone();
+        let counting = Interrupt::new(move || {
+            counted.fetch_add(1, Relaxed);
+            Ok(())
+        });
+        let whole = compliance(n);
+        let mut cut = whole.clone();
+        assert!(cholesky(&mut cut, &counting).is_ok());
+        assert!(asked.load(Relaxed) >= 5, "{} checkpoints", asked.load(Relaxed));
+        for (i, j) in [(0, 0), (n - 1, 0), (n - 1, n - 1), (n / 2 + 3, n / 2 - 5), (n - 7, n / 2)] {
+            let value: f64 = (0..=i.min(j)).map(|k| cut[(i, k)] * cut[(j, k)]).sum();
+            assert!((value - whole[(i, j)]).abs() < 1e-12, "({i}, {j}): {value} and {}", whole[(i, j)]);
+        }
+        // A row that repeats another one is found wherever it is.
+        let twice = Mat::from_fn(n, n, |i, j| {
+            let of = |k: usize| if k == n - 2 { 3 } else { k };
+            whole[(of(i), of(j))]
+        });
+        let broken = cholesky(&mut twice.clone(), &Interrupt::never());
+        assert!(matches!(broken, Err(Broken::Dependent(row)) if row == n - 2));
+        let ended = Interrupt::new(|| Err(EngineError::new("E0704", "enough", "")));
+        assert!(matches!(cholesky(&mut whole.clone(), &ended), Err(Broken::Interrupted(_))));
+    }
+}

@@ -1,0 +1,126 @@
+//! Whether contact can balance a load at all: non-negative least squares (Lawson & Hanson, Solving Least Squares
+//! Problems, ch. 23) on the equilibrium equations. Its passive set is a first feasible set of cells; its residual, if
+//! there is one, is by its optimality conditions the motion along which the load runs away (Farkas).
+
+use super::dense::{Matrix, dot};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// Residual of equilibrium, relative to the load, that counts as balanced.
+const BALANCED: f64 = 1e-12;
+
+pub(super) enum Balance {
+    /// Cell forces `>= 0` in equilibrium with the load; the loaded cells' arms are linearly independent.
+    Found { forces: Vec<f64>, cells: Vec<usize> },
+    /// A motion that closes no gap, strains no spring, and on which the load does positive work.
+    RunsAway(Vec<f64>),
+    /// The search was ended from outside.
+    Interrupted(EngineError),
+}
+
+/// Finds `p >= 0` and any x with `C'p - K x = -f`. Data scaled so that columns of C are of the order of one.
+pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64], interrupt: &Interrupt) -> Balance {
+    let (n, m) = (arms.rows, arms.columns);
+    // Springs take any force in the range of K; what is left is equilibrium on its null space.
+    let unsprung = null_space(stiffness);
+    let project = |v: &[f64]| -> Vec<f64> { unsprung.iter().map(|basis| dot(basis, v)).collect() };
+    let columns: Vec<Vec<f64>> = (0..n).map(|i| project(arms.row(i))).collect();
+    let size: Vec<f64> = columns.iter().map(|c| dot(c, c).sqrt()).collect();
+    let target: Vec<f64> = project(load).iter().map(|f| -f).collect();
+    let wanted = dot(&target, &target).sqrt();
+
+    let mut forces = vec![0.0; n];
+    let mut passive: Vec<usize> = Vec::new();
+    let mut residual = target.clone();
+    // Each pass raises the balanced part of the load; more than a few per freedom means rounding alone moves it.
+    for _ in 0..10 * (m + 1) * (m + 1) {
+        if dot(&residual, &residual).sqrt() <= BALANCED * wanted {
+            break;
+        }
+        let tolerance = BALANCED * dot(&residual, &residual).sqrt();
+        let pull = |i: usize| dot(&columns[i], &residual) / size[i];
+        let Some(entering) = (0..n)
+            .filter(|&i| size[i] > 0.0 && !passive.contains(&i) && pull(i) > tolerance)
+            .max_by(|&i, &j| pull(i).total_cmp(&pull(j)).then(j.cmp(&i)))
+        else {
+            break;
+        };
+        if let Err(error) = interrupt.check() {
+            return Balance::Interrupted(error);
+        }
+        passive.push(entering);
+        while !passive.is_empty() {
+            let trial = least_squares(&columns, &passive, &target);
+            if trial.iter().all(|&t| t > 0.0) {
+                for (&i, &t) in passive.iter().zip(&trial) {
+                    forces[i] = t;
+                }
+                break;
+            }
+            // Go as far towards the trial as forces stay pushes, and drop what reaches zero.
+            let step = passive
+                .iter()
+                .zip(&trial)
+                .filter(|&(_, &t)| t <= 0.0)
+                .map(|(&i, &t)| if forces[i] > t { forces[i] / (forces[i] - t) } else { 0.0 })
+                .fold(1.0f64, f64::min);
+            for (&i, &t) in passive.iter().zip(&trial) {
+                forces[i] += step * (t - forces[i]);
+            }
+            let largest = forces.iter().copied().fold(0.0, f64::max);
+            let leaving: Vec<usize> = passive
+                .iter()
+                .zip(&trial)
+                .filter(|&(&i, &t)| t <= 0.0 && forces[i] <= 1e-15 * largest)
+                .map(|(&i, _)| i)
+                .collect();
+            for &i in &leaving {
+                forces[i] = 0.0;
+            }
+            passive.retain(|i| !leaving.contains(i));
+        }
+        residual = target.clone();
+        for &i in &passive {
+            for (r, a) in residual.iter_mut().zip(&columns[i]) {
+                *r -= a * forces[i];
+            }
+        }
+    }
+    if dot(&residual, &residual).sqrt() <= BALANCED * wanted {
+        passive.sort_unstable();
+        return Balance::Found { forces, cells: passive };
+    }
+    let mut motion = vec![0.0; m];
+    for (basis, r) in unsprung.iter().zip(&residual) {
+        for k in 0..m {
+            motion[k] -= basis[k] * r;
+        }
+    }
+    Balance::RunsAway(motion)
+}
+
+fn least_squares(columns: &[Vec<f64>], passive: &[usize], target: &[f64]) -> Vec<f64> {
+    let matrix = DMatrix::from_fn(target.len(), passive.len(), |k, j| columns[passive[j]][k]);
+    let decomposition = matrix.svd(true, true);
+    let cut = 1e-13 * decomposition.singular_values.max();
+    // Both factors were asked for, so the solution exists.
+    decomposition
+        .solve(&DVector::from_column_slice(target), cut)
+        .map_or_else(|_| vec![0.0; passive.len()], |x| x.as_slice().to_vec())
+}
+
+/// Orthonormal basis of the motions that strain no spring.
+fn null_space(stiffness: &Matrix) -> Vec<Vec<f64>> {
+    let m = stiffness.rows;
+    let unit = |k: usize| (0..m).map(|l| if l == k { 1.0 } else { 0.0 }).collect();
+    if stiffness.data.iter().all(|&k| k == 0.0) {
+        return (0..m).map(unit).collect();
+    }
+    let eigen = SymmetricEigen::new(DMatrix::from_row_slice(m, m, &stiffness.data));
+    let cut = 1e-12 * eigen.eigenvalues.amax();
+    (0..m)
+        .filter(|&k| eigen.eigenvalues[k] <= cut)
+        .map(|k| eigen.eigenvectors.column(k).iter().copied().collect())
+        .collect()
+}

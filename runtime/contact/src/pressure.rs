@@ -1,0 +1,136 @@
+//! Peak pressure and half-width of a patch, read off the pressures of its cells.
+//!
+//! Under a Hertzian contact p² is a parabola across the patch, p² = p0² (1 - (x - c)²/a²), which a fit through a few cells
+//! gets to second order of the cell's width although the pressure itself has a vertical tangent at the patch's ends.
+
+use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::PI;
+
+/// Half-width of a Hertzian line contact, m: a² = 4 q / (pi E* k), for force `force` (q, N/m), E* in Pa and relative curvature
+/// in 1/m (Johnson, eq. 4.43).
+pub fn hertz_half_width(force: f64, contact_modulus: f64, relative_curvature: f64) -> f64 {
+    (4.0 * force / (PI * contact_modulus * relative_curvature)).sqrt()
+}
+
+/// A piece of a line under one pressure: a cell of a plane patch, a slice of another.
+pub trait Piece {
+    /// Ascending, m.
+    fn ends(&self) -> [f64; 2];
+}
+
+impl Piece for [f64; 2] {
+    fn ends(&self) -> [f64; 2] {
+        *self
+    }
+}
+
+pub(super) fn center(piece: &impl Piece) -> f64 {
+    let [from, to] = piece.ends();
+    0.5 * (from + to)
+}
+
+/// Largest pressure of some cells of a patch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// Pa.
+    pub pressure: f64,
+    /// Where, along the tangent, m.
+    pub x: f64,
+    /// The loaded cell nearest to it.
+    pub cell: usize,
+}
+
+/// Cells to either side of the largest that the parabola of the peak is fitted through.
+const PEAK_REACH: usize = 2;
+
+/// The peak pressure: the vertex of a parabola through p² of the (at most five) loaded neighbours of the cell of largest
+/// pressure; that cell's own pressure where the maximum lies at the end of the patch. `None` if no cell is loaded.
+/// `pressures` in Pa, one a cell.
+pub fn peak(cells: &[impl Piece], pressures: &[f64]) -> Option<Peak> {
+    let belongs = |i: usize| pressures[i] > 0.0;
+    let largest = (0..cells.len())
+        .filter(|&i| belongs(i))
+        .max_by(|&i, &j| pressures[i].total_cmp(&pressures[j]).then(j.cmp(&i)))?;
+    let own = Peak { pressure: pressures[largest], x: center(&cells[largest]), cell: largest };
+    let first = (0..=PEAK_REACH.min(largest)).take_while(|&k| belongs(largest - k)).last().unwrap_or(0);
+    let last = (0..=PEAK_REACH)
+        .take_while(|&k| largest + k < cells.len() && belongs(largest + k))
+        .last()
+        .unwrap_or(0);
+    if first == 0 || last == 0 {
+        return Some(own);
+    }
+    let fit = Parabola::through(cells, pressures, largest - first, largest + last);
+    Some(match fit.and_then(|f| f.vertex()) {
+        // A vertex outside the fitted cells is no maximum of theirs.
+        Some((x, squared))
+            if squared > 0.0
+                && x > cells[largest - first].ends()[0]
+                && x < cells[largest + last].ends()[1] =>
+        {
+            Peak { pressure: squared.sqrt(), x, cell: largest }
+        }
+        _ => own,
+    })
+}
+
+/// Half-width of the loaded zone, m: half the distance between the zeros of p² extrapolated. `None` with fewer than
+/// five loaded cells, or where p² is no parabola with two zeros.
+pub fn half_width(cells: &[impl Piece], pressures: &[f64]) -> Option<f64> {
+    zeros_of_squared_pressure(cells, pressures).map(|[left, right]| 0.5 * (right - left))
+}
+
+/// Where a parabola fitted to p² of the loaded cells is zero; without the outermost on each side, which are loaded over
+/// part of their width only.
+pub(super) fn zeros_of_squared_pressure(cells: &[impl Piece], pressures: &[f64]) -> Option<[f64; 2]> {
+    let first = pressures.iter().position(|&p| p > 0.0)?;
+    let last = pressures.iter().rposition(|&p| p > 0.0)?;
+    if last < first + 4 {
+        return None;
+    }
+    Parabola::through(cells, pressures, first + 1, last - 1)?.zeros()
+}
+
+/// c0 + c1 u + c2 u², with u = (x - origin) / unit.
+struct Parabola {
+    origin: f64,
+    unit: f64,
+    coefficients: [f64; 3],
+}
+
+impl Parabola {
+    /// Least squares through p² of the cells `first ..= last`, at least three of them.
+    fn through(cells: &[impl Piece], pressures: &[f64], first: usize, last: usize) -> Option<Self> {
+        let origin = 0.5 * (cells[first].ends()[0] + cells[last].ends()[1]);
+        let unit = 0.5 * (cells[last].ends()[1] - cells[first].ends()[0]);
+        let mut normal = Matrix3::zeros();
+        let mut right = Vector3::zeros();
+        for i in first..=last {
+            let u = (center(&cells[i]) - origin) / unit;
+            let row = Vector3::new(1.0, u, u * u);
+            normal += row * row.transpose();
+            right += row * (pressures[i] * pressures[i]);
+        }
+        let c = normal.lu().solve(&right)?;
+        Some(Self { origin, unit, coefficients: [c[0], c[1], c[2]] })
+    }
+
+    /// Position and value of the maximum.
+    fn vertex(&self) -> Option<(f64, f64)> {
+        let [c0, c1, c2] = self.coefficients;
+        if c2 >= 0.0 {
+            return None;
+        }
+        let u = -0.5 * c1 / c2;
+        Some((self.origin + self.unit * u, c0 + 0.5 * c1 * u))
+    }
+
+    /// Ascending.
+    fn zeros(&self) -> Option<[f64; 2]> {
+        let [c0, c1, c2] = self.coefficients;
+        let discriminant = c1 * c1 - 4.0 * c2 * c0;
+        (c2 < 0.0 && discriminant > 0.0).then(|| {
+            [1.0, -1.0].map(|sign| self.origin + self.unit * (sign * discriminant.sqrt() - c1) / (2.0 * c2))
+        })
+    }
+}

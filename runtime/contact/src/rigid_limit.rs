@@ -1,0 +1,170 @@
+//! Where bodies come to rest as the load vanishes: rigid bodies, touching but not deformed.
+//!
+//! The limit of the contact problem for loads t g, t towards 0, is the linear program
+//! `max g'x  subject to  C x + e >= 0`; its dual, `min e'p, C'p = -g, p >= 0`, has as many rows as there are freedoms and
+//! is solved by the simplex method from the basis that balances the load. The motion is then exact to rounding.
+
+use super::active_set::free_motion;
+use super::dense::{Matrix, dot};
+use super::feasibility::{Balance, balance};
+use super::problem::ContactError;
+use calyx_numerics::interrupt::Interrupt;
+use nalgebra::{DMatrix, DVector};
+
+/// Bodies at rest under a vanishing load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidLimit {
+    /// x, one entry a freedom.
+    pub motion: Vec<f64>,
+    /// Contacts that touch and fix the motion, one a freedom, ascending.
+    pub touching: Vec<usize>,
+}
+
+/// `gaps` (e, m) and `arms` (C, contacts by freedoms, row-major) of the contacts, and `direction` (g), the load whose limit
+/// is taken. Give the gaps of closest approach, one a patch: averages over cells are larger by the cells' curvature.
+///
+/// # Errors
+/// [`ContactError::Infeasible`] if no contact stops the motion, [`ContactError::Unconstrained`] if the load does not
+/// decide some freedom, [`ContactError::Jammed`] if there is no position without overlap; [`ContactError::Interrupted`], as with
+/// many freedoms it takes long.
+pub fn rigid_limit(
+    gaps: &[f64],
+    arms: &[f64],
+    direction: &[f64],
+    interrupt: &Interrupt,
+) -> Result<RigidLimit, ContactError> {
+    let (n, m) = (gaps.len(), direction.len());
+    if arms.len() != n * m {
+        return Err(ContactError::Invalid("sizes of the arrays do not match"));
+    }
+    if !gaps.iter().chain(arms).chain(direction).all(|v| v.is_finite()) {
+        return Err(ContactError::Invalid("a number is not finite"));
+    }
+    let scale: Vec<f64> = (0..m)
+        .map(|k| (0..n).fold(0.0f64, |a, i| a.max(arms[i * m + k].abs())))
+        .map(|largest| if largest > 0.0 { largest.recip() } else { 1.0 })
+        .collect();
+    let mut scaled_arms = Matrix::zeros(n, m);
+    for i in 0..n {
+        for k in 0..m {
+            scaled_arms[(i, k)] = arms[i * m + k] * scale[k];
+        }
+    }
+    let load: Vec<f64> = direction.iter().zip(&scale).map(|(g, s)| g * s).collect();
+    let basis = match balance(&scaled_arms, &Matrix::zeros(m, m), &load, interrupt) {
+        Balance::Found { cells, .. } => cells,
+        Balance::RunsAway(motion) => return Err(ContactError::Infeasible(free_motion(&motion, &scale))),
+        Balance::Interrupted(error) => return Err(ContactError::Interrupted(error)),
+    };
+    let basis = complete(&scaled_arms, basis)
+        .map_err(|motion| ContactError::Unconstrained(free_motion(&motion, &scale)))?;
+    interrupt.check().map_err(ContactError::Interrupted)?;
+    let (motion, mut touching) = simplex(gaps, &scaled_arms, &load, basis)?;
+    touching.sort_unstable();
+    Ok(RigidLimit { motion: motion.iter().zip(&scale).map(|(y, s)| y * s).collect(), touching })
+}
+
+/// Adds contacts until the basis sees every freedom; the error is a motion that no contact sees.
+fn complete(arms: &Matrix, mut basis: Vec<usize>) -> Result<Vec<usize>, Vec<f64>> {
+    let m = arms.columns;
+    while basis.len() < m {
+        // A motion that the basis does not see: the last right singular vector of its arms, padded to be square.
+        let square = DMatrix::from_fn(m, m, |r, k| basis.get(r).map_or(0.0, |&i| arms[(i, k)]));
+        let Some(right) = square.svd(false, true).v_t else { return Err(vec![1.0; m]) };
+        let motion: Vec<f64> = right.row(m - 1).iter().copied().collect();
+        let seen = |i: usize| dot(arms.row(i), &motion).abs();
+        let best = (0..arms.rows)
+            .filter(|i| !basis.contains(i))
+            .max_by(|&i, &j| seen(i).total_cmp(&seen(j)).then(j.cmp(&i)));
+        match best {
+            Some(i) if seen(i) > 1e-12 => basis.push(i),
+            _ => return Err(motion),
+        }
+    }
+    Ok(basis)
+}
+
+fn simplex(
+    gaps: &[f64],
+    arms: &Matrix,
+    load: &[f64],
+    mut basis: Vec<usize>,
+) -> Result<(Vec<f64>, Vec<usize>), ContactError> {
+    let (n, m) = (arms.rows, arms.columns);
+    let limit = 50 * (n + m);
+    for iteration in 0..limit {
+        let matrix = DMatrix::from_fn(m, m, |r, k| arms[(basis[r], k)]);
+        let right = DVector::from_fn(m, |r, _| -gaps[basis[r]]);
+        let columns = matrix.transpose().lu();
+        let Some(motion) = matrix.lu().solve(&right) else { return Err(ContactError::NotConverged) };
+        let motion = motion.as_slice().to_vec();
+        let violation = |i: usize| {
+            let rigid: f64 = arms.row(i).iter().zip(&motion).map(|(c, y)| (c * y).abs()).sum();
+            let gap = dot(arms.row(i), &motion) + gaps[i];
+            if gap < -1e-14 * (rigid + gaps[i].abs()) { -gap } else { 0.0 }
+        };
+        let candidates = (0..n).filter(|i| !basis.contains(i) && violation(*i) > 0.0);
+        // The largest overlap enters; should that go round in circles, the first one (Bland's rule) cannot.
+        let entering = if iteration < limit / 2 {
+            candidates.max_by(|&i, &j| violation(i).total_cmp(&violation(j)).then(j.cmp(&i)))
+        } else {
+            candidates.min()
+        };
+        let Some(entering) = entering else { return Ok((motion, basis)) };
+        let solve = |v: DVector<f64>| columns.solve(&v);
+        let Some(forces) = solve(DVector::from_fn(m, |k, _| -load[k])) else {
+            return Err(ContactError::NotConverged);
+        };
+        let Some(relief) = solve(DVector::from_fn(m, |k, _| arms[(entering, k)])) else {
+            return Err(ContactError::NotConverged);
+        };
+        let leaving = (0..m)
+            .filter(|&r| relief[r] > 1e-12)
+            .map(|r| (forces[r].max(0.0) / relief[r], basis[r], r))
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        match leaving {
+            Some((_, _, r)) => basis[r] = entering,
+            None => return Err(ContactError::Jammed),
+        }
+    }
+    Err(ContactError::NotConverged)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calyx_numerics::error::EngineError;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// Wheels in a row, each driven by the one before.
+    fn train(wheels: usize) -> (Vec<f64>, Vec<f64>) {
+        let mut arms = vec![0.0; wheels * wheels];
+        for k in 0..wheels {
+            arms[k * wheels + k] = -1.0;
+            if k + 1 < wheels {
+                arms[k * wheels + k + 1] = 1.0;
+            }
+        }
+        let mut load = vec![0.0; wheels];
+        load[0] = 1.0;
+        (arms, load)
+    }
+
+    #[test]
+    fn it_ends_at_the_checkpoint_that_says_so() {
+        let (arms, load) = train(20);
+        let gaps = [0.0; 20];
+        assert!(rigid_limit(&gaps, &arms, &load, &Interrupt::never()).is_ok());
+        let asked = Arc::new(AtomicUsize::new(0));
+        let counter = asked.clone();
+        let enough = EngineError::new("E0704", "enough", "");
+        let third = Interrupt::new({
+            let enough = enough.clone();
+            move || if counter.fetch_add(1, Ordering::Relaxed) == 2 { Err(enough.clone()) } else { Ok(()) }
+        });
+        let ended = rigid_limit(&gaps, &arms, &load, &third);
+        assert_eq!(ended, Err(ContactError::Interrupted(enough)));
+        assert_eq!(asked.load(Ordering::Relaxed), 3);
+    }
+}

@@ -1,0 +1,76 @@
+//! The contact problem in variables of order one.
+
+use super::dense::Matrix;
+use super::problem::ContactProblem;
+
+/// The problem in variables `p = cell_scale * q`, `x = freedom_scale * y`. The compliance stays where it is, for it is large, and is
+/// scaled entry by entry.
+pub(super) struct Scaled<'a> {
+    compliance: &'a [f64],
+    pub arms: Matrix,
+    pub gaps: Vec<f64>,
+    pub stiffness: Matrix,
+    pub load: Vec<f64>,
+    pub cell_scale: Vec<f64>,
+    pub freedom_scale: Vec<f64>,
+}
+
+/// The power of two next to `value`, by logarithm.
+fn power_of_two(value: f64) -> f64 {
+    value.log2().round().exp2()
+}
+
+impl<'a> Scaled<'a> {
+    pub fn new(problem: &'a ContactProblem) -> Self {
+        let (n, m) = (problem.cells(), problem.freedoms());
+        let cell_scale: Vec<f64> =
+            (0..n).map(|i| power_of_two(problem.compliance[i * n + i].sqrt().recip())).collect();
+        let mut column: Vec<f64> = vec![0.0; m];
+        for i in 0..n {
+            for k in 0..m {
+                column[k] = column[k].max((cell_scale[i] * problem.arms[i * m + k]).abs());
+            }
+        }
+        // An arm that is rounding beside the other freedoms' arms is none.
+        let largest = column.iter().copied().fold(0.0, f64::max);
+        let seen: Vec<bool> = column.iter().map(|&c| c > 1e-13 * largest).collect();
+        let freedom_scale: Vec<f64> = (0..m)
+            .map(|k| {
+                let spring = problem.stiffness[k * m + k].max(0.0).sqrt();
+                let size = if seen[k] { column[k] } else { spring };
+                if size > 0.0 { power_of_two(size.recip()) } else { 1.0 }
+            })
+            .collect();
+        let mut arms = Matrix::zeros(n, m);
+        for i in 0..n {
+            for k in (0..m).filter(|&k| seen[k]) {
+                arms[(i, k)] = cell_scale[i] * problem.arms[i * m + k] * freedom_scale[k];
+            }
+        }
+        let mut stiffness = Matrix::zeros(m, m);
+        for k in 0..m {
+            for l in 0..m {
+                stiffness[(k, l)] = freedom_scale[k] * problem.stiffness[k * m + l] * freedom_scale[l];
+            }
+        }
+        Self {
+            compliance: &problem.compliance,
+            arms,
+            gaps: problem.gaps.iter().zip(&cell_scale).map(|(e, s)| e * s).collect(),
+            stiffness,
+            load: problem.load.iter().zip(&freedom_scale).map(|(f, s)| f * s).collect(),
+            cell_scale,
+            freedom_scale,
+        }
+    }
+
+    /// Returns the number of cells.
+    pub fn cells(&self) -> usize {
+        self.gaps.len()
+    }
+
+    /// Growth of the gap of cell `i` per force on cell `j`, in scaled variables.
+    pub fn compliance(&self, i: usize, j: usize) -> f64 {
+        self.cell_scale[i] * self.compliance[i * self.cells() + j] * self.cell_scale[j]
+    }
+}

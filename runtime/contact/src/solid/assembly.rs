@@ -1,0 +1,166 @@
+//! The compliance of all cells of all patches: half-spaces and their images where load and observer share a surface, structures where
+//! they share a body.
+//!
+//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit for bit; nothing is averaged with
+//! its transpose.
+
+use super::grid::Cell;
+use super::half_space::mean_inverse_distance;
+use super::image::{Images, PlacedMirror};
+use super::intervals::{Answers, Intervals};
+use super::placement::{PatchFrame, Pose};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_structure::Chart;
+use calyx_structure::solid::SolidStructure;
+use std::f64::consts::PI;
+
+/// One body's part in a patch.
+#[derive(Clone, Copy)]
+pub struct Side<'a> {
+    /// Tells bodies apart: several may share a structure (planets made alike) without touching each other's displacements.
+    pub body: usize,
+    /// How the body deforms.
+    pub structure: &'a dyn SolidStructure,
+    /// Its surface.
+    pub chart: Chart,
+    /// Of the body's frame, without the turn of a tooth.
+    pub pose: Pose,
+}
+
+/// A patch: its two different bodies, in the order of its grid's sides, and its cells.
+#[derive(Clone, Copy)]
+pub struct Patch<'a> {
+    /// The first body and the second.
+    pub sides: [Side<'a>; 2],
+    /// Of its grid.
+    pub frame: &'a PatchFrame,
+    /// Of its grid.
+    pub cells: &'a [Cell],
+}
+
+/// A, row-major, cells in the order of the patches: growth of a cell's gap, averaged over it, per force on a cell, m/N.
+/// There are checkpoints in each block.
+///
+/// # Errors
+/// The interrupt's.
+pub fn compliance(patches: &[Patch], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+    let starts: Vec<usize> = patches
+        .iter()
+        .scan(0, |next, patch| {
+            let start = *next;
+            *next += patch.cells.len();
+            Some(start)
+        })
+        .collect();
+    let n: usize = patches.iter().map(|patch| patch.cells.len()).sum();
+    let mut matrix = vec![0.0; n * n];
+    for (p, observing) in patches.iter().enumerate() {
+        for (q, loaded) in patches.iter().enumerate().skip(p) {
+            let mut block = structural(observing, loaded, interrupt)?;
+            let columns = loaded.cells.len();
+            debug_assert!(
+                p != q || is_symmetric(&block, columns),
+                "a structure's compliance is not symmetric"
+            );
+            if p == q {
+                add_half_spaces(observing, &mut block, interrupt)?;
+            }
+            for i in 0..observing.cells.len() {
+                for j in 0..columns {
+                    let value = block[i * columns + j];
+                    matrix[(starts[p] + i) * n + starts[q] + j] = value;
+                    matrix[(starts[q] + j) * n + starts[p] + i] = value;
+                }
+            }
+        }
+    }
+    Ok(matrix)
+}
+
+fn is_symmetric(block: &[f64], n: usize) -> bool {
+    (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
+}
+
+/// Growth of the gaps of one patch per force on the cells of another, or of the same, by the structures of the bodies they share.
+fn structural(observing: &Patch, loaded: &Patch, interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+    let mut block = vec![0.0; observing.cells.len() * loaded.cells.len()];
+    for (a, observer) in observing.sides.iter().enumerate() {
+        for (b, load) in loaded.sides.iter().enumerate() {
+            if observer.body != load.body {
+                continue;
+            }
+            let spots =
+                |patch: &Patch, side: usize| patch.cells.iter().map(|c| c.spot(side)).collect::<Vec<_>>();
+            observer.structure.add_compliance_until(
+                observer.chart,
+                &spots(observing, a),
+                load.chart,
+                &spots(loaded, b),
+                &mut block,
+                interrupt,
+            )?;
+        }
+    }
+    Ok(block)
+}
+
+/// Adds the half-spaces of both bodies, with their images, to the block of a patch with itself.
+fn add_half_spaces(patch: &Patch, block: &mut [f64], interrupt: &Interrupt) -> Result<(), EngineError> {
+    let n = patch.cells.len();
+    let softness = |side: &Side| {
+        let modulus = side.structure.surface_modulus();
+        if modulus.is_infinite() { 0.0 } else { (PI * modulus).recip() }
+    };
+    let direct: f64 = patch.sides.iter().map(softness).sum();
+    if direct == 0.0 {
+        return Ok(());
+    }
+    let mut mirrors: Vec<PlacedMirror> = Vec::new();
+    for side in patch.sides.iter().filter(|side| softness(side) > 0.0) {
+        for mirror in side.structure.mirrors() {
+            let mirror = PlacedMirror::new(mirror, &side.pose, softness(side));
+            match mirrors.iter_mut().find(|known| known.is_same(&mirror, patch.frame.point)) {
+                Some(known) => known.softness += mirror.softness,
+                None => mirrors.push(mirror),
+            }
+        }
+    }
+    let images: Vec<Images> = mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).collect();
+    let given = |first: &Cell, second: &Cell| {
+        let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
+        let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
+        direct * mean_inverse_distance(offset, halves[0], halves[1])
+    };
+    let mirrored = |first: &Cell, second: &Cell| -> f64 {
+        images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
+    };
+    // Cells see each other by the distance of their places, and each other's images by their distance across and both places along, of
+    // which upright mirrors leave the sum; by more than that where mirrors lie aslant.
+    let [across, along] = [0, 1].map(|axis| Intervals::of(patch.cells, axis));
+    let apart = |one: f64, other: f64| (one - other).abs();
+    let mut direct_known = Answers::new([across.pairs(apart), along.pairs(apart)], n);
+    let mut images_known = images.iter().all(|images| images.is_level).then(|| {
+        let is_upright = images.iter().all(Images::is_upright);
+        let rows = if is_upright { along.pairs(|one, other| one + other) } else { along.each_pair() };
+        Answers::new([across.pairs(apart), rows], n)
+    });
+    for i in 0..n {
+        interrupt.check()?;
+        for j in 0..=i {
+            let (first, second) = (&patch.cells[i], &patch.cells[j]);
+            let mut value = direct_known.get(i, j, || given(first, second));
+            if !images.is_empty() {
+                value += match &mut images_known {
+                    Some(known) => known.get(i, j, || mirrored(first, second)),
+                    None => mirrored(first, second),
+                };
+            }
+            block[i * n + j] += value;
+            if j < i {
+                block[j * n + i] += value;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,522 @@
+//! The grid of a patch: cells in the common tangent plane, each with its place on both surfaces and its gap.
+//!
+//! The patch is cut into slices along the ridge, and every slice into cells across it, centred at its place of the ridge. Cells lie on
+//! one lattice, of which slices take different stretches, wherever the surfaces let them; near a rounded edge a slice's cells are
+//! graded as in the plane. Where a face ends obliquely the last cells of a slice are cut to it, or lengthened where too little of a
+//! cell would be left. Gaps are exact separations along the frame's normal, averaged over the cell as its pressure is uniform over it.
+
+use super::across::{Limit, closest_across, limits};
+use super::placement::{PatchFrame, PlacedSurface};
+use super::ridge::{Ridge, ends_along, relative_curvature};
+use super::sheet::Sheet;
+use crate::grid::{Edge, MARGIN, cell_bounds};
+use crate::pressure::hertz_half_width;
+use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
+use calyx_numerics::vec3::{Vector, dot};
+use calyx_structure::solid::{SolidStructure, Spot};
+use std::ops::Range;
+
+/// A cell of a patch: a rectangle of the tangent plane under uniform pressure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// x and y of its centre in the patch's frame, m.
+    pub center: [f64; 2],
+    /// Across and along the ridge, m.
+    pub size: [f64; 2],
+    /// Per side: coordinates of the surface over its centre.
+    pub places: [[f64; 2]; 2],
+    /// Per side: how long it is along the body's axis, m.
+    pub axial: [f64; 2],
+    /// Average separation of the undeformed surfaces along the frame's normal, m; negative where they overlap.
+    pub gap: f64,
+    /// Where its force acts, along the frame's normal, m: the ridge's point beside it. The cell's own offset from the ridge is left out
+    /// together with the turn of its own normal; on involutes the two cancel.
+    pub point: Vector,
+    /// Whether either surface is on its rounded edge here.
+    pub edge: bool,
+}
+
+impl Cell {
+    /// m²
+    pub fn area(&self) -> f64 {
+        self.size[0] * self.size[1]
+    }
+
+    /// What the body on a side sees of it.
+    pub fn spot(&self, side: usize) -> Spot {
+        Spot { place: self.places[side], length: self.axial[side] }
+    }
+
+    /// Its ends across (axis 0) or along (1), m.
+    pub fn ends(&self, axis: usize) -> [f64; 2] {
+        [self.center[axis] - 0.5 * self.size[axis], self.center[axis] + 0.5 * self.size[axis]]
+    }
+}
+
+/// How large a grid is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridOptions {
+    /// M: a slice has 2M + 1 cells, more where it is graded towards an edge and fewer where a surface ends.
+    pub half_count: usize,
+    /// N: a patch has 2N + 1 slices.
+    pub half_slices: usize,
+    /// Width across, measured on the flank, m; `None` suits the force.
+    pub width: Option<f64>,
+    /// Length along the ridge, centred at the closest approach and no longer than the ridge, m; `None` suits the force.
+    pub length: Option<f64>,
+    /// The force that the patch may have to carry, N, and E*, Pa: what suits them is [`MARGIN`] times a Hertzian contact.
+    pub force: f64,
+    /// 1/E* = 1/E'1 + 1/E'2, Pa.
+    pub contact_modulus: f64,
+    /// Whether cells may lie on rounded edges.
+    pub search_edges: bool,
+}
+
+/// Cells of a patch at one place along its ridge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slice {
+    /// Its ends along the ridge, ascending, m; single cells may be cut or lengthened.
+    pub y: [f64; 2],
+    /// Its cells in [`Grid::cells`], ascending in x.
+    pub cells: Range<usize>,
+    /// Whether it ends at low and at high x because a surface does.
+    pub surface_ends: [bool; 2],
+    /// Where the flanks end beside it, within its cells or beyond them.
+    pub edges: Edges,
+}
+
+/// The cells of a patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    /// In which cells are measured, and along whose normal they act.
+    pub frame: PatchFrame,
+    /// Slice by slice, ascending in y and then in x.
+    pub cells: Vec<Cell>,
+    /// Ascending in y.
+    pub slices: Vec<Slice>,
+    /// Width across and length along, m, as asked for or chosen.
+    pub extent: [f64; 2],
+    /// Length of the ridge from end to end, beyond the grid too, m.
+    pub line: f64,
+    /// M and N.
+    pub half_counts: [usize; 2],
+    /// Whether the grid ends at low and at high y because a surface does.
+    pub surface_ends: [bool; 2],
+    /// Hertzian half-width of a line load of 1 N/m, m.
+    pub unit_half_width: f64,
+}
+
+/// Least part of a slice's length that a cell may keep where a face cuts it off; else its neighbour takes it in.
+const LEAST_PART: f64 = 0.4;
+/// Smallest size of edge cells beside flank cells.
+const SHARPEST_EDGE: f64 = 1e-5;
+/// Curvature just beside an edge's start is taken over this part of the surface's extent.
+const BESIDE: f64 = 1e-6;
+/// Nearer than this part of a surface's range to its edge, its curvature is taken on the flank alone.
+const NEAR_EDGE: f64 = 2e-4;
+/// Depth of the patch at rest, beside that of a long one that shares its force equally, force / (E* length): the least gap and this
+/// bound the ridge's loaded part. Such that a round contact gets [`MARGIN`] times its length.
+const DEPTH: f64 = 1.65;
+
+/// E* of two bodies: 1/E* = 1/E'1 + 1/E'2 (Johnson, eq. 4.5). Infinite if both are rigid.
+pub fn contact_modulus(first: &dyn SolidStructure, second: &dyn SolidStructure) -> f64 {
+    (first.surface_modulus().recip() + second.surface_modulus().recip()).recip()
+}
+
+/// Lays the grid of the patch around a ridge of `first` and `second`. No cells if the surfaces do not face each other over any area.
+pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: &GridOptions) -> Grid {
+    let placed = [first, second];
+    let frame = ridge.frame;
+    let sheets = [0, 1].map(|side| Sheet::new(placed[side], frame, ridge.places[side], options.search_edges));
+    let (y, surface_ends) = length_along(ridge, options);
+    let flank = flank_curvature(&sheets, ridge);
+    let width = options.width.unwrap_or_else(|| {
+        // The middle of a point contact carries half more than the average; a line contact shares evenly.
+        let share = if surface_ends == [true; 2] { 1.0 } else { 1.5 };
+        let line_load = share * options.force / (y[1] - y[0]);
+        2.0 * MARGIN * hertz_half_width(line_load, options.contact_modulus, flank)
+    });
+    let half_counts = [options.half_count, options.half_slices];
+    let extent = [width, y[1] - y[0]];
+    let [low, high] = ridge.extent();
+    let line = high - low;
+    let unit_half_width = unit_half_width(options.contact_modulus, flank);
+    let (cells, slices) = (Vec::new(), Vec::new());
+    let mut grid = Grid { frame, cells, slices, extent, line, half_counts, surface_ends, unit_half_width };
+    if !(extent.iter().all(|size| size.is_finite() && *size > 0.0)) {
+        return grid;
+    }
+    let layer = Layer {
+        placed,
+        sheets,
+        frame,
+        edges: edges(&placed, ridge, flank),
+        pitch: [width / (2 * half_counts[0] + 1) as f64, extent[1] / (2 * half_counts[1] + 1) as f64],
+        half_count: half_counts[0],
+        middle: 0.5 * (y[0] + y[1]),
+        reach: half_counts[1] as i32,
+        surface_ends,
+        search_edges: options.search_edges,
+    };
+    layer.fill(&mut grid, ridge.places);
+    grid
+}
+
+/// y of the grid's ends, and whether they are the surfaces'.
+fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
+    let all = ridge.extent();
+    let clipped = |[low, high]: [f64; 2]| {
+        let y = [low.max(all[0]), high.min(all[1])];
+        (y, [y[0] <= all[0], y[1] >= all[1]])
+    };
+    if let Some(length) = options.length {
+        return clipped([-0.5 * length, 0.5 * length]);
+    }
+    // The depth to which the ridge is pressed shrinks as more of it is reached.
+    let within = |depth: f64| -> [f64; 2] {
+        let floor = ridge.gap;
+        let crossing = |step: &mut dyn Iterator<Item = &[f64; 2]>| {
+            let (mut y, mut rise) = (0.0, 0.0f64);
+            for &[next, gap] in step {
+                let above = (gap - floor).max(0.0);
+                if above > depth {
+                    // Between places the gap is nearly a parabola from the closest approach.
+                    let (from, to) = (rise.max(0.0).sqrt(), above.sqrt());
+                    return y + (next - y) * (depth.sqrt() - from) / (to - from);
+                }
+                (y, rise) = (next, above);
+            }
+            y
+        };
+        let points: Vec<[f64; 2]> = ridge.points.iter().map(|point| [point.at[1], point.gap]).collect();
+        let low = crossing(&mut points.iter().rev().filter(|[y, _]| *y < 0.0));
+        let high = crossing(&mut points.iter().filter(|[y, _]| *y > 0.0));
+        [low, high]
+    };
+    let (mut shallow, mut deep) =
+        (0.0, 2.0 * ridge.points.iter().map(|point| point.gap - ridge.gap).fold(0.0, f64::max));
+    let enough = |depth: f64| {
+        let [low, high] = within(depth);
+        depth * (high - low) * options.contact_modulus >= DEPTH * options.force
+    };
+    if deep == 0.0 || !enough(deep) {
+        return clipped(all);
+    }
+    for _ in 0..60 {
+        let middle = 0.5 * (shallow + deep);
+        if enough(middle) { deep = middle } else { shallow = middle }
+    }
+    clipped(within(deep))
+}
+
+/// Sum of both surfaces' curvatures across at the closest approach, each on its flank proper, 1/m.
+fn flank_curvature(sheets: &[Sheet; 2], ridge: &Ridge) -> f64 {
+    // Differences taken beside an edge would see its curvature.
+    let beside_edge = |side: usize| {
+        let surface = sheets[side].placed.surface;
+        let [[first, last], _] = surface.range();
+        surface.edge_from().is_some_and(|start| ridge.places[side][0] + NEAR_EDGE * (last - first) > start)
+    };
+    if !(0..2).any(beside_edge)
+        && !ridge.at_end
+        && let Some([[across, _], _]) = relative_curvature(sheets, ridge.places)
+    {
+        return across;
+    }
+    (0..2).map(|side| curvature_beside_edge(&sheets[side].placed, ridge.places[side], -1.0)).sum()
+}
+
+/// Curvature along u of the flank (`side` -1) or the edge (+1) next to the edge's start, if the place is beyond it; else at the place.
+/// 1/m, positive where convex.
+fn curvature_beside_edge(placed: &PlacedSurface, [u, v]: [f64; 2], side: f64) -> f64 {
+    let [[first, last], _] = placed.surface.range();
+    let step = BESIDE * (last - first);
+    let near = match placed.surface.edge_from() {
+        Some(start) if u >= start => start + side * step,
+        _ => u,
+    };
+    let far = near + side * step;
+    let points = [placed.at([near, v]), placed.at([far, v])];
+    let tangent = points[0].tangents[0];
+    let turn: f64 = (0..3).map(|k| (points[1].normal[k] - points[0].normal[k]) * tangent[k]).sum();
+    turn / (dot(tangent, tangent) * (far - near))
+}
+
+/// A rounded edge and how fine its cells are.
+struct RoundedEdge {
+    side: usize,
+    start: f64,
+    /// Width of its cells over the flank's.
+    ratio: f64,
+}
+
+/// Edges of both surfaces that a grid can resolve; cells by the root of curvature, as Hertzian widths go.
+fn edges(placed: &[PlacedSurface; 2], ridge: &Ridge, flank: f64) -> Vec<RoundedEdge> {
+    let found = (0..2).filter_map(|side| {
+        let start = placed[side].surface.edge_from()?;
+        let v = ridge.places[side][1];
+        let other = curvature_beside_edge(&placed[1 - side], ridge.places[1 - side], -1.0);
+        let ratio = (flank / (curvature_beside_edge(&placed[side], [start, v], 1.0) + other)).sqrt();
+        // A sharper edge than this is a corner: no grid resolves it.
+        let resolved = ratio > SHARPEST_EDGE && start < placed[side].surface.range()[0][1];
+        resolved.then(|| RoundedEdge { side, start, ratio: ratio.min(1.0) })
+    });
+    found.collect()
+}
+
+/// Lays slice after slice.
+struct Layer<'a> {
+    placed: [PlacedSurface<'a>; 2],
+    sheets: [Sheet<'a>; 2],
+    frame: PatchFrame,
+    edges: Vec<RoundedEdge>,
+    /// Sizes of a whole cell.
+    pitch: [f64; 2],
+    half_count: usize,
+    /// y of the middle slice's centre.
+    middle: f64,
+    /// Slices to either side of the middle one.
+    reach: i32,
+    surface_ends: [bool; 2],
+    search_edges: bool,
+}
+
+type Places = [[f64; 2]; 2];
+
+/// A slice while slices are laid.
+#[derive(Default)]
+struct Laid {
+    cells: Vec<Cell>,
+    surface_ends: [bool; 2],
+    edges: Option<Edges>,
+    /// Places of its ridge.
+    places: Places,
+}
+
+impl Layer<'_> {
+    fn fill(&self, grid: &mut Grid, start: Places) {
+        // Upwards and downwards from the middle, each slice beginning where the one before ended; then sorted.
+        let mut found: Vec<(i32, Laid)> = Vec::new();
+        for direction in [1, -1] {
+            let mut guess = start;
+            let mut index: i32 = if direction > 0 { 0 } else { -1 };
+            loop {
+                let beyond = index.abs() > self.reach;
+                let oblique = beyond && self.surface_ends[usize::from(direction > 0)];
+                // A slice beyond the ridge's end holds what an oblique face leaves of it; two are plenty.
+                if beyond && (!oblique || index.abs() > self.reach + 2) {
+                    break;
+                }
+                let Some(laid) = self.slice(index, guess) else { break };
+                guess = laid.places;
+                let empty = laid.cells.is_empty();
+                found.push((index, laid));
+                if beyond && empty {
+                    break;
+                }
+                index += direction;
+            }
+        }
+        found.sort_by_key(|(index, ..)| *index);
+        for (index, laid) in found.into_iter().filter(|(_, laid)| !laid.cells.is_empty()) {
+            let Laid { cells, surface_ends, edges, .. } = laid;
+            let edges = edges.unwrap_or(Edges::parallel(ENDLESS, 0.0));
+            let first = grid.cells.len();
+            grid.cells.extend(cells);
+            let center = self.center(index);
+            let y = [center - 0.5 * self.pitch[1], center + 0.5 * self.pitch[1]];
+            grid.slices.push(Slice { y, cells: first..grid.cells.len(), surface_ends, edges });
+        }
+    }
+
+    fn center(&self, index: i32) -> f64 {
+        self.middle + f64::from(index) * self.pitch[1]
+    }
+
+    /// A slice, or `None` where the surfaces do not lie over each other.
+    fn slice(&self, index: i32, guess: Places) -> Option<Laid> {
+        let y = self.center(index);
+        let ridge = closest_across(&self.sheets, y, guess)?;
+        let places = ridge.places();
+        if ridge.end.is_some() && !self.search_edges {
+            return Some(Laid { places, ..Laid::default() });
+        }
+        let column = (ridge.at()[0] / self.pitch[0]).round();
+        let center = column * self.pitch[0];
+        let (bounds, surface_ends) = self.bounds(center, y, places);
+        let cut = self.is_cut(&bounds, y, places);
+        let mut cells = Vec::with_capacity(bounds.len());
+        let mut guess = places;
+        for x in bounds.windows(2) {
+            if let Some((cell, found)) = self.cell([x[0], x[1]], [y, ridge.at()[0]], cut, guess) {
+                guess = found;
+                cells.push(cell);
+            }
+        }
+        let edges = Some(self.edges_beside(y, ridge.at()[0], places));
+        Some(Laid { cells, surface_ends, edges, places })
+    }
+
+    /// Ends of the cells of a slice, and whether a surface ends it.
+    fn bounds(&self, center: f64, y: f64, places: Places) -> (Vec<f64>, [bool; 2]) {
+        let count = 2 * self.half_count + 1;
+        let half = 0.5 * count as f64 * self.pitch[0];
+        let mut range = [center - half, center + half];
+        let inside = |x: f64| {
+            (0..2).all(|side| {
+                let sheet = &self.sheets[side];
+                let across = sheet.roles[0];
+                let edge = self.edges.iter().find(|edge| edge.side == side && across == 0);
+                sheet.over([x, y], places[side]).is_some_and(|foot| {
+                    let [low, high] = sheet.range[across];
+                    let high = edge.map_or(high, |edge| edge.start.min(high));
+                    (low..=high).contains(&foot.place[across])
+                })
+            })
+        };
+        // From here on the grading towards an edge leaves cells as they are.
+        let clearance = 4.0 * self.pitch[0];
+        if inside(range[0])
+            && inside(range[1])
+            && self.edges.iter().all(|edge| self.is_far(edge, range, y, places, clearance))
+        {
+            let bounds =
+                (0..=count).map(|k| center + (k as f64 - 0.5 * count as f64) * self.pitch[0]).collect();
+            return (bounds, [false; 2]);
+        }
+        let edges: Vec<Edge> = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places)).collect();
+        for edge in &edges {
+            // Beyond an edge's start, or the ridge on it, half a grid of edge cells.
+            let side = if edge.towards > 0.0 { 1 } else { 0 };
+            let reach = 0.5 * count as f64 * edge.cell;
+            let limit = edge.towards * ((edge.towards * edge.x).max(edge.towards * center) + reach);
+            range[side] = edge.towards * (edge.towards * range[side]).min(edge.towards * limit);
+        }
+        let mut surface_ends = [false; 2];
+        if let Some([low, high]) = limits(&self.sheets, y, places) {
+            let cut =
+                |limit: Limit, outside: bool, end: usize, range: &mut [f64; 2], ends: &mut [bool; 2]| {
+                    if outside {
+                        range[end] = limit.x;
+                        ends[end] = true;
+                    }
+                };
+            let (below, above) = (low.x > range[0], high.x < range[1]);
+            cut(low, below, 0, &mut range, &mut surface_ends);
+            cut(high, above, 1, &mut range, &mut surface_ends);
+        }
+        let bounds = if range[1] > range[0] { cell_bounds(range, self.pitch[0], &edges) } else { Vec::new() };
+        (bounds, surface_ends)
+    }
+
+    /// Edges beside a slice at `y` whose ridge is at `closest`.
+    fn edges_beside(&self, y: f64, closest: f64, places: Places) -> Edges {
+        let ends = self.flank_ends(y, places);
+        let both = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
+        let nearest = both.into_iter().fold(ends, |[low, high], [from, to]| [low.max(from), high.min(to)]);
+        Edges { ends, nearest, closest }
+    }
+
+    /// Where the first flank ends at low and at high x of the slice at `y`.
+    fn flank_ends(&self, y: f64, places: Places) -> FlankEnds {
+        let surfaces = limits(&self.sheets, y, places).map_or(ENDLESS, |[low, high]| [low.x, high.x]);
+        let edges = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places));
+        edges.fold(surfaces, |[low, high], edge| match edge.towards > 0.0 {
+            true => [low, high.min(edge.x)],
+            false => [low.max(edge.x), high],
+        })
+    }
+
+    /// Where an edge starts on the tangent plane at `y`.
+    fn edge_at(&self, edge: &RoundedEdge, y: f64, places: Places) -> Option<Edge> {
+        let sheet = &self.sheets[edge.side];
+        if sheet.roles[0] != 0 {
+            return None;
+        }
+        let foot = sheet.on_line(0, edge.start, 1, y, places[edge.side][1])?;
+        Some(Edge { x: foot.at[0], towards: sheet.sense(0, &foot), cell: self.pitch[0] * edge.ratio })
+    }
+
+    /// Whether an edge is too far from a slice to be seen in its cells.
+    fn is_far(&self, edge: &RoundedEdge, range: [f64; 2], y: f64, places: Places, clearance: f64) -> bool {
+        self.edge_at(edge, y, places).is_none_or(|at| {
+            if at.towards > 0.0 { at.x > range[1] + clearance } else { at.x < range[0] - clearance }
+        })
+    }
+
+    /// Whether a face may end a cell of the slice at `y` before or beyond its own end.
+    fn is_cut(&self, bounds: &[f64], y: f64, places: Places) -> bool {
+        let (Some(&first), Some(&last)) = (bounds.first(), bounds.last()) else { return false };
+        if self.surface_ends == [false; 2] {
+            return false;
+        }
+        let reach = (0.5 + LEAST_PART) * self.pitch[1];
+        [first, last].iter().any(|&x| {
+            ends_along(&self.sheets, x, places).is_none_or(|[low, high]| low > y - reach || high < y + reach)
+        })
+    }
+
+    /// The cell over `x` of the slice at `y` whose ridge is at `ridge`, `cut` to the faces or not; and places over its centre.
+    fn cell(&self, x: [f64; 2], [y, ridge]: [f64; 2], cut: bool, guess: Places) -> Option<(Cell, Places)> {
+        let middle = 0.5 * (x[0] + x[1]);
+        let slice = [y - 0.5 * self.pitch[1], y + 0.5 * self.pitch[1]];
+        let ends = if cut { self.cut_ends(middle, slice, guess)? } else { slice };
+        let center = [middle, 0.5 * (ends[0] + ends[1])];
+        let size = [x[1] - x[0], ends[1] - ends[0]];
+        let feet = [self.sheets[0].over(center, guess[0])?, self.sheets[1].over(center, guess[1])?];
+        let places = feet.map(|foot| foot.place);
+        let own = feet[1].height - feet[0].height;
+        let mut gap = 0.0;
+        for (a, weight_a) in ACROSS {
+            for b in ALONG {
+                let at = [center[0] + 0.5 * a * size[0], center[1] + 0.5 * b * size[1]];
+                let there = |side: usize| self.sheets[side].height_near(&feet[side], at);
+                let separation = there(1).zip(there(0)).map_or(own, |(second, first)| second - first);
+                gap += weight_a / ALONG.len() as f64 * separation;
+            }
+        }
+        let ridge = match ends == slice {
+            true => ridge,
+            false => closest_across(&self.sheets, center[1], places)?.at()[0],
+        };
+        let edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
+        let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
+        let point = self.frame.at([self.snapped(ridge), center[1]]);
+        Some((Cell { center, size, places, axial, gap, point, edge }, places))
+    }
+
+    /// Ends along the ridge of a cell at `x` of a slice: its faces' where they are near; `None` where its neighbour takes it in.
+    fn cut_ends(&self, x: f64, slice: [f64; 2], guess: Places) -> Option<[f64; 2]> {
+        let mut ends = slice;
+        let faces = ends_along(&self.sheets, x, guess)?;
+        let part = LEAST_PART * self.pitch[1];
+        if self.surface_ends[0] {
+            if faces[0] > slice[1] - part {
+                return None;
+            }
+            // What lies below belongs to the slice below, if that keeps enough of it.
+            if faces[0] > slice[0] - part {
+                ends[0] = faces[0];
+            }
+        }
+        if self.surface_ends[1] {
+            if faces[1] < slice[0] + part {
+                return None;
+            }
+            if faces[1] < slice[1] + part {
+                ends[1] = faces[1];
+            }
+        }
+        Some(ends)
+    }
+
+    /// x of the ridge without its rounding.
+    fn snapped(&self, x: f64) -> f64 {
+        if x.abs() < 1e-9 * self.pitch[0] { 0.0 } else { x }
+    }
+}
+
+/// Gauss's rules on -1 .. 1: three points with weights of sum 1 across, exact for surfaces of fifth degree, and two along.
+const ACROSS: [(f64, f64); 3] =
+    [(-0.774_596_669_241_483_4, 5.0 / 18.0), (0.0, 8.0 / 18.0), (0.774_596_669_241_483_4, 5.0 / 18.0)];
+const ALONG: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];

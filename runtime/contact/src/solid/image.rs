@@ -1,0 +1,299 @@
+//! Images of cells in free side faces.
+//!
+//! Where a face stands upright on the patch across its length, as on spur gears, an image lies in the patch's own plane, and all is in
+//! closed form. Elsewhere it is tilted: then the potential of the image is exact and its average is taken by quadrature.
+
+use super::grid::Cell;
+use super::half_space::{mean_inverse_distance, rectangle_potential};
+use super::placement::{PatchFrame, Pose};
+use calyx_numerics::vec3::{Vector, cross, dot, length, minus, plus, scaled};
+use calyx_structure::solid::Mirror;
+
+/// A mirror in the coordinates of the ground, and by how much its images lower a surface: `1 / (pi E')`, summed over the bodies whose
+/// face it is.
+#[derive(Clone, Copy, Debug)]
+pub struct PlacedMirror {
+    point: Vector,
+    normal: Vector,
+    pub softness: f64,
+}
+
+/// Mirrors whose normals and places differ by less than this, relative to the patch, are one.
+const SAME: f64 = 1e-12;
+
+impl PlacedMirror {
+    pub fn new(mirror: &Mirror, pose: &Pose, softness: f64) -> Self {
+        Self { point: pose.point(mirror.point), normal: pose.direction(mirror.normal), softness }
+    }
+
+    /// Whether both are one plane, seen from about `place`.
+    pub fn is_same(&self, other: &PlacedMirror, place: Vector) -> bool {
+        let sign = dot(self.normal, other.normal).signum();
+        let turn = length(minus(self.normal, scaled(other.normal, sign)));
+        let own = self.height(place);
+        turn <= SAME && (own - other.height(place) * sign).abs() <= SAME * (own.abs() + length(place))
+    }
+
+    fn height(&self, point: Vector) -> f64 {
+        dot(minus(point, self.point), self.normal)
+    }
+
+    fn turned(&self, direction: Vector) -> Vector {
+        minus(direction, scaled(self.normal, 2.0 * dot(direction, self.normal)))
+    }
+}
+
+/// The images of a patch's cells in one mirror.
+pub struct Images<'a> {
+    mirror: PlacedMirror,
+    frame: &'a PatchFrame,
+    /// Sides of images, as unit vectors.
+    axes: [Vector; 2],
+    /// y of the mirror, where it stands upright on the patch along its length.
+    upright: Option<f64>,
+    /// Whether cells of different x at the same y are equally far from it.
+    pub is_level: bool,
+}
+
+impl<'a> Images<'a> {
+    pub fn new(mirror: PlacedMirror, frame: &'a PatchFrame) -> Self {
+        let along = dot(mirror.normal, frame.along);
+        let upright = (along.abs() >= 1.0 - SAME).then(|| -mirror.height(frame.point) / along);
+        let is_level = dot(mirror.normal, frame.across).abs() <= SAME;
+        let axes = [frame.across, frame.along].map(|axis| mirror.turned(axis));
+        Self { mirror, frame, axes, upright, is_level }
+    }
+
+    /// Whether images lie in the patch's plane: then a cell sees another's image by their x and the sum of their distances from the mirror.
+    pub fn is_upright(&self) -> bool {
+        self.upright.is_some()
+    }
+
+    /// By how much images lower a surface per 1/r.
+    pub fn softness(&self) -> f64 {
+        self.mirror.softness
+    }
+
+    /// Average of 1/r between the points of a cell and of another's image, 1/m; the same with the cells exchanged, in the first case bit
+    /// for bit.
+    pub fn mean_inverse_distance(&self, observe: &Cell, load: &Cell) -> f64 {
+        if let Some(y) = self.upright {
+            let halves = [observe, load].map(|cell| cell.size.map(|size| 0.5 * size));
+            let offset = [observe.center[0] - load.center[0], (observe.center[1] - y) + (load.center[1] - y)];
+            return mean_inverse_distance(offset, halves[0], halves[1]);
+        }
+        self.panel(observe).mean_inverse_distance(&self.image(load))
+    }
+
+    fn panel(&self, cell: &Cell) -> Panel {
+        let frame = self.frame;
+        Panel::new(frame.at(cell.center), [frame.across, frame.along], cell.size.map(|size| 0.5 * size))
+    }
+
+    fn image(&self, cell: &Cell) -> Panel {
+        let center = self.frame.at(cell.center);
+        let image = minus(center, scaled(self.mirror.normal, 2.0 * self.mirror.height(center)));
+        Panel::new(image, self.axes, cell.size.map(|size| 0.5 * size))
+    }
+}
+
+/// A cell as a rectangle in space.
+#[derive(Clone, Copy, Debug)]
+struct Panel {
+    center: Vector,
+    /// Unit vectors of its sides and their cross product.
+    axes: [Vector; 3],
+    /// Half the lengths of its sides, m.
+    half: [f64; 2],
+}
+
+/// Gauss's rules on -1 .. 1, weights of sum 1, each with the part that half a side may be of the distance from what is seen: an average of 1/r by `n`
+/// points is then within 1e-6, for the `2n`-th derivative of 1/r is at most `(2n)! / r^(2n + 1)`.
+const RULES: [(f64, &[(f64, f64)]); 4] = [
+    (1.7e-3, &[(0.0, 1.0)]),
+    (0.057, &[(-0.577_350_269_189_625_8, 0.5), (0.577_350_269_189_625_8, 0.5)]),
+    (
+        0.18,
+        &[(-0.774_596_669_241_483_4, 5.0 / 18.0), (0.0, 4.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 18.0)],
+    ),
+    (
+        1.0 / 3.0,
+        &[
+            (-0.861_136_311_594_052_6, 0.173_927_422_568_726_93),
+            (-0.339_981_043_584_856_3, 0.326_072_577_431_273_07),
+            (0.339_981_043_584_856_3, 0.326_072_577_431_273_07),
+            (0.861_136_311_594_052_6, 0.173_927_422_568_726_93),
+        ],
+    ),
+];
+/// From this many reaches (the sum of both halves of the long sides) on, points stand for panels.
+const FAR: f64 = 2.0;
+/// Distance, in halves of the long side, from which points see the potential of an image.
+const NEAR: f64 = 3.0;
+/// Halvings of an observing panel: where image and panel touch, the potential is continuous and only its slope is singular, so each leaves a quarter of the
+/// error; of these 1e-6.
+const HALVINGS: u32 = 9;
+
+/// Points of a product rule, with their weights: the first so many of them.
+struct Points([(Vector, f64); 16], usize);
+
+impl Points {
+    fn iter(&self) -> impl Iterator<Item = &(Vector, f64)> {
+        self.0[..self.1].iter()
+    }
+}
+
+impl Panel {
+    fn new(center: Vector, [across, along]: [Vector; 2], half: [f64; 2]) -> Self {
+        Self { center, axes: [across, along, cross(across, along)], half }
+    }
+
+    fn longer(&self) -> usize {
+        usize::from(self.half[1] > self.half[0])
+    }
+
+    fn radius(&self) -> f64 {
+        self.half[0].hypot(self.half[1])
+    }
+
+    /// Points that see 1/r well from a distance.
+    fn points(&self, distance: f64) -> Points {
+        let rule = |k: usize| -> &'static [(f64, f64)] {
+            let part = self.half[k] / distance.max(0.0);
+            let enough = RULES.iter().find(|&&(most, _)| part <= most);
+            enough.map_or(RULES[RULES.len() - 1].1, |&(_, rule)| rule)
+        };
+        let (rules, sides) = ([rule(0), rule(1)], [0, 1].map(|k| scaled(self.axes[k], self.half[k])));
+        let mut points = Points([([0.0; 3], 0.0); 16], 0);
+        for &(u, weight_u) in rules[0] {
+            let row = plus(self.center, scaled(sides[0], u));
+            for &(v, weight_v) in rules[1] {
+                points.0[points.1] = (plus(row, scaled(sides[1], v)), weight_u * weight_v);
+                points.1 += 1;
+            }
+        }
+        points
+    }
+
+    /// Average of 1/r between the points of both, to some 1e-6: points stand for both where they are far from each other; else the
+    /// image's potential is exact and observed on pieces that are the smaller the nearer they lie to it.
+    fn mean_inverse_distance(&self, image: &Panel) -> f64 {
+        let distance = length(minus(self.center, image.center));
+        let [own, others] = [self, image].map(|panel| panel.half[panel.longer()]);
+        if distance < FAR * (own + others) {
+            return self.near(image, HALVINGS);
+        }
+        let others = image.points(distance - own);
+        let seen = |&(point, weight): &(Vector, f64)| {
+            let of = |&(other, weight): &(Vector, f64)| weight / length(minus(point, other));
+            weight * others.iter().map(of).sum::<f64>()
+        };
+        self.points(distance - image.half[image.longer()]).iter().map(seen).sum()
+    }
+
+    fn near(&self, image: &Panel, halvings: u32) -> f64 {
+        let longer = self.longer();
+        let apart = length(minus(self.center, image.center)) - image.radius();
+        if halvings > 0 && apart < NEAR * self.half[longer] {
+            let mut part = *self;
+            part.half[longer] *= 0.5;
+            let shift = scaled(self.axes[longer], part.half[longer]);
+            let halves = [minus(self.center, shift), plus(self.center, shift)];
+            return halves
+                .map(|center| 0.5 * Panel { center, ..part }.near(image, halvings - 1))
+                .iter()
+                .sum();
+        }
+        let area = 4.0 * image.half[0] * image.half[1];
+        self.points(apart)
+            .iter()
+            .map(|&(point, weight)| {
+                let from = minus(point, image.center);
+                weight * rectangle_potential(image.half, image.axes.map(|axis| dot(from, axis))) / area
+            })
+            .sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
+        let places = [[0.0; 2]; 2];
+        Cell { center, size, places, axial: [size[1]; 2], gap: 0.0, point: [0.0; 3], edge: false }
+    }
+
+    const FRAME: PatchFrame = PatchFrame {
+        point: [0.1, 0.2, 0.3],
+        normal: [0.0, 0.0, 1.0],
+        across: [1.0, 0.0, 0.0],
+        along: [0.0, 1.0, 0.0],
+    };
+
+    /// A face at y = 2 that leans towards the patch's normal.
+    fn face(lean: f64) -> PlacedMirror {
+        PlacedMirror { point: [0.0, 2.2, 0.3], normal: [0.0, lean.cos(), lean.sin()], softness: 1.0 }
+    }
+
+    #[test]
+    fn images_are_seen_alike_from_either_side() {
+        let images = Images::new(face(0.4), &FRAME);
+        let cells = [
+            cell([0.0, 1.5], [0.02, 1.0]),
+            cell([0.03, 1.4], [0.01, 1.2]),
+            cell([0.5, -7.0], [0.4, 0.5]),
+            cell([0.0, 0.5], [0.02, 1.0]),
+        ];
+        for one in &cells {
+            for other in &cells {
+                let [there, back] =
+                    [(one, other), (other, one)].map(|(a, b)| images.mean_inverse_distance(a, b));
+                assert!((there / back - 1.0).abs() < 1e-6, "{one:?} {other:?}: {there} {back}");
+            }
+        }
+    }
+
+    /// Near and far, narrow and square: against the exact potential on many pieces.
+    #[test]
+    fn few_points_are_enough() {
+        let images = Images::new(face(0.4), &FRAME);
+        let load = cell([0.0, 1.4], [0.02, 0.5]);
+        let others = [1.3, 0.7, 0.1, -0.9, -3.5, -20.0];
+        for (y, size) in others.into_iter().flat_map(|y| [[0.02, 0.5], [0.3, 0.4]].map(|size| (y, size))) {
+            let pieces = 40;
+            let piece = |k: usize| {
+                let along = y + size[1] * ((k as f64 + 0.5) / pieces as f64 - 0.5);
+                cell([0.3, along], [size[0], size[1] / pieces as f64])
+            };
+            let exact = |k: usize| images.panel(&piece(k)).near(&images.image(&load), 2) / pieces as f64;
+            let exact: f64 = (0..pieces).map(exact).sum();
+            let found = images.mean_inverse_distance(&cell([0.3, y], size), &load);
+            assert!((found / exact - 1.0).abs() < 2e-6, "{y} {size:?}: {found:e} {exact:e}");
+        }
+    }
+
+    #[test]
+    fn nearly_upright_faces_are_like_upright_ones() {
+        let (upright, leaning) = (Images::new(face(0.0), &FRAME), Images::new(face(1e-5), &FRAME));
+        assert!(upright.upright.is_some() && leaning.upright.is_none() && leaning.is_level);
+        for (one, other) in [
+            (cell([0.0, 1.5], [0.02, 1.0]), cell([0.0, 1.5], [0.02, 1.0])),
+            (cell([0.1, 1.5], [0.02, 1.0]), cell([0.0, 0.4], [0.03, 1.0])),
+            (cell([0.1, -9.5], [0.02, 1.0]), cell([0.0, 0.4], [0.03, 1.0])),
+        ] {
+            let ratio =
+                upright.mean_inverse_distance(&one, &other) / leaning.mean_inverse_distance(&one, &other);
+            assert!((ratio - 1.0).abs() < 1e-5, "{ratio}");
+        }
+    }
+
+    #[test]
+    fn faces_of_both_bodies_in_one_plane_are_one() {
+        let opposite = PlacedMirror { point: [5.0, 2.2, 0.3], normal: [0.0, -1.0, 0.0], softness: 2.0 };
+        assert!(face(0.0).is_same(&opposite, FRAME.point));
+        assert!(!face(1e-6).is_same(&opposite, FRAME.point));
+        let shifted = PlacedMirror { point: [5.0, 2.2001, 0.3], ..opposite };
+        assert!(!face(0.0).is_same(&shifted, FRAME.point));
+    }
+}

@@ -1,0 +1,216 @@
+//! What the pressures of a patch say: their peak, the extent of the loaded part, and whether the grid suits it.
+//!
+//! Across each slice and along the slices' peaks the square of the pressure is nearly a parabola, as in the plane.
+
+use super::grid::{Cell, Grid, Slice};
+use crate::grid::{LEAST_LOADED_CELLS, MARGIN};
+use crate::pressure::{self, zeros_of_squared_pressure};
+use crate::zone::Zone;
+
+/// Pressure in each cell (Pa) for cell forces (N).
+pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
+    cells.iter().zip(forces).map(|(cell, force)| force / cell.area()).collect()
+}
+
+/// Largest pressure of a patch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// Pa.
+    pub pressure: f64,
+    /// Where, x and y in the patch's frame, m.
+    pub at: [f64; 2],
+    /// The loaded cell nearest to it.
+    pub cell: usize,
+}
+
+/// Of one slice: its cells' ends across, and their pressures.
+fn strip(grid: &Grid, pressures: &[f64], slice: usize) -> (Vec<[f64; 2]>, Vec<f64>) {
+    let cells = grid.slices[slice].cells.clone();
+    (grid.cells[cells.clone()].iter().map(|cell| cell.ends(0)).collect(), pressures[cells].to_vec())
+}
+
+/// The peak of a slice that carries no load.
+const NONE: pressure::Peak = pressure::Peak { pressure: 0.0, x: 0.0, cell: 0 };
+
+/// The peak of each slice, Pa; 0 where none of it is loaded.
+fn slice_peaks(grid: &Grid, pressures: &[f64]) -> Vec<pressure::Peak> {
+    (0..grid.slices.len())
+        .map(|slice| {
+            let (cells, pressures) = strip(grid, pressures, slice);
+            pressure::peak(&cells, &pressures).unwrap_or(NONE)
+        })
+        .collect()
+}
+
+/// The largest pressure of each slice in a zone, Pa; 0 where none of it is loaded. Cells are counted within the slice.
+pub fn slice_peaks_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Vec<pressure::Peak> {
+    let half_width = half_width(grid, pressures);
+    (0..grid.slices.len())
+        .map(|slice| {
+            let (cells, pressures) = strip(grid, pressures, slice);
+            zone.peak(&cells, &pressures, &grid.slices[slice].edges, half_width).unwrap_or(NONE)
+        })
+        .collect()
+}
+
+/// Hertzian half-width of the patch, m: of the line loads of its slices, averaged by the forces that they carry.
+fn half_width(grid: &Grid, pressures: &[f64]) -> f64 {
+    let force = |cell: usize| pressures[cell] * grid.cells[cell].area();
+    let (mut sum, mut by_load) = (0.0, 0.0);
+    for slice in &grid.slices {
+        let own: f64 = slice.cells.clone().map(force).sum();
+        sum += own;
+        by_load += own * own / (slice.y[1] - slice.y[0]);
+    }
+    if sum > 0.0 { grid.unit_half_width * (by_load / sum).sqrt() } else { 0.0 }
+}
+
+/// Ends along the ridge of each slice, m.
+fn lengths(grid: &Grid) -> Vec<[f64; 2]> {
+    grid.slices.iter().map(|slice| slice.y).collect()
+}
+
+/// The peak pressure, between cells and slices; `None` if no cell is loaded. `pressures` in Pa, one a cell.
+pub fn peak(grid: &Grid, pressures: &[f64]) -> Option<Peak> {
+    along(grid, &slice_peaks(grid, pressures))
+}
+
+/// The largest pressure of a zone. Side faces are no edges: every patch reaches them.
+pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
+    let peaks = slice_peaks_in(grid, pressures, zone);
+    let half_width = half_width(grid, pressures);
+    // Where an edge cuts slices off, and within the edge zone, the largest pressures of the slices do not lie on a parabola.
+    let mut whole = peaks.clone();
+    let mut largest_cut: Option<usize> = None;
+    for index in 0..peaks.len() {
+        let (cells, own) = strip(grid, pressures, index);
+        if zone == Zone::Edge || grid.slices[index].edges.reached(&cells, &own, half_width) {
+            whole[index] = NONE;
+            let larger = |other: usize| peaks[index].pressure > peaks[other].pressure;
+            largest_cut = if largest_cut.is_none_or(larger) { Some(index) } else { largest_cut };
+        }
+    }
+    let found = along(grid, &whole);
+    let cut = largest_cut.map(|index| {
+        let pressure::Peak { pressure, x, cell } = peaks[index];
+        let Slice { y, cells, .. } = &grid.slices[index];
+        Peak { pressure, at: [x, 0.5 * (y[0] + y[1])], cell: cells.start + cell }
+    });
+    let cut = cut.filter(|peak| peak.pressure > found.map_or(0.0, |found| found.pressure));
+    cut.or(found)
+}
+
+/// The largest of slices' peaks.
+fn along(grid: &Grid, peaks: &[pressure::Peak]) -> Option<Peak> {
+    let values: Vec<f64> = peaks.iter().map(|peak| peak.pressure).collect();
+    let found = pressure::peak(&lengths(grid), &values)?;
+    let own = &peaks[found.cell];
+    Some(Peak {
+        pressure: found.pressure,
+        at: [own.x, found.x],
+        cell: grid.slices[found.cell].cells.start + own.cell,
+    })
+}
+
+/// Half of the loaded part's extent across, at the slice of largest pressure, and along, m. `None` with fewer than five loaded cells
+/// either way, or where the squares of the pressures are no parabolas with two zeros.
+pub fn half_axes(grid: &Grid, pressures: &[f64]) -> Option<[f64; 2]> {
+    let peaks: Vec<f64> = slice_peaks(grid, pressures).iter().map(|peak| peak.pressure).collect();
+    let largest = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j]).then(j.cmp(&i)))?;
+    let (cells, own) = strip(grid, pressures, largest);
+    Some([pressure::half_width(&cells, &own)?, pressure::half_width(&lengths(grid), &peaks)?])
+}
+
+/// What a solution says about its grid (report figures 3.40 to 3.42).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridReport {
+    /// Cells that carry force.
+    pub loaded_cells: usize,
+    /// Across and along: an outermost cell is loaded although the surfaces go on. Pressures are too high.
+    pub truncated: [bool; 2],
+    /// Across and along: fewer than five cells, or slices, are loaded: the pressure has no shape.
+    pub under_resolved: [bool; 2],
+    /// A better width and a better length (m), for the same M and N.
+    pub recommended: [Option<f64>; 2],
+}
+
+/// Judges a grid by the pressures (Pa) found on it.
+pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
+    let loaded_cells = pressures.iter().filter(|&&p| p > 0.0).count();
+    let peaks: Vec<f64> = slice_peaks(grid, pressures).iter().map(|peak| peak.pressure).collect();
+    let mut report = GridReport {
+        loaded_cells,
+        truncated: [false; 2],
+        under_resolved: [false; 2],
+        recommended: [None; 2],
+    };
+    if loaded_cells == 0 {
+        return report;
+    }
+    let mut most_loaded = 0;
+    let mut width = None;
+    for (index, slice) in grid.slices.iter().enumerate() {
+        let (cells, own) = strip(grid, pressures, index);
+        // Widths are counted from the middle of the slice.
+        let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
+        let cells: Vec<[f64; 2]> = cells.iter().map(|cell| cell.map(|x| x - middle)).collect();
+        let judged = judge(&cells, &own, slice.surface_ends, grid.extent[0]);
+        report.truncated[0] |= judged.truncated;
+        most_loaded = most_loaded.max(own.iter().filter(|&&p| p > 0.0).count());
+        if judged.truncated {
+            width = Some(width.map_or(judged.recommended, |w: f64| w.max(judged.recommended)));
+        }
+    }
+    let largest = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j]).then(j.cmp(&i)));
+    let available = largest.map_or(0, |slice| grid.slices[slice].cells.len());
+    if width.is_none() && most_loaded < LEAST_LOADED_CELLS.min(available) {
+        report.under_resolved[0] = true;
+        let farthest = largest.map(|slice| {
+            let (cells, own) = strip(grid, pressures, slice);
+            let loaded: Vec<f64> =
+                cells.iter().zip(&own).filter(|&(_, &p)| p > 0.0).flat_map(|(cell, _)| *cell).collect();
+            let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
+            loaded.iter().map(|x| (x - middle).abs()).fold(0.0, f64::max)
+        });
+        width = farthest.map(|farthest| (2.0 * MARGIN * farthest).min(0.5 * grid.extent[0]));
+    }
+    report.recommended[0] = width;
+    let along = judge(&lengths(grid), &peaks, grid.surface_ends, grid.extent[1]);
+    report.truncated[1] = along.truncated;
+    report.under_resolved[1] = along.under_resolved;
+    if along.truncated || along.under_resolved {
+        report.recommended[1] = Some(along.recommended);
+    }
+    report
+}
+
+struct Judgement {
+    truncated: bool,
+    under_resolved: bool,
+    /// A better extent, if either.
+    recommended: f64,
+}
+
+/// Of pieces measured from the middle of what they should cover, with their pressures.
+fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent: f64) -> Judgement {
+    let loaded = |p: Option<&f64>| p.is_some_and(|&p| p > 0.0);
+    let truncated =
+        (loaded(pressures.first()) && !surface_ends[0]) || (loaded(pressures.last()) && !surface_ends[1]);
+    let count = pressures.iter().filter(|&&p| p > 0.0).count();
+    let reach = pieces.iter().zip(pressures).filter(|&(_, &p)| p > 0.0);
+    let reach = reach.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
+    // What is loaded at one end alone stays within a grid of the same middle only if that reaches as far.
+    let smaller = 2.0 * MARGIN * reach;
+    let few = count > 0 && count < LEAST_LOADED_CELLS.min(pieces.len());
+    let under_resolved = !truncated && few && smaller < extent;
+    let recommended = if truncated {
+        // Where p² would reach zero, if that is outside; else the cut is too deep to tell.
+        zeros_of_squared_pressure(pieces, pressures)
+            .map(|zeros| 2.0 * MARGIN * zeros[0].abs().max(zeros[1].abs()))
+            .filter(|&w| w > 1.1 * extent)
+            .unwrap_or(2.0 * extent)
+    } else {
+        smaller
+    };
+    Judgement { truncated, under_resolved, recommended }
+}

@@ -1,0 +1,444 @@
+//! The ridge of two surfaces: for each place along the patch, the place across it where they come closest.
+//!
+//! Gaps are measured along the normal of one frame, at whose point the surfaces come closest of all; there their normals are
+//! opposite (unless a surface ends first). Where the gap is the same along a line, as of aligned involute helicoids, which touch
+//! along a straight generator and have one tangent plane all along it, the frame stands in the middle of that line. y runs along the
+//! ridge: its direction is that of the line, or the direction of least relative curvature.
+//!
+//! Samples of both surfaces tell where to begin. Then frame and ridge improve each other: across the patch the slope of the gap
+//! grows steadily, so its zero is bracketed and found to rounding; along it, the least gap is sought among places of the ridge.
+
+use super::across::{Closest, closest_across};
+use super::placement::{PatchFrame, PlacedSurface};
+use super::sheet::Sheet;
+use calyx_numerics::vec3::{Vector, dot, length, minus, plus, scaled, unit};
+
+/// A place of the ridge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RidgePoint {
+    /// x and y in the frame, m.
+    pub at: [f64; 2],
+    /// Along the frame's normal, m; negative where the bodies overlap.
+    pub gap: f64,
+    /// Whether either surface is on its rounded edge here.
+    pub on_edge: bool,
+    /// Whether a surface ends here before the gap is least.
+    pub at_end: bool,
+}
+
+/// Where two surfaces come closest, all along the patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ridge {
+    /// At the closest approach.
+    pub frame: PatchFrame,
+    /// The least gap, along the common normal, m; negative where the bodies overlap.
+    pub gap: f64,
+    /// Coordinates of the closest approach on either surface.
+    pub places: [[f64; 2]; 2],
+    /// Whether it lies on the surface's rounded edge.
+    pub on_edge: [bool; 2],
+    /// Whether a surface ends there, as no place within has a normal opposite to the other's.
+    pub at_end: bool,
+    /// Places of the ridge, ascending in y, from end to end.
+    pub points: Vec<RidgePoint>,
+}
+
+impl Ridge {
+    /// Whether a place of the first surface belongs to the ridge's valley: it lies beside the ridge, nearer than the ridge is long by far.
+    fn passes(&self, position: Vector) -> bool {
+        let [x, y, _] = self.frame.coordinates(position);
+        let [low, high] = self.extent();
+        let beside = self.points.iter().min_by(|a, b| (a.at[1] - y).abs().total_cmp(&(b.at[1] - y).abs()));
+        beside.is_some_and(|point| (point.at[0] - x).abs() < BESIDE * (high - low))
+    }
+
+    /// y where it begins and ends, because a surface does, m.
+    pub fn extent(&self) -> [f64; 2] {
+        match (self.points.first(), self.points.last()) {
+            (Some(first), Some(last)) => [first.at[1], last.at[1]],
+            _ => [0.0; 2],
+        }
+    }
+}
+
+/// Samples of each smooth piece of a surface along u, and of the whole along v.
+const SAMPLES: [usize; 2] = [8, 6];
+/// Part of a ridge's length within which samples beside it lead to it again.
+const BESIDE: f64 = 0.1;
+/// Places of a ridge, from end to end.
+const STATIONS: usize = 17;
+/// How often frame and ridge improve each other.
+const ROUNDS: usize = 12;
+/// Gaps that differ by less than this part of the patch's length are the same: rounding.
+const SAME_GAP: f64 = 1e-12;
+/// The ridge's direction is taken where the gap is within this part of the patch's length of the least.
+const DIRECTION_DEPTH: f64 = 1e-3;
+/// Of a flank and its edge that meet at the least gap, the other one's direction is taken where it is near over so many times the length.
+const PASSES_INTO: f64 = 4.0;
+/// Frame and ridge agree when the next frame would be shifted (relative to the patch's length) and turned by less than this.
+const SETTLED: f64 = 1e-14;
+/// Principal curvatures that differ by less than this part of their sum are the same.
+const ROUND: f64 = 1e-6;
+/// Step of a numerical derivative, relative to a surface's extent.
+const DIFFERENCE: f64 = 1e-4;
+
+/// The ridge of two surfaces, or `None` if they do not face each other anywhere.
+///
+/// With `search_edges` the whole surfaces are searched, and where one ends before the gap is least, its end counts. Without, only
+/// contact below rounded edges counts.
+pub fn find_ridge(first: PlacedSurface, second: PlacedSurface, search_edges: bool) -> Option<Ridge> {
+    let mut best: Option<Ridge> = None;
+    for start in starts([first, second], search_edges) {
+        if best.as_ref().is_some_and(|best| best.passes(first.at(start[0]).position)) {
+            continue;
+        }
+        let Some(ridge) = Search { placed: [first, second], search_edges }.settle(start) else { continue };
+        // Nearly the same gap is the same ridge, found again.
+        let reach = ridge.extent()[1] - ridge.extent()[0];
+        if best.as_ref().is_none_or(|best| ridge.gap < best.gap - SAME_GAP * reach) {
+            best = Some(ridge);
+        }
+    }
+    best
+}
+
+/// A pair of places, one on each surface.
+type Places = [[f64; 2]; 2];
+
+/// For each place along the first surface, the pair of samples that lie nearest to each other and face each other; the nearest pair
+/// first, and no two of one place of the second surface.
+fn starts(placed: [PlacedSurface; 2], search_edges: bool) -> Vec<Places> {
+    let samples = placed.map(|placed| samples(&placed, search_edges));
+    let mut nearest: Vec<(f64, Places)> = Vec::new();
+    for row in &samples[0] {
+        let mut best: Option<(f64, Places)> = None;
+        for (place, position, normal) in row {
+            for (other, other_position, other_normal) in samples[1].iter().flatten() {
+                if dot(*normal, *other_normal) >= 0.0 {
+                    continue;
+                }
+                let join = minus(*other_position, *position);
+                let distance = dot(join, join);
+                if best.is_none_or(|(least, _)| distance < least) {
+                    best = Some((distance, [*place, *other]));
+                }
+            }
+        }
+        nearest.extend(best);
+    }
+    nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // The nearest, and the one farthest from it along the surface: valleys of the gap are long, there are seldom two.
+    let count = nearest.len();
+    let chosen: Vec<Places> = nearest.into_iter().map(|(_, places)| places).collect();
+    match count {
+        0 | 1 => chosen,
+        _ => vec![chosen[0], chosen[count - 1]],
+    }
+}
+
+/// Samples in rows of one v: place, position and normal.
+fn samples(placed: &PlacedSurface, search_edges: bool) -> Vec<Vec<([f64; 2], Vector, Vector)>> {
+    let [u_range, v_range] = placed.range(search_edges);
+    let mut knots = vec![u_range[0]];
+    knots.extend(placed.surface.breaks().iter().copied().filter(|&u| u > u_range[0] && u < u_range[1]));
+    knots.push(u_range[1]);
+    let between = |ends: [f64; 2], k: usize, count: usize| {
+        ends[0] + (ends[1] - ends[0]) * (k as f64 + 0.5) / count as f64
+    };
+    (0..SAMPLES[1])
+        .map(|row| {
+            let v = between(v_range, row, SAMPLES[1]);
+            knots
+                .windows(2)
+                .flat_map(|piece| (0..SAMPLES[0]).map(move |k| between([piece[0], piece[1]], k, SAMPLES[0])))
+                .map(|u| {
+                    let point = placed.at([u, v]);
+                    ([u, v], point.position, point.normal)
+                })
+                .collect()
+        })
+        .collect()
+}
+
+struct Search<'a> {
+    placed: [PlacedSurface<'a>; 2],
+    search_edges: bool,
+}
+
+/// The ridge seen from one frame.
+struct Stations {
+    /// Ascending in y.
+    found: Vec<Closest>,
+    /// The one where the gap is least.
+    least: Closest,
+}
+
+impl<'a> Search<'a> {
+    /// Frame and ridge from a pair of places near each other, improved until they agree.
+    fn settle(&self, start: Places) -> Option<Ridge> {
+        let [first, second] = [0, 1].map(|side| self.placed[side].at(start[side]));
+        let tangent = first.tangents[0];
+        let normal = unit(minus(first.normal, second.normal));
+        let middle = scaled(plus(first.position, second.position), 0.5);
+        let frame = PatchFrame::new(middle, normal, tangent);
+        let mut frame = self.along_valley(frame, start);
+        let mut places = start;
+        for _ in 0..ROUNDS {
+            let sheets = self.sheets(frame, places);
+            let stations = self.stations(&sheets, places)?;
+            let next = self.improved(&frame, &stations);
+            let reach = stations.reach();
+            let shift = length(minus(next.point, frame.point)) / reach;
+            let turn = length(minus(next.normal, frame.normal)).max(length(minus(next.along, frame.along)));
+            frame = next;
+            places = stations.least.places();
+            if shift.max(turn) <= SETTLED {
+                break;
+            }
+        }
+        let sheets = self.sheets(frame, places);
+        let stations = self.stations(&sheets, places)?;
+        let on_edge = [0, 1].map(|side| self.placed[side].on_edge(places[side]));
+        let points = stations.found.iter().map(|closest| self.point(closest)).collect();
+        let center = closest_across(&sheets, 0.0, places)?;
+        Some(Ridge { frame, gap: center.gap(), places, on_edge, at_end: center.end.is_some(), points })
+    }
+
+    fn sheets(&self, frame: PatchFrame, places: Places) -> [Sheet<'a>; 2] {
+        [0, 1].map(|side| Sheet::new(self.placed[side], frame, places[side], self.search_edges))
+    }
+
+    fn point(&self, closest: &Closest) -> RidgePoint {
+        let places = closest.places();
+        let on_edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
+        RidgePoint { at: closest.at(), gap: closest.gap(), on_edge, at_end: closest.end.is_some() }
+    }
+
+    /// The frame with y turned into the direction of least relative curvature.
+    fn along_valley(&self, frame: PatchFrame, places: Places) -> PatchFrame {
+        let sheets = self.sheets(frame, places);
+        let Some([[xx, xy], [yx, yy]]) = relative_curvature(&sheets, places) else { return frame };
+        let skew = xy + yx;
+        // As good as round: any direction will do.
+        if skew.hypot(xx - yy) <= ROUND * (xx + yy).abs() {
+            return frame;
+        }
+        frame.turned(0.5 * skew.atan2(xx - yy))
+    }
+
+    /// Closest approaches from end to end.
+    fn stations(&self, sheets: &[Sheet; 2], places: Places) -> Option<Stations> {
+        let center = closest_across(sheets, 0.0, places)?;
+        let mut ends = ends_along(sheets, center.at()[0], center.places())?;
+        // A ridge that bends ends elsewhere than below its middle.
+        for _ in 0..2 {
+            for end in 0..2 {
+                if let Some(closest) = closest_across(sheets, ends[end], center.places()) {
+                    ends[end] = ends_along(sheets, closest.at()[0], closest.places())?[end];
+                }
+            }
+        }
+        let usable = |closest: &Closest| self.search_edges || closest.end.is_none();
+        let y = |station: usize| ends[0] + (ends[1] - ends[0]) * station as f64 / (STATIONS - 1) as f64;
+        let mut found: Vec<Closest> = Vec::with_capacity(STATIONS + 2);
+        // Upwards from the middle, then downwards, each beginning where the one before ended.
+        let middle = (0..STATIONS).find(|&station| y(station) >= center.at()[1]).unwrap_or(STATIONS);
+        let mut guess = center.places();
+        for station in middle..STATIONS {
+            let Some(closest) = closest_across(sheets, y(station), guess) else { break };
+            guess = closest.places();
+            found.push(closest);
+        }
+        found.reverse();
+        guess = center.places();
+        for station in (0..middle).rev() {
+            let Some(closest) = closest_across(sheets, y(station), guess) else { break };
+            guess = closest.places();
+            found.push(closest);
+        }
+        found.sort_by(|a, b| a.at()[1].total_cmp(&b.at()[1]));
+        let found = self.within_ends(sheets, found, usable);
+        let least = self.least(sheets, &found)?;
+        Some(Stations { found, least })
+    }
+
+    /// Of the places found, the longest stretch that is usable, with its ends sought between places.
+    fn within_ends(
+        &self,
+        sheets: &[Sheet; 2],
+        found: Vec<Closest>,
+        usable: impl Fn(&Closest) -> bool,
+    ) -> Vec<Closest> {
+        let mut best = 0..0;
+        let mut first = 0;
+        for last in 0..=found.len() {
+            if last == found.len() || !usable(&found[last]) {
+                if last - first > best.len() {
+                    best = first..last;
+                }
+                first = last + 1;
+            }
+        }
+        if best.len() == found.len() || best.is_empty() {
+            return found[best].to_vec();
+        }
+        let sought = |inside: Closest, outside: f64| {
+            let (mut kept, mut beyond) = (inside, outside);
+            for _ in 0..40 {
+                let middle = 0.5 * (kept.at()[1] + beyond);
+                match closest_across(sheets, middle, kept.places()).filter(&usable) {
+                    Some(closest) => kept = closest,
+                    None => beyond = middle,
+                }
+            }
+            kept
+        };
+        let mut stretch = Vec::with_capacity(best.len() + 2);
+        if best.start > 0 {
+            stretch.push(sought(found[best.start], found[best.start - 1].at()[1]));
+        }
+        stretch.extend_from_slice(&found[best.clone()]);
+        if best.end < found.len() {
+            stretch.push(sought(found[best.end - 1], found[best.end].at()[1]));
+        }
+        stretch
+    }
+
+    /// The place of the least gap; the middle of all where it is the same.
+    fn least(&self, sheets: &[Sheet; 2], found: &[Closest]) -> Option<Closest> {
+        let lowest = found.iter().map(Closest::gap).min_by(f64::total_cmp)?;
+        let reach = reach(found);
+        let same = |closest: &Closest| closest.gap() <= lowest + SAME_GAP * reach;
+        let first = found.iter().position(same)?;
+        let last = found.iter().rposition(same)?;
+        let guess = found[(first + last) / 2].places();
+        if first < last {
+            let y = 0.5 * (found[first].at()[1] + found[last].at()[1]);
+            return closest_across(sheets, y, guess).or(Some(found[first]));
+        }
+        // Between neighbours, where the gap's slope along the ridge changes its sign.
+        let slope = |closest: &Closest| closest.slope()[1];
+        let mut low = found[first.saturating_sub(1)];
+        let mut high = found[(first + 1).min(found.len() - 1)];
+        let mut middle = found[first];
+        if (first == 0 && slope(&middle) >= 0.0) || (first + 1 == found.len() && slope(&middle) <= 0.0) {
+            return Some(middle);
+        }
+        for round in 0..60 {
+            if slope(&middle) == 0.0 {
+                break;
+            }
+            if slope(&middle) > 0.0 {
+                high = middle
+            } else {
+                low = middle
+            }
+            let [a, b] = [low.at()[1], high.at()[1]];
+            let secant = a - slope(&low) * (b - a) / (slope(&high) - slope(&low));
+            let inside = round % 3 != 2 && secant > a && secant < b;
+            let y = if inside { secant } else { 0.5 * (a + b) };
+            if (b - a).abs() <= 4.0 * f64::EPSILON * reach {
+                break;
+            }
+            let Some(closest) = closest_across(sheets, y, middle.places()) else { break };
+            let moved = (closest.at()[1] - middle.at()[1]).abs();
+            middle = closest;
+            if moved <= 4.0 * f64::EPSILON * reach {
+                break;
+            }
+        }
+        Some(middle)
+    }
+
+    /// The frame at the least gap, with y along the ridge.
+    fn improved(&self, frame: &PatchFrame, stations: &Stations) -> PatchFrame {
+        let least = &stations.least;
+        let places = least.places();
+        let [first, second] = [0, 1].map(|side| self.placed[side].at(places[side]));
+        let normal = match least.end {
+            // The end of one surface has no tangent plane; it presses along the other's normal.
+            Some(0) => scaled(second.normal, -1.0),
+            Some(_) => first.normal,
+            None => unit(minus(first.normal, second.normal)),
+        };
+        let middle = scaled(plus(first.position, second.position), 0.5);
+        let upright = PatchFrame::new(middle, normal, frame.across);
+        // Where edges are not searched, surfaces end where these begin, and rounding may say that the last place is on one.
+        let on_edge = |closest: &Closest| self.search_edges && self.point(closest).on_edge;
+        match stations.direction(|closest| on_edge(closest) || closest.end.is_some()) {
+            Some(angle) => upright.turned(-angle),
+            None => self.along_valley(upright, places),
+        }
+    }
+}
+
+impl Stations {
+    fn reach(&self) -> f64 {
+        reach(&self.found)
+    }
+
+    /// Angle from y to the ridge, towards x, rad: through the farthest places to either side that are like the least gap's and about
+    /// as near. A least gap where a flank passes into its edge, as of misaligned teeth, belongs to the one along which the bodies are
+    /// near. `None` if there is only one such place.
+    fn direction(&self, special: impl Fn(&Closest) -> bool) -> Option<f64> {
+        let kind = special(&self.least);
+        let depth = DIRECTION_DEPTH * self.reach();
+        let y = self.least.at()[1];
+        let stretch = |kind: bool| {
+            let like =
+                |closest: &&Closest| special(closest) == kind && closest.gap() <= self.least.gap() + depth;
+            let above = self.found.iter().filter(|c| c.at()[1] > y).take_while(like).last();
+            let below = self.found.iter().rev().filter(|c| c.at()[1] < y).take_while(like).last();
+            [below.unwrap_or(&self.least).at(), above.unwrap_or(&self.least).at()]
+        };
+        let length = |[from, to]: [[f64; 2]; 2]| to[1] - from[1];
+        let (own, other) = (stretch(kind), stretch(!kind));
+        let [from, to] = if length(other) > PASSES_INTO * length(own) { other } else { own };
+        (to[1] > from[1]).then(|| (to[0] - from[0]).atan2(to[1] - from[1]))
+    }
+}
+
+fn reach(found: &[Closest]) -> f64 {
+    match (found.first(), found.last()) {
+        (Some(first), Some(last)) if last.at()[1] > first.at()[1] => last.at()[1] - first.at()[1],
+        _ => f64::MIN_POSITIVE,
+    }
+}
+
+/// y of the ends along the patch at `x`: where either surface ends first. `None` if the surfaces do not lie over each other.
+pub(super) fn ends_along(sheets: &[Sheet; 2], x: f64, guess: Places) -> Option<[f64; 2]> {
+    let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
+    for (sheet, guess) in sheets.iter().zip(guess) {
+        let along = sheet.roles[1];
+        let mut own = [0.0; 2];
+        for (end, value) in own.iter_mut().zip(sheet.range[along]) {
+            *end = sheet.towards(along, value, 0, x, guess[1 - along]).0.at[1];
+        }
+        ends = [ends[0].max(own[0].min(own[1])), ends[1].min(own[0].max(own[1]))];
+    }
+    (ends[0] < ends[1]).then_some(ends)
+}
+
+/// Second derivatives of the gap by x and y, 1/m, at places one over the other; `None` if the surfaces end too near.
+pub(super) fn relative_curvature(sheets: &[Sheet; 2], places: Places) -> Option<[[f64; 2]; 2]> {
+    let span = |sheet: &Sheet, place: [f64; 2]| {
+        let [u, v] = [0, 1].map(|k| {
+            let mut moved = place;
+            moved[k] += DIFFERENCE * (sheet.range[k][1] - sheet.range[k][0]);
+            let (from, to) = (sheet.foot(place).at, sheet.foot(moved).at);
+            (to[0] - from[0]).hypot(to[1] - from[1])
+        });
+        u.min(v)
+    };
+    let step = span(&sheets[0], places[0]).min(span(&sheets[1], places[1]));
+    let [x, y] = sheets[0].foot(places[0]).at;
+    let slope = |at: [f64; 2]| -> Option<[f64; 2]> {
+        let feet = [sheets[0].over(at, places[0])?, sheets[1].over(at, places[1])?];
+        Some([0, 1].map(|axis| feet[1].slope[axis] - feet[0].slope[axis]))
+    };
+    let difference = |ahead: [f64; 2], behind: [f64; 2]| -> Option<[f64; 2]> {
+        let (ahead, behind) = (slope(ahead)?, slope(behind)?);
+        Some([0, 1].map(|axis| (ahead[axis] - behind[axis]) / (2.0 * step)))
+    };
+    Some([difference([x + step, y], [x - step, y])?, difference([x, y + step], [x, y - step])?])
+}

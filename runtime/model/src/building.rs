@@ -1,0 +1,220 @@
+//! The structures of a planned scene: taken from the cache or built side by side, each once.
+
+use crate::body::Body;
+use crate::fidelity::StructureOptions;
+use crate::mechanism::Mechanism;
+use crate::plan::{BodyPlan, Plan};
+use crate::prototype::Prototype;
+use crate::resources::Resources;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_structure::cache::{Answer, Claim, Key, Operator};
+use calyx_structure::{AnyStructure, BodyModes};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Where the structures of an analysis came from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StructureCounts {
+    /// Condensed anew.
+    pub built: usize,
+    /// Taken from a cache, in memory or on disk, or from another thread that was building it.
+    pub reused: usize,
+}
+
+/// A structure that bodies of the scene need.
+struct Wanted<'s> {
+    prototype: &'s dyn Prototype,
+    options: StructureOptions,
+    solid: bool,
+}
+
+impl Wanted<'_> {
+    fn key(&self) -> Option<Key> {
+        if self.solid { self.prototype.solid_key(&self.options) } else { self.prototype.key(&self.options) }
+    }
+
+    fn build(&self, interrupt: &Interrupt) -> Result<AnyStructure, EngineError> {
+        Ok(if self.solid {
+            self.prototype.build_solid(&self.options, interrupt)?.into()
+        } else {
+            self.prototype.build(&self.options, interrupt)?.into()
+        })
+    }
+
+    /// What was kept on disk, made whole again; `None` if the bytes are of something else.
+    fn restore(&self, bytes: &[u8]) -> Option<AnyStructure> {
+        if self.solid {
+            self.prototype.restore_solid(&self.options, bytes).map(AnyStructure::from)
+        } else {
+            self.prototype.restore(&self.options, bytes).map(AnyStructure::from)
+        }
+    }
+
+    /// Whether this is of the kind that is wanted: a prototype that gives both kinds one key is not to be trusted with it.
+    fn takes(&self, structure: &AnyStructure) -> bool {
+        matches!(structure, AnyStructure::Solid(_)) == self.solid
+    }
+}
+
+/// One per body; `None` for a body the plan left out. All are of one kind.
+pub type Structures = Vec<Option<AnyStructure>>;
+
+/// The structure of every body that the plan models, and how many were built for it.
+pub fn build_structures(
+    scene: &Mechanism,
+    plan: &Plan,
+    resources: &Resources,
+) -> Result<(Structures, StructureCounts), EngineError> {
+    let numbers = plan.structures(scene);
+    let mut wanted: Vec<Wanted<'_>> = Vec::new();
+    for ((number, body), planned) in numbers.iter().zip(&scene.bodies).zip(&plan.bodies) {
+        let Some(number) = *number else { continue };
+        match wanted.get_mut(number) {
+            // One that needs stresses serves all that share it.
+            Some(Wanted { options, .. }) => options.stresses |= planned.options.stresses,
+            None => wanted.push(Wanted {
+                prototype: body.prototype.as_ref(),
+                options: planned.options,
+                solid: plan.in_space,
+            }),
+        }
+    }
+    let (structures, counts) = obtain(&wanted, resources)?;
+    let bodies = numbers.into_iter().zip(&scene.bodies).zip(&plan.bodies);
+    let of_body = |((number, body), planned): ((Option<usize>, &Body), &BodyPlan)| {
+        let shared = number.and_then(|number| structures.get(number).cloned());
+        let shaped = |shared| {
+            Ok::<_, EngineError>(match shared {
+                AnyStructure::Plane(shared) => body.prototype.shape(shared, &planned.options)?.into(),
+                AnyStructure::Solid(shared) => body.prototype.shape_solid(shared, &planned.options)?.into(),
+            })
+        };
+        shared.map(shaped).transpose()
+    };
+    Ok((bodies.map(of_body).collect::<Result<_, _>>()?, counts))
+}
+
+/// A structure to be built here, with the duty to hand it to others if it has a key.
+type Build<'c> = (usize, Option<Claim<'c>>);
+/// By number of what is wanted, and whether it was condensed anew.
+type Built = (usize, AnyStructure, bool);
+
+fn obtain(
+    wanted: &[Wanted<'_>],
+    resources: &Resources,
+) -> Result<(Vec<AnyStructure>, StructureCounts), EngineError> {
+    let mut structures: Structures = vec![None; wanted.len()];
+    let mut counts = StructureCounts::default();
+    // A thread of a pool must not wait for another one's build; see `OperatorCache::structure`.
+    let may_wait = rayon::current_thread_index().is_none();
+    while structures.iter().any(Option::is_none) {
+        let mut builds: Vec<Build<'_>> = Vec::new();
+        let mut waits = Vec::new();
+        for (number, wanted) in wanted.iter().enumerate() {
+            if structures[number].is_some() {
+                continue;
+            }
+            let cached = resources.cache.as_deref().zip(wanted.key());
+            let kept = |operator: Operator| operator.structure().filter(|structure| wanted.takes(structure));
+            match cached.map(|(cache, key)| (cache, key, cache.ask(key))) {
+                Some((_, _, Answer::Ready(operator))) => match kept(operator) {
+                    Some(structure) => {
+                        counts.reused += 1;
+                        structures[number] = Some(structure);
+                    }
+                    None => builds.push((number, None)),
+                },
+                Some((_, _, Answer::Yours(claim))) => builds.push((number, Some(claim))),
+                Some((cache, key, Answer::Elsewhere(flight))) if may_wait => {
+                    waits.push((number, cache, key, flight));
+                }
+                Some((_, _, Answer::Elsewhere(_))) | None => builds.push((number, None)),
+            }
+        }
+        for (number, structure, anew) in build(wanted, builds, resources)? {
+            structures[number] = Some(structure);
+            *if anew { &mut counts.built } else { &mut counts.reused } += 1;
+        }
+        // Nobody waits for a structure of another thread's with one of its own unbuilt, so no two wait for each other.
+        for (number, cache, key, flight) in waits {
+            // Should the other build fail, the next round builds it here.
+            if let Some(structure) =
+                cache.wait(key, &flight, &resources.interrupt)?.and_then(Operator::structure)
+                && wanted[number].takes(&structure)
+            {
+                counts.reused += 1;
+                structures[number] = Some(structure);
+            }
+        }
+    }
+    Ok((structures.into_iter().flatten().collect(), counts))
+}
+
+/// Takes from the disk or builds, side by side. Of several errors the first in order is reported.
+fn build(
+    wanted: &[Wanted<'_>],
+    builds: Vec<Build<'_>>,
+    resources: &Resources,
+) -> Result<Vec<Built>, EngineError> {
+    let one = |(number, claim): Build<'_>| {
+        let wanted = &wanted[number];
+        let on_disk = claim.as_ref().and_then(Claim::on_disk);
+        let restored = on_disk.and_then(|(store, key)| wanted.restore(&store.read(&key)?));
+        let (structure, anew) = match restored {
+            Some(structure) => (structure, false),
+            None => (wanted.build(&resources.interrupt)?, true),
+        };
+        if let Some(claim) = claim {
+            claim.fulfil(&structure.clone().into());
+        }
+        // Nobody waits for the disk.
+        if anew
+            && let Some((store, key)) = on_disk
+            && let Some(content) = structure.stored()
+        {
+            store.write(&key, &content);
+        }
+        Ok((number, structure, anew))
+    };
+    let built: Vec<Result<Built, EngineError>> =
+        resources.install(|| builds.into_par_iter().map(one).collect());
+    built.into_iter().collect()
+}
+
+impl Resources {
+    /// The modes of a body up to a frequency (rad/s), from the cache if they are kept there; `None` of a body that has none.
+    ///
+    /// # Errors
+    /// Those of [`Prototype::modes`] and of the interrupt.
+    pub fn modes(
+        &self,
+        prototype: &dyn Prototype,
+        options: &StructureOptions,
+        highest: f64,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        let found = || self.install(|| prototype.modes(options, highest, &self.interrupt));
+        let modes = match (self.cache.as_deref(), prototype.modes_key(options, highest)) {
+            (Some(cache), Some(key)) => cache.modes(key, &self.interrupt, |claim| {
+                let on_disk = claim.and_then(Claim::on_disk);
+                let kept =
+                    on_disk.and_then(|(store, key)| prototype.restore_modes(options, &store.read(&key)?));
+                if kept.is_some() {
+                    return Ok(kept);
+                }
+                let modes = found()?;
+                if let Some((store, key)) = on_disk
+                    && let Some(content) = modes.as_ref().and_then(|modes| modes.stored())
+                {
+                    store.write(&key, &content);
+                }
+                Ok(modes)
+            })?,
+            _ => found()?,
+        };
+        modes.map(|modes| prototype.shape_modes(modes, options)).transpose()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,62 @@
+//! Flanks of lugs with clearance in the contact problem: which bodies have them, their arms and gap equations.
+
+use crate::bearing::Springs;
+use crate::frames::pose;
+use crate::freedom::Freedom;
+use crate::lug_contact::LugContact;
+use crate::mechanism::Mechanism;
+use crate::motion::axle;
+use crate::plan::Plan;
+use calyx_numerics::error::EngineError;
+use faer::MatRef;
+
+/// The bodies of a planned scene whose lugs bear by contact, by index.
+pub fn lug_contacts(scene: &Mechanism, plan: &Plan) -> Vec<(usize, LugContact)> {
+    let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate();
+    let elastic = bodies.filter(|(_, (_, plan))| plan.is_elastic());
+    elastic.filter_map(|(index, (body, _))| Some((index, body.prototype.lug_contact()?))).collect()
+}
+
+/// [`LugContact::arms`] of a body at a time (s).
+///
+/// # Errors
+/// As [`pose`].
+pub fn arms_at(
+    scene: &Mechanism,
+    body: usize,
+    contact: &LugContact,
+    time: f64,
+) -> Result<Vec<[f64; 3]>, EngineError> {
+    let (stands, body) = (pose(scene, body, time)?, &scene.bodies[body]);
+    let about = stands.point(axle(body.motion.as_ref()));
+    let off = [0, 1].map(|k: usize| stands.origin[k] - about[k]);
+    Ok(contact.arms(stands.angle + body.phase, off))
+}
+
+/// Adds the flanks of a body's lugs at a time (s) to what bears on the freedoms besides teeth, `between` as of [`LugContact::compliance`].
+///
+/// # Errors
+/// As [`pose`].
+pub fn add_flanks(
+    springs: &mut Springs,
+    scene: &Mechanism,
+    (body, contact): (usize, &LugContact),
+    freedoms: &[Freedom],
+    time: f64,
+    between: Option<MatRef<'_, f64>>,
+) -> Result<(), EngineError> {
+    let arms = arms_at(scene, body, contact, time)?;
+    let on_freedoms = arms.iter().flat_map(|arms| {
+        freedoms.iter().map(move |freedom| match (freedom.body == body, freedom.component) {
+            (true, component @ 0..2) => arms[component],
+            (true, 5) => arms[2],
+            _ => 0.0,
+        })
+    });
+    let gaps = vec![0.5 * contact.clearance; arms.len()];
+    springs.add_walls(&gaps, on_freedoms, &contact.compliance(between));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,77 @@
+//! Prescribed positions of frames, the free components of planned bodies, and the loads on these.
+
+use crate::freedom::Freedom;
+use crate::mechanism::Mechanism;
+use crate::motion::{PlanePose, Stance, pose_in_space};
+use crate::plan::Plan;
+use calyx_contact::solid::Pose;
+use calyx_numerics::error::{EngineError, Subject};
+
+/// Where a body's frame is meant to be at a time.
+///
+/// # Errors
+/// The frame is not a number there, or tilted; the error is about that body.
+pub fn pose(scene: &Mechanism, body: usize, time: f64) -> Result<PlanePose, EngineError> {
+    PlanePose::of(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
+}
+
+/// The same in space, where frames may tilt.
+///
+/// # Errors
+/// The frame is not a number there; the error is about that body.
+pub fn solid_pose(scene: &Mechanism, body: usize, time: f64) -> Result<Pose, EngineError> {
+    pose_in_space(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
+}
+
+/// The ground axes swung with a body's axis; not numbers where its motion is none.
+pub fn axes(scene: &Mechanism, body: usize, time: f64) -> [[f64; 3]; 3] {
+    solid_pose(scene, body, time).map_or([[f64::NAN; 3]; 3], |pose| Stance::of(&pose).axes)
+}
+
+/// Free components of the bodies that are modelled, in order.
+pub fn number_freedoms(scene: &Mechanism, plan: &Plan) -> Vec<Freedom> {
+    let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().filter(|(_, (_, plan))| !plan.left_out);
+    bodies
+        .flat_map(|(index, (body, _))| {
+            (0..6).filter(|&c| body.free[c]).map(move |component| Freedom { body: index, component })
+        })
+        .collect()
+}
+
+/// The external forces and moments on freedoms at a time (s), in their order, where so large a part of the loads is on, see
+/// [`crate::body::Body::acted_on`].
+///
+/// # Errors
+/// E0710 if a frame is not a number there, E0723 if a load is none.
+pub fn loads_on(
+    scene: &Mechanism,
+    freedoms: &[Freedom],
+    time: f64,
+    part: f64,
+) -> Result<Vec<f64>, EngineError> {
+    let mut loads = Vec::with_capacity(freedoms.len());
+    let mut latest: Option<(usize, [f64; 6])> = None;
+    for freedom in freedoms {
+        // A load is asked once a position, however many components of its body are free.
+        let along = match latest {
+            Some((body, along)) if body == freedom.body => along,
+            _ => {
+                let stance = Stance::of(&solid_pose(scene, freedom.body, time)?);
+                scene.bodies[freedom.body].acted_on(time, part).along(&stance.axes)
+            }
+        };
+        latest = Some((freedom.body, along));
+        let load = along[freedom.component];
+        if !load.is_finite() {
+            let body = &scene.bodies[freedom.body].name;
+            return Err(EngineError::new(
+                "E0723",
+                format!("the load on body \"{body}\" is not a finite number at Time = {time} s"),
+                "check the function that gives the load; it must have a value at every position of the analysis",
+            )
+            .about(Subject::Body(freedom.body)));
+        }
+        loads.push(load);
+    }
+    Ok(loads)
+}

@@ -1,0 +1,29 @@
+//! What is simulated, and how: bodies with their motions and loads, bearings, pairs of surfaces, and the
+//! plan of what of them is modelled.
+
+#![warn(missing_docs)]
+
+pub mod bearing;
+pub mod body;
+pub mod building;
+pub mod disc;
+pub mod fidelity;
+pub mod flanks;
+pub mod frames;
+pub mod freedom;
+pub mod ids;
+pub mod load;
+pub mod lug_contact;
+pub mod mechanism;
+pub mod motion;
+pub mod observed;
+pub mod pairs;
+pub mod plan;
+pub mod position;
+pub mod prototype;
+pub mod resources;
+pub mod rigid;
+pub mod target;
+
+/// Fingerprint of this crate's source: stored structures of its own bodies depend on it.
+const SOURCE: &str = env!("CALYX_SOURCE");

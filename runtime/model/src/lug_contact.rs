@@ -1,0 +1,81 @@
+//! Lugs with clearance: the teeth of a spline, or keys, by which a body rests in what is around it, as contact.
+//!
+//! Every lug stands in a space of the housing that is wider than it by the clearance. Each of its two flanks is a cell of the contact problem
+//! ([`calyx_contact::problem`]) among those of teeth: a gap of half the clearance where the body stands as its frame is meant to, and a force
+//! that only pushes, spread evenly around over the lug. A flank gives way by the lug's own compliance, and by what the body's bore does under
+//! the forces of all lugs and teeth ([`calyx_structure::BoreHold::LooseLugs`]); the body as a whole moves with its frame, which has to be free.
+//! What the lugs stand in does not give way and moves as the frame is meant to: it is ground for a frame at rest.
+//!
+//! Gaps follow the frame to the first order, from where it is meant to be: turning a lug by the clearance over the radius opens a gap by
+//! the clearance times half of that angle.
+
+use calyx_structure::Lugs;
+use faer::MatRef;
+
+/// The lugs of a body that bear by contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LugContact {
+    /// Which they are; each flank gives way by their tangential compliance.
+    pub lugs: Lugs,
+    /// By how much spaces are wider than lugs, along the circle of the bore, m: half of it is at either flank of a lug in the middle.
+    pub clearance: f64,
+    /// Of the bore, m.
+    pub radius: f64,
+}
+
+/// The sense in which a lug closes the gap of each of its flanks, counter-clockwise first.
+pub const SENSES: [f64; 2] = [1.0, -1.0];
+
+impl LugContact {
+    /// How many gap equations they are: two a lug, one after the other.
+    pub fn flanks(&self) -> usize {
+        SENSES.len() * usize::from(self.lugs.count)
+    }
+
+    /// Lug and sense of every flank.
+    fn senses(&self) -> impl Iterator<Item = (u16, f64)> {
+        (0..self.lugs.count).flat_map(|lug| SENSES.map(|sense| (lug, sense)))
+    }
+
+    /// Growth of the gap of each flank by a displacement of the body along x and along y and by its turn about its axle, and so the force
+    /// and the moment on the body by a unit of force on the flank. The body's teeth stand turned by `angle`, the middle of its bore `off` from
+    /// its axle (m), both along ground axes.
+    pub fn arms(&self, angle: f64, [x, y]: [f64; 2]) -> Vec<[f64; 3]> {
+        // An even displacement across, in the mean over an arc around.
+        let half = 0.5 * self.lugs.width;
+        let chord = if half == 0.0 { 1.0 } else { half.sin() / half };
+        self.senses()
+            .map(|(lug, sense)| {
+                let (sin, cos) = (angle + self.lugs.angle(lug)).sin_cos();
+                [chord * sin, -chord * cos, -(self.radius + chord * (x * cos + y * sin))]
+                    .map(|arm| sense * arm)
+            })
+            .collect()
+    }
+
+    /// The forces of lugs on the body, counter-clockwise, by those on their flanks.
+    pub fn around(&self, flanks: &[f64]) -> Vec<f64> {
+        let pair = |pair: &[f64]| pair.iter().zip(SENSES).map(|(force, sense)| -sense * force).sum();
+        flanks.chunks(SENSES.len()).map(pair).collect()
+    }
+
+    /// What a row by lugs of displacements, counter-clockwise, is by flanks: the growth of their gaps, and so of others' by their forces.
+    pub fn by_flanks<'a>(&'a self, of_lug: impl Fn(usize) -> f64 + 'a) -> impl Iterator<Item = f64> + 'a {
+        self.senses().map(move |(lug, sense)| -sense * of_lug(usize::from(lug)))
+    }
+
+    /// Growth of gaps by forces on flanks, row-major. `between` are displacements of lugs by forces on them, none on a body that does not give
+    /// way.
+    pub fn compliance(&self, between: Option<MatRef<'_, f64>>) -> Vec<f64> {
+        let flanks: Vec<(usize, f64)> = self.senses().map(|(lug, sense)| (usize::from(lug), sense)).collect();
+        let entry = |(row, &(lug, sense)): (usize, &(usize, f64))| {
+            let through = move |other: usize| between.map_or(0.0, |between| between[(lug, other)]);
+            let own = self.lugs.tangential;
+            let of = move |(column, &(other, against)): (usize, &(usize, f64))| {
+                sense * against * through(other) + if row == column { own } else { 0.0 }
+            };
+            flanks.iter().enumerate().map(of).collect::<Vec<f64>>()
+        };
+        flanks.iter().enumerate().flat_map(entry).collect()
+    }
+}

@@ -1,0 +1,42 @@
+//! What is simulated, whatever is observed of it: bodies, bearings, and the surfaces that may touch.
+
+use crate::bearing::Bearing;
+use crate::body::Body;
+use crate::ids::{BearingId, BodyId, PairId};
+use crate::pairs::SurfacePair;
+use calyx_numerics::error::EngineError;
+
+/// Bodies, bearings and pairs of surfaces.
+#[derive(Clone, Default)]
+pub struct Mechanism {
+    /// By [`BodyId`].
+    pub bodies: Vec<Body>,
+    /// By [`BearingId`].
+    pub bearings: Vec<Bearing>,
+    /// By [`PairId`].
+    pub pairs: Vec<SurfacePair>,
+}
+
+impl Mechanism {
+    /// Adds a body.
+    pub fn add_body(&mut self, body: Body) -> BodyId {
+        self.bodies.push(body);
+        BodyId(self.bodies.len() - 1)
+    }
+
+    /// Adds a bearing.
+    ///
+    /// # Errors
+    /// As [`Bearing::check`].
+    pub fn add_bearing(&mut self, bearing: Bearing) -> Result<BearingId, EngineError> {
+        bearing.check(&self.bodies, &self.bearings)?;
+        self.bearings.push(bearing);
+        Ok(BearingId(self.bearings.len() - 1))
+    }
+
+    /// Adds a pair of surfaces that may touch.
+    pub fn add_pair(&mut self, pair: SurfacePair) -> PairId {
+        self.pairs.push(pair);
+        PairId(self.pairs.len() - 1)
+    }
+}

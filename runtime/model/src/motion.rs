@@ -1,0 +1,529 @@
+//! Where bodies are meant to be: the kinematic trajectory that the deflections are measured from.
+
+use calyx_abi::math;
+use calyx_contact::solid::Pose;
+use calyx_numerics::error::EngineError;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// A prescribed motion. `frame` takes ground coordinates into the body's frame: `x' = R x + t`.
+pub trait Motion: Send + Sync {
+    /// Rotation row by row (9), then translation (3), at `time` seconds.
+    fn frame(&self, time: f64) -> [f64; 12];
+
+    /// Rate of `frame`, per second.
+    fn rate(&self, time: f64) -> [f64; 12];
+
+    /// Second derivative of `frame`, per second squared: what dynamics needs.
+    fn acceleration(&self, time: f64) -> [f64; 12];
+}
+
+/// Turning steadily about an axis parallel to e3 through a fixed point: the motion of most gear bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteadyRotation {
+    /// Where the axis meets the plane, m.
+    pub origin: [f64; 2],
+    /// Angle at time 0, rad.
+    pub start: f64,
+    /// rad/s, counter-clockwise.
+    pub speed: f64,
+}
+
+impl SteadyRotation {
+    /// Standing still, unturned, with the frame's origin at a point (m).
+    pub const fn at_rest(origin: [f64; 2]) -> SteadyRotation {
+        SteadyRotation { origin, start: 0.0, speed: 0.0 }
+    }
+}
+
+impl Motion for SteadyRotation {
+    fn frame(&self, time: f64) -> [f64; 12] {
+        let (sin, cos) = math::sincos(self.start + self.speed * time);
+        let [x, y] = self.origin;
+        [cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 1.0, -(cos * x + sin * y), sin * x - cos * y, 0.0]
+    }
+
+    fn rate(&self, time: f64) -> [f64; 12] {
+        let (sin, cos) = math::sincos(self.start + self.speed * time);
+        let [x, y] = self.origin;
+        [-sin, cos, 0.0, -cos, -sin, 0.0, 0.0, 0.0, 0.0, sin * x - cos * y, cos * x + sin * y, 0.0]
+            .map(|entry| entry * self.speed)
+    }
+
+    fn acceleration(&self, time: f64) -> [f64; 12] {
+        let mut turning = self.frame(time).map(|entry| -entry * self.speed * self.speed);
+        // The axis rests.
+        turning[8] = 0.0;
+        turning
+    }
+}
+
+/// A motion that is put elsewhere as a whole: with its axis tilted, say.
+pub struct Placed {
+    /// What is put elsewhere.
+    pub motion: Arc<dyn Motion>,
+    /// Where to.
+    pub pose: Pose,
+}
+
+impl Placed {
+    /// Of a motion that is turned by `rotation` (a matrix, row by row) about a point (m).
+    pub fn turned_about(motion: Arc<dyn Motion>, rotation: [[f64; 3]; 3], point: [f64; 3]) -> Placed {
+        let turned = Pose { rotation, origin: [0.0; 3] }.point(point);
+        Placed { motion, pose: Pose { rotation, origin: [0, 1, 2].map(|k| point[k] - turned[k]) } }
+    }
+
+    /// A frame, or its rate, as it is there: the place is constant, so both change in the same way.
+    fn put(&self, f: [f64; 12]) -> [f64; 12] {
+        let Pose { rotation: q, origin } = self.pose;
+        // Ground is brought back to where the motion was told: x' = R Q^T (x - p) + t.
+        let r: [f64; 9] = std::array::from_fn(|k| {
+            let (row, column) = (k / 3, k % 3);
+            (0..3).map(|j| f[3 * row + j] * q[column][j]).sum()
+        });
+        let t: [f64; 3] = std::array::from_fn(|row| {
+            f[9 + row] - (0..3).map(|column| r[3 * row + column] * origin[column]).sum::<f64>()
+        });
+        [r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], t[0], t[1], t[2]]
+    }
+}
+
+impl Motion for Placed {
+    fn frame(&self, time: f64) -> [f64; 12] {
+        self.put(self.motion.frame(time))
+    }
+
+    fn rate(&self, time: f64) -> [f64; 12] {
+        self.put(self.motion.rate(time))
+    }
+
+    fn acceleration(&self, time: f64) -> [f64; 12] {
+        self.put(self.motion.acceleration(time))
+    }
+}
+
+/// Velocity of the point of a moving body that is at a point in ground coordinates (m) at a time (s), m/s.
+pub fn point_velocity(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f64; 3] {
+    let (f, r) = (motion.frame(time), motion.rate(time));
+    // A point that stays in the body has x' = R x + t at rest, so its velocity is -R^T (dR/dt x + dt/dt).
+    let seen: [f64; 3] = std::array::from_fn(|row| {
+        r[9 + row] + (0..3).map(|column| r[3 * row + column] * point[column]).sum::<f64>()
+    });
+    std::array::from_fn(|axis| -(0..3).map(|row| f[3 * row + axis] * seen[row]).sum::<f64>())
+}
+
+/// Acceleration of the point of a moving body that is at a point in ground coordinates (m) at a time (s), m/s².
+pub fn point_acceleration(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f64; 3] {
+    let (f, r, a) = (motion.frame(time), motion.rate(time), motion.acceleration(time));
+    let velocity = point_velocity(motion, time, point);
+    // The second derivative of x' = R x + t vanishes.
+    let seen: [f64; 3] = std::array::from_fn(|row| {
+        let turning = |k: usize| a[3 * row + k] * point[k] + 2.0 * r[3 * row + k] * velocity[k];
+        a[9 + row] + (0..3).map(turning).sum::<f64>()
+    });
+    std::array::from_fn(|axis| -(0..3).map(|row| f[3 * row + axis] * seen[row]).sum::<f64>())
+}
+
+/// Rate of a motion's angular velocity along ground axes, rad/s².
+pub fn angular_acceleration(motion: &dyn Motion, time: f64) -> [f64; 3] {
+    let (f, r, a) = (motion.frame(time), motion.rate(time), motion.acceleration(time));
+    // The rate of what `angular_velocity` reads off.
+    let entry = |row: usize, column: usize| -> f64 {
+        let of = |k: usize| a[3 * k + row] * f[3 * k + column] + r[3 * k + row] * r[3 * k + column];
+        (0..3).map(of).sum()
+    };
+    [entry(2, 1), entry(0, 2), entry(1, 0)]
+}
+
+/// A pose in the plane: a body turned by `angle` with its origin at `origin`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanePose {
+    /// m
+    pub origin: [f64; 2],
+    /// rad, counter-clockwise.
+    pub angle: f64,
+}
+
+impl PlanePose {
+    /// The pose of `motion` at `time`, if its axis is parallel to e3.
+    pub fn of(motion: &dyn Motion, time: f64) -> Result<PlanePose, EngineError> {
+        let f = finite_frame(motion, time)?;
+        let tilt = (f[8] - 1.0).abs() + f[2].abs() + f[5].abs() + f[6].abs() + f[7].abs();
+        if tilt > 1e-9 {
+            return Err(out_of_plane());
+        }
+        // x' = R x + t: the origin is where x' = 0, so x = -R^T t.
+        let origin = [-(f[0] * f[9] + f[3] * f[10]), -(f[1] * f[9] + f[4] * f[10])];
+        Ok(PlanePose { origin, angle: f[1].atan2(f[0]) })
+    }
+
+    /// Where a point of the body is, by its coordinates in the body, m.
+    pub fn point(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
+        let (sine, cosine) = self.angle.sin_cos();
+        [self.origin[0] + (cosine * x - sine * y), self.origin[1] + (sine * x + cosine * y)]
+    }
+}
+
+/// Whether a plane model can have a body that moves like this: its axis is parallel to e3, and stays so.
+///
+/// # Errors
+/// E0610: it does not; E0710: the frame is not a number at time 0.
+pub fn check_in_plane(motion: &dyn Motion) -> Result<(), EngineError> {
+    PlanePose::of(motion, 0.0)?;
+    // A frame that is upright at time 0 may tilt later. Row and column of e3 in the rotation: its rate is perpendicular to it, so
+    // these four hold all tilting.
+    let rate = motion.rate(0.0);
+    let fastest = rate[..9].iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    match [2, 5, 6, 7].iter().any(|&entry| rate[entry].abs() > 1e-9 * fastest) {
+        true => Err(out_of_plane()),
+        false => Ok(()),
+    }
+}
+
+fn out_of_plane() -> EngineError {
+    EngineError::new(
+        "E0610",
+        "a plane model needs every body to turn about an axis parallel to e3",
+        "let the frame use rotations about e3 (an axis of unit length) and translations in the plane only",
+    )
+    .blame("frame")
+}
+
+fn finite_frame(motion: &dyn Motion, time: f64) -> Result<[f64; 12], EngineError> {
+    let frame = motion.frame(time);
+    if frame.iter().all(|entry| entry.is_finite()) {
+        return Ok(frame);
+    }
+    Err(EngineError::new(
+        "E0710",
+        format!("the body's frame is not a number at Time = {time} s"),
+        "look for a division by zero or the root of a negative number in the frame's expression",
+    )
+    .blame("frame"))
+}
+
+/// Where `motion` puts a body at `time`: the way from the body's coordinates to those of ground.
+///
+/// # Errors
+/// E0710: the frame is not a number.
+pub fn pose_in_space(motion: &dyn Motion, time: f64) -> Result<Pose, EngineError> {
+    let f = finite_frame(motion, time)?;
+    // x' = R x + t: x = R^T x' - R^T t.
+    let rotation = [[f[0], f[3], f[6]], [f[1], f[4], f[7]], [f[2], f[5], f[8]]];
+    let origin = rotation.map(|row| -(row[0] * f[9] + row[1] * f[10] + row[2] * f[11]));
+    Ok(Pose { rotation, origin })
+}
+
+/// How a body stands in space: the direction of its axis, and how far it is turned about it.
+///
+/// Its turn and the axes along which its freedoms count are told apart from its tilt in one way: the ground axes are swung with the
+/// body's axis, the shortest way from e3, and the body is turned from there. So the turn of a gear on a tilted shaft, or of one
+/// that wobbles on a straight one, grows exactly as the shaft turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stance {
+    /// The ground axes swung with the body's axis, which is the last of them: unit vectors.
+    pub axes: [[f64; 3]; 3],
+    /// Turn about the last of them, rad.
+    pub angle: f64,
+}
+
+impl Stance {
+    /// Of a body that stands at a pose.
+    pub fn of(pose: &Pose) -> Stance {
+        let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = pose.rotation;
+        Stance { axes: swung([xz, yz, zz]), angle: (yx - xy).atan2(xx + yy) }
+    }
+
+    /// The body's axis.
+    pub fn axis(&self) -> [f64; 3] {
+        self.axes[2]
+    }
+
+    /// Angle of the axis to e3, rad.
+    pub fn tilt(&self) -> f64 {
+        let [x, y, z] = self.axis();
+        x.hypot(y).atan2(z)
+    }
+}
+
+/// The ground axes turned together, the shortest way, so that e3 becomes `axis` (unit vector).
+pub fn swung([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
+    let by = (1.0 + z).recip();
+    let mixed = -x * y * by;
+    [[1.0 - x * x * by, mixed, -x], [mixed, 1.0 - y * y * by, -y], [x, y, z]]
+}
+
+/// A pose moved along and turned about its body's own axes ([`Stance::axes`]), by as much as its freedoms say: m and rad.
+pub fn moved_by(pose: &Pose, by: [f64; 6]) -> Pose {
+    let axes = Stance::of(pose).axes;
+    let along =
+        |[x, y, z]: [f64; 3]| [0, 1, 2].map(|k: usize| x * axes[0][k] + y * axes[1][k] + z * axes[2][k]);
+    let [ux, uy, uz, tx, ty, tz] = by;
+    let shift = along([ux, uy, uz]);
+    let origin = [0, 1, 2].map(|k: usize| pose.origin[k] + shift[k]);
+    // Its own turn first, whole; then the small tilt, which carries its axis along.
+    let turned = pose.turned_first(tz);
+    let lean = tx.hypot(ty);
+    if lean == 0.0 {
+        return Pose { origin, ..turned };
+    }
+    let (sine, cosine) = lean.sin_cos();
+    let axis = along([tx / lean, ty / lean, 0.0]);
+    let tilted = |[x, y, z]: [f64; 3]| {
+        let [a, b, c] = axis;
+        let cross = [b * z - c * y, c * x - a * z, a * y - b * x];
+        let on = (a * x + b * y + c * z) * (1.0 - cosine);
+        [
+            x * cosine + cross[0] * sine + a * on,
+            y * cosine + cross[1] * sine + b * on,
+            z * cosine + cross[2] * sine + c * on,
+        ]
+    };
+    let columns = [0, 1, 2].map(|column: usize| tilted(turned.rotation.map(|row| row[column])));
+    Pose { rotation: [0, 1, 2].map(|row: usize| columns.map(|column| column[row])), origin }
+}
+
+/// Angular velocity of a motion along ground axes, rad/s.
+pub fn angular_velocity(motion: &dyn Motion, time: f64) -> [f64; 3] {
+    let (f, r) = (motion.frame(time), motion.rate(time));
+    // With x' = R x the velocity field is -R^T dR/dt x; its antisymmetric matrix holds the angular velocity.
+    let entry =
+        |row: usize, column: usize| -> f64 { (0..3).map(|k| r[3 * k + row] * f[3 * k + column]).sum() };
+    [entry(2, 1), entry(0, 2), entry(1, 0)]
+}
+
+/// Parts of a turn after which an axis is looked for again, to see whether it rests.
+const LATER: [f64; 2] = [0.13, 0.38];
+/// What is left of an axis's place by rounding, m, and beside the places of frames.
+const NOWHERE: [f64; 2] = [1e-12, 1e-9];
+
+/// Where the axle is on which a body turns, in the body's coordinates, m: of a gear that sits off its shaft, the point of the shaft's axis
+/// beside the frame's origin; else the origin. An axis that rests, in the body as on ground, is an axle; so is that of a planet's pin, which
+/// rests in the body and goes round in a circle.
+pub fn axle(motion: &dyn Motion) -> [f64; 3] {
+    // In the body and on ground, at a time.
+    let axis = |time: f64| -> Option<([f64; 3], [f64; 3])> {
+        let pose = pose_in_space(motion, time).ok()?;
+        let [wx, wy, wz] = angular_velocity(motion, time);
+        let [vx, vy, vz] = point_velocity(motion, time, pose.origin);
+        // Nothing moves at p from the origin where v + w x p = 0.
+        let square = wx * wx + wy * wy + wz * wz;
+        let p = [wy * vz - wz * vy, wz * vx - wx * vz, wx * vy - wy * vx].map(|part| part / square);
+        let size = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
+        let [floor, relative] = NOWHERE;
+        if !(square > 0.0 && size(p) > floor + relative * size(pose.origin)) {
+            return None;
+        }
+        let own = [0, 1, 2].map(|k: usize| (0..3).map(|row| pose.rotation[row][k] * p[row]).sum());
+        Some((own, [0, 1, 2].map(|k: usize| pose.origin[k] + p[k])))
+    };
+    let found = axis(0.0).filter(|(own, ground)| {
+        let [x, y, z] = angular_velocity(motion, 0.0);
+        let turn = TAU / x.hypot(y).hypot(z);
+        let size = own.iter().fold(0.0, |size: f64, part| size.hypot(*part));
+        let near = |one: &[f64; 3], other: &[f64; 3]| (0..3).all(|k| (one[k] - other[k]).abs() < 1e-6 * size);
+        LATER.iter().all(|part| {
+            axis(part * turn).is_some_and(|(later, there)| near(own, &later) && near(ground, &there))
+        })
+    });
+    found.map(|(own, _)| own).or_else(|| pin(motion)).unwrap_or_default()
+}
+
+/// Where the pin is on which a planet turns that sits off it, in the body's coordinates, m; `None` of a body that does not go round steadily, or
+/// sits on its pin.
+///
+/// As a complex number the origin of such a body is at `c + a z^k + b w^k` after `k` equal times, `w` the body's turn in one of them and
+/// `z` its carrier's: `b` is where the origin sits from the pin.
+fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
+    let minus = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a - c, b - d];
+    let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];
+    let over = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+        let square = c * c + d * d;
+        [(a * c + b * d) / square, (b * c - a * d) / square]
+    };
+    let size = |[a, b]: [f64; 2]| a.hypot(b);
+    let [_, _, speed] = angular_velocity(motion, 0.0);
+    let step = LATER[0] * TAU / speed.abs();
+    if !step.is_finite() {
+        return None;
+    }
+    let pose = pose_in_space(motion, 0.0).ok()?;
+    let turn = [(speed * step).cos(), (speed * step).sin()];
+    let place =
+        |k: u8| pose_in_space(motion, f64::from(k) * step).map(|pose| [pose.origin[0], pose.origin[1]]).ok();
+    let places = [place(0)?, place(1)?, place(2)?, place(3)?, place(4)?];
+    // What rests drops out of the differences, and then what turns with the body.
+    let moved = [0, 1, 2, 3].map(|k: usize| minus(places[k + 1], places[k]));
+    let round = [0, 1, 2].map(|k: usize| minus(moved[k + 1], times(turn, moved[k])));
+    let carrier = over(round[1], round[0]);
+    let [floor, relative] = NOWHERE;
+    let steady = size(minus(round[2], times(carrier, round[1]))) <= relative * size(round[0])
+        && (size(carrier) - 1.0).abs() <= relative
+        && size(minus(carrier, turn)) > relative;
+    let off = over(minus(moved[0], over(round[0], minus(carrier, turn))), minus(turn, [1.0, 0.0]));
+    let farthest = places.into_iter().map(size).fold(0.0, f64::max);
+    (steady && size(off) > floor + relative * farthest)
+        .then(|| [0, 1, 2].map(|k: usize| -(pose.rotation[0][k] * off[0] + pose.rotation[1][k] * off[1])))
+}
+
+/// Rate of a body's [`Stance::angle`], rad/s.
+pub fn turning_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
+    let [x, y, z] = Stance::of(&pose_in_space(motion, time)?).axis();
+    let [along_x, along_y, along_z] = angular_velocity(motion, time);
+    // Of a steady axis all of it; of one that goes around e3 as fast as the body turns, too.
+    Ok((along_x * x + along_y * y + along_z * (1.0 + z)) / (1.0 + z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pose_of_a_turning_body_is_its_angle_and_its_axis() {
+        let motion = SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 };
+        let pose = PlanePose::of(&motion, 0.1).unwrap();
+        assert!((pose.angle - 0.2).abs() < 1e-15);
+        assert!((pose.origin[0] - 0.3).abs() < 1e-15 && (pose.origin[1] + 0.2).abs() < 1e-15);
+        let [x, y, z] = angular_velocity(&motion, 0.1);
+        assert!((z + 2.0).abs() < 1e-14 && x == 0.0 && y == 0.0);
+        assert!((turning_speed(&motion, 0.1).unwrap() + 2.0).abs() < 1e-14);
+    }
+
+    /// A frame turned about x by `tilt`, before or after it turns about z by `angle`.
+    struct Leaning {
+        tilt: f64,
+        speed: f64,
+        wobbles: bool,
+    }
+
+    impl Motion for Leaning {
+        fn frame(&self, time: f64) -> [f64; 12] {
+            let ((s, c), (st, ct)) = ((self.speed * time).sin_cos(), self.tilt.sin_cos());
+            // Ground to body: turn after tilt, or tilt after turn.
+            let r = if self.wobbles {
+                [c, s, 0.0, -ct * s, ct * c, st, st * s, -st * c, ct]
+            } else {
+                [c, s * ct, s * st, -s, c * ct, c * st, 0.0, -st, ct]
+            };
+            [r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], 0.0, 0.0, 0.0]
+        }
+        fn rate(&self, time: f64) -> [f64; 12] {
+            let step = 1e-6;
+            let (before, after) = (self.frame(time - step), self.frame(time + step));
+            std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step))
+        }
+        fn acceleration(&self, _: f64) -> [f64; 12] {
+            [f64::NAN; 12]
+        }
+    }
+
+    #[test]
+    fn a_tilted_body_turns_about_its_own_axis() {
+        for wobbles in [false, true] {
+            let motion = Leaning { tilt: 0.05, speed: 3.0, wobbles };
+            for time in [0.0, 0.2, 0.7] {
+                let stance = Stance::of(&pose_in_space(&motion, time).unwrap());
+                assert!((stance.angle - 3.0 * time).abs() < 1e-14, "{}", stance.angle);
+                assert!((stance.tilt() - 0.05).abs() < 1e-14);
+                assert!((turning_speed(&motion, time).unwrap() - 3.0).abs() < 1e-9);
+                for (i, one) in stance.axes.iter().enumerate() {
+                    for (j, other) in stance.axes.iter().enumerate() {
+                        let dot: f64 = (0..3).map(|k| one[k] * other[k]).sum();
+                        assert!((dot - if i == j { 1.0 } else { 0.0 }).abs() < 1e-15);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_motion_put_elsewhere_moves_as_it_did_there() {
+        let still = SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 };
+        let rotation = swung([0.6 * 0.05_f64.sin(), 0.8 * 0.05_f64.sin(), 0.05_f64.cos()]);
+        // Rows of `swung` are images of axes: the matrix that takes them there is its transpose.
+        let rotation: [[f64; 3]; 3] = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| rotation[j][i]));
+        let placed = Placed::turned_about(Arc::new(still), rotation, [0.1, 0.2, 0.3]);
+        let (at, there) = (pose_in_space(&still, 0.7).unwrap(), pose_in_space(&placed, 0.7).unwrap());
+        let expected = placed.pose.point(at.point([0.01, 0.02, 0.03]));
+        let found = there.point([0.01, 0.02, 0.03]);
+        assert!((0..3).all(|k| (found[k] - expected[k]).abs() < 1e-15), "{found:?} {expected:?}");
+        assert_eq!(placed.pose.point([0.1, 0.2, 0.3]), [0.1, 0.2, 0.3]);
+        let velocity = placed.pose.direction(point_velocity(&still, 0.7, at.point([0.01, 0.02, 0.03])));
+        let found = point_velocity(&placed, 0.7, found);
+        assert!((0..3).all(|k| (found[k] - velocity[k]).abs() < 1e-14), "{found:?} {velocity:?}");
+    }
+
+    /// Turning with its origin at `by` (m) from the axis, which itself goes round ground's at `orbit`.
+    struct Around {
+        by: f64,
+        orbit: f64,
+    }
+
+    impl Motion for Around {
+        fn frame(&self, time: f64) -> [f64; 12] {
+            let still = SteadyRotation { origin: [0.0; 2], start: 0.0, speed: 2.0 }.frame(time);
+            let (sine, cosine) = (0.7 * time).sin_cos();
+            let [x, y] = [self.orbit * cosine + 0.1, self.orbit * sine];
+            let mut frame = still;
+            frame[9] = -(still[0] * x + still[1] * y) - self.by;
+            frame[10] = -(still[3] * x + still[4] * y);
+            frame
+        }
+        fn rate(&self, time: f64) -> [f64; 12] {
+            let step = 1e-5;
+            let (before, after) = (self.frame(time - step), self.frame(time + step));
+            std::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step))
+        }
+        fn acceleration(&self, _: f64) -> [f64; 12] {
+            [f64::NAN; 12]
+        }
+    }
+
+    #[test]
+    fn an_axle_is_where_a_body_rests_on_ground() {
+        let [x, y, z] = axle(&Around { by: 2e-3, orbit: 0.0 });
+        assert!((x + 2e-3).abs() < 1e-9 && y.abs() < 1e-9 && z.abs() < 1e-9, "{x} {y} {z}");
+        // On its own axis; on a planet's, which goes round; and standing still.
+        assert_eq!(axle(&SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 }), [0.0; 3]);
+        assert_eq!(axle(&Around { by: 0.0, orbit: 0.05 }), [0.0; 3]);
+        // A planet off its pin by two millimetres.
+        let [x, y, z] = axle(&Around { by: 2e-3, orbit: 0.05 });
+        assert!((x + 2e-3).abs() < 1e-12 && y.abs() < 1e-12 && z == 0.0, "{x} {y} {z}");
+        assert_eq!(axle(&SteadyRotation::at_rest([0.3, -0.2])), [0.0; 3]);
+    }
+
+    #[test]
+    fn axes_swing_no_further_than_their_z() {
+        // The shortest way leaves the direction about which it turns where it is.
+        let axis = [0.03_f64.sin() * 0.6, 0.03_f64.sin() * 0.8, 0.03_f64.cos()];
+        let [x, y, _] = swung(axis);
+        let across: [f64; 3] = std::array::from_fn(|k| 0.8 * x[k] - 0.6 * y[k]);
+        let error = [across[0] - 0.8, across[1] + 0.6, across[2]].map(f64::abs);
+        assert!(error.iter().all(|error| *error < 1e-15), "{error:?}");
+    }
+
+    #[test]
+    fn points_of_a_turning_body_move_about_its_axis() {
+        let motion = SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 };
+        let [x, y, z] = point_velocity(&motion, 0.7, [1.3, 0.3, 5.0]);
+        // Speed times the arm, turned by a right angle.
+        assert!((x - 2.0 * 0.5).abs() < 1e-14 && (y + 2.0).abs() < 1e-14 && z == 0.0, "{x} {y} {z}");
+    }
+
+    #[test]
+    fn a_frame_tilted_out_of_the_plane_is_refused() {
+        struct Tilted;
+        impl Motion for Tilted {
+            fn frame(&self, _: f64) -> [f64; 12] {
+                [1.0, 0.0, 0.0, 0.0, 0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0]
+            }
+            fn rate(&self, _: f64) -> [f64; 12] {
+                [0.0; 12]
+            }
+            fn acceleration(&self, _: f64) -> [f64; 12] {
+                [0.0; 12]
+            }
+        }
+        assert_eq!(PlanePose::of(&Tilted, 0.0).unwrap_err().code, "E0610");
+    }
+}

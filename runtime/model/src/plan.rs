@@ -1,0 +1,558 @@
+//! What will be modelled, and why: the scene, less what no observable depends on.
+
+use crate::bearing::Bearing;
+use crate::body::Body;
+use crate::fidelity::Needs;
+use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
+use crate::freedom::FREEDOMS;
+use crate::ids::BodyId;
+use crate::load::Wrench;
+use crate::mechanism::Mechanism;
+use crate::motion::{check_in_plane, pose_in_space};
+use crate::observed::OutputRequest;
+use crate::prototype::{Ignored, Prototype};
+use crate::target::{Examined, Target};
+use calyx_numerics::error::{EngineError, Subject};
+use calyx_structure::cache::Key;
+use std::sync::Arc;
+
+/// The decision of how a scene is analysed. Nothing has been solved yet.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// How bodies are modelled.
+    pub fidelity: Fidelity,
+    /// Whether bodies are in space, and not a section of them in the plane.
+    pub in_space: bool,
+    /// Outputs that have no value, as this fidelity has not what they need.
+    pub refused: Vec<Refused>,
+    /// One per body of the scene, in order.
+    pub bodies: Vec<BodyPlan>,
+    /// One per bearing of the scene, in order.
+    pub bearings: Vec<BearingPlan>,
+    /// Inputs that this fidelity cannot see.
+    pub ignored: Vec<Ignored>,
+}
+
+/// What an analysis without rates leaves out of a bearing.
+const DAMPING: &str = "damping";
+
+/// How a body is modelled.
+#[derive(Clone, Debug)]
+pub struct BodyPlan {
+    /// As the scene calls it.
+    pub name: String,
+    /// How its structure is discretised.
+    pub options: StructureOptions,
+    /// Why the body is modelled the way it is, or left out.
+    pub reason: &'static str,
+    /// No output depends on the body: it takes no part.
+    pub left_out: bool,
+    /// No surface pair touches the body: it is a frame that bearings hold, and its structure is not instantiated.
+    pub rigid: bool,
+}
+
+impl BodyPlan {
+    /// Whether it has a structure.
+    pub fn is_elastic(&self) -> bool {
+        !self.left_out && !self.rigid
+    }
+}
+
+/// An output that the chosen fidelity has no value of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// By its index.
+    pub output: usize,
+    /// As results call it.
+    pub name: String,
+    /// What it needs.
+    pub needs: Needs,
+}
+
+impl Refused {
+    /// What is told of it.
+    pub fn error(&self, fidelity: Fidelity) -> EngineError {
+        EngineError::new(
+            "E0780",
+            format!(
+                "output `{}` has no value: it needs {}, which the fidelity \"{}\" does not have",
+                self.name,
+                self.needs.name(),
+                fidelity.name()
+            ),
+            "leave the output out",
+        )
+        .about(Subject::Output(self.output))
+    }
+
+    /// Of these outputs those that need more than a fidelity gives.
+    pub fn of(scene: &dyn Examined, outputs: &[OutputRequest], fidelity: Fidelity) -> Vec<Refused> {
+        let targets = scene.targets();
+        let needs = |observable: usize| targets.get(observable).map(|target| target.needs);
+        let refused = |(output, request): (usize, &OutputRequest)| {
+            let needs = request.value.observes().into_iter().filter_map(needs).max()?;
+            let name = request.name.clone();
+            (needs > fidelity.gives()).then_some(Refused { output, name, needs })
+        };
+        outputs.iter().enumerate().filter_map(refused).collect()
+    }
+}
+
+/// How a bearing is modelled.
+#[derive(Clone, Debug)]
+pub struct BearingPlan {
+    /// As the scene calls it.
+    pub name: String,
+    /// Why the bearing is modelled, or left out.
+    pub reason: &'static str,
+    /// Nothing depends on what it bears.
+    pub left_out: bool,
+}
+
+impl Plan {
+    /// Plans the equilibrium of a scene at a fidelity with the given discretisation (its `stresses` and `sharp_edges` are decided here): what
+    /// no load passes through on its way to what an observable looks at is left out.
+    ///
+    /// # Errors
+    /// What the scene asks for and the fidelity cannot have.
+    pub fn new(
+        scene: &dyn Examined,
+        fidelity: Fidelity,
+        options: StructureOptions,
+    ) -> Result<Plan, EngineError> {
+        let (mechanism, targets) = (scene.mechanism(), scene.targets());
+        let path = load_path(mechanism, &targets, scene.examines_modes());
+        Plan::of((mechanism, &targets), path, fidelity, options)
+    }
+
+    /// The same with everything that touches, looked at or not.
+    ///
+    /// # Errors
+    /// As [`Plan::new`].
+    pub fn whole(
+        scene: &dyn Examined,
+        fidelity: Fidelity,
+        options: StructureOptions,
+    ) -> Result<Plan, EngineError> {
+        let (mechanism, targets) = (scene.mechanism(), scene.targets());
+        let everything = held_together(mechanism, looked_at(mechanism, &targets).chain(touching(mechanism)));
+        Plan::of((mechanism, &targets), everything, fidelity, options)
+    }
+
+    fn of(
+        (scene, targets): (&Mechanism, &[Target]),
+        wanted: Vec<bool>,
+        fidelity: Fidelity,
+        options: StructureOptions,
+    ) -> Result<Plan, EngineError> {
+        let pairs_of = |id: BodyId| scene.pairs.iter().filter(move |pair| pair.bodies.contains(&id));
+        let (model, in_space) = (fidelity.body_model(), lies_in_space(scene, fidelity));
+        let template = match fidelity {
+            Fidelity::Solid(template) => template,
+            Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => options.template,
+        };
+        let mut bodies = Vec::new();
+        let mut ignored: Vec<Ignored> = Vec::new();
+        for (index, body) in scene.bodies.iter().enumerate() {
+            let id = BodyId(index);
+            let stresses = targets.iter().any(|target| target.stresses_of == Some(id));
+            let untouched = pairs_of(id).next().is_none();
+            let left_out = !wanted[index];
+            let rigid = untouched && !left_out;
+            let sharp_edges = pairs_of(id).all(|pair| !pair.grid.edges);
+            if !untouched {
+                ignored.extend(body.prototype.ignored(fidelity));
+                // What a section does not show, where something else keeps the scene in the plane.
+                if !in_space && fidelity != Fidelity::Plane && body.prototype.needs_space() {
+                    ignored.extend(body.prototype.ignored(Fidelity::Plane));
+                }
+            }
+            if !in_space && !left_out {
+                refuse_motion_out_of_plane(&body.name, body.free)
+                    .and_then(|()| check_in_plane(body.motion.as_ref()))
+                    .map_err(|error| error.about(Subject::Body(index)))?;
+            }
+            if !untouched && !left_out && body.prototype.lug_contact().is_some() {
+                refuse_lugs(&body.name, fidelity, in_space, body.free)
+                    .map_err(|error| error.about(Subject::Body(index)))?;
+            }
+            let options = StructureOptions { stresses, sharp_edges, model, template, ..options };
+            if !untouched && !left_out {
+                let checked = body.prototype.check(&options, in_space);
+                checked.map_err(|error| error.about(Subject::Prototype(index)))?;
+            }
+            bodies.push(BodyPlan {
+                name: body.name.clone(),
+                options,
+                reason: match (left_out, stresses) {
+                    (true, _) if untouched => "left out: it touches nothing",
+                    (true, _) => "left out: no load goes through it to anything that an output looks at",
+                    (false, _) if rigid => "rigid: it has no contact, and bearings support its frame",
+                    (false, _) if model == BodyModel::Rigid => {
+                        "rigid, as the fidelity has it: its surfaces touch others as the load vanishes"
+                    }
+                    (false, true) => "elastic, with stress recovery: an output asks for its root stress",
+                    (false, false) => "elastic, without stress recovery: no output asks for its stress",
+                },
+                left_out,
+                rigid,
+            });
+        }
+        if !in_space {
+            ignored.extend(unequal_widths(scene, &bodies));
+            ignored.extend(out_of_plane(scene, targets, &bodies));
+        }
+        let bearings: Vec<BearingPlan> =
+            scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
+        let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
+        ignored.extend(modelled.flat_map(|(bearing, _)| unseen_of(bearing, in_space)));
+        ignored.sort();
+        ignored.dedup();
+        Ok(Plan { fidelity, in_space, refused: Vec::new(), bodies, bearings, ignored })
+    }
+
+    /// The plan of an analysis that is to yield these outputs.
+    ///
+    /// # Errors
+    /// E0780: the fidelity has a value of none of them.
+    pub fn yielding(mut self, scene: &dyn Examined, outputs: &[OutputRequest]) -> Result<Plan, EngineError> {
+        self.refused = Refused::of(scene, outputs, self.fidelity);
+        match self.refused.first().filter(|_| self.refused.len() == outputs.len()) {
+            Some(refused) => Err(refused.error(self.fidelity)),
+            None => Ok(self),
+        }
+    }
+
+    /// The plan of an analysis in time, which sees rates, and inertia of what bears no load.
+    ///
+    /// # Errors
+    /// As [`Plan::new`].
+    pub fn in_time(
+        scene: &dyn Examined,
+        fidelity: Fidelity,
+        options: StructureOptions,
+    ) -> Result<Plan, EngineError> {
+        let mut plan = Plan::whole(scene, fidelity, options)?;
+        plan.ignored.retain(|unseen| unseen.input != DAMPING);
+        Ok(plan)
+    }
+
+    /// The plan of an analysis that sees modes of bodies up to a natural frequency (Hz), or none up to 0.
+    pub fn vibrating(mut self, scene: &Mechanism, highest: f64) -> Plan {
+        let modelled =
+            scene.bodies.iter().zip(&self.bodies).filter(|(_, plan)| highest > 0.0 && plan.is_elastic());
+        let rigid =
+            |(body, _): (&Body, _)| Some(format!("\"{}\": {}", body.name, body.prototype.without_modes()?));
+        let rigid: Vec<String> = modelled.filter_map(rigid).collect();
+        if !rigid.is_empty() {
+            let bodies = rigid.join("; ");
+            let reason = format!("some bodies vibrate as rigid ones on their elastic teeth, {bodies}");
+            self.ignored.push(Ignored { input: "highest_frequency".into(), reason });
+        }
+        self.ignored.sort();
+        self.ignored.dedup();
+        self
+    }
+
+    /// Indices of the bearings that are modelled.
+    pub fn modelled_bearings(&self) -> Vec<usize> {
+        (0..self.bearings.len()).filter(|&bearing| !self.bearings[bearing].left_out).collect()
+    }
+
+    /// Which structure each body has, counted from 0; `None` for a body that is left out or rigid. Bodies whose structures would be
+    /// equal share one.
+    pub fn structures(&self, scene: &Mechanism) -> Vec<Option<usize>> {
+        let mut known: Vec<Identity> = Vec::new();
+        let planned = scene.bodies.iter().zip(&self.bodies);
+        let number = planned.map(|(body, plan)| {
+            let key = Identity::of(&body.prototype, self.in_space, &plan.options);
+            plan.is_elastic().then(|| {
+                known.iter().position(|other| *other == key).unwrap_or_else(|| {
+                    known.push(key);
+                    known.len() - 1
+                })
+            })
+        });
+        number.collect()
+    }
+}
+
+/// What tells structures apart, stresses aside: one that has them serves those that need none.
+#[derive(PartialEq)]
+enum Identity {
+    Content(Key),
+    Prototype(*const (), bool),
+}
+
+impl Identity {
+    fn of(prototype: &Arc<dyn Prototype>, in_space: bool, options: &StructureOptions) -> Identity {
+        let without_stresses = StructureOptions { stresses: false, ..*options };
+        let key = match in_space {
+            false => prototype.key(&without_stresses),
+            true => prototype.solid_key(&without_stresses),
+        };
+        match key {
+            Some(key) => Identity::Content(key),
+            None => Identity::Prototype(Arc::as_ptr(prototype).cast::<()>(), options.sharp_edges),
+        }
+    }
+}
+
+/// Whether a scene is analysed in space: where the fidelity leaves it open, if a section does not show all of it.
+///
+/// Lugs with clearance are contact in the plane, and stay there.
+fn lies_in_space(scene: &Mechanism, fidelity: Fidelity) -> bool {
+    let leaves_plane = |body: &Body| {
+        body.prototype.needs_space()
+            || [2, 3, 4].iter().any(|&freedom| body.free[freedom])
+            || check_in_plane(body.motion.as_ref()).is_err_and(|error| error.code == "E0610")
+    };
+    match fidelity {
+        Fidelity::Plane => false,
+        Fidelity::Solid(_) => true,
+        Fidelity::Rigid | Fidelity::Analytic => {
+            let loose = scene.bodies.iter().any(|body| body.prototype.lug_contact().is_some());
+            !loose && scene.bodies.iter().any(leaves_plane)
+        }
+    }
+}
+
+/// Bodies that pairs of surfaces touch.
+fn touching(scene: &Mechanism) -> impl Iterator<Item = BodyId> {
+    scene.pairs.iter().flat_map(|pair| pair.bodies)
+}
+
+/// Bodies that an observable names. One that nothing touches and no bearing holds rests where its frame says, and is none.
+fn named_by(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
+    let moves = |body: &BodyId| {
+        let borne = scene.bearings.iter().flat_map(Bearing::bodies).any(|other| other == *body);
+        borne || touching(scene).any(|other| other == *body)
+    };
+    let bearing = target.bearing_of.and_then(|bearing| scene.bearings.get(bearing.0));
+    let pair = target.pair_of.and_then(|pair| scene.pairs.get(pair.0));
+    let alone = target.frame_of.into_iter().chain(target.stresses_of).filter(moves);
+    alone
+        .chain(bearing.into_iter().flat_map(Bearing::bodies))
+        .chain(pair.into_iter().flat_map(|pair| pair.bodies))
+        .collect()
+}
+
+/// Bodies that an observable looks at: all that touch, if it names none.
+pub fn looks_at(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
+    let named = named_by(scene, target);
+    if target.is_everything() { named.into_iter().chain(touching(scene)).collect() } else { named }
+}
+
+/// Bodies that the scene's observables name.
+fn looked_at(scene: &Mechanism, targets: &[Target]) -> impl Iterator<Item = BodyId> {
+    targets.iter().flat_map(|target| named_by(scene, target))
+}
+
+/// Which bodies take part in what observables look at: those that touch or that bearings connect, from one to the next. All that touch, if
+/// nothing is looked at, or nothing that touches, or something as a whole, as vibrations are.
+fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bool> {
+    let whole = targets.is_empty() || modes_table || targets.iter().any(Target::is_everything);
+    let everything = || held_together(scene, looked_at(scene, targets).chain(touching(scene)));
+    if whole {
+        return everything();
+    }
+    let path = held_together(scene, looked_at(scene, targets));
+    // An equilibrium is one of contact: what only bearings hold goes along with what touches.
+    let touches = touching(scene).any(|body| path.get(body.0) == Some(&true));
+    if touches { path } else { everything() }
+}
+
+/// These bodies, what touches them, and what bearings connect with them.
+fn held_together(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> Vec<bool> {
+    let mut wanted = vec![false; scene.bodies.len()];
+    let mut more: Vec<BodyId> = bodies.collect();
+    while let Some(body) = more.pop() {
+        match wanted.get_mut(body.0) {
+            Some(wanted) if !*wanted => *wanted = true,
+            _ => continue,
+        }
+        let bearings = scene.bearings.iter().filter(|bearing| bearing.bodies().any(|other| other == body));
+        more.extend(bearings.flat_map(Bearing::bodies));
+        let pairs = scene.pairs.iter().filter(|pair| pair.bodies.contains(&body));
+        more.extend(pairs.flat_map(|pair| pair.bodies));
+    }
+    wanted
+}
+
+fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> BearingPlan {
+    let unwanted = bearing.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
+    let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
+    let idle = !bearing.bodies().any(moves) && bearing.is_unloaded_at_rest();
+    BearingPlan {
+        name: bearing.name.clone(),
+        reason: match (unwanted, idle) {
+            (true, _) => "left out: no output depends on what it connects",
+            (_, true) => "left out: the frames on both sides are constrained, and it carries no load",
+            _ => "a stiffness between the frames of its races",
+        },
+        left_out: unwanted || idle,
+    }
+}
+
+/// What of a bearing an analysis cannot see.
+fn unseen_of(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
+    let mut unseen = Vec::new();
+    if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
+        unseen.push(Ignored {
+            input: DAMPING.into(),
+            reason: "a quasi-static analysis leaves rates out, and with them what bearings damp".into(),
+        });
+    }
+    let out_of_plane = |row: &usize| bearing.stiffness[*row].iter().any(|&entry| entry != 0.0);
+    if !in_space && [2, 3, 4].iter().any(out_of_plane) {
+        unseen.push(Ignored {
+            input: "bearing".into(),
+            reason:
+                "in a two-dimensional model bearings support u_x, u_y and theta_z; u_z, theta_x and theta_y are zero"
+                    .into(),
+        });
+    }
+    unseen
+}
+
+/// A plane model has no forces across the plane, so nothing could hold such a freedom.
+fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineError> {
+    match [2, 3, 4].into_iter().find(|&freedom| free[freedom]) {
+        Some(freedom) => Err(EngineError::new(
+            "E0611",
+            format!(
+                "body \"{body}\" is free in {}, which a two-dimensional model does not have",
+                FREEDOMS[freedom]
+            ),
+            "take it out of `free`: a plane model has \"u_x\", \"u_y\" and \"theta_z\"",
+        )
+        .blame("free")),
+        None => Ok(()),
+    }
+}
+
+/// Lugs with clearance carry a body that its frame lets go, and are contact in the plane; how a ring gives between lugs that bear has no closed form.
+fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) -> Result<(), EngineError> {
+    if fidelity == Fidelity::Analytic {
+        return Err(EngineError::new(
+            "E0783",
+            format!(
+                "body \"{body}\" is on a spline with clearance, and the fidelity level \"analytic\" has no closed form for its compliance"
+            ),
+            "remove `clearance`: closed forms assume a rim that is supported all around",
+        ));
+    }
+    if in_space {
+        return Err(EngineError::new(
+            "E0756",
+            format!(
+                "the spline of body \"{body}\" has clearance, which three-dimensional models do not support"
+            ),
+            "remove `clearance` for a spline without backlash",
+        ));
+    }
+    if !free[5] {
+        return Err(EngineError::new(
+            "E0755",
+            format!("the spline of body \"{body}\" has clearance, but its frame is constrained in rotation"),
+            "free the body, `free = [\"u_x\", \"u_y\", \"theta_z\"]`, so that the spline supports it; or remove `clearance`",
+        )
+        .blame("free"));
+    }
+    Ok(())
+}
+
+/// The width of each body in the plane, m. Loads that go from one body to the next are spread over one width, the smallest of those that touch;
+/// where nothing touches, of all. What is left out of a plan changes no width, for it is left out with all that loads it.
+pub fn face_widths(scene: &Mechanism) -> Vec<f64> {
+    let touching: Vec<BodyId> = touching(scene).collect();
+    let narrowest = |among: &dyn Fn(&BodyId) -> bool| {
+        let widths = touching.iter().filter(|body| among(body));
+        widths
+            .filter_map(|body| Some(scene.bodies.get(body.0)?.prototype.face_width()))
+            .fold(f64::INFINITY, f64::min)
+    };
+    let all = narrowest(&|_| true);
+    let mut widths = vec![None; scene.bodies.len()];
+    for body in 0..scene.bodies.len() {
+        if widths[body].is_none() {
+            let together = held_together(scene, std::iter::once(BodyId(body)));
+            let width = narrowest(&|body| together.get(body.0) == Some(&true));
+            let known = Some(if width.is_finite() { width } else { all });
+            widths.iter_mut().zip(together).filter(|(_, along)| *along).for_each(|(width, _)| *width = known);
+        }
+    }
+    widths.into_iter().map(|width| width.unwrap_or(all)).collect()
+}
+
+/// What of a body's width a plane model does not see.
+fn unequal_widths(scene: &Mechanism, bodies: &[BodyPlan]) -> Vec<Ignored> {
+    let modelled = scene.bodies.iter().zip(bodies).zip(face_widths(scene));
+    let wider = modelled.filter(|((body, plan), width)| {
+        plan.is_elastic() && body.prototype.face_width() > width * (1.0 + 1e-9)
+    });
+    let told = wider.map(|(_, width)| Ignored {
+        input: "face_width".into(),
+        reason: format!(
+            "bodies that load each other have one width in a plane model, and are taken as wide as the narrowest, {} mm",
+            rounded_mm(width)
+        ),
+    });
+    told.collect()
+}
+
+/// What of loads, frames and gauges stands out of the plane of a plane model.
+fn out_of_plane(scene: &Mechanism, targets: &[Target], bodies: &[BodyPlan]) -> Vec<Ignored> {
+    let ignored = |input: &str, reason: String| Ignored { input: input.into(), reason };
+    let mut found = Vec::new();
+    let modelled = scene.bodies.iter().zip(bodies).filter(|(_, plan)| !plan.left_out);
+    for (body, _) in modelled {
+        let Wrench { force, moment } = body.load.at(0.0);
+        let about = "a plane model has no direction along e3, so the support of body";
+        if force[2] != 0.0 {
+            found.push(ignored("force", format!("{about} \"{}\" takes its force along e3", body.name)));
+        }
+        if moment[0] != 0.0 || moment[1] != 0.0 {
+            found.push(ignored(
+                "moment",
+                format!("{about} \"{}\" takes its moment about e1 and e2", body.name),
+            ));
+        }
+    }
+    for pair in scene.pairs.iter().filter(|pair| pair.front.is_none()) {
+        let members = pair.bodies.map(|body| (&scene.bodies[body.0], &bodies[body.0]));
+        if members.iter().any(|(_, plan)| plan.left_out) {
+            continue;
+        }
+        let [first, second] = members.map(|(body, _)| {
+            let middle = pose_in_space(body.motion.as_ref(), 0.0).map_or(0.0, |pose| pose.origin[2]);
+            let half = 0.5 * body.prototype.face_width();
+            [middle - half, middle + half]
+        });
+        let common = first[1].min(second[1]) - first[0].max(second[0]);
+        let narrowest = (first[1] - first[0]).min(second[1] - second[0]);
+        if common < narrowest * (1.0 - 1e-9) {
+            let [one, other] = members.map(|(body, _)| &body.name);
+            found.push(ignored(
+                "frame",
+                format!(
+                    "a plane model has no direction along e3: the faces of \"{one}\" and \"{other}\" overlap by {} mm, and are taken to be in contact over {} mm",
+                    rounded_mm(common),
+                    rounded_mm(narrowest)
+                ),
+            ));
+        }
+    }
+    if targets.iter().any(|target| target.off_middle) {
+        found.push(ignored(
+            "axial",
+            "a plane model is the same all along the face, so gauges read the same".into(),
+        ));
+    }
+    found
+}
+
+/// A length in mm, to the digits that a conversion of units leaves right.
+fn rounded_mm(length: f64) -> f64 {
+    (length * 1e9).round() / 1e6
+}

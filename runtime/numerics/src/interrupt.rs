@@ -1,0 +1,149 @@
+//! How whoever started an analysis ends it before its time: a question that is asked at every checkpoint.
+
+use crate::error::EngineError;
+use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+type Question = dyn Fn(Wanted) -> Result<(), EngineError> + Send + Sync;
+
+/// Memory that is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wanted {
+    /// What is to be taken next, bytes; most checkpoints know of nothing.
+    pub bytes: u64,
+    /// What was promised to others who still hold it, bytes, whether they have taken it or not.
+    pub promised: u64,
+}
+
+/// Memory that was promised; it is given back when this is dropped, so it is kept beside what it is for.
+#[derive(Debug, Default)]
+#[must_use = "dropped at once, it is promised to another before it is taken"]
+pub struct Room {
+    promised: Arc<AtomicU64>,
+    bytes: u64,
+}
+
+impl Room {
+    /// How much it is.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Gives back what is beyond so many bytes: more is not taken after all.
+    pub fn shrink_to(&mut self, bytes: u64) {
+        self.promised.fetch_sub(self.bytes.saturating_sub(bytes), Ordering::Relaxed);
+        self.bytes = self.bytes.min(bytes);
+    }
+}
+
+impl Drop for Room {
+    fn drop(&mut self) {
+        self.promised.fetch_sub(self.bytes, Ordering::Relaxed);
+    }
+}
+
+/// Asked at checkpoints whether to go on; the error it answers with ends the work, and is what the caller gets.
+///
+/// It is asked between positions, between the batches of whatever takes long while structures are
+/// built, at each row of a contact compliance, and before each factorization of the contact solver
+/// and each piece of a large one; by several threads at once where work is done side by side. It should answer fast
+/// (a flag, a clock), and having said no once it should keep to it.
+///
+/// # How long it may take to be asked
+/// The longest stages without a checkpoint are of the mesh of one sector, a tooth of a gear with its share of the rim: making it,
+/// adding up its stiffness, ordering that and eliminating what its last cut leaves. Each is about a twentieth of an analysis of a mesh cycle at the default
+/// mesh, whatever the number of teeth (`cargo bench -p calyx-gears --bench interruption` measures it), and grows with
+/// the refinement of its mesh. With kept structures the longest is one piece of
+/// a factorization, less than a second.
+///
+/// # Memory
+/// Before anything large is allocated (what condensing a sector takes, a contact matrix), the question is asked whether so many bytes
+/// may be taken, so that an analysis ends with an error instead of being killed. What is asked for is at least what is taken, at any
+/// number of threads: what threads side by side were promised and may not have taken yet, the question is told too.
+#[derive(Clone, Default)]
+pub struct Interrupt {
+    question: Option<Arc<Question>>,
+    /// The largest number of bytes asked for, those promised to others among them.
+    most: Arc<AtomicU64>,
+    /// Bytes that somebody holds.
+    promised: Arc<AtomicU64>,
+}
+
+impl Interrupt {
+    /// An interrupt that asks a question: an error ends the work with it.
+    pub fn new(question: impl Fn() -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
+        Self::counting(move |_| question())
+    }
+
+    /// The same of a question that is told how many bytes are to be taken next.
+    pub fn counting(question: impl Fn(Wanted) -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
+        Self { question: Some(Arc::new(question)), ..Self::default() }
+    }
+
+    /// Lets everything run to its end.
+    pub fn never() -> Self {
+        Self::default()
+    }
+
+    /// A checkpoint.
+    ///
+    /// # Errors
+    /// The error to end with.
+    pub fn check(&self) -> Result<(), EngineError> {
+        self.room_for(0).map(drop)
+    }
+
+    /// A checkpoint before so many bytes are taken, which are the caller's as long as it keeps what this returns.
+    ///
+    /// # Errors
+    /// The error to end with.
+    pub fn room_for(&self, bytes: u64) -> Result<Room, EngineError> {
+        let promised = self.promised.fetch_add(bytes, Ordering::Relaxed);
+        // Whoever is refused gives it back.
+        let room = Room { promised: self.promised.clone(), bytes };
+        self.most.fetch_max(promised + bytes, Ordering::Relaxed);
+        let wanted = Wanted { bytes, promised };
+        self.question.as_ref().map_or(Ok(()), |question| question(wanted)).map(|()| room)
+    }
+
+    /// The most bytes that were asked for at once, by all threads together.
+    pub fn most_asked(&self) -> u64 {
+        self.most.load(Ordering::Relaxed)
+    }
+}
+
+impl fmt::Debug for Interrupt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.question.is_some() { "Interrupt(..)" } else { "Interrupt(never)" })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two gears side by side are not promised the same memory, and who is done gives it back.
+    #[test]
+    fn what_is_promised_to_one_is_not_promised_to_another() {
+        let full = || EngineError::new("E0707", "it is too much", "");
+        let interrupt =
+            Interrupt::counting(
+                move |wanted| if wanted.bytes + wanted.promised <= 100 { Ok(()) } else { Err(full()) },
+            );
+        let first = interrupt.room_for(60).expect("there is room");
+        assert_eq!(interrupt.room_for(60).map(drop).map_err(|error| error.code), Err("E0707"));
+        // The refusal holds nothing.
+        let second = interrupt.clone().room_for(40).expect("there is room");
+        assert_eq!(interrupt.most_asked(), 120);
+        interrupt.check().expect("it takes nothing");
+        drop(first);
+        let mut third = interrupt.room_for(60).expect("there is room again");
+        third.shrink_to(20);
+        third.shrink_to(40);
+        let fourth = interrupt.room_for(40).expect("there is room for what is not taken after all");
+        assert_eq!(interrupt.room_for(1).map(drop).map_err(|error| error.code), Err("E0707"));
+        drop((second, third, fourth));
+        interrupt.room_for(100).map(drop).expect("all is given back");
+    }
+}

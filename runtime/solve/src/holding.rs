@@ -1,0 +1,197 @@
+//! Whether frames and contacts hold what is free to move: known before anything is solved, and said in the words of the
+//! model.
+//!
+//! However many teeth touch, the contacts of an involute mesh press along one line. So each mesh holds one combination of
+//! freedoms, in one sense, and whether they can balance the load is a small problem of its own.
+
+use calyx_contact::problem::{ContactError, FreeMotion};
+use calyx_contact::rest::{Rest, rest};
+use calyx_model::bearing::springs;
+use calyx_model::flanks::{add_flanks, lug_contacts};
+use calyx_model::frames::{loads_on, number_freedoms, solid_pose};
+use calyx_model::freedom::FREEDOMS;
+use calyx_model::freedom::Freedom;
+use calyx_model::mechanism::Mechanism;
+use calyx_model::pairs::SurfacePair;
+use calyx_model::plan::Plan;
+use calyx_numerics::error::{EngineError, Subject};
+use calyx_numerics::interrupt::Interrupt;
+use std::f64::consts::PI;
+
+/// Checks that nominal contact holds every free motion of the planned bodies under the loads of a time (s), that of the first
+/// position to solve.
+///
+/// # Errors
+/// What solving that position would end in: E0714 if a load drives a body away, E0715 if nothing holds a motion, E0723 if a load
+/// is not a number. Also the interrupt's: of many bodies this takes long.
+pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -> Result<(), EngineError> {
+    let freedoms = number_freedoms(scene, plan);
+    if freedoms.is_empty() {
+        return Ok(());
+    }
+    let mut springs = {
+        let planned = plan.modelled_bearings();
+        springs(&scene.bodies, &scene.bearings, &planned, &freedoms, |_| 1.0, time)?
+    };
+    for (body, contact) in &lug_contacts(scene, plan) {
+        add_flanks(&mut springs, scene, (*body, contact), &freedoms, time, None)?;
+    }
+    let mut load = loads_on(scene, &freedoms, time, 1.0)?;
+    for (load, own) in load.iter_mut().zip(&springs.load) {
+        *load += own;
+    }
+    let rest = rest(&springs.stiffness, &load);
+    // Along the axis and across it teeth hold by where along the face they touch: only solving shows that.
+    let out_of_plane = |free: &Vec<f64>| {
+        freedoms.iter().zip(free).any(|(freedom, part)| (2..5).contains(&freedom.component) && *part != 0.0)
+    };
+    if plan.in_space && rest.free.iter().any(out_of_plane) {
+        return Ok(());
+    }
+    // Clearances are used up, and what is behind them holds as teeth do.
+    let mut arms = springs.arms;
+    let mut contacts = springs.gaps.len();
+    let taking_part = |pair: &&SurfacePair| pair.bodies.iter().all(|body| !plan.bodies[body.0].left_out);
+    for pair in scene.pairs.iter().filter(taking_part) {
+        // Surfaces that are no gears' have no nominal contact: only solving shows what they hold.
+        let Some(row) = nominal_arms(scene, pair, &freedoms, time)? else { return Ok(()) };
+        arms.extend(row);
+        contacts += 1;
+    }
+    if rest.balanced {
+        load = drive_direction(scene, &freedoms);
+    }
+    let at_rest = Rest { motion: vec![0.0; freedoms.len()], ..rest };
+    match at_rest.rigid_limit(&vec![0.0; contacts], &arms, &load, interrupt) {
+        Err(
+            error @ (ContactError::Infeasible(_)
+            | ContactError::Unconstrained(_)
+            | ContactError::Interrupted(_)),
+        ) => Err(explain(scene, &freedoms, &error)),
+        // Anything else depends on where the teeth are.
+        _ => Ok(()),
+    }
+}
+
+/// Work that a unit of force along the line of action does on each freedom, at a time (s).
+fn nominal_arms(
+    scene: &Mechanism,
+    pair: &SurfacePair,
+    freedoms: &[Freedom],
+    time: f64,
+) -> Result<Option<Vec<f64>>, EngineError> {
+    let Some(mesh) = &pair.mesh else { return Ok(None) };
+    let bodies = pair.bodies.map(|body| body.0);
+    let [first, second] =
+        [solid_pose(scene, bodies[0], time)?.origin, solid_pose(scene, bodies[1], time)?.origin];
+    let across = [second[0] - first[0], second[1] - first[1]];
+    let [radius, mate] = mesh.base_radii;
+    let cosine = (radius + mesh.sign * mate).abs() / across[0].hypot(across[1]);
+    if !(0.0..=1.0).contains(&cosine) {
+        return Ok(None);
+    }
+    // A gear that pushes counter-clockwise presses its mate onwards at a right angle to the line of centres, less the
+    // pressure angle outwards. Inside of a ring the teeth touch on the side away from its axis.
+    let sense = mesh.drive_sense;
+    let contact = across[1].atan2(across[0]) + if mesh.sign < 0.0 { PI } else { 0.0 };
+    let angle = contact + sense * cosine.asin();
+    let normal = [angle.cos(), angle.sin()];
+    let arm = |freedom: &Freedom| {
+        let (side, turn) = match freedom.body {
+            body if body == bodies[0] => (-1.0, -sense * radius),
+            body if body == bodies[1] => (1.0, -sense * mesh.sign * mate),
+            _ => return 0.0,
+        };
+        match freedom.component {
+            component @ 0..2 => side * normal[component],
+            5 => turn,
+            _ => 0.0,
+        }
+    };
+    Ok(Some(freedoms.iter().map(arm).collect()))
+}
+
+/// The load whose limit is taken where there is none: meshes driven as their surfaces were chosen.
+pub fn drive_direction(scene: &Mechanism, freedoms: &[Freedom]) -> Vec<f64> {
+    let mut direction = vec![0.0; freedoms.len()];
+    for pair in &scene.pairs {
+        // Back sides drive no mesh.
+        let Some(mesh) = pair.mesh.as_ref().filter(|_| pair.front.is_none()) else { continue };
+        for (side, sign) in [(0, 1.0), (1, mesh.sign)] {
+            let turn = Freedom { body: pair.bodies[side].0, component: 5 };
+            if let Some(at) = freedoms.iter().position(|freedom| *freedom == turn) {
+                direction[at] = sign * mesh.drive_sense;
+            }
+        }
+    }
+    direction
+}
+
+/// A freedom that moves less than this part of the one that moves most is not named.
+const TAKES_PART: f64 = 1e-3;
+
+/// A failure of the contact solver in the words of the model.
+pub fn explain(scene: &Mechanism, freedoms: &[Freedom], error: &ContactError) -> EngineError {
+    let named = |motion: &FreeMotion| motion_name(scene, freedoms, &motion.motion);
+    let about = |error: EngineError, motion: &FreeMotion| match freedoms.get(motion.freedom) {
+        Some(freedom) => error.about(Subject::Body(freedom.body)).blame("free"),
+        None => error,
+    };
+    match error {
+        ContactError::Infeasible(motion) => about(
+            EngineError::new(
+                "E0714",
+                format!("no contact can balance the load: it drives {}", named(motion)),
+                "constrain this degree of freedom (remove it from `free`) or add a bearing, or check the sign of the load and that the teeth are in mesh; a reversing load needs `back_side_contact = TRUE` in `gears.mesh`",
+            ),
+            motion,
+        ),
+        ContactError::Unconstrained(motion) => about(
+            EngineError::new(
+                "E0715",
+                format!("nothing constrains {}", named(motion)),
+                "constrain this degree of freedom (remove it from `free`), add a bearing, or apply a load",
+            ),
+            motion,
+        ),
+        ContactError::DependentCells { cell } => EngineError::new(
+            "E0716",
+            format!("the gap equations are not independent of each other at contact cell {cell}"),
+            "let at least one of the two bodies be elastic, and let no two surface pairs describe the same contact",
+        ),
+        ContactError::Jammed => EngineError::new(
+            "E0717",
+            "the bodies overlap in every position",
+            "move the frames apart; look at centre distance, thickness and pitch errors",
+        ),
+        ContactError::Invalid(what) => {
+            EngineError::new("E0718", format!("the contact problem is unusable: {what}"), "")
+        }
+        ContactError::Interrupted(error) => error.clone(),
+        ContactError::NotConverged => EngineError::new(
+            "E0719",
+            "the contact solver found no solution",
+            "please report the model: this should not happen",
+        ),
+    }
+}
+
+/// A motion as people call it: every freedom that takes part, with its sense.
+fn motion_name(scene: &Mechanism, freedoms: &[Freedom], motion: &[f64]) -> String {
+    // Turns compared with shifts by what they move on the rim.
+    let size = |at: usize| {
+        let Freedom { body, component } = freedoms[at];
+        let radius = scene.bodies[body].prototype.enclosing_radius();
+        motion[at].abs() * if component < 3 { 1.0 } else { radius }
+    };
+    let largest = (0..motion.len()).map(size).fold(0.0, f64::max);
+    let parts: Vec<String> = (0..motion.len())
+        .filter(|&at| size(at) > TAKES_PART * largest)
+        .map(|at| {
+            let sense = if motion[at] > 0.0 { "positive" } else { "negative" };
+            let Freedom { body, component } = freedoms[at];
+            format!("{} of body \"{}\" in the {sense} sense", FREEDOMS[component], scene.bodies[body].name)
+        })
+        .collect();
+    parts.join(" and ")
+}

@@ -1,0 +1,393 @@
+//! Mass, damping and the loads by inertia of all coordinates of a plane model at a time.
+//!
+//! A particle of a body is at `A + u + R(phi + theta) (X + sum phi_k q_k)`: A the axle's prescribed place, phi the prescribed turn, u and theta the
+//! deviations of the frame (u along ground axes), X the particle's place from the axle and phi_k its displacement by modal coordinate q_k, both in
+//! the body's axes. With a the acceleration of A, omega and alpha the angular velocity and acceleration of phi, e the turn by a right angle
+//! (`e3 x`), and the virtual work of the particles' inertia kept to the first order in u, theta, q and their rates, forces of inertia are,
+//! negative,
+//!
+//! - on u: `m u'' + theta'' e s - 2 omega theta' s - (alpha s + omega² e s) theta + m a + alpha e s - omega² s
+//!   + sum (c q'' + 2 omega e c q' + (alpha e - omega²) c q)`;
+//! - on theta: `J theta'' + e s . u'' - (s . a) theta + J alpha + e s . a + sum (b q'' + 2 omega x q' + (2 alpha x + e c . a) q)`;
+//! - on q_k: `q_k'' + c . u'' + b theta'' - 2 omega x theta' + (e c . a) theta + c . a + b alpha - omega² x + sum (2 omega g q_l' + alpha g q_l)`,
+//!
+//! m the mass, `s = R int X` the first moment and J the second one about the axle; of a mode `c = R int phi`, `b = int phi . e X`,
+//! `x = int phi . X` and `g = int phi_k . e phi_l`, all integrals by mass. So frames and modes meet in terms of Coriolis, of Euler and of
+//! centrifugal force; forces and moments on all of a body are the rates of its momentum and of its moment of momentum. Whether a frame is free
+//! along a component or held makes no difference: what is held feels the same as a reaction.
+//!
+//! **What is left out.** On q_k the same gives `- omega² q_k`, by which modes soften as they turn. That tension of a turning body stiffens it, by
+//! more than that if the mode bends a rim, is of the second order of displacements and not among the modes' numbers; both change a natural
+//! frequency by parts of the order of `(omega / omega_n)²`, and one without the other would be wrong in sign. Both are left out: at a tenth of the
+//! lowest natural frequency that is a hundredth, and from there on a step says so ([`Matrices::softening`]). What the acceleration of a path does to the
+//! stiffness of modes is left out for the same reason. External loads act on the axle along ground axes, so they do not depend on deviations.
+//!
+//! Damping in proportion to mass (Rayleigh) acts on the rates of deviations: it brakes what departs from the prescribed motion, not that motion.
+
+use crate::system::System;
+use calyx_fe::inertia::Inertia;
+use calyx_model::bearing::damping;
+use calyx_model::fidelity::Fidelity;
+use calyx_model::frames::pose;
+use calyx_model::freedom::Freedom;
+use calyx_model::mechanism::Mechanism;
+use calyx_model::motion::{angular_acceleration, angular_velocity, point_acceleration};
+use calyx_model::plan::Plan;
+use calyx_numerics::error::{EngineError, Subject};
+
+/// At a time, per width of the model: freedoms first, then modal coordinates.
+pub struct Matrices {
+    /// Between freedoms, row-major.
+    pub mass: Vec<f64>,
+    /// Freedoms by modal coordinates, row-major.
+    pub coupling: Vec<f64>,
+    /// Of bearings, between freedoms, row-major.
+    pub damping: Vec<f64>,
+    /// Loads by the prescribed motion on freedoms.
+    pub load: Vec<f64>,
+    /// The same on modal coordinates.
+    pub modal_load: Vec<f64>,
+    /// Of every body.
+    bodies: Vec<Moving>,
+    /// Of every modal coordinate.
+    arms: Vec<Arm>,
+}
+
+/// A body at a time.
+#[derive(Clone, Copy, Default)]
+struct Moving {
+    /// Angular velocity, rad/s, and acceleration, rad/s².
+    spin: f64,
+    spinning_up: f64,
+    /// Of the axle, m/s².
+    acceleration: [f64; 2],
+    /// kg, kg m and kg m², about the axle along ground axes.
+    mass: f64,
+    first: [f64; 2],
+    polar: f64,
+    /// Force (N) and moment (N m) of inertia by the prescribed motion.
+    load: [f64; 3],
+}
+
+/// What a modal coordinate has to do with its frame, along ground axes about the axle.
+#[derive(Clone, Copy, Default)]
+struct Arm {
+    /// `c`.
+    along: [f64; 2],
+    /// `b`.
+    about: f64,
+    /// `x`.
+    outwards: f64,
+}
+
+/// Forces on the frame of every body along x and y (N) and moments about its axle (N m), and forces on modal coordinates.
+pub struct Forces {
+    frames: Vec<[f64; 3]>,
+    /// Generalised forces on modal coordinates, per width of the model.
+    pub modal: Vec<f64>,
+}
+
+/// Parts of a body's lowest natural frequency at which it turns: from the first on what is left out is told, beyond the other it is too much.
+const FAST: f64 = 0.1;
+const TOO_FAST: f64 = 0.5;
+/// Where the components of a frame in the plane stand among those of [`calyx_model::freedom::FREEDOMS`].
+const IN_PLANE: [usize; 3] = [0, 1, 5];
+
+fn dot([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    a * c + b * d
+}
+
+/// Turned by a right angle.
+fn across([x, y]: [f64; 2]) -> [f64; 2] {
+    [-y, x]
+}
+
+impl Matrices {
+    /// `inertias` are those of the bodies about their axles.
+    ///
+    /// # Errors
+    /// A frame is not a number.
+    pub fn at(system: &System<'_>, inertias: &[Inertia], time: f64) -> Result<Matrices, EngineError> {
+        let (freedoms, modes) = (&system.freedoms, &system.modes);
+        let (m, count) = (freedoms.len(), modes.count());
+        let mut matrices = Matrices {
+            mass: vec![0.0; m * m],
+            coupling: Vec::new(),
+            damping: {
+                let Mechanism { bodies, bearings, .. } = system.scene;
+                damping(bodies, bearings, &system.bearings, freedoms, |body| system.width(body), time)?
+            },
+            load: vec![0.0; m],
+            modal_load: vec![0.0; count],
+            bodies: Vec::with_capacity(system.scene.bodies.len()),
+            arms: modal_arms(system, time)?,
+        };
+        for index in 0..system.scene.bodies.len() {
+            let body = &system.scene.bodies[index];
+            let spin = angular_velocity(body.motion.as_ref(), time)[2];
+            let (angle, ground) = (pose(system.scene, index, time)?.angle, system.origin(index, time));
+            let [ax, ay, _] = point_acceleration(body.motion.as_ref(), time, ground);
+            let alpha = angular_acceleration(body.motion.as_ref(), time)[2];
+            let own = inertias.get(index).copied().unwrap_or_default();
+            let s = turned([own.moment[0], own.moment[1]], angle);
+            let entry = |one: usize, other: usize| match (one.min(other), one.max(other)) {
+                (0, 0) | (1, 1) => own.mass,
+                (0, 5) => -s[1],
+                (1, 5) => s[0],
+                (5, 5) => own.polar(),
+                _ => 0.0,
+            };
+            let by_motion = [
+                -(own.mass * ax - alpha * s[1] - spin * spin * s[0]),
+                -(own.mass * ay + alpha * s[0] - spin * spin * s[1]),
+                -(own.polar() * alpha + s[0] * ay - s[1] * ax),
+            ];
+            matrices.bodies.push(Moving {
+                spin,
+                spinning_up: alpha,
+                acceleration: [ax, ay],
+                mass: own.mass,
+                first: s,
+                polar: own.polar(),
+                load: by_motion,
+            });
+            for (i, one) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
+                for (j, other) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
+                    matrices.mass[i * m + j] += entry(one.component, other.component) / system.width(index);
+                }
+            }
+            let Some((own, first)) = modes.of_body(index) else { continue };
+            let loads = matrices.modal_load.iter_mut().zip(&matrices.arms);
+            for (load, arm) in loads.skip(first).take(own.count()) {
+                *load = spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
+            }
+        }
+        matrices.coupling = on_freedoms_by_modes(system, &matrices.arms);
+        let by_motion: Vec<[f64; 3]> = matrices.bodies.iter().map(|body| body.load).collect();
+        matrices.load = on_freedoms(system, &by_motion);
+        Ok(matrices)
+    }
+
+    /// What inertia does by displacements and rates of all coordinates: everything of the module's equations but what belongs to their
+    /// accelerations and to the prescribed motion. Linear in both.
+    pub fn following(&self, system: &System<'_>, displacement: &[f64], rate: &[f64]) -> Forces {
+        let m = system.freedoms.len();
+        let mut forces =
+            Forces { frames: vec![[0.0; 3]; self.bodies.len()], modal: vec![0.0; self.arms.len()] };
+        for (index, body) in self.bodies.iter().enumerate() {
+            let Moving { spin, spinning_up, acceleration, first: s, .. } = *body;
+            if spin == 0.0 && spinning_up == 0.0 && acceleration == [0.0; 2] {
+                continue;
+            }
+            let turn = system.moved(index, &displacement[..m])[5];
+            let turning = system.moved(index, &rate[..m])[5];
+            let (by, ahead) = (2.0 * spin * turning + spinning_up * turn, spin * spin * turn);
+            let mut frame = [
+                by * s[0] + ahead * across(s)[0],
+                by * s[1] + ahead * across(s)[1],
+                dot(s, acceleration) * turn,
+            ];
+            if let Some((own, from)) = system.modes.of_body(index) {
+                let (count, width) = (own.count(), system.width(index));
+                let (q, rates) = (&displacement[m + from..][..count], &rate[m + from..][..count]);
+                for (k, arm) in self.arms[from..from + count].iter().enumerate() {
+                    let sideways = across(arm.along);
+                    let (by, out) = (2.0 * spin * rates[k] + spinning_up * q[k], spin * spin * q[k]);
+                    frame[0] += width * (out * arm.along[0] - by * sideways[0]);
+                    frame[1] += width * (out * arm.along[1] - by * sideways[1]);
+                    let pulled = dot(sideways, acceleration);
+                    let about = 2.0 * spin * rates[k] + 2.0 * spinning_up * q[k];
+                    frame[2] -= width * (about * arm.outwards + pulled * q[k]);
+                    forces.modal[from + k] = 2.0 * spin * arm.outwards * turning - pulled * turn;
+                }
+                let modal = &mut forces.modal[from..from + count];
+                for l in 0..count {
+                    let by = 2.0 * spin * rates[l] + spinning_up * q[l];
+                    modal.iter_mut().zip(own.gyroscopic.col_as_slice(l)).for_each(|(sum, g)| *sum -= g * by);
+                }
+            }
+            forces.frames[index] = frame;
+        }
+        forces
+    }
+
+    /// What should be known of what is left out, in sentences.
+    ///
+    /// # Errors
+    /// E0767: a body turns so fast that its modes are not those it has at rest.
+    pub fn softening(&self, system: &System<'_>) -> Result<Vec<String>, EngineError> {
+        let mut warnings = Vec::new();
+        for (index, body) in self.bodies.iter().enumerate() {
+            let Some((own, _)) = system.modes.of_body(index) else { continue };
+            let part = own.frequencies.first().map_or(0.0, |lowest| body.spin.abs() / lowest);
+            let name = &system.scene.bodies[index].name;
+            if part > TOO_FAST {
+                return Err(EngineError::new(
+                    "E0767",
+                    format!("body \"{name}\" turns at more than half of its lowest natural frequency"),
+                    "its modes are those of a body that hardly turns: let it turn slower, make it stiffer, or leave modes out by `highest_frequency = 0 Hz`",
+                )
+                .blame("highest_frequency")
+                .about(Subject::Body(index)));
+            }
+            if part > FAST {
+                warnings.push(format!(
+                    "body \"{name}\" turns at more than a tenth of its lowest natural frequency: that tension stiffens its modes and turning softens them is left out, and changes the lowest ones by more than a hundredth"
+                ));
+            }
+        }
+        Ok(warnings)
+    }
+
+    /// What the inertia of every body does to its frame, in the order of [`calyx_model::freedom::FREEDOMS`], N and N m: by the prescribed motion, by
+    /// displacements and rates, and by the accelerations of freedoms and modal coordinates.
+    pub fn inertia(&self, system: &System<'_>, following: &Forces, acceleration: &[f64]) -> Vec<[f64; 6]> {
+        let m = system.freedoms.len();
+        let of = |(index, body): (usize, &Moving)| {
+            let [ax, ay, .., turn] = system.moved(index, &acceleration[..m]);
+            let ([sx, sy], Moving { load, mass, polar, .. }) = (body.first, *body);
+            let own = [mass * ax - sy * turn, mass * ay + sx * turn, polar * turn + sx * ay - sy * ax];
+            let mut wrench = [0.0; 6];
+            for (k, component) in IN_PLANE.into_iter().enumerate() {
+                wrench[component] = load[k] + following.frames[index][k] - own[k];
+            }
+            if let Some((own, from)) = system.modes.of_body(index) {
+                let width = system.width(index);
+                for (arm, q) in self.arms[from..from + own.count()].iter().zip(&acceleration[m + from..]) {
+                    wrench[0] -= width * arm.along[0] * q;
+                    wrench[1] -= width * arm.along[1] * q;
+                    wrench[5] -= width * arm.about * q;
+                }
+            }
+            wrench
+        };
+        self.bodies.iter().enumerate().map(of).collect()
+    }
+}
+
+impl Forces {
+    /// On freedoms, per width of the model, then on modal coordinates.
+    pub fn on_coordinates(&self, system: &System<'_>) -> Vec<f64> {
+        let mut all = on_freedoms(system, &self.frames);
+        all.extend(&self.modal);
+        all
+    }
+}
+
+fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
+    let (sine, cosine) = by.sin_cos();
+    [cosine * x - sine * y, sine * x + cosine * y]
+}
+
+/// What every modal coordinate has to do with its frame at a time.
+fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<Arm>, EngineError> {
+    let mut arms = Vec::with_capacity(system.modes.count());
+    for (index, body) in system.scene.bodies.iter().enumerate() {
+        let Some((own, _)) = system.modes.of_body(index) else { continue };
+        // Modes are told in the axes of the teeth.
+        let stands = pose(system.scene, index, time)?.angle + body.phase;
+        let [px, py, _] = system.axle(index);
+        let [px, py] = turned([px, py], -body.phase);
+        arms.extend(own.coupling.iter().zip(&own.centrifugal).map(|(&[cx, cy, about], outwards)| Arm {
+            along: turned([cx, cy], stands),
+            about: about - (px * cy - py * cx),
+            outwards: outwards - (px * cx + py * cy),
+        }));
+    }
+    Ok(arms)
+}
+
+/// Mass between freedoms and modal coordinates of a plane model at a time, row-major, per width of the model.
+///
+/// # Errors
+/// A frame is not a number.
+pub fn coupling(system: &System<'_>, time: f64) -> Result<Vec<f64>, EngineError> {
+    Ok(on_freedoms_by_modes(system, &modal_arms(system, time)?))
+}
+
+fn on_freedoms_by_modes(system: &System<'_>, arms: &[Arm]) -> Vec<f64> {
+    let count = arms.len();
+    let mut coupling = vec![0.0; system.freedoms.len() * count];
+    for (i, freedom) in system.freedoms.iter().enumerate() {
+        let Some((own, first)) = system.modes.of_body(freedom.body) else { continue };
+        for (k, arm) in arms.iter().enumerate().skip(first).take(own.count()) {
+            coupling[i * count + k] = match freedom.component {
+                0 => arm.along[0],
+                1 => arm.along[1],
+                5 => arm.about,
+                _ => 0.0,
+            };
+        }
+    }
+    coupling
+}
+
+/// Of forces and moments on frames those on freedoms, per width of the model.
+fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
+    let of = |freedom: &Freedom| {
+        let component = IN_PLANE.iter().position(|component| *component == freedom.component);
+        component.map_or(0.0, |component| frames[freedom.body][component] / system.width(freedom.body))
+    };
+    system.freedoms.iter().map(of).collect()
+}
+
+/// What dynamics asks of a model before its structures are built: that it is a section.
+///
+/// # Errors
+/// E0761: the model is in space. E0781: its bodies are rigid.
+pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
+    match fidelity {
+        Fidelity::Analytic | Fidelity::Plane => Ok(()),
+        Fidelity::Rigid => Err(EngineError::new(
+            "E0781",
+            "the fidelity level \"rigid\" has no forces, so bodies cannot vibrate on their teeth",
+            "",
+        )
+        .blame("fidelity")),
+        Fidelity::Solid(_) => Err(in_space()),
+    }
+}
+
+/// The same of a plan, where the fidelity leaves open whether the model is in space.
+///
+/// # Errors
+/// E0761: it is.
+pub fn check_in_section(plan: &Plan) -> Result<(), EngineError> {
+    if plan.in_space { Err(in_space()) } else { Ok(()) }
+}
+
+fn in_space() -> EngineError {
+    EngineError::new("E0761", "dynamic analyses are of plane models", "").blame("fidelity")
+}
+
+/// That free bodies have mass.
+///
+/// # Errors
+/// E0762: a free freedom has no inertia.
+pub fn check_inertia(
+    scene: &Mechanism,
+    freedoms: &[Freedom],
+    inertias: &[Inertia],
+) -> Result<(), EngineError> {
+    for freedom in freedoms {
+        let body = &scene.bodies[freedom.body];
+        let inertia = inertias.get(freedom.body).copied().unwrap_or_default();
+        let (resists, what) = match freedom.component {
+            0..3 => (inertia.mass, "mass"),
+            component => {
+                let about = component.saturating_sub(3).min(2);
+                (inertia.about[about][about], "moment of inertia")
+            }
+        };
+        if !(resists.is_finite() && resists > 0.0) {
+            return Err(EngineError::new(
+                "E0762",
+                format!("body \"{}\" is free to move and has no {what}", body.name),
+                "give it a `mass` and an `inertia`, or constrain it",
+            )
+            .blame("free")
+            .about(Subject::Body(freedom.body)));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,182 @@
+//! Modal coordinates of bodies in a contact problem: eliminated, for each of them is a spring and a mass of its own.
+//!
+//! A modal coordinate q opens the gap of a cell by the inward displacement of the surface, C_q. It obeys `d y + S' y_r = g + C_q' p`, with d
+//! the diagonal of the step's matrix and S what couples it to the rigid freedoms by mass. So the cells see the compliance `C_q d^-1 C_q'` in
+//! place of the part `C_q omega^-2 C_q'` that statics gives these modes, and what modes leave out stays as statics has it: that is the
+//! residual flexibility.
+
+use calyx_contact::grid::Cell;
+use calyx_contact::problem::ContactProblem;
+use calyx_model::fidelity::Fidelity;
+use calyx_model::mechanism::Mechanism;
+use calyx_model::plan::Plan;
+use calyx_model::resources::Resources;
+use calyx_numerics::error::EngineError;
+use calyx_structure::{BodyModes, Chart};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatMut, MatRef, Par};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Modes of all bodies, and where each body's coordinates begin among those of all.
+#[derive(Clone, Default)]
+pub struct Modes {
+    /// By body.
+    pub of: Vec<Option<Arc<BodyModes>>>,
+    /// By body.
+    first: Vec<usize>,
+    /// Squares of all natural frequencies, (rad/s)².
+    pub squares: Vec<f64>,
+}
+
+impl Modes {
+    /// In the order of the bodies.
+    pub fn new(of: Vec<Option<Arc<BodyModes>>>) -> Modes {
+        let (mut first, mut squares) = (Vec::new(), Vec::new());
+        for modes in &of {
+            first.push(squares.len());
+            squares
+                .extend(modes.iter().flat_map(|modes| modes.frequencies.iter().map(|omega| omega * omega)));
+        }
+        Modes { of, first, squares }
+    }
+
+    /// Of all bodies that are modelled as elastic and can have them, up to a natural frequency, Hz; none at all up to 0.
+    ///
+    /// # Errors
+    /// Those of [`check_modes`] and [`Resources::modes`].
+    pub fn find(
+        scene: &Mechanism,
+        plan: &Plan,
+        resources: &Resources,
+        highest: f64,
+    ) -> Result<Modes, EngineError> {
+        check_modes(plan.fidelity, highest)?;
+        if highest == 0.0 {
+            return Ok(Modes::default());
+        }
+        let bodies = scene.bodies.iter().zip(&plan.bodies);
+        let of =
+            bodies.map(|(body, plan)| match plan.is_elastic() && body.prototype.without_modes().is_none() {
+                true => resources.modes(body.prototype.as_ref(), &plan.options, TAU * highest),
+                false => Ok(None),
+            });
+        Ok(Modes::new(of.collect::<Result<_, _>>()?))
+    }
+
+    /// How many coordinates there are.
+    pub fn count(&self) -> usize {
+        self.squares.len()
+    }
+
+    /// The modes of a body and where its coordinates begin.
+    pub fn of_body(&self, body: usize) -> Option<(&BodyModes, usize)> {
+        Some((self.of.get(body)?.as_deref()?, self.first[body]))
+    }
+
+    /// Adds how the coordinates of the bodies on both sides of a patch grow the gaps of its cells, which begin at a row of `arms`.
+    pub fn add_arms(&self, arms: &mut Mat<f64>, row: usize, sides: [(usize, Chart); 2], cells: &[Cell]) {
+        for (side, (body, chart)) in sides.into_iter().enumerate() {
+            let Some((own, from)) = self.of_body(body) else { continue };
+            let places: Vec<f64> = cells.iter().map(|cell| cell.s[side]).collect();
+            let mut target = arms.as_mut().submatrix_mut(row, from, places.len(), own.count());
+            target += own.displacements(chart, &places);
+        }
+    }
+}
+
+/// That there may be modes of bodies up to this natural frequency, Hz.
+///
+/// # Errors
+/// E0764: it is negative, or no number. E0771: the model is in space. E0782: its bodies have no meshes.
+pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> {
+    let (code, message, help) = match fidelity {
+        _ if !(highest.is_finite() && highest >= 0.0) => (
+            "E0764",
+            format!("modes up to {highest} Hz cannot be found"),
+            "give a positive frequency, or 0 for no modes",
+        ),
+        Fidelity::Rigid | Fidelity::Analytic if highest > 0.0 => (
+            "E0782",
+            format!(
+                "the modes of bodies are those of their meshes, and the fidelity \"{}\" has none",
+                fidelity.name()
+            ),
+            "leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
+        ),
+        Fidelity::Solid(_) if highest > 0.0 => (
+            "E0771",
+            "elastic modes of bodies are two-dimensional, and this model is three-dimensional".into(),
+            "leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
+        ),
+        _ => return Ok(()),
+    };
+    Err(EngineError::new(code, message, help).blame("highest_frequency"))
+}
+
+/// What a step, or a position in equilibrium, makes of the modal coordinates.
+pub struct Elastic<'a> {
+    /// Of the bodies.
+    pub modes: &'a Modes,
+    /// d, by coordinate.
+    pub stiffness: Vec<f64>,
+    /// S, freedoms by coordinates, row-major.
+    pub coupling: Vec<f64>,
+    /// g, by coordinate.
+    pub load: Vec<f64>,
+    /// Coordinates where gaps are counted from.
+    pub start: Vec<f64>,
+}
+
+impl Elastic<'_> {
+    /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates. Bearing stops have no part in them.
+    pub fn eliminate(&self, problem: &mut ContactProblem, arms: &Mat<f64>) {
+        let (n, m, count) = (problem.cells(), problem.freedoms(), self.modes.count());
+        let given: Vec<f64> = self.load.iter().zip(&self.stiffness).map(|(g, d)| g / d).collect();
+        let weight = |k: usize| self.stiffness[k].recip() - self.modes.squares[k].recip();
+        let cells = arms.nrows();
+        let weighted = Mat::from_fn(cells, count, |cell, k| arms[(cell, k)] * weight(k));
+        let mut more = Mat::zeros(cells, cells);
+        product(more.as_mut(), weighted.as_ref(), arms.transpose());
+        for row in 0..cells {
+            for column in 0..cells {
+                // Of both sums the same one, so that symmetry is kept to the bit.
+                problem.compliance[row * n + column] += more[(row.max(column), row.min(column))];
+            }
+            let at = |k: usize| arms[(row, k)] * (self.start[k] + given[k]);
+            problem.gaps[row] += (0..count).map(at).sum::<f64>();
+            for freedom in 0..m {
+                let through =
+                    |k: usize| arms[(row, k)] * self.coupling[freedom * count + k] / self.stiffness[k];
+                problem.arms[row * m + freedom] -= (0..count).map(through).sum::<f64>();
+            }
+        }
+        for i in 0..m {
+            let own = &self.coupling[i * count..(i + 1) * count];
+            problem.load[i] -= own.iter().zip(&given).map(|(s, y)| s * y).sum::<f64>();
+            for j in 0..m {
+                let (low, high) = (i.min(j), i.max(j));
+                let through = |k: usize| {
+                    self.coupling[low * count + k] * self.coupling[high * count + k] / self.stiffness[k]
+                };
+                problem.stiffness[i * m + j] -= (0..count).map(through).sum::<f64>();
+            }
+        }
+    }
+
+    /// The coordinates, from `start` on, by the forces on the cells and the motion of the freedoms.
+    pub fn recover(&self, arms: &Mat<f64>, forces: &[f64], motion: &[f64]) -> Vec<f64> {
+        let count = self.modes.count();
+        let of = |k: usize| {
+            let pushed: f64 = (0..arms.nrows()).map(|cell| arms[(cell, k)] * forces[cell]).sum();
+            let carried: f64 = motion.iter().enumerate().map(|(i, y)| self.coupling[i * count + k] * y).sum();
+            (self.load[k] + pushed - carried) / self.stiffness[k]
+        };
+        (0..count).map(of).collect()
+    }
+}
+
+/// `out = a b`, on one thread: its bits do not depend on their number.
+fn product(out: MatMut<'_, f64>, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
+    matmul(out, Accum::Replace, a, b, 1.0, Par::Seq);
+}

@@ -1,0 +1,357 @@
+//! The contact problem at one place: grids are laid, their sizes mended, the forces on their cells found.
+
+use super::drift::Foothold;
+use super::places::{DRIFT, Laid, SEARCH_DEPTH, Solver};
+use super::space::{Approach, Candidate, Space};
+use super::{Patch, StepResult};
+use crate::holding;
+use calyx_contact::friction::solve_with_friction;
+use calyx_contact::problem::{ContactError, ContactProblem};
+use calyx_contact::rest::{Rest, rest};
+use calyx_model::ids::BodyId;
+use calyx_numerics::error::EngineError;
+use faer::Mat;
+use std::sync::OnceLock;
+
+/// Rigid surfaces that are nearer than this part of a profile's length touch: conjugate teeth all do, but for rounding.
+const TOUCHING: f64 = 1e-7;
+/// A patch whose arm on a freedom is below this part of the longest there is leaves the load on it to others.
+const WORTH_LOADING: f64 = 0.1;
+/// Matrices of all cells by all cells that a position has at once, at most: what its compliance is put together from, itself, and the
+/// factor of its loaded cells.
+const MATRICES: u64 = 4;
+/// How often the sizes of grids may be mended at a position.
+const REGRIDS: usize = 3;
+
+/// What modal coordinates are to the cells of a problem from which they are eliminated.
+struct Modal {
+    /// Growth of gaps, cells by coordinates.
+    arms: Mat<f64>,
+    /// Compliance and arms of the problem before.
+    statics: Option<[Vec<f64>; 2]>,
+}
+
+impl<S: Space> Solver<'_, S> {
+    pub(super) fn solve_candidates(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+    ) -> Result<Laid, EngineError> {
+        // Bodies that are all held, or sprung, where they overlap press on each other without any load.
+        // A step in time has inertia to balance them.
+        if !self.under.in_time {
+            let rest = rest(&self.under.springs.stiffness, load);
+            if rest.balanced
+                && let Some(laid) = self.touch_without_load(time, load, candidates, &rest)?
+            {
+                return Ok(laid);
+            }
+        }
+        let mut sizes = vec![None; candidates.len()];
+        let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
+        let mut rounds = REGRIDS;
+        let (grids, drags, mut problem, modal, solution) = loop {
+            let grids: Vec<S::Grid> = candidates
+                .iter()
+                .zip(&largest_forces)
+                .zip(&sizes)
+                .map(|((candidate, &force), &size)| self.space.lay(candidate, force, size))
+                .collect();
+            let (problem, modal) = self.problem(load, candidates, &grids)?;
+            let (drags, mut works) = self.friction(time, candidates, &grids);
+            works.resize(problem.arms.len(), 0.0);
+            let guess = self.guess(load, candidates, &problem, &grids);
+            let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
+            let (problem, solution) = solved.map_err(|error| self.explain_on(candidates, &grids, &error))?;
+            // Sizes nobody asked for follow what the patches turn out to carry.
+            let better = self.better_sizes(candidates, &grids, &solution.forces);
+            if rounds == 0 || better.iter().all(Option::is_none) {
+                break (grids, drags, problem, modal, solution);
+            }
+            for (size, better) in sizes.iter_mut().zip(better) {
+                *size = better.or(*size);
+            }
+            rounds -= 1;
+        };
+
+        let (mut warnings, mut footholds) = (Vec::new(), Vec::new());
+        let mut patches = Vec::with_capacity(grids.len());
+        let mut left = &solution.forces[..];
+        for ((candidate, grid), drag) in candidates.iter().zip(grids).zip(drags) {
+            let (forces, others) = left.split_at(self.space.count(&grid));
+            left = others;
+            warnings.extend(self.space.judge(candidate, &grid, forces, self.under.in_time));
+            if forces.iter().any(|&force| force > 0.0) {
+                footholds.push(Foothold {
+                    pair: candidate.teeth.0,
+                    action: self.space.action(candidate, &grid),
+                    reach: 0.5 * self.space.width(&grid),
+                });
+            }
+            patches.push(Patch { drag, ..self.space.patch(candidate, Some((grid, forces.to_vec()))) });
+        }
+        let stops = left.to_vec();
+        let Modal { arms, statics } = modal;
+        let modal =
+            self.under.elastic.map(|elastic| elastic.recover(&arms, &solution.forces, &solution.motion));
+        // What looks at stiffness sees that of the bodies, not what inertia leaves of it in a step.
+        if let Some([compliance, arms]) = statics {
+            (problem.compliance, problem.arms) = (compliance, arms);
+        }
+        let step = StepResult {
+            time,
+            patches,
+            modal: modal.unwrap_or_default(),
+            velocity: Vec::new(),
+            beside: Vec::new(),
+            vibrations: OnceLock::new(),
+            motion: solution.motion,
+            start: Vec::new(),
+            problem,
+            active: solution.active,
+            stops,
+            certificate: solution.certificate,
+            warnings,
+        };
+        Ok(Laid { step, footholds })
+    }
+
+    /// Where bodies come to rest as the load that springs do not bear vanishes: rigid contact at the closest approaches. `None` if they
+    /// press on each other even then, as the teeth of a tight mesh do on both sides.
+    fn touch_without_load(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        rest: &Rest,
+    ) -> Result<Option<Laid>, EngineError> {
+        let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
+        let motion = match rest.rigid_limit(&gaps, &arms, &self.limit_direction(), &self.system.interrupt) {
+            Ok(Some(limit)) => limit.motion,
+            Ok(None) if self.system.rigid => return Err(self.explain(&ContactError::Jammed)),
+            Ok(None) => return Ok(None),
+            Err(ContactError::Jammed) if self.both_sides() && !self.system.rigid => return Ok(None),
+            Err(error) => return Err(self.explain(&error)),
+        };
+        // Of rigid bodies the patches are those that touch.
+        let touches = |candidate: &&&Candidate<S::Site>| {
+            let touching = |approach: &Approach| approach.opened_by(&motion) < TOUCHING * candidate.length;
+            !self.system.rigid || candidate.approaches().any(touching)
+        };
+        let touching = candidates.iter().filter(touches);
+        let patches = touching.map(|candidate| self.space.patch(candidate, None)).collect();
+        let footholds = candidates.iter().map(|candidate| Foothold {
+            pair: candidate.teeth.0,
+            action: self.space.approaching(candidate),
+            // No grid; but teeth are looked for as near as this.
+            reach: SEARCH_DEPTH * candidate.length / DRIFT,
+        });
+        let problem = ContactProblem {
+            compliance: Vec::new(),
+            arms: Vec::new(),
+            gaps: Vec::new(),
+            stiffness: self.under.springs.stiffness.clone(),
+            load: load.to_vec(),
+        };
+        let certificate = problem.certify(&[], &motion);
+        let (active, stops, warnings) = (Vec::new(), Vec::new(), Vec::new());
+        let start = Vec::new();
+        let footholds = footholds.collect();
+        let (modal, velocity, beside) = (Vec::new(), Vec::new(), Vec::new());
+        let step = StepResult {
+            time,
+            patches,
+            motion,
+            modal,
+            velocity,
+            beside,
+            vibrations: OnceLock::new(),
+            start,
+            problem,
+            active,
+            stops,
+            certificate,
+            warnings,
+        };
+        Ok(Some(Laid { step, footholds }))
+    }
+
+    /// For each patch whose size was left open and turns out to be unsuitable, a better one.
+    fn better_sizes(
+        &self,
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+        forces: &[f64],
+    ) -> Vec<Option<S::Size>> {
+        let mut rest = forces;
+        let laid = candidates.iter().zip(grids);
+        laid.map(|(candidate, grid)| {
+            let (own, others) = rest.split_at(self.space.count(grid));
+            rest = others;
+            self.space.better_size(candidate, grid, own, self.under.in_time)
+        })
+        .collect()
+    }
+
+    /// For each patch the force that would balance the whole load alone, or its part where several meshes bear one load, as planets do. A
+    /// patch that no load acts on directly passes on what others carry.
+    fn largest_forces(&self, load: &[f64], candidates: &[&Candidate<S::Site>]) -> Vec<f64> {
+        let largest_arm = |freedom: usize| {
+            candidates.iter().map(|candidate| candidate.nearest.arms[freedom].abs()).fold(0.0, f64::max)
+        };
+        let worth: Vec<f64> = (0..load.len()).map(|freedom| WORTH_LOADING * largest_arm(freedom)).collect();
+        // Meshes, with both sides of their teeth, that bear on a freedom.
+        let mesh = |candidate: &&Candidate<S::Site>| {
+            let pair = candidate.teeth.0;
+            self.system.scene.pairs[pair].front.map_or(pair, |front| front.0)
+        };
+        let meshes: Vec<f64> = (0..load.len())
+            .map(|freedom| {
+                let bears = |candidate: &&&Candidate<S::Site>| {
+                    let arm = candidate.nearest.arms[freedom];
+                    arm != 0.0 && arm.abs() >= worth[freedom]
+                };
+                let mut bearing: Vec<usize> = candidates.iter().filter(bears).map(mesh).collect();
+                bearing.sort_unstable();
+                bearing.dedup();
+                bearing.len() as f64
+            })
+            .collect();
+        let alone = |candidate: &&Candidate<S::Site>| {
+            let all = candidate.nearest.arms.iter().zip(load).zip(worth.iter().zip(&meshes));
+            let balancing = all.filter(|((arm, _), (worth, _))| **arm != 0.0 && arm.abs() >= **worth);
+            balancing.map(|((arm, load), (_, meshes))| (load / arm).abs() / meshes).fold(0.0, f64::max)
+        };
+        let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
+        // Where there is no load, the overlaps tell the size of the forces.
+        let pressed = |candidate: &&Candidate<S::Site>| {
+            self.space.force_of_overlap(candidate, (-candidate.nearest.gap).max(0.0))
+        };
+        let largest = match forces.iter().copied().fold(0.0, f64::max) {
+            0.0 => candidates.iter().map(pressed).fold(0.0, f64::max),
+            loaded => loaded,
+        };
+        for force in forces.iter_mut().filter(|force| **force == 0.0) {
+            *force = largest;
+        }
+        forces
+    }
+
+    fn problem(
+        &self,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+    ) -> Result<(ContactProblem, Modal), EngineError> {
+        let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
+        let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
+        let _room = self.system.interrupt.room_for(MATRICES * (count * count * size_of::<f64>()) as u64)?;
+        let cells = ContactProblem {
+            compliance: self.space.compliance(&laid)?,
+            arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),
+            gaps: grids.iter().flat_map(|grid| self.space.gaps(grid)).collect(),
+            stiffness: self.under.springs.stiffness.clone(),
+            load: load.to_vec(),
+        };
+        let mut problem = self.under.springs.behind(cells, self.space.by_lugs(&laid).as_ref());
+        let Some(elastic) = self.under.elastic else {
+            return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }));
+        };
+        let modal = Modal {
+            arms: self.space.modal_arms(&laid, elastic.modes),
+            statics: Some([problem.compliance.clone(), problem.arms.clone()]),
+        };
+        elastic.eliminate(&mut problem, &modal.arms);
+        Ok((problem, modal))
+    }
+
+    /// Cells to begin the search with. Of a lug one flank bears at most; to begin with both is to begin with none. In equilibrium those
+    /// bear that stop rigid bodies, in a step in time what bears follows with the step.
+    fn guess(
+        &self,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        problem: &ContactProblem,
+        grids: &[S::Grid],
+    ) -> Vec<usize> {
+        let flanks = self.system.flanks();
+        if flanks == 0 {
+            return self.space.guess(problem, grids);
+        }
+        let first = problem.cells() - flanks;
+        let mut guess: Vec<usize> = (0..first).collect();
+        if self.under.sizing.is_none() {
+            let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
+            let rest = rest(&self.under.springs.stiffness, load);
+            if let Ok(Some(limit)) = rest.rigid_limit(&gaps, &arms, load, &self.system.interrupt) {
+                let of_flanks = limit.touching.iter().filter_map(|at| at.checked_sub(gaps.len() - flanks));
+                guess.extend(of_flanks.map(|flank| first + flank));
+            }
+        }
+        guess
+    }
+
+    /// Friction of each patch's cells, see [`Patch::drag`], and what of it is on the freedoms, see [`solve_with_friction`].
+    fn friction(
+        &self,
+        time: f64,
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+    ) -> (Vec<Vec<[f64; 3]>>, Vec<f64>) {
+        let scene = self.system.scene;
+        let (mut drags, mut works) = (Vec::with_capacity(grids.len()), Vec::new());
+        for (candidate, grid) in candidates.iter().zip(grids) {
+            let pair = &scene.pairs[candidate.teeth.0];
+            let action = self.space.action(candidate, grid);
+            let drag = action.drag(self.system, pair, time, self.under.start);
+            works.extend(action.works(self.system, pair, time, &drag, self.under.start));
+            drags.push(drag);
+        }
+        (drags, works)
+    }
+
+    /// A failure of the contact solver on these grids in the words of the model.
+    fn explain_on(
+        &self,
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+        error: &ContactError,
+    ) -> EngineError {
+        let scene = self.system.scene;
+        let in_a_pair = |freedom: usize| {
+            let body = self.system.freedoms.get(freedom).map(|freedom| BodyId(freedom.body));
+            body.is_some_and(|body| scene.pairs.iter().any(|pair| pair.bodies.contains(&body)))
+        };
+        match error {
+            ContactError::Infeasible(motion) if candidates.is_empty() && in_a_pair(motion.freedom) => {
+                let error = self.explain(error);
+                let message =
+                    format!("{}, and no surface has a nearest point on the other of its pair", error.message);
+                let help = "bring surfaces to face each other; of flat ones that are parallel, which touch everywhere or nowhere, make one round";
+                EngineError { message, help: help.into(), ..error }
+            }
+            ContactError::DependentCells { .. } => {
+                let whole = candidates.iter().zip(grids).find(|(_, grid)| self.space.is_cut_off(grid));
+                let Some((candidate, grid)) = whole else { return self.explain(error) };
+                let [first, second] =
+                    scene.pairs[candidate.teeth.0].bodies.map(|body| scene.bodies[body.0].name.as_str());
+                let width = 1e3 * self.space.width(grid);
+                EngineError::new(
+                    "E0716",
+                    format!(
+                        "under this load \"{first}\" and \"{second}\" touch over all of the {width:.3} mm that their surfaces face each \
+                         other: that is no small patch, and pushes on its cells cannot be told apart"
+                    ),
+                    "check the unit of the load and the dimensions of the bodies; the contact area must be small compared with them",
+                )
+            }
+            error => self.explain(error),
+        }
+    }
+
+    /// The same wherever it comes from.
+    pub(super) fn explain(&self, error: &ContactError) -> EngineError {
+        holding::explain(self.system.scene, &self.system.freedoms, error)
+    }
+}

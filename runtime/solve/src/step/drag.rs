@@ -1,0 +1,70 @@
+//! Friction of a patch: the force that drags the first body against its sliding, and the second along.
+
+use crate::system::System;
+use calyx_contact::solid::sliding;
+use calyx_model::pairs::SurfacePair;
+
+/// Where the cells of a patch act and along which common normal, out of the first body, in ground coordinates.
+pub(super) struct Action {
+    pub normal: [f64; 3],
+    /// m
+    pub points: Vec<[f64; 3]>,
+}
+
+impl Action {
+    /// Per cell, the friction on the first body by a unit of normal force, along ground axes, where bodies are off their prescribed motions
+    /// by `start`; empty of a pair without friction.
+    pub fn drag(&self, system: &System, pair: &SurfacePair, time: f64, start: &[f64]) -> Vec<[f64; 3]> {
+        if pair.friction == 0.0 {
+            return Vec::new();
+        }
+        let of = |&point: &[f64; 3]| {
+            let velocities = pair.bodies.map(|body| system.velocity(body.0, time, start, point));
+            sliding(self.normal, velocities)
+                .map_or([0.0; 3], |direction| direction.map(|d| -pair.friction * d))
+        };
+        self.points.iter().map(of).collect()
+    }
+
+    /// Generalised forces of that friction on the freedoms by a unit of normal force on each cell, row by row.
+    pub fn works(
+        &self,
+        system: &System,
+        pair: &SurfacePair,
+        time: f64,
+        drag: &[[f64; 3]],
+        start: &[f64],
+    ) -> Vec<f64> {
+        let count = system.freedoms.len();
+        let mut works = vec![0.0; self.points.len() * count];
+        for (column, freedom) in system.freedoms.iter().enumerate() {
+            for side in (0..2).filter(|&side| pair.bodies[side].0 == freedom.body) {
+                let axes = system.axes(freedom.body, time);
+                let origin = system.origin_moved(freedom.body, time, start);
+                for (row, (drag, point)) in drag.iter().zip(&self.points).enumerate() {
+                    works[row * count + column] +=
+                        work(*drag, side, freedom.component, &axes, origin, *point);
+                }
+            }
+        }
+        works
+    }
+}
+
+/// Work of a drag on the body of a side by a component of its motion, in the order of [`calyx_model::freedom::FREEDOMS`]: shifts are along `axes`,
+/// turns about them through `origin`.
+pub(super) fn work(
+    drag: [f64; 3],
+    side: usize,
+    component: usize,
+    axes: &[[f64; 3]; 3],
+    origin: [f64; 3],
+    point: [f64; 3],
+) -> f64 {
+    let [x, y, z] = drag;
+    let [a, b, c] = [0, 1, 2].map(|axis: usize| point[axis] - origin[axis]);
+    let vector = if component < 3 { drag } else { [b * z - c * y, c * x - a * z, a * y - b * x] };
+    let axis = axes[component % 3];
+    let on_first = axis[0] * vector[0] + axis[1] * vector[1] + axis[2] * vector[2];
+    if side == 0 { on_first } else { -on_first }
+}

@@ -1,0 +1,78 @@
+//! How far a load moves contact along surfaces, which slide and roll on each other. Gaps are linear in the motions of frames about where
+//! contact was laid out; what moves across a patch by more than the patch reaches is no longer where its grid is.
+
+use super::drag::{Action, work};
+use crate::system::System;
+use calyx_model::mechanism::Mechanism;
+
+/// Where a loaded patch acts, and how far it reaches across.
+pub(super) struct Foothold {
+    pub pair: usize,
+    pub action: Action,
+    /// Half the width of its grid, m.
+    pub reach: f64,
+}
+
+impl Foothold {
+    /// How far contact moves across along either surface, in the transverse plane, by these motions of the freedoms at a time (s): in parts
+    /// of its reach, at that place along the patch where it moves most.
+    ///
+    /// Contact is where the line between both centres of curvature meets the surfaces. An involute's lies on the common normal where the
+    /// gear's axis is nearest, as a disc's does.
+    fn drift(&self, system: &System, time: f64, motion: &[f64]) -> f64 {
+        let [x, y, _] = self.action.normal;
+        let size = x.hypot(y);
+        if !(size > 0.0 && self.reach > 0.0) {
+            return 0.0;
+        }
+        let (normal, across) = ([x / size, y / size], [y / size, -x / size, 0.0]);
+        let bodies = system.scene.pairs[self.pair].bodies;
+        let sides = bodies.map(|body| (system.origin(body.0, time), system.axes(body.0, time)));
+        let moves = |side: usize, point: [f64; 3]| -> f64 {
+            let own =
+                system.freedoms.iter().zip(motion).filter(|(freedom, _)| bodies[side].0 == freedom.body);
+            let (origin, axes) = &sides[side];
+            own.map(|(freedom, motion)| motion * work(across, 0, freedom.component, axes, *origin, point))
+                .sum()
+        };
+        let at = |point: [f64; 3]| {
+            let centre = |side: usize| {
+                let origin = sides[side].0;
+                let along = (origin[0] - point[0]) * normal[0] + (origin[1] - point[1]) * normal[1];
+                (along, moves(side, [point[0] + along * normal[0], point[1] + along * normal[1], point[2]]))
+            };
+            let [(first, first_moves), (second, second_moves)] = [centre(0), centre(1)];
+            let foot = match second - first {
+                0.0 => 0.0,
+                apart => (first_moves * second - second_moves * first) / apart,
+            };
+            (foot - moves(0, point)).abs().max((foot - moves(1, point)).abs())
+        };
+        self.action.points.iter().map(|&point| at(point)).fold(0.0, f64::max) / self.reach
+    }
+
+    /// That contact, laid out anew ever again, drifts off its grid by this part of its reach.
+    pub fn lost(&self, scene: &Mechanism, drift: f64) -> String {
+        let [first, second] = scene.pairs[self.pair].bodies.map(|body| scene.bodies[body.0].name.as_str());
+        let drift = drift * self.reach * 1e3;
+        // To two digits, so that the positions of a cycle say the same.
+        let drift = format!("{drift:.1e}").parse().unwrap_or(drift);
+        format!(
+            "the load carries \"{first}\" and \"{second}\" so far that contact moves by {drift} mm along them, off its grid, and further \
+             wherever it is laid out anew; stiffen what holds them, or put the frames where the load takes them"
+        )
+    }
+}
+
+/// The largest of the drifts of some patches, see [`Foothold::drift`], and whose it is.
+pub(super) fn farthest<'a>(
+    system: &System,
+    time: f64,
+    footholds: &'a [Foothold],
+    motion: &[f64],
+) -> (f64, Option<&'a Foothold>) {
+    footholds.iter().fold((0.0, None), |(most, whose), foothold| {
+        let drift = foothold.drift(system, time, motion);
+        if drift > most { (drift, Some(foothold)) } else { (most, whose) }
+    })
+}

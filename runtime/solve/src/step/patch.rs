@@ -1,0 +1,164 @@
+//! A patch of a solved position: which teeth touch, on which cells, with which forces.
+
+use super::drag;
+use calyx_contact::grid::{Cell, pressures};
+use calyx_contact::pressure::{Peak, half_width, peak};
+use calyx_contact::zone::{Edges, FlankEnds, Zone};
+use calyx_contact::{ContactFrame, solid};
+
+/// A pair of tooth surfaces in (possible) contact at a position.
+#[derive(Clone, Debug)]
+pub struct Patch {
+    /// Index of the surface pair in the scene.
+    pub pair: usize,
+    /// One of each body.
+    pub teeth: [u32; 2],
+    /// One of each body.
+    pub surfaces: [u32; 2],
+    /// Where it lies, and its cells; none where nothing is pressed.
+    pub grid: PatchGrid,
+    /// One a cell: N, of a plane model N per metre of face width.
+    pub forces: Vec<f64>,
+    /// Per cell, the friction on the first body by a unit of normal force, along ground axes; empty without friction.
+    pub drag: Vec<[f64; 3]>,
+}
+
+/// The cells of a patch, with the frame in which they lie.
+#[derive(Clone, Debug)]
+pub enum PatchGrid {
+    /// Along the common tangent.
+    Plane {
+        /// Where the patch lies, and its common normal.
+        frame: ContactFrame,
+        /// Pieces of the tangent.
+        cells: Vec<Cell>,
+        /// Where the flanks end.
+        flank: FlankEnds,
+        /// Hertzian half-width of a line load of 1 N/m, m.
+        unit_half_width: f64,
+    },
+    /// On the common tangent plane.
+    Solid(solid::Grid),
+}
+
+impl Patch {
+    /// N, of a plane model N per metre of face width.
+    pub fn force(&self) -> f64 {
+        self.forces.iter().sum()
+    }
+
+    /// The cells of a plane model's patch; none of one in space.
+    pub fn cells(&self) -> &[Cell] {
+        match &self.grid {
+            PatchGrid::Plane { cells, .. } => cells,
+            PatchGrid::Solid(_) => &[],
+        }
+    }
+
+    /// The grid of a patch in space; a plane model has none.
+    pub fn solid(&self) -> Option<&solid::Grid> {
+        match &self.grid {
+            PatchGrid::Plane { .. } => None,
+            PatchGrid::Solid(grid) => Some(grid),
+        }
+    }
+
+    /// Mean pressure on each cell, Pa.
+    pub fn pressures(&self) -> Vec<f64> {
+        match &self.grid {
+            PatchGrid::Plane { cells, .. } => pressures(cells, &self.forces),
+            PatchGrid::Solid(grid) => solid::pressures(&grid.cells, &self.forces),
+        }
+    }
+
+    /// The largest pressure, by a parabola through the squares of its neighbours across the patch, as Hertz's pressure is one; `None`
+    /// where no cell is loaded.
+    pub fn peak(&self) -> Option<Peak> {
+        match &self.grid {
+            PatchGrid::Plane { cells, .. } => peak(cells, &self.pressures()),
+            PatchGrid::Solid(grid) => {
+                let solid::Peak { pressure, at: [x, _], cell } = solid::peak(grid, &self.pressures())?;
+                Some(Peak { pressure, x, cell })
+            }
+        }
+    }
+
+    /// The largest pressure in the flank zone or in the edge zone; `None` where no cell of it is loaded.
+    pub fn peak_in(&self, zone: Zone) -> Option<Peak> {
+        match &self.grid {
+            PatchGrid::Plane { cells, flank, unit_half_width, .. } => {
+                let half_width = unit_half_width * self.force().max(0.0).sqrt();
+                // Cells are measured from the closest approach.
+                zone.peak(cells, &self.pressures(), &Edges::parallel(*flank, 0.0), half_width)
+            }
+            PatchGrid::Solid(grid) => {
+                let solid::Peak { pressure, at: [x, _], cell } =
+                    solid::peak_in(grid, &self.pressures(), zone)?;
+                Some(Peak { pressure, x, cell })
+            }
+        }
+    }
+
+    /// Half of the width that carries load in a plane model, m, by the zeros of such a parabola; `None` with fewer than five loaded
+    /// cells.
+    pub fn half_width(&self) -> Option<f64> {
+        half_width(self.cells(), &self.pressures())
+    }
+
+    /// Where a cell acts, in ground coordinates, m.
+    fn point(&self, cell: usize) -> [f64; 3] {
+        match &self.grid {
+            PatchGrid::Plane { frame, .. } => [frame.point[0], frame.point[1], 0.0],
+            PatchGrid::Solid(grid) => grid.cells[cell].point,
+        }
+    }
+
+    /// The force and its moment about `origin` (m) that the patch puts on the body on one of its sides, along ground axes: N and
+    /// N m, as [`calyx_model::freedom::FREEDOMS`] counts them. `width` is that of a plane model's face, m, and 1 in space.
+    pub fn wrench(&self, side: usize, origin: [f64; 3], width: f64) -> [f64; 6] {
+        let mut wrench = match &self.grid {
+            PatchGrid::Plane { frame, .. } => {
+                let force = width * self.force();
+                let [x, y] = [[1.0, 0.0], [0.0, 1.0]].map(|axis| force * frame.translation_arm(side, axis));
+                [x, y, 0.0, 0.0, 0.0, force * frame.rotation_arm(side, [origin[0], origin[1]])]
+            }
+            PatchGrid::Solid(grid) => {
+                let mut wrench = [0.0; 6];
+                for (cell, &force) in grid.cells.iter().zip(&self.forces).filter(|(_, force)| **force != 0.0)
+                {
+                    for (component, sum) in wrench.iter_mut().enumerate() {
+                        *sum += force * solid_arm(&grid.frame, side, component, &GROUND, origin, cell.point);
+                    }
+                }
+                wrench
+            }
+        };
+        for (cell, (drag, &force)) in self.drag.iter().zip(&self.forces).enumerate() {
+            for (component, sum) in wrench.iter_mut().enumerate() {
+                *sum += width * force * drag::work(*drag, side, component, &GROUND, origin, self.point(cell));
+            }
+        }
+        wrench
+    }
+}
+
+/// The axes of the ground.
+const GROUND: [[f64; 3]; 3] = solid::Pose::IDENTITY.rotation;
+
+/// Growth of the gap at `point` by a component of a body's motion, in the order of [`calyx_model::freedom::FREEDOMS`], along `axes`: m per m, or
+/// m per rad about one of them through `origin`.
+pub(super) fn solid_arm(
+    frame: &solid::PatchFrame,
+    side: usize,
+    component: usize,
+    axes: &[[f64; 3]; 3],
+    origin: [f64; 3],
+    point: [f64; 3],
+) -> f64 {
+    let axis = axes[component % 3];
+    if component < 3 {
+        frame.translation_arm(side, axis)
+    } else {
+        frame.rotation_arm(side, axis, origin, point)
+    }
+}

@@ -1,0 +1,324 @@
+//! What of a position belongs to the plane: profiles that approach each other, grids along their common tangent.
+
+use super::drag::Action;
+use super::space::{Approach, Candidate, Space, unsuitable};
+use super::{Patch, PatchGrid};
+use crate::modal::Modes;
+use crate::system::{PlaneBodies, System};
+use calyx_contact::approach::{self, PlacedProfile, closest_approach};
+use calyx_contact::assembly::{self, compliance};
+use calyx_contact::grid::{self, Grid, GridOptions, Width, assess, lay, pressures};
+use calyx_contact::zone::ENDLESS;
+use calyx_contact::{ContactFrame, Placement};
+use calyx_model::frames::pose;
+use calyx_model::freedom::Freedom;
+use calyx_model::motion::PlanePose;
+use calyx_model::pairs::SurfacePair;
+use calyx_numerics::error::EngineError;
+use calyx_structure::profile::Profile;
+use calyx_structure::{Chart, Structure};
+use faer::Mat;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+pub(super) struct Plane<'a> {
+    pub(super) system: &'a System<'a>,
+    pub(super) bodies: &'a PlaneBodies,
+}
+
+/// Two profiles where they approach each other.
+pub(super) struct Site {
+    profiles: [Arc<dyn Profile>; 2],
+    placements: [Placement; 2],
+    approach: approach::Approach,
+}
+
+impl Site {
+    fn placed(&self, side: usize) -> PlacedProfile<'_> {
+        PlacedProfile { profile: self.profiles[side].as_ref(), placement: self.placements[side] }
+    }
+}
+
+impl Space for Plane<'_> {
+    type Site = Site;
+    type Grid = Grid;
+    /// Width, m.
+    type Size = f64;
+
+    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
+        let scene = self.system.scene;
+        let mut found = Vec::new();
+        for (index, pair) in scene.pairs.iter().enumerate() {
+            let bodies = pair.bodies.map(|body| body.0);
+            let poses = [self.pose(bodies[0], time, moved)?, self.pose(bodies[1], time, moved)?];
+            let placements = [0, 1].map(|side: usize| self.placement(bodies[side], &poses[side]));
+            let origins = [0, 1].map(|side: usize| poses[side].point(self.system.axle(bodies[side])));
+            let structures = [0, 1].map(|side| self.bodies.structures[bodies[side]].clone());
+            let [Some(first), Some(second)] = structures else { continue };
+            let structures = [first, second];
+            let profiles = [0, 1].map(|side: usize| structures[side].profile(pair.surfaces[side]));
+            let near = [0, 1].map(|side: usize| {
+                let other = 1 - side;
+                let reach = scene.bodies[bodies[other]].prototype.enclosing_radius();
+                let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
+                self.teeth_near(body, placements[side], placements[other].origin(), reach)
+            });
+            let angle = poses[0].angle + scene.bodies[bodies[0]].phase - self.system.line_turned(index, time);
+            let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
+            let on_path = |tooth: u32| nominal.is_none_or(|mesh| mesh.on_path(tooth, angle));
+            let touching = 0.5 * (profiles[0].length() + profiles[1].length());
+            for (first, first_place, first_middle) in &near[0] {
+                for (second, second_place, second_middle) in &near[1] {
+                    if distance(*first_middle, *second_middle) > 1.5 * touching || !on_path(*first) {
+                        continue;
+                    }
+                    let placements = [*first_place, *second_place];
+                    let placed = |side: usize| PlacedProfile {
+                        profile: profiles[side].as_ref(),
+                        placement: placements[side],
+                    };
+                    let approach = closest_approach(placed(0), placed(1), pair.grid.edges)
+                        .filter(|approach| self.faces(bodies, &placements, approach));
+                    if let Some(approach) = approach {
+                        let arms = self.arms_of(bodies, &approach.frame, origins);
+                        found.push(Candidate {
+                            teeth: (index, [*first, *second]),
+                            length: profiles[0].length(),
+                            nearest: Approach { gap: approach.gap, arms },
+                            others: Vec::new(),
+                            site: Site { profiles: profiles.clone(), placements, approach },
+                        });
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// A surface gives by about q / E*.
+    fn force_of_overlap(&self, candidate: &Candidate<Site>, overlap: f64) -> f64 {
+        overlap * self.contact_modulus(self.pair(candidate).bodies.map(|body| body.0))
+    }
+
+    fn lay(&self, candidate: &Candidate<Site>, force: f64, width: Option<f64>) -> Grid {
+        let pair = self.pair(candidate);
+        let width = match width.or(pair.grid.width) {
+            Some(width) => Width::Total(width),
+            None => Width::Hertz { force },
+        };
+        let options = GridOptions {
+            half_count: pair.grid.half_cells_in_plane(),
+            width,
+            contact_modulus: self.contact_modulus(pair.bodies.map(|body| body.0)),
+            search_edges: pair.grid.edges,
+        };
+        let site = &candidate.site;
+        lay(site.placed(0), site.placed(1), &site.approach, &options)
+    }
+
+    fn count(&self, grid: &Grid) -> usize {
+        grid.cells.len()
+    }
+
+    fn width(&self, grid: &Grid) -> f64 {
+        grid.cells.iter().map(|cell| cell.width()).sum()
+    }
+
+    fn is_cut_off(&self, grid: &Grid) -> bool {
+        grid.surface_ends == [true; 2]
+    }
+
+    fn gaps(&self, grid: &Grid) -> Vec<f64> {
+        grid.cells.iter().map(|cell| cell.gap).collect()
+    }
+
+    /// All cells act along one line, see [`ContactFrame`].
+    fn arms(&self, candidate: &Candidate<Site>, grid: &Grid) -> Vec<f64> {
+        grid.cells.iter().flat_map(|_| candidate.nearest.arms.iter().copied()).collect()
+    }
+
+    fn action(&self, candidate: &Candidate<Site>, grid: &Grid) -> Action {
+        let Action { normal, points } = self.approaching(candidate);
+        Action { normal, points: points.repeat(grid.cells.len()) }
+    }
+
+    fn approaching(&self, candidate: &Candidate<Site>) -> Action {
+        let ContactFrame { point: [x, y], normal: [along_x, along_y], .. } = candidate.site.approach.frame;
+        Action { normal: [along_x, along_y, 0.0], points: vec![[x, y, 0.0]] }
+    }
+
+    fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {
+        let mut patches = Vec::with_capacity(laid.len());
+        for (candidate, grid) in laid {
+            let pair = self.pair(candidate);
+            let side = |side: usize| {
+                let body = pair.bodies[side].0;
+                let structure = self.bodies.structures[body].as_deref()?;
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                Some(assembly::Side { body, structure, chart })
+            };
+            if let (Some(first), Some(second)) = (side(0), side(1)) {
+                patches.push(assembly::Patch { sides: [first, second], cells: &grid.cells });
+            }
+        }
+        compliance(&patches, &self.system.interrupt)
+    }
+
+    fn by_lugs(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Mat<f64> {
+        let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
+        let mut growth = Mat::zeros(cells, self.system.flanks());
+        let mut from = 0;
+        for (body, contact) in &self.system.lugs {
+            let Some(structure) = self.bodies.structures[*body].as_deref() else { continue };
+            let mut first = 0;
+            for (candidate, grid) in laid {
+                let pair = self.pair(candidate);
+                for side in (0..2).filter(|&side| pair.bodies[side].0 == *body) {
+                    let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                    let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
+                    let moved = structure.lug_displacements(chart, &places);
+                    // A body that does not give way has none.
+                    for cell in 0..if moved.nrows() > 0 { places.len() } else { 0 } {
+                        for (flank, value) in contact.by_flanks(|lug| moved[(lug, cell)]).enumerate() {
+                            growth[(first + cell, from + flank)] = value;
+                        }
+                    }
+                }
+                first += grid.cells.len();
+            }
+            from += contact.flanks();
+        }
+        growth
+    }
+
+    fn better_size(
+        &self,
+        candidate: &Candidate<Site>,
+        grid: &Grid,
+        forces: &[f64],
+        wide: bool,
+    ) -> Option<f64> {
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let asked = self.pair(candidate).grid.width.is_none() && !(wide && report.under_resolved);
+        report.recommended_width.filter(|_| asked)
+    }
+
+    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let better = report.recommended_width.filter(|_| !(wide && report.under_resolved))?;
+        Some(unsuitable(self.system.scene, self.pair(candidate), report.under_resolved, better))
+    }
+
+    fn modal_arms(&self, laid: &[(&Candidate<Site>, &Grid)], modes: &Modes) -> Mat<f64> {
+        let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
+        let mut arms = Mat::zeros(cells, modes.count());
+        let mut first = 0;
+        for (candidate, grid) in laid {
+            let pair = self.pair(candidate);
+            let side = |side: usize| {
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                (pair.bodies[side].0, chart)
+            };
+            modes.add_arms(&mut arms, first, [side(0), side(1)], &grid.cells);
+            first += grid.cells.len();
+        }
+        arms
+    }
+
+    fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
+        let (pair, teeth) = candidate.teeth;
+        let surfaces = self.pair(candidate).surfaces;
+        let frame = candidate.site.approach.frame;
+        let (grid, forces) = match laid {
+            Some((Grid { cells, flank, unit_half_width, .. }, forces)) => {
+                (PatchGrid::Plane { frame, cells, flank, unit_half_width }, forces)
+            }
+            None => {
+                let (flank, unit_half_width) = (ENDLESS, 0.0);
+                (PatchGrid::Plane { frame, cells: Vec::new(), flank, unit_half_width }, Vec::new())
+            }
+        };
+        Patch { pair, teeth, surfaces, grid, forces, drag: Vec::new() }
+    }
+}
+
+impl Plane<'_> {
+    fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
+        &self.system.scene.pairs[candidate.teeth.0]
+    }
+
+    /// Where a body's frame is at a time, off its prescribed motion by `moved`.
+    fn pose(&self, body: usize, time: f64, moved: &[f64]) -> Result<PlanePose, EngineError> {
+        let meant = pose(self.system.scene, body, time)?;
+        let (by, axle) = (self.system.moved(body, moved), self.system.axle(body));
+        let turned = PlanePose { angle: meant.angle + by[5], ..meant };
+        // It turns on its axle.
+        let (from, to) = (meant.point(axle), turned.point(axle));
+        let at = |k: usize| meant.origin[k] + by[k] + (from[k] - to[k]);
+        Ok(PlanePose { origin: [at(0), at(1)], ..turned })
+    }
+
+    /// Where the teeth coordinates of a body lie whose frame is at a pose, with the body's phase.
+    fn placement(&self, body: usize, pose: &PlanePose) -> Placement {
+        Placement::new(pose.angle + self.system.scene.bodies[body].phase, pose.origin)
+    }
+
+    /// Whether surfaces that approach like this belong together. Overlapping by half a pitch of either body's teeth, one
+    /// surface has passed the other: each belongs to the other's neighbour.
+    fn faces(&self, bodies: [usize; 2], placements: &[Placement; 2], approach: &approach::Approach) -> bool {
+        let half_pitch = |side: usize| {
+            let structure = self.bodies.structures[bodies[side]].as_ref();
+            match structure.map_or(1, |structure| structure.teeth()) {
+                // It has no neighbour; and contact may be at its origin.
+                1 => f64::INFINITY,
+                teeth => PI / f64::from(teeth) * distance(approach.frame.point, placements[side].origin()),
+            }
+        };
+        approach.gap > -half_pitch(0).min(half_pitch(1))
+    }
+
+    /// Teeth of a body whose surface comes within `reach` of a point: index, placement, middle of the surface.
+    fn teeth_near(
+        &self,
+        (body, structure, profile): (usize, &dyn Structure, &dyn Profile),
+        placement: Placement,
+        point: [f64; 2],
+        reach: f64,
+    ) -> Vec<(u32, Placement, [f64; 2])> {
+        let middle = profile.at(0.5 * profile.length()).position;
+        (0..structure.teeth())
+            .map(|tooth| {
+                let angle = structure.tooth_angle(tooth) + self.system.pitch_error(body, tooth);
+                let placement = placement.turned_first(angle);
+                (tooth, placement, placement.point(middle))
+            })
+            .filter(|(_, _, middle)| distance(*middle, point) < reach + profile.length())
+            .collect()
+    }
+
+    /// Growth of the gap of a patch by each freedom, m per m or rad.
+    fn arms_of(&self, bodies: [usize; 2], frame: &ContactFrame, origins: [[f64; 2]; 2]) -> Vec<f64> {
+        let arm = |freedom: &Freedom| {
+            let sides = (0..2).filter(|&side| bodies[side] == freedom.body);
+            sides
+                .map(|side| match freedom.component {
+                    0 => frame.translation_arm(side, [1.0, 0.0]),
+                    1 => frame.translation_arm(side, [0.0, 1.0]),
+                    _ => frame.rotation_arm(side, origins[side]),
+                })
+                .sum()
+        };
+        self.system.freedoms.iter().map(arm).collect()
+    }
+
+    fn contact_modulus(&self, bodies: [usize; 2]) -> f64 {
+        match bodies.map(|body| self.bodies.structures[body].as_deref()) {
+            [Some(first), Some(second)] => grid::contact_modulus(first, second),
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

@@ -1,0 +1,368 @@
+//! What of a position belongs to space: surfaces that approach each other along a ridge, grids on their common tangent plane.
+
+use super::drag::Action;
+use super::patch::solid_arm;
+use super::space::{Approach, Candidate, Space, unsuitable};
+use super::{Patch, PatchGrid};
+use crate::system::{SolidBodies, System};
+use calyx_contact::problem::ContactProblem;
+use calyx_contact::solid::{
+    self, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, Ridge, assess, compliance, contact_modulus,
+    find_ridge, first_guess, lay, pressures,
+};
+use calyx_model::freedom::Freedom;
+use calyx_model::motion::Stance;
+use calyx_model::pairs::SurfacePair;
+use calyx_numerics::error::EngineError;
+use calyx_structure::Chart;
+use calyx_structure::solid::SolidStructure;
+use calyx_structure::surface::Surface;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+pub(super) struct Solid<'a> {
+    pub(super) system: &'a System<'a>,
+    pub(super) bodies: &'a SolidBodies,
+}
+
+/// Two surfaces where they approach each other.
+pub(super) struct Site {
+    surfaces: [Arc<dyn Surface>; 2],
+    /// Of the teeth.
+    poses: [Pose; 2],
+    /// Of the bodies' axles.
+    origins: [[f64; 3]; 2],
+    /// Along which the freedoms of either body count.
+    axes: [[[f64; 3]; 3]; 2],
+    ridge: Ridge,
+}
+
+impl Site {
+    fn placed(&self, side: usize) -> PlacedSurface<'_> {
+        PlacedSurface { surface: self.surfaces[side].as_ref(), pose: self.poses[side] }
+    }
+}
+
+impl Space for Solid<'_> {
+    type Site = Site;
+    type Grid = Grid;
+    /// Width across and length along, m, where they are to be other than the model's.
+    type Size = [Option<f64>; 2];
+
+    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
+        let scene = self.system.scene;
+        let mut found = Vec::new();
+        for (index, pair) in scene.pairs.iter().enumerate() {
+            let bodies = pair.bodies.map(|body| body.0);
+            let frames = [
+                self.system.pose_moved(bodies[0], time, moved)?,
+                self.system.pose_moved(bodies[1], time, moved)?,
+            ];
+            let [Some(first), Some(second)] = bodies.map(|body| self.bodies.structures[body].as_deref())
+            else {
+                continue;
+            };
+            let structures = [first, second];
+            let surfaces = [0, 1].map(|side: usize| structures[side].surface(pair.surfaces[side]));
+            let shapes = [0, 1].map(|side: usize| Shape::of(surfaces[side].as_ref()));
+            let teeth = [0, 1].map(|side: usize| {
+                let phase = scene.bodies[bodies[side]].phase;
+                let place = |tooth| {
+                    let error = self.system.pitch_error(bodies[side], tooth);
+                    let pose = frames[side].turned_first(phase + structures[side].tooth_angle(tooth) + error);
+                    (tooth, pose, shapes[side].boxes(&pose))
+                };
+                (0..structures[side].teeth()).map(place).collect::<Vec<_>>()
+            });
+            let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
+            let stances = [0, 1].map(|side: usize| Stance::of(&frames[side]));
+            let angle =
+                stances[0].angle + scene.bodies[bodies[0]].phase - self.system.line_turned(index, time);
+            let turns = turns_along(surfaces[0].as_ref());
+            let on_path = |tooth: u32| {
+                nominal.is_none_or(|mesh| turns.iter().any(|turn| mesh.on_path(tooth, angle + turn)))
+            };
+            for (first, first_pose, first_boxes) in &teeth[0] {
+                if !on_path(*first) {
+                    continue;
+                }
+                for (second, second_pose, second_boxes) in &teeth[1] {
+                    if !first_boxes.iter().any(|one| second_boxes.iter().any(|other| one.meets(other))) {
+                        continue;
+                    }
+                    let poses = [*first_pose, *second_pose];
+                    let placed =
+                        |side: usize| PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
+                    let ridge = find_ridge(placed(0), placed(1), pair.grid.edges)
+                        .filter(|ridge| faces(ridge, &poses, structures));
+                    if let Some(ridge) = ridge {
+                        let origins =
+                            [0, 1].map(|side: usize| frames[side].point(self.system.axle(bodies[side])));
+                        // Springs and loads are along the axes of the prescribed stance, wherever contact is laid out.
+                        let axes = bodies.map(|body| self.system.axes(body, time));
+                        let at = |gap, point| Approach {
+                            gap,
+                            arms: self.arms_at(bodies, (origins, axes), &ridge.frame, point),
+                        };
+                        found.push(Candidate {
+                            teeth: (index, [*first, *second]),
+                            length: shapes[0].across,
+                            nearest: at(ridge.gap, ridge.frame.point),
+                            others: ridge.points.iter().map(|p| at(p.gap, ridge.frame.at(p.at))).collect(),
+                            site: Site { surfaces: surfaces.clone(), poses, origins, axes, ridge },
+                        });
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// A surface gives by about Q / (E* length), over the length of the ridge that overlaps.
+    fn force_of_overlap(&self, candidate: &Candidate<Site>, overlap: f64) -> f64 {
+        let ridge = &candidate.site.ridge;
+        overlap * overlapping_length(ridge) * self.contact_modulus(candidate)
+    }
+
+    fn lay(&self, candidate: &Candidate<Site>, force: f64, size: Option<[Option<f64>; 2]>) -> Grid {
+        let (grid, site) = (&self.pair(candidate).grid, &candidate.site);
+        let [width, length] = size.unwrap_or_default();
+        let options = GridOptions {
+            half_count: grid.half_cells_in_space(),
+            half_slices: grid.half_slices,
+            width: width.or(grid.width),
+            length,
+            force,
+            contact_modulus: self.contact_modulus(candidate),
+            search_edges: grid.edges,
+        };
+        lay(site.placed(0), site.placed(1), &site.ridge, &options)
+    }
+
+    fn count(&self, grid: &Grid) -> usize {
+        grid.cells.len()
+    }
+
+    fn width(&self, grid: &Grid) -> f64 {
+        grid.extent[0]
+    }
+
+    fn gaps(&self, grid: &Grid) -> Vec<f64> {
+        grid.cells.iter().map(|cell| cell.gap).collect()
+    }
+
+    /// Every cell acts along the patch's normal through the point of the ridge beside it.
+    fn arms(&self, candidate: &Candidate<Site>, grid: &Grid) -> Vec<f64> {
+        let bodies = self.pair(candidate).bodies.map(|body| body.0);
+        let at = (candidate.site.origins, candidate.site.axes);
+        let of = |cell: &solid::Cell| self.arms_at(bodies, at, &grid.frame, cell.point);
+        grid.cells.iter().flat_map(of).collect()
+    }
+
+    fn action(&self, _: &Candidate<Site>, grid: &Grid) -> Action {
+        Action { normal: grid.frame.normal, points: grid.cells.iter().map(|cell| cell.point).collect() }
+    }
+
+    fn approaching(&self, candidate: &Candidate<Site>) -> Action {
+        let PatchFrame { normal, point, .. } = candidate.site.ridge.frame;
+        Action { normal, points: vec![point] }
+    }
+
+    fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {
+        let mut patches = Vec::with_capacity(laid.len());
+        for (candidate, grid) in laid {
+            let pair = self.pair(candidate);
+            let side = |side: usize| {
+                let body = pair.bodies[side].0;
+                let structure = self.bodies.structures[body].as_deref()?;
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                Some(solid::Side { body, structure, chart, pose: candidate.site.poses[side] })
+            };
+            if let (Some(first), Some(second)) = (side(0), side(1)) {
+                patches.push(solid::Patch { sides: [first, second], frame: &grid.frame, cells: &grid.cells });
+            }
+        }
+        compliance(&patches, &self.system.interrupt)
+    }
+
+    fn guess(&self, problem: &ContactProblem, grids: &[Grid]) -> Vec<usize> {
+        first_guess(problem, &grids.iter().collect::<Vec<_>>(), &self.system.interrupt)
+    }
+
+    fn better_size(
+        &self,
+        candidate: &Candidate<Site>,
+        grid: &Grid,
+        forces: &[f64],
+        wide: bool,
+    ) -> Option<[Option<f64>; 2]> {
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let asked = |k: usize| report.recommended[k].filter(|_| !(wide && report.under_resolved[k]));
+        let [width, length] = [asked(0), asked(1)];
+        let width = width.filter(|_| self.pair(candidate).grid.width.is_none());
+        if width.is_none() && length.is_none() {
+            return None;
+        }
+        let [own_width, own_length] = grid.extent;
+        Some([Some(width.unwrap_or(own_width)), Some(length.unwrap_or(own_length))])
+    }
+
+    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
+        let report = assess(grid, &pressures(&grid.cells, forces));
+        let better = report.recommended[0].filter(|_| !(wide && report.under_resolved[0]))?;
+        Some(unsuitable(self.system.scene, self.pair(candidate), report.under_resolved[0], better))
+    }
+
+    fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
+        let (pair, teeth) = candidate.teeth;
+        let surfaces = self.pair(candidate).surfaces;
+        let empty = || Grid {
+            frame: candidate.site.ridge.frame,
+            cells: Vec::new(),
+            slices: Vec::new(),
+            extent: [0.0; 2],
+            line: 0.0,
+            half_counts: [0; 2],
+            surface_ends: [false; 2],
+            unit_half_width: 0.0,
+        };
+        let (grid, forces) = laid.unwrap_or_else(|| (empty(), Vec::new()));
+        Patch { pair, teeth, surfaces, grid: PatchGrid::Solid(grid), forces, drag: Vec::new() }
+    }
+}
+
+impl Solid<'_> {
+    fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
+        &self.system.scene.pairs[candidate.teeth.0]
+    }
+
+    fn contact_modulus(&self, candidate: &Candidate<Site>) -> f64 {
+        match self.pair(candidate).bodies.map(|body| self.bodies.structures[body.0].as_deref()) {
+            [Some(first), Some(second)] => contact_modulus(first, second),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Growth of the gap at a point of a patch by each freedom, m per m or rad.
+    fn arms_at(
+        &self,
+        bodies: [usize; 2],
+        (origins, axes): ([[f64; 3]; 2], [[[f64; 3]; 3]; 2]),
+        frame: &PatchFrame,
+        point: [f64; 3],
+    ) -> Vec<f64> {
+        let arm = |freedom: &Freedom| {
+            let of =
+                |side: usize| solid_arm(frame, side, freedom.component, &axes[side], origins[side], point);
+            (0..2).filter(|&side| bodies[side] == freedom.body).map(of).sum()
+        };
+        self.system.freedoms.iter().map(arm).collect()
+    }
+}
+
+/// Whether surfaces that approach like this belong together. Overlapping by half a pitch of either body's teeth, one surface has
+/// passed the other: each belongs to the other's neighbour.
+fn faces(ridge: &Ridge, poses: &[Pose; 2], structures: [&dyn SolidStructure; 2]) -> bool {
+    let half_pitch = |side: usize| {
+        let (from, to) = (poses[side].origin, ridge.frame.point);
+        let distance = (0..3).map(|k| (to[k] - from[k]).powi(2)).sum::<f64>().sqrt();
+        PI / f64::from(structures[side].teeth()) * distance
+    };
+    ridge.gap > -half_pitch(0).min(half_pitch(1))
+}
+
+/// Sections across the axis at which a tooth is looked for on the nominal path of contact.
+const SECTIONS: usize = 9;
+
+/// Angles by which sections of a surface are turned about the z axis against that in the middle, rad: of a helical tooth some may be
+/// on the path of contact when others are not.
+fn turns_along(surface: &dyn Surface) -> [f64; SECTIONS] {
+    let [[u0, u1], [v0, v1]] = surface.range();
+    let angle = |part: f64| {
+        let [x, y, _] = surface.at(0.5 * (u0 + u1), (1.0 - part) * v0 + part * v1).position;
+        y.atan2(x)
+    };
+    // From end to end: a crown turns both of them alike, which is no helix.
+    let turn = angle(1.0) - angle(0.0);
+    let turn = turn - TAU * (turn / TAU).round();
+    std::array::from_fn(|k| turn * (k as f64 / (SECTIONS - 1) as f64 - 0.5))
+}
+
+/// Length of the ridge over which the bodies overlap, m.
+fn overlapping_length(ridge: &Ridge) -> f64 {
+    let reach = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let (mut y, mut gap) = (0.0, ridge.gap);
+        for [next, next_gap] in points {
+            if next_gap >= 0.0 {
+                // Between places the gap is nearly a parabola from the closest approach.
+                let [from, to, zero] = [gap, next_gap, 0.0].map(|gap| (gap - ridge.gap).max(0.0).sqrt());
+                return y + (next - y) * (zero - from) / (to - from);
+            }
+            (y, gap) = (next.abs(), next_gap);
+        }
+        y
+    };
+    if ridge.gap >= 0.0 {
+        return 0.0;
+    }
+    let places = || ridge.points.iter().map(|point| [point.at[1], point.gap]);
+    let below = places().rev().filter(|[y, _]| *y < 0.0).map(|[y, gap]| [-y, gap]);
+    let above = places().filter(|[y, _]| *y > 0.0);
+    reach(&mut { below }) + reach(&mut { above })
+}
+
+/// Strips of a surface along its length, and samples of each along and across.
+const STRIPS: usize = 4;
+const SAMPLES: [usize; 2] = [3, 5];
+/// Part of the profile's length by which boxes reach beyond their samples: what bulges between them, and gaps worth looking at.
+const MARGIN: f64 = 0.25;
+
+/// Samples of a surface in its body's coordinates, in strips: to tell quickly which teeth are near each other.
+struct Shape {
+    strips: Vec<Vec<[f64; 3]>>,
+    /// Length of the profile at mid-face, m.
+    across: f64,
+}
+
+impl Shape {
+    fn of(surface: &dyn Surface) -> Shape {
+        let [[u0, u1], [v0, v1]] = surface.range();
+        let part = |ends: [f64; 2], k: usize, of: usize| ends[0] + (ends[1] - ends[0]) * k as f64 / of as f64;
+        let sample = |strip: usize, index: usize| {
+            let (along, across) = (index / SAMPLES[1], index % SAMPLES[1]);
+            let v = part([v0, v1], strip * (SAMPLES[0] - 1) + along, STRIPS * (SAMPLES[0] - 1));
+            surface.at(part([u0, u1], across, SAMPLES[1] - 1), v).position
+        };
+        let of_strip = |strip| (0..SAMPLES[0] * SAMPLES[1]).map(|index| sample(strip, index)).collect();
+        let strips: Vec<Vec<[f64; 3]>> = (0..STRIPS).map(of_strip).collect();
+        let middle = &strips[STRIPS / 2][..SAMPLES[1]];
+        let length =
+            |ends: &[[f64; 3]]| (0..3).map(|k| (ends[1][k] - ends[0][k]).powi(2)).sum::<f64>().sqrt();
+        let across = middle.windows(2).map(length).sum();
+        Shape { strips, across }
+    }
+
+    /// Boxes along the ground axes that hold the surface where it is placed.
+    fn boxes(&self, pose: &Pose) -> Vec<Box3> {
+        let around = |points: &Vec<[f64; 3]>| {
+            let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+            for point in points.iter().map(|&point| pose.point(point)) {
+                for (end, x) in ends.iter_mut().zip(point) {
+                    *end = [end[0].min(x), end[1].max(x)];
+                }
+            }
+            let margin = MARGIN * self.across;
+            Box3(ends.map(|[low, high]| [low - margin, high + margin]))
+        };
+        self.strips.iter().map(around).collect()
+    }
+}
+
+/// Ends along each axis, m.
+struct Box3([[f64; 2]; 3]);
+
+impl Box3 {
+    fn meets(&self, other: &Box3) -> bool {
+        self.0.iter().zip(&other.0).all(|(one, other)| one[0] <= other[1] && other[0] <= one[1])
+    }
+}

@@ -1,0 +1,398 @@
+//! The planned scene, built: structures condensed, freedoms numbered, loads gathered. What every position starts from.
+
+use crate::modal::Modes;
+use calyx_contact::solid::Pose;
+use calyx_fe::inertia::Inertia;
+use calyx_model::bearing::{Springs, springs};
+use calyx_model::building::StructureCounts;
+use calyx_model::building::{Structures, build_structures};
+use calyx_model::fidelity::Fidelity;
+use calyx_model::flanks::{add_flanks, lug_contacts};
+use calyx_model::frames::{axes, loads_on, number_freedoms, pose, solid_pose};
+use calyx_model::ids::BodyId;
+use calyx_model::lug_contact::LugContact;
+use calyx_model::mechanism::Mechanism;
+use calyx_model::motion::{PlanePose, Stance, axle, moved_by, point_velocity};
+use calyx_model::pairs::SurfacePair;
+use calyx_model::plan::{BodyPlan, Plan, face_widths};
+use calyx_model::resources::Resources;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_structure::solid::SolidStructure;
+use calyx_structure::{AnyStructure, Structure};
+use std::sync::{Arc, OnceLock};
+
+pub use calyx_model::freedom::Freedom;
+
+/// A pair of teeth of a surface pair.
+pub type Teeth = (usize, [u32; 2]);
+
+/// Everything that positions share.
+pub struct System<'s> {
+    /// What is simulated.
+    pub scene: &'s Mechanism,
+    /// Bodies as they are modelled.
+    pub bodies: Bodies,
+    /// Free components of the frames of bodies, in the order of the unknowns.
+    pub freedoms: Vec<Freedom>,
+    /// Of every body, see [`axle`].
+    axles: Vec<[f64; 3]>,
+    /// Direction of the line of centres of every pair at time 0, rad, where it turns.
+    lines: Vec<Option<f64>>,
+    /// Those that the plan models, by index in the scene.
+    pub bearings: Vec<usize>,
+    /// Of bodies that rest on lugs by contact, by their index.
+    pub lugs: Vec<(usize, LugContact)>,
+    /// Asked at every checkpoint whether to go on.
+    pub interrupt: Interrupt,
+    /// Bodies do not deform, and touch as the load vanishes.
+    pub rigid: bool,
+    /// In which bodies vibrate, in time or about an equilibrium; none unless an analysis asks for them ([`System::vibrating`]).
+    pub modes: Modes,
+    structure_counts: StructureCounts,
+    /// Of every body about its axle, where somebody asks: those of gears take their meshes.
+    inertias: OnceLock<Vec<Inertia>>,
+    /// Bodies that the plan left out.
+    pub left_out: Vec<bool>,
+}
+
+/// The bodies of a scene as they are modelled, in order; `None` for a body the plan left out.
+#[derive(Clone)]
+pub enum Bodies {
+    /// Plane strain, per metre of face width.
+    Plane(PlaneBodies),
+    /// Three-dimensional.
+    Solid(SolidBodies),
+}
+
+impl Bodies {
+    /// With their structures, which are of the kind that the plan asked for.
+    fn with(self, structures: Structures) -> Bodies {
+        match self {
+            Bodies::Plane(bodies) => {
+                let plane = |structure| match structure {
+                    Some(AnyStructure::Plane(structure)) => Some(structure),
+                    _ => None,
+                };
+                Bodies::Plane(PlaneBodies {
+                    structures: structures.into_iter().map(plane).collect(),
+                    ..bodies
+                })
+            }
+            Bodies::Solid(bodies) => {
+                let solid = |structure| match structure {
+                    Some(AnyStructure::Solid(structure)) => Some(structure),
+                    _ => None,
+                };
+                Bodies::Solid(SolidBodies {
+                    structures: structures.into_iter().map(solid).collect(),
+                    ..bodies
+                })
+            }
+        }
+    }
+}
+
+/// Bodies in a section.
+#[derive(Clone)]
+pub struct PlaneBodies {
+    /// Elastic behaviour by body; `None` of a body that has no structure.
+    pub structures: Vec<Option<Arc<dyn Structure>>>,
+    /// Width over which the plane quantities of each body are spread, m.
+    face_widths: Vec<f64>,
+    /// Poses at time 0, from which kinematic angles are counted.
+    initial: Vec<PlanePose>,
+}
+
+/// Bodies in space.
+#[derive(Clone)]
+pub struct SolidBodies {
+    /// Elastic behaviour by body; `None` of a body that has no structure.
+    pub structures: Vec<Option<Arc<dyn SolidStructure>>>,
+    /// Turned so far at time 0, rad.
+    initial: Vec<f64>,
+}
+
+impl<'s> System<'s> {
+    /// Builds what the plan asks for, without a cache and to the end.
+    ///
+    /// # Errors
+    /// As [`System::with`].
+    pub fn new(scene: &'s Mechanism, plan: &Plan) -> Result<Self, EngineError> {
+        Self::with(scene, plan, &Resources::default())
+    }
+
+    /// Builds what the plan asks for. Bodies whose structures would be equal share one.
+    ///
+    /// # Errors
+    /// Nothing touches anything, a frame is unusable, a structure cannot be built, or the interrupt's.
+    pub fn with(scene: &'s Mechanism, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
+        let freedoms = number_freedoms(scene, plan);
+        if !plan.bodies.iter().any(BodyPlan::is_elastic) {
+            return Err(EngineError::new(
+                "E0713",
+                "nothing in the scene touches anything",
+                "mesh two bodies, like `gears.mesh(pinion, gear)`",
+            ));
+        }
+        let all = 0..scene.bodies.len();
+        // Frames are looked at before what takes long.
+        let bodies = match plan.in_space {
+            false => {
+                let initial = all.map(|body| pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
+                Bodies::Plane(PlaneBodies {
+                    structures: Vec::new(),
+                    face_widths: face_widths(scene),
+                    initial,
+                })
+            }
+            true => {
+                let angle = |body| solid_pose(scene, body, 0.0).map(|pose| Stance::of(&pose).angle);
+                let initial = all.map(angle).collect::<Result<_, _>>()?;
+                Bodies::Solid(SolidBodies { structures: Vec::new(), initial })
+            }
+        };
+        let (structures, structure_counts) = build_structures(scene, plan, resources)?;
+        let bodies = bodies.with(structures);
+        let interrupt = resources.interrupt.clone();
+        let bearings = plan.modelled_bearings();
+        let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
+        let (lines, lugs, modes) = (Vec::new(), lug_contacts(scene, plan), Modes::default());
+        let mut system = System {
+            scene,
+            bodies,
+            freedoms,
+            axles,
+            lines,
+            bearings,
+            lugs,
+            interrupt,
+            rigid: plan.fidelity == Fidelity::Rigid,
+            modes,
+            structure_counts,
+            inertias: OnceLock::new(),
+            left_out: plan.bodies.iter().map(|body| body.left_out).collect(),
+        };
+        let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
+        let line = |pair| turns(pair).then(|| system.line_of_centres(pair, 0.0));
+        system.lines = scene.pairs.iter().map(line).collect();
+        Ok(system)
+    }
+
+    /// The same system with the modes of its bodies up to a natural frequency (Hz), which vibrations about an equilibrium see; none up to 0.
+    ///
+    /// # Errors
+    /// E0764: there is no such frequency. E0771: the system is in space. Those of [`Resources::modes`].
+    pub fn vibrating(
+        mut self,
+        plan: &Plan,
+        resources: &Resources,
+        highest_frequency: f64,
+    ) -> Result<Self, EngineError> {
+        self.modes = Modes::find(self.scene, plan, resources, highest_frequency)?;
+        Ok(self)
+    }
+
+    /// The same structures and modes in a scene that differs in nothing that they depend on, as contact grids.
+    pub fn on<'t>(&self, scene: &'t Mechanism) -> System<'t> {
+        System {
+            scene,
+            bodies: self.bodies.clone(),
+            freedoms: self.freedoms.clone(),
+            axles: self.axles.clone(),
+            lines: self.lines.clone(),
+            bearings: self.bearings.clone(),
+            lugs: self.lugs.clone(),
+            interrupt: self.interrupt.clone(),
+            modes: self.modes.clone(),
+            structure_counts: self.structure_counts,
+            rigid: self.rigid,
+            inertias: OnceLock::new(),
+            left_out: self.left_out.clone(),
+        }
+    }
+
+    /// The inertias of all bodies about their axles.
+    pub fn inertias(&self) -> &[Inertia] {
+        self.inertias.get_or_init(|| {
+            let bodies = self.scene.bodies.iter().enumerate();
+            bodies.map(|(index, body)| body.inertia().from(self.axle(index))).collect()
+        })
+    }
+
+    /// How many structures were built for this system, and how many there were already.
+    pub fn structure_counts(&self) -> StructureCounts {
+        self.structure_counts
+    }
+
+    /// What forces of the contact problem on a body, by its index, are per: the width of a plane model's face, m; 1 in space. Bodies that touch or
+    /// that a bearing connects have one.
+    pub fn width(&self, body: usize) -> f64 {
+        match &self.bodies {
+            Bodies::Plane(bodies) => bodies.face_widths[body],
+            Bodies::Solid(_) => 1.0,
+        }
+    }
+
+    /// External generalised forces on the freedoms at a time, per [`System::width`].
+    pub fn load_at(&self, time: f64) -> Result<Vec<f64>, EngineError> {
+        self.load_in_part(time, 1.0)
+    }
+
+    /// The same with a part of the loads, and all blows.
+    pub fn load_in_part(&self, time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
+        let loads = loads_on(self.scene, &self.freedoms, time, part)?;
+        Ok(loads.iter().zip(&self.freedoms).map(|(load, on)| load / self.width(on.body)).collect())
+    }
+
+    /// What bearings, and lugs by contact, do to the freedoms at a time, per [`System::width`].
+    pub fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
+        let mut springs = {
+            let Mechanism { bodies, bearings, .. } = self.scene;
+            springs(bodies, bearings, &self.bearings, &self.freedoms, |body| self.width(body), time)?
+        };
+        for (body, contact) in &self.lugs {
+            let structure = match &self.bodies {
+                Bodies::Plane(bodies) => bodies.structures.get(*body).and_then(Option::as_deref),
+                Bodies::Solid(_) => None,
+            };
+            let between = structure.and_then(Structure::lug_compliance);
+            add_flanks(&mut springs, self.scene, (*body, contact), &self.freedoms, time, between)?;
+        }
+        Ok(springs)
+    }
+
+    /// How many gap equations the stops of bearings are; those of lugs follow on them.
+    pub fn stops(&self) -> usize {
+        self.bearings.iter().map(|&bearing| self.scene.bearings[bearing].walls()).sum()
+    }
+
+    /// How many the flanks of lugs are.
+    pub fn flanks(&self) -> usize {
+        self.lugs.iter().map(|(_, contact)| contact.flanks()).sum()
+    }
+
+    /// Angle by which a tooth stands off its nominal place, rad.
+    pub fn pitch_error(&self, body: usize, tooth: u32) -> f64 {
+        self.scene.bodies[body].prototype.pitch_error(tooth)
+    }
+
+    /// Angle by which a body is meant to have turned about its own axis since time 0, rad, up to whole turns; not a number where its
+    /// motion is none.
+    pub fn turned(&self, body: usize, time: f64) -> f64 {
+        match &self.bodies {
+            Bodies::Plane(bodies) => {
+                pose(self.scene, body, time).map_or(f64::NAN, |pose| pose.angle - bodies.initial[body].angle)
+            }
+            Bodies::Solid(bodies) => solid_pose(self.scene, body, time)
+                .map_or(f64::NAN, |pose| Stance::of(&pose).angle - bodies.initial[body]),
+        }
+    }
+
+    /// Direction from the axle of a pair's first body to that of its second, as they are meant to be, rad.
+    fn line_of_centres(&self, pair: &SurfacePair, time: f64) -> f64 {
+        let [first, second] = pair.bodies.map(|body| self.origin(body.0, time));
+        (second[1] - first[1]).atan2(second[0] - first[0])
+    }
+
+    /// Angle by which a pair's line of centres has turned since time 0, rad, up to whole turns; 0 of gears whose axes rest.
+    pub fn line_turned(&self, pair: usize, time: f64) -> f64 {
+        let since = |start| self.line_of_centres(&self.scene.pairs[pair], time) - start;
+        self.lines[pair].map_or(0.0, since)
+    }
+
+    /// Velocity, at a point in ground coordinates (m), of the frame that goes along with a pair's line of centres, m/s: nothing where axes
+    /// rest. What gears do in a mesh they do against it.
+    pub fn line_velocity(&self, pair: usize, time: f64, [x, y, _]: [f64; 3]) -> [f64; 3] {
+        let SurfacePair { bodies: [first, second], .. } = self.scene.pairs[pair];
+        if self.lines[pair].is_none() {
+            return [0.0; 3];
+        }
+        let at = |body: BodyId| {
+            let place = self.origin(body.0, time);
+            (place, point_velocity(self.scene.bodies[body.0].motion.as_ref(), time, place))
+        };
+        let ([from, velocity], [to, other]) = (at(first).into(), at(second).into());
+        let across = [to[0] - from[0], to[1] - from[1]];
+        let relative = [other[0] - velocity[0], other[1] - velocity[1]];
+        let turning =
+            (across[0] * relative[1] - across[1] * relative[0]) / (across[0].powi(2) + across[1].powi(2));
+        [velocity[0] - turning * (y - from[1]), velocity[1] + turning * (x - from[0]), 0.0]
+    }
+
+    /// The deviations of a body from its prescribed motion that are among those of all freedoms, in the order of
+    /// [`calyx_model::freedom::FREEDOMS`]; m and rad.
+    pub fn moved(&self, body: usize, motion: &[f64]) -> [f64; 6] {
+        let mut by = [0.0; 6];
+        for (freedom, &moved) in self.freedoms.iter().zip(motion).filter(|(freedom, _)| freedom.body == body)
+        {
+            by[freedom.component] = moved;
+        }
+        by
+    }
+
+    /// The directions along and about which a body's freedoms count: those of the ground, swung with the body's axis.
+    pub fn axes(&self, body: usize, time: f64) -> [[f64; 3]; 3] {
+        match &self.bodies {
+            Bodies::Plane(_) => Pose::IDENTITY.rotation,
+            Bodies::Solid(_) => axes(self.scene, body, time),
+        }
+    }
+
+    /// Where a body's axle goes through it, in the body's coordinates, m, see [`axle`].
+    pub fn axle(&self, body: usize) -> [f64; 3] {
+        self.axles[body]
+    }
+
+    /// Where a body's axle is meant to be, about which it is free to turn: the origin of its frame, unless it sits off its shaft; m; not a
+    /// number where its motion is none.
+    pub fn origin(&self, body: usize, time: f64) -> [f64; 3] {
+        let axle = self.axle(body);
+        match &self.bodies {
+            Bodies::Plane(_) => {
+                let [x, y] = pose(self.scene, body, time).map_or([f64::NAN; 2], |pose| pose.point(axle));
+                [x, y, 0.0]
+            }
+            Bodies::Solid(_) => {
+                solid_pose(self.scene, body, time).map_or([f64::NAN; 3], |pose| pose.point(axle))
+            }
+        }
+    }
+
+    /// The same, where bodies are off their prescribed motions by `moved`, m or rad by freedom.
+    pub fn origin_moved(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
+        let (origin, shift) = (self.origin(body, time), self.shift(body, time, moved));
+        [0, 1, 2].map(|k: usize| origin[k] + shift[k])
+    }
+
+    /// Where a body's frame is at a time, off its prescribed motion by `moved`: turned on its axle first, whole, then tilted about one axis,
+    /// which is exact for turns of any size.
+    ///
+    /// # Errors
+    /// As [`solid_pose`].
+    pub fn pose_moved(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
+        let pose = solid_pose(self.scene, body, time)?;
+        let by = self.moved(body, moved);
+        if by == [0.0; 6] {
+            return Ok(pose);
+        }
+        let axle = self.axle(body);
+        let moved = moved_by(&Pose { origin: pose.point(axle), ..pose }, by);
+        Ok(Pose { origin: moved.point(axle.map(|part| -part)), ..moved })
+    }
+
+    /// How far `moved` is of a body's axle, along ground axes, m.
+    fn shift(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
+        let [x, y, z, ..] = self.moved(body, moved);
+        let axes = self.axes(body, time);
+        [0, 1, 2].map(|k: usize| x * axes[0][k] + y * axes[1][k] + z * axes[2][k])
+    }
+
+    /// Velocity of the point of a body that is at a point in ground coordinates (m), m/s: the prescribed motion's, about an axis that is
+    /// where the body's origin is, off that motion by `moved`.
+    pub fn velocity(&self, body: usize, time: f64, moved: &[f64], point: [f64; 3]) -> [f64; 3] {
+        let shift = self.shift(body, time, moved);
+        let point = [0, 1, 2].map(|k: usize| point[k] - shift[k]);
+        point_velocity(self.scene.bodies[body].motion.as_ref(), time, point)
+    }
+}

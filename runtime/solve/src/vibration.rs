@@ -1,0 +1,224 @@
+//! Natural vibrations of a scene about an equilibrium: its bodies on bearings and on the contact that carries load now, as rigid ones or
+//! with their own modes.
+//!
+//! A small motion of the freedoms x and of the modal coordinates q finds the stiffness `K = diag(K_bearings, omega²) + C' A^-1 C`. C are the arms of
+//! the cells and stops that carry load, which stay in contact, and A is their compliance less what the modes answer, `sum phi phi' / omega²`: together
+//! they give as in statics. What resists is the inertia of the bodies, with `phi' M r` between modes and frames. So frequencies
+//! are those at one position: as teeth enter and leave, stiffness and frequencies change with them. What turning does
+//! (gyroscopic terms) and damping are left out.
+
+use crate::integration::{check_inertia, coupling};
+use crate::step::{PatchGrid, StepResult};
+use crate::system::System;
+use crate::vibrations::Vibrations;
+use calyx_fe::inertia::Inertia;
+use calyx_model::frames::solid_pose;
+use calyx_model::target::Examined;
+use calyx_numerics::dense::{
+    add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, symmetric_eigen,
+};
+use calyx_numerics::error::EngineError;
+use calyx_structure::Chart;
+use faer::Mat;
+use nalgebra::DMatrix;
+use std::sync::Arc;
+
+impl System<'_> {
+    /// Mass matrix of the freedoms at a time (s), of rigid bodies about their axles.
+    pub fn mass_matrix(&self, time: f64) -> DMatrix<f64> {
+        let freedoms = &self.freedoms;
+        let mut mass = DMatrix::zeros(freedoms.len(), freedoms.len());
+        for index in 0..self.scene.bodies.len() {
+            let own: Vec<usize> = (0..freedoms.len()).filter(|&i| freedoms[i].body == index).collect();
+            if own.is_empty() {
+                continue;
+            }
+            let inertia = self.inertias()[index];
+            let turned = self.inertia_on_ground(index, time, &inertia);
+            let axes = self.axes(index, time);
+            for &i in &own {
+                for &j in &own {
+                    mass[(i, j)] = entry(&turned, &axes, freedoms[i].component, freedoms[j].component);
+                }
+            }
+        }
+        mass
+    }
+
+    /// An inertia in a body's axes, along those of the ground.
+    fn inertia_on_ground(&self, body: usize, time: f64, inertia: &Inertia) -> Inertia {
+        let Ok(pose) = solid_pose(self.scene, body, time) else {
+            return Inertia { mass: f64::NAN, ..*inertia };
+        };
+        let r = pose.rotation;
+        let about = [0, 1, 2].map(|i: usize| {
+            [0, 1, 2].map(|j: usize| {
+                let term = |k: usize, l: usize| r[i][k] * inertia.about[k][l] * r[j][l];
+                (0..3).map(|k| (0..3).map(|l| term(k, l)).sum::<f64>()).sum()
+            })
+        });
+        Inertia { mass: inertia.mass, moment: pose.direction(inertia.moment), about }
+    }
+}
+
+/// Of two components of one frame: of displacements and turns along and about its axes.
+fn entry(inertia: &Inertia, axes: &[[f64; 3]; 3], one: usize, other: usize) -> f64 {
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    match (one, other) {
+        (0..3, 0..3) => inertia.mass * dot(axes[one], axes[other]),
+        (0..3, _) => dot(axes[one], cross(axes[other - 3], inertia.moment)),
+        (_, 0..3) => dot(axes[other], cross(axes[one - 3], inertia.moment)),
+        _ => {
+            let [a, b] = [axes[one - 3], axes[other - 3]];
+            dot(a, inertia.about.map(|row| dot(row, b)))
+        }
+    }
+}
+
+impl System<'_> {
+    /// Growth of the gaps of all cells of a solved position by the modal coordinates of the bodies.
+    fn modal_arms(&self, step: &StepResult) -> Mat<f64> {
+        let cells = step.patches.iter().map(|patch| patch.forces.len()).sum();
+        let mut arms = Mat::zeros(cells, self.modes.count());
+        let mut first = 0;
+        for patch in &step.patches {
+            if let PatchGrid::Plane { cells, .. } = &patch.grid {
+                let bodies = self.scene.pairs[patch.pair].bodies;
+                let side = |side: usize| {
+                    let chart = Chart { tooth: patch.teeth[side], surface: patch.surfaces[side] };
+                    (bodies[side].0, chart)
+                };
+                self.modes.add_arms(&mut arms, first, [side(0), side(1)], cells);
+            }
+            first += patch.forces.len();
+        }
+        arms
+    }
+
+    /// Mass matrix of all coordinates at a time (s).
+    fn whole_mass(&self, time: f64) -> Option<Mat<f64>> {
+        let (own, widths) = (self.mass_matrix(time), self.coordinate_widths());
+        let (m, count) = (own.nrows(), self.modes.count());
+        let between = coupling(self, time).ok()?;
+        let entry = |row: usize, column: usize| match (row.checked_sub(m), column.checked_sub(m)) {
+            (None, None) => own[(row, column)],
+            (None, Some(mode)) => widths[row] * between[row * count + mode],
+            (Some(mode), None) => widths[column] * between[column * count + mode],
+            (Some(one), Some(other)) => {
+                if one == other {
+                    widths[row]
+                } else {
+                    0.0
+                }
+            }
+        };
+        Some(Mat::from_fn(m + count, m + count, entry))
+    }
+
+    /// What forces on each coordinate are per, m: on freedoms, then on modal coordinates. Coordinates that have to do with each other have one.
+    fn coordinate_widths(&self) -> Vec<f64> {
+        let mut widths: Vec<f64> = self.freedoms.iter().map(|freedom| self.width(freedom.body)).collect();
+        for body in 0..self.scene.bodies.len() {
+            let modes = self.modes.of_body(body).map_or(0, |(own, _)| own.count());
+            widths.extend(std::iter::repeat_n(self.width(body), modes));
+        }
+        widths
+    }
+}
+
+impl System<'_> {
+    /// The free vibrations about the equilibrium; `None` if a freedom has no inertia or nothing vibrates. They are found once a position.
+    pub fn vibrations(&self, step: &StepResult) -> Option<Arc<Vibrations>> {
+        step.vibrations.get_or_init(|| self.find_vibrations(step).map(Arc::new)).clone()
+    }
+
+    /// Stiffness between coordinates, per width of the model.
+    fn stiffness_about(&self, step: &StepResult) -> Option<Mat<f64>> {
+        let (problem, active, modes) = (&step.problem, &step.active, &self.modes);
+        let (n, m, count) = (problem.cells(), self.freedoms.len(), modes.count());
+        if problem.stiffness.len() != m * m {
+            return None;
+        }
+        let bearings = |i: usize, j: usize| problem.stiffness[i * m + j];
+        let mut stiffness = Mat::from_fn(m + count, m + count, |i, j| match (i.max(j) < m, i == j) {
+            (true, _) => 0.5 * (bearings(i, j) + bearings(j, i)),
+            (false, true) => modes.squares[i - m],
+            (false, false) => 0.0,
+        });
+        if active.is_empty() {
+            return Some(stiffness);
+        }
+        let own = self.modal_arms(step);
+        // Stops of bearings come behind the cells.
+        let modal = |cell: usize, k: usize| if cell < own.nrows() { own[(cell, k)] } else { 0.0 };
+        let mut residual =
+            Mat::from_fn(active.len(), active.len(), |i, j| problem.compliance[active[i] * n + active[j]]);
+        let answered =
+            Mat::from_fn(active.len(), count, |i, k| modal(active[i], k) / modes.squares[k].sqrt());
+        add_product_lower(residual.as_mut(), -1.0, answered.as_ref(), answered.transpose());
+        let arms = Mat::from_fn(active.len(), m + count, |i, k| match k.checked_sub(m) {
+            None => problem.arms[active[i] * m + k],
+            Some(mode) => modal(active[i], mode),
+        });
+        let pressed = half_solve(cholesky(residual)?.as_ref(), arms);
+        add_product_lower(stiffness.as_mut(), 1.0, pressed.transpose(), pressed.as_ref());
+        mirror_lower(&mut stiffness);
+        Some(stiffness)
+    }
+
+    fn find_vibrations(&self, step: &StepResult) -> Option<Vibrations> {
+        let (mass, stiffness) = (self.whole_mass(step.time)?, self.stiffness_about(step)?);
+        let (size, widths) = (mass.nrows(), self.coordinate_widths());
+        // Every coordinate in a unit in which its own inertia is 1: metres and radians are alike then.
+        let scale: Vec<f64> = (0..size).map(|k| mass[(k, k)].sqrt().recip()).collect();
+        if size == 0 || !scale.iter().all(|scale| scale.is_finite()) {
+            return None;
+        }
+        let stiffness = Mat::from_fn(size, size, |i, j| widths[i] * stiffness[(i, j)]);
+        let scaled =
+            |matrix: &Mat<f64>| Mat::from_fn(size, size, |i, j| scale[i] * matrix[(i, j)] * scale[j]);
+        let lower = cholesky(scaled(&mass))?;
+        let half = half_solve(lower.as_ref(), scaled(&stiffness));
+        let mut whole = half_solve(lower.as_ref(), half.transpose().to_owned());
+        whole = Mat::from_fn(size, size, |i, j| 0.5 * (whole[(i, j)] + whole[(j, i)]));
+        let (squares, vectors) = symmetric_eigen(whole.as_ref())?;
+        let vectors = other_half_solve(lower.as_ref(), vectors);
+        Some(Vibrations {
+            frequencies: squares.iter().map(|square| square.max(0.0).sqrt()).collect(),
+            shapes: DMatrix::from_fn(size, size, |i, mode| scale[i] * vectors[(i, mode)]),
+            mass: DMatrix::from_fn(size, size, |i, j| mass[(i, j)]),
+            stiffness: DMatrix::from_fn(size, size, |i, j| stiffness[(i, j)]),
+        })
+    }
+}
+
+/// That a system whose vibrations are asked for has inertia where it is free, and as many modes as are asked for.
+///
+/// # Errors
+/// E0762: a free freedom has no inertia. E0770: there are fewer modes.
+pub fn check_vibrations(system: &System<'_>, examined: &dyn Examined) -> Result<(), EngineError> {
+    let modes = examined.targets().iter().any(|target| target.mode.is_some());
+    if !modes && !examined.examines_modes() {
+        return Ok(());
+    }
+    check_inertia(system.scene, &system.freedoms, system.inertias())?;
+    check_mode_count(examined, system.freedoms.len() + system.modes.count())
+}
+
+/// That a scene with so many modes has all that are asked for.
+///
+/// # Errors
+/// E0770: there are fewer.
+pub fn check_mode_count(examined: &dyn Examined, count: usize) -> Result<(), EngineError> {
+    match examined.targets().iter().filter_map(|target| target.mode).max() {
+        Some(mode) if mode >= count => Err(EngineError::new(
+            "E0770",
+            format!("there is no mode {}: the scene has {count}", mode + 1),
+            "the number of modes is that of the free degrees of freedom plus the elastic modes of bodies up to `highest_frequency`",
+        )),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,385 @@
+//! Structures, and modes of bodies, kept by what they are made of, for analyses to come: condensing one takes far longer than a position, and
+//! most of what people vary (loads, speeds, misalignment, pitch errors) leaves it as it is.
+//!
+//! A cache is shared by threads. Two that ask for one structure at the same time build it once; whose build fails or is
+//! interrupted leaves nothing behind, and whoever waited for it builds it then. With a [`Store`] structures are kept on disk too, for
+//! other processes and for runs to come.
+
+mod store;
+
+pub use store::Store;
+
+use crate::{AnyStructure, BodyModes};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use sha2::{Digest, Sha256};
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::Duration;
+
+/// Fingerprints of the source that makes structures: no structure of an earlier method is taken for one of this.
+const SOURCES: [&str; 3] = [env!("CALYX_SOURCE"), calyx_fe::SOURCE, calyx_numerics::SOURCE];
+/// How long a thread that waits for another one's build leaves its own interrupt unasked.
+const PATIENCE: Duration = Duration::from_millis(10);
+
+/// What a structure depends on, as a hash (SHA-256) of all of it.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Key([u8; 32]);
+
+impl Key {
+    /// Begins the key of a kind of structure; nothing else may have this name.
+    pub fn of(kind: &str) -> KeyWriter {
+        let begun = KeyWriter(Sha256::new()).text(env!("CARGO_PKG_VERSION"));
+        SOURCES.iter().fold(begun, |key, source| key.text(source)).text(kind)
+    }
+
+    /// The hash.
+    pub fn bytes(&self) -> &[u8; 32] {
+        &self.0
+    }
+}
+
+impl fmt::Debug for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+/// Writes into a [`Key`] all that a structure depends on. Values carry their kind and length, so that different sequences of
+/// values are different keys.
+#[derive(Clone)]
+pub struct KeyWriter(Sha256);
+
+impl KeyWriter {
+    /// Numbers that differ in a bit differ.
+    pub fn number(self, number: f64) -> Self {
+        self.part(b'n', &number.to_bits().to_le_bytes())
+    }
+
+    /// Their count, and each of them.
+    pub fn numbers(self, numbers: &[f64]) -> Self {
+        let begun = self.part(b's', &(numbers.len() as u64).to_le_bytes());
+        numbers.iter().fold(begun, |key, &number| key.number(number))
+    }
+
+    /// A whole number.
+    pub fn count(self, count: u64) -> Self {
+        self.part(b'c', &count.to_le_bytes())
+    }
+
+    /// A truth value.
+    pub fn flag(self, flag: bool) -> Self {
+        self.part(b'f', &[u8::from(flag)])
+    }
+
+    /// A text.
+    pub fn text(self, text: &str) -> Self {
+        self.part(b't', &(text.len() as u64).to_le_bytes()).part(b'u', text.as_bytes())
+    }
+
+    /// The key of all that was written.
+    pub fn finish(self) -> Key {
+        Key(self.0.finalize().into())
+    }
+
+    fn part(mut self, kind: u8, bytes: &[u8]) -> Self {
+        self.0.update([kind]);
+        self.0.update(bytes);
+        self
+    }
+}
+
+/// Entry of the cache.
+#[derive(Clone)]
+pub enum Operator {
+    /// Condensed structure.
+    Structure(AnyStructure),
+    /// Modes of a body; `None` if the body has none.
+    Modes(Option<Arc<BodyModes>>),
+}
+
+impl Operator {
+    fn bytes(&self) -> usize {
+        match self {
+            Operator::Structure(structure) => structure.bytes(),
+            Operator::Modes(modes) => modes.as_ref().map_or(0, |modes| modes.bytes()),
+        }
+    }
+
+    /// Returns the structure; `None` if the entry is of modes.
+    pub fn structure(self) -> Option<AnyStructure> {
+        match self {
+            Operator::Structure(structure) => Some(structure),
+            Operator::Modes(_) => None,
+        }
+    }
+
+    fn modes(self) -> Option<Option<Arc<BodyModes>>> {
+        match self {
+            Operator::Modes(modes) => Some(modes),
+            Operator::Structure(_) => None,
+        }
+    }
+}
+
+impl From<AnyStructure> for Operator {
+    fn from(structure: AnyStructure) -> Self {
+        Operator::Structure(structure)
+    }
+}
+
+impl From<Option<Arc<BodyModes>>> for Operator {
+    fn from(modes: Option<Arc<BodyModes>>) -> Self {
+        Operator::Modes(modes)
+    }
+}
+
+/// How often a cache was asked, and what it holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CacheCounts {
+    /// Structures that somebody got without building them.
+    pub hits: u64,
+    /// Builds that were begun.
+    pub misses: u64,
+    /// Structures it holds.
+    pub structures: usize,
+    /// What they take, in bytes.
+    pub bytes: usize,
+}
+
+/// Structures by content, up to a number of bytes; what was used least recently goes first.
+pub struct OperatorCache {
+    limit: usize,
+    store: Option<Store>,
+    state: Mutex<State>,
+    /// A build has ended, one way or the other.
+    ended: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    slots: HashMap<Key, Slot>,
+    /// Of the structures that are kept.
+    bytes: usize,
+    clock: u64,
+    hits: u64,
+    misses: u64,
+}
+
+enum Slot {
+    Building(Arc<Flight>),
+    Built { operator: Operator, bytes: usize, used: u64 },
+}
+
+/// A build under way, through which those who wait for it get the structure even if the cache cannot keep it.
+pub struct Flight(OnceLock<Operator>);
+
+/// What a cache answers to somebody who needs a structure.
+pub enum Answer<'c> {
+    /// The cache has it.
+    Ready(Operator),
+    /// Nobody has it: the asker is to build it.
+    Yours(Claim<'c>),
+    /// Somebody else is building it.
+    Elsewhere(Arc<Flight>),
+}
+
+impl OperatorCache {
+    /// A cache that keeps at most `limit` bytes. Structures in use are kept by those who use them, and not counted.
+    pub fn new(limit: usize) -> Self {
+        Self { limit, store: None, state: Mutex::default(), ended: Condvar::new() }
+    }
+
+    /// Keeps what analyses build on disk too, and takes from there what is not in memory.
+    pub fn with_store(self, store: Store) -> Self {
+        Self { store: Some(store), ..self }
+    }
+
+    /// Where structures are kept on disk.
+    pub fn store(&self) -> Option<&Store> {
+        self.store.as_ref()
+    }
+
+    /// The structure of this key: a kept one, else built here, or waited for if another thread is building it.
+    ///
+    /// A thread of a rayon pool does not wait: while it builds something itself it may be given other work of the pool in
+    /// between, and two such would wait for each other for ever. It builds what another one is building, too.
+    ///
+    /// # Errors
+    /// Those of `build` and of the interrupt.
+    pub fn structure(
+        &self,
+        key: Key,
+        interrupt: &Interrupt,
+        build: impl FnOnce() -> Result<AnyStructure, EngineError>,
+    ) -> Result<AnyStructure, EngineError> {
+        self.operator(key, interrupt, Operator::structure, |_| build())
+    }
+
+    /// The modes of this key, likewise. Who builds them may hold the claim to them.
+    pub fn modes(
+        &self,
+        key: Key,
+        interrupt: &Interrupt,
+        build: impl FnOnce(Option<&Claim<'_>>) -> Result<Option<Arc<BodyModes>>, EngineError>,
+    ) -> Result<Option<Arc<BodyModes>>, EngineError> {
+        self.operator(key, interrupt, Operator::modes, build)
+    }
+
+    /// What was kept under a key that something of another kind has is not taken.
+    fn operator<T: Clone + Into<Operator>>(
+        &self,
+        key: Key,
+        interrupt: &Interrupt,
+        take: fn(Operator) -> Option<T>,
+        build: impl FnOnce(Option<&Claim<'_>>) -> Result<T, EngineError>,
+    ) -> Result<T, EngineError> {
+        loop {
+            let found = match self.ask(key) {
+                Answer::Ready(operator) => operator,
+                Answer::Yours(claim) => {
+                    let built = build(Some(&claim))?;
+                    claim.fulfil(&built.clone().into());
+                    return Ok(built);
+                }
+                Answer::Elsewhere(_) if rayon::current_thread_index().is_some() => return build(None),
+                Answer::Elsewhere(flight) => match self.wait(key, &flight, interrupt)? {
+                    Some(operator) => operator,
+                    None => continue,
+                },
+            };
+            return take(found).map_or_else(|| build(None), Ok);
+        }
+    }
+
+    /// How often it was asked, and what it holds.
+    pub fn counts(&self) -> CacheCounts {
+        let state = self.lock();
+        let built = state.slots.values().filter(|slot| matches!(slot, Slot::Built { .. }));
+        CacheCounts { hits: state.hits, misses: state.misses, structures: built.count(), bytes: state.bytes }
+    }
+
+    /// Without waiting.
+    pub fn ask(&self, key: Key) -> Answer<'_> {
+        let mut state = self.lock();
+        state.clock += 1;
+        let now = state.clock;
+        match state.slots.get_mut(&key) {
+            Some(Slot::Built { operator, used, .. }) => {
+                *used = now;
+                let operator = operator.clone();
+                state.hits += 1;
+                Answer::Ready(operator)
+            }
+            Some(Slot::Building(flight)) => Answer::Elsewhere(flight.clone()),
+            None => {
+                let flight = Arc::new(Flight(OnceLock::new()));
+                state.slots.insert(key, Slot::Building(flight.clone()));
+                state.misses += 1;
+                Answer::Yours(Claim { cache: self, key, flight })
+            }
+        }
+    }
+
+    /// What another thread's build comes to; `None` if it failed. Not for threads of a rayon pool.
+    pub fn wait(
+        &self,
+        key: Key,
+        flight: &Arc<Flight>,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Operator>, EngineError> {
+        loop {
+            interrupt.check()?;
+            let mut state = self.lock();
+            if let Some(operator) = flight.0.get() {
+                state.hits += 1;
+                return Ok(Some(operator.clone()));
+            }
+            match state.slots.get(&key) {
+                Some(Slot::Building(current)) if Arc::ptr_eq(current, flight) => {
+                    drop(self.ended.wait_timeout(state, PATIENCE).unwrap_or_else(PoisonError::into_inner));
+                }
+                _ => return Ok(None),
+            }
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State> {
+        // Every change of the state is complete before anything in it could panic.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl fmt::Debug for OperatorCache {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("OperatorCache").field("limit", &self.limit).field("counts", &self.counts()).finish()
+    }
+}
+
+/// The duty to build a structure. Dropped unfulfilled, it leaves no trace.
+pub struct Claim<'c> {
+    cache: &'c OperatorCache,
+    key: Key,
+    flight: Arc<Flight>,
+}
+
+impl<'c> Claim<'c> {
+    /// Where the structure is kept on disk, and under which key.
+    pub fn on_disk(&self) -> Option<(&'c Store, Key)> {
+        self.cache.store.as_ref().map(|store| (store, self.key))
+    }
+
+    /// Hands the structure to all who wait for it, and keeps it if it fits.
+    pub fn fulfil(self, operator: &Operator) {
+        let bytes = operator.bytes();
+        let mut gone = Vec::new();
+        let mut state = self.cache.lock();
+        // Set under the lock: a waiter that finds neither this nor the slot knows that the build has failed.
+        let _ = self.flight.0.set(operator.clone());
+        if bytes <= self.cache.limit {
+            state.clock += 1;
+            let built = Slot::Built { operator: operator.clone(), bytes, used: state.clock };
+            state.slots.insert(self.key, built);
+            state.bytes += bytes;
+            gone = state.shrink(self.cache.limit);
+        }
+        drop(state);
+        // What goes is freed while nobody waits for the lock; the claim, dropped, wakes those who wait.
+        drop(gone);
+    }
+}
+
+impl Drop for Claim<'_> {
+    fn drop(&mut self) {
+        let mut state = self.cache.lock();
+        if matches!(state.slots.get(&self.key), Some(Slot::Building(own)) if Arc::ptr_eq(own, &self.flight)) {
+            state.slots.remove(&self.key);
+        }
+        drop(state);
+        self.cache.ended.notify_all();
+    }
+}
+
+impl State {
+    /// Takes out what was used least recently until the rest fits.
+    fn shrink(&mut self, limit: usize) -> Vec<Slot> {
+        let mut gone = Vec::new();
+        while self.bytes > limit {
+            let age = |(key, slot): (&Key, &Slot)| match slot {
+                Slot::Built { used, .. } => Some((*used, *key)),
+                Slot::Building(_) => None,
+            };
+            let Some((_, oldest)) = self.slots.iter().filter_map(age).min() else { break };
+            let slot = self.slots.remove(&oldest);
+            if let Some(Slot::Built { bytes, .. }) = &slot {
+                self.bytes -= bytes;
+            }
+            gone.extend(slot);
+        }
+        gone
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,316 @@
+//! Displacements and stresses of whole meshes, on demand, for VTU files.
+//!
+//! A condensed structure stores nothing about the interior of a body. To display it, the sector is
+//! meshed and assembled again, and its interior is factorized and kept ([`ring`]); a position then
+//! costs a back-substitution for each sector. The ring has the same flexibility as in the
+//! structure, so the result is that of the contact problem. Forces of cells become point forces on
+//! the mesh, which is coarse in comparison. Stresses are accurate a few nodes away from a contact,
+//! in the fillets and in the rim, but not under the contact.
+
+mod elements;
+mod ring;
+
+use super::bore::{BoreMeans, Wanted};
+use super::condense::{Assembled, match_cuts};
+use super::elastic::chain;
+use super::solid::SpotLoad;
+use super::{Chart, ReshapedSurface, RevolvedWeb, RingSource, StructureError, SurfaceLoad};
+use calyx_fe::solid::{ABSENT, FaceSet, SolidModel};
+use calyx_fe::{EdgeChain, PlaneModel, SparseVector};
+use calyx_numerics::interrupt::Interrupt;
+use elements::{Elements, Outline};
+use ring::{Held, SolvedRing};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Sectors up to this distance from a loaded one are output with all of their nodes, others with
+/// the corners of their elements: there only displacements matter.
+const NEAR: u32 = 2;
+/// Largest distance from a loaded sector for output in three dimensions: sectors further away would
+/// make up most of a file and hardly move.
+const SHOWN_IN_SPACE: u32 = 6;
+/// A sector with more nodes than this is always output by corners: its elements are small enough,
+/// and all nodes would take megabytes a position.
+const MANY_NODES: usize = 4000;
+
+/// Finite-element mesh of a body, or the reason why there is none.
+pub enum Drawable {
+    /// The mesh.
+    Mesh(Arc<MeshedBody>),
+    /// Reason in words that follow the body's name.
+    Not(&'static str),
+}
+
+/// Forces on a body.
+#[derive(Clone, Copy, Debug)]
+pub enum BodyLoads<'a> {
+    /// Loads on a plane body.
+    Plane {
+        /// Forces on its surfaces.
+        surfaces: &'a [SurfaceLoad],
+        /// Forces of its spline teeth with clearance, counter-clockwise, N/m; empty for a body
+        /// without such spline teeth.
+        lugs: &'a [f64],
+    },
+    /// Loads on a three-dimensional body.
+    Solid(&'a [SpotLoad]),
+}
+
+/// Deformed sector of a loaded body, in the body's frame.
+#[derive(Clone, Debug)]
+pub struct DeformedSector {
+    /// Index of the tooth, counted counter-clockwise from 0.
+    pub tooth: u32,
+    /// Undeformed positions, m; z is 0 in a plane model.
+    pub points: Vec<[f64; 3]>,
+    /// Corners of each cell as indices of points: four of a quadrilateral, counter-clockwise, or
+    /// eight of a hexahedron, in VTK order.
+    pub cells: Vec<Vec<usize>>,
+    /// Elastic displacements of the points, m.
+    pub displacements: Vec<[f64; 3]>,
+    /// Stresses at the points: xx, yy, zz, yz, zx, xy, Pa.
+    pub stresses: Vec<[f64; 6]>,
+}
+
+/// Body with a mesh that can be evaluated. See the module documentation.
+pub struct MeshedBody {
+    mesh: Arc<Mesh>,
+    reshaped: Option<Vec<ReshapedSurface>>,
+}
+
+/// Mesh of a sector, and the ring.
+struct Mesh {
+    ring: SolvedRing,
+    nodes: Vec<[f64; 3]>,
+    elements: Elements,
+    outlines: [Outline; 2],
+    loadable: Loadable,
+}
+
+/// Loadable surfaces.
+enum Loadable {
+    Plane(Box<PlaneModel>, Vec<EdgeChain>),
+    Solid(Box<SolidModel>, Vec<FaceSet>),
+}
+
+impl MeshedBody {
+    /// Builds a ring of plane sectors, as
+    /// [`ElasticStructure::ring`](super::ElasticStructure::ring). `surfaces` names the loaded
+    /// chains.
+    ///
+    /// # Errors
+    /// Chains are missing, the cuts do not conform, the ring is not supported, memory is
+    /// insufficient, or the computation is interrupted.
+    pub fn ring(
+        model: PlaneModel,
+        ring: &RingSource<'_>,
+        surfaces: &[String],
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(&model, name)?));
+        let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
+        let sectors = ring.sectors.max(1);
+        let (held, means) = match Wanted::of_ring(ring.hold, sectors, sectors) {
+            None => (bore, None),
+            Some(wanted) => {
+                let means = BoreMeans::plane(&model, chain(&model, ring.bore)?, wanted, interrupt)?;
+                (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
+            }
+        };
+        let assembled = Assembled::plane(&model);
+        let cuts = match_cuts(&assembled.positions, &first, &last, &held, TAU / f64::from(sectors))
+            .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
+        let nodes = assembled.positions.clone();
+        // Cuts are small: the flexibility covers all sectors.
+        let sector = Held { sectors, cuts, held: assembled.dofs_of(&held), means, window: sectors };
+        let ring = SolvedRing::new(assembled, sector, |error| ring.hold.blamed(error), interrupt)?;
+        let chains = surfaces.iter().map(|name| chain(&model, name).cloned());
+        let chains = chains.collect::<Result<_, StructureError>>()?;
+        Ok(Self::of(ring, nodes, Elements::plane(&model), Loadable::Plane(Box::new(model), chains)))
+    }
+
+    /// Builds a ring of three-dimensional sectors, as
+    /// [`ElasticSolid::ring`](super::solid::ElasticSolid::ring) or, on a web, `ring_on_web`.
+    /// `surfaces` names the sets of loaded faces.
+    ///
+    /// # Errors
+    /// As for [`Self::ring`].
+    pub fn solid_ring(
+        model: SolidModel,
+        ring: &RingSource<'_>,
+        web: Option<&RevolvedWeb>,
+        surfaces: &[String],
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let faces = |name: &str| {
+            let set = model.mesh.face_set(name);
+            set.ok_or_else(|| StructureError::NoFaces { faces: name.into() })
+        };
+        let sectors = ring.sectors.max(1);
+        let bore = faces(ring.bore)?;
+        let means = match (web, Wanted::of_ring(ring.hold, sectors, ring.coupled)) {
+            (Some(web), _) => Some(BoreMeans::on_web(&model, bore, web, [sectors, ring.coupled], interrupt)?),
+            (None, Some(wanted)) => Some(BoreMeans::solid(&model, bore, wanted, interrupt)?),
+            (None, None) => None,
+        };
+        let means = means.map(|means| means.ok_or(StructureError::NoArea)).transpose()?;
+        let mut held = if means.is_none() { model.mesh.nodes_on(bore) } else { Vec::new() };
+        held.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
+        held.sort_unstable();
+        held.dedup();
+        let [first, last] = [faces(ring.cuts[0])?, faces(ring.cuts[1])?].map(|set| model.mesh.nodes_on(set));
+        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &held, TAU / f64::from(sectors))
+            .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
+        let assembled = Assembled::solid(&model.mesh, interrupt, || model.stiffness())?;
+        let nodes = assembled.positions.clone();
+        let sector = Held { sectors, cuts, held: assembled.dofs_of(&held), means, window: ring.coupled };
+        let solved = SolvedRing::new(assembled, sector, |error| ring.hold.blamed(error), interrupt)?;
+        let sets = surfaces.iter().map(|name| faces(name).cloned()).collect::<Result<_, StructureError>>()?;
+        Ok(Self::of(solved, nodes, Elements::solid(&model), Loadable::Solid(Box::new(model), sets)))
+    }
+
+    fn of(ring: SolvedRing, nodes: Vec<[f64; 3]>, elements: Elements, loadable: Loadable) -> Self {
+        let outlines = elements.outlines();
+        Self { mesh: Arc::new(Mesh { ring, nodes, elements, outlines, loadable }), reshaped: None }
+    }
+
+    /// Returns the same body with surfaces that differ slightly from its own, one for each;
+    /// coordinates of loads refer to these.
+    #[must_use]
+    pub fn reshaped(&self, surfaces: Vec<ReshapedSurface>) -> Self {
+        Self { mesh: self.mesh.clone(), reshaped: Some(surfaces) }
+    }
+
+    /// Returns the sectors of the body under loads, in order: all of them in a plane model, those
+    /// around loaded ones in three dimensions.
+    ///
+    /// # Errors
+    /// Memory is insufficient, or the computation is interrupted.
+    pub fn deformed(
+        &self,
+        loads: BodyLoads<'_>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<DeformedSector>, StructureError> {
+        let (by_tooth, lugs) = self.forces(loads);
+        let within = |tooth: u32, pitches: u32| {
+            let apart = |one: u32, other: u32| {
+                let ahead = (one + self.mesh.ring.sectors - other) % self.mesh.ring.sectors;
+                ahead.min(self.mesh.ring.sectors - ahead)
+            };
+            by_tooth.iter().any(|(loaded, _)| apart(tooth, *loaded) <= pitches)
+        };
+        let everywhere = matches!(self.mesh.loadable, Loadable::Plane(..)) || by_tooth.is_empty();
+        let shown = |&tooth: &u32| everywhere || within(tooth, SHOWN_IN_SPACE);
+        let shown: Vec<u32> = (0..self.mesh.ring.sectors).filter(shown).collect();
+        let columns = 4 * shown.len() + 2 * by_tooth.len();
+        let bytes = columns * self.mesh.nodes.len() * 3 * size_of::<f64>();
+        let _room = interrupt.room_for(bytes as u64).map_err(StructureError::Interrupted)?;
+        let moved = self.mesh.ring.displacements(&by_tooth, lugs, &shown)?;
+        let few = self.mesh.outlines[0].nodes.len() <= MANY_NODES;
+        let sector = |(&tooth, column): (&u32, faer::ColRef<'_, f64>)| {
+            interrupt.check().map_err(StructureError::Interrupted)?;
+            let moved: Vec<f64> = column.iter().copied().collect();
+            Ok(self.mesh.sector(tooth, &moved, usize::from(!(few && within(tooth, NEAR)))))
+        };
+        shown.iter().zip(moved.col_iter()).map(sector).collect()
+    }
+
+    /// Returns full vectors of forces by tooth, ascending, and forces of spline teeth.
+    fn forces<'a>(&self, loads: BodyLoads<'a>) -> (Vec<(u32, Vec<f64>)>, &'a [f64]) {
+        let (mut by_tooth, mut of_lugs) = (BTreeMap::new(), &[][..]);
+        let dofs = |model: &Loadable| match model {
+            Loadable::Plane(model, _) => model.dof_count(),
+            Loadable::Solid(model, _) => model.dof_count(),
+        };
+        let dofs = dofs(&self.mesh.loadable);
+        let mut add = |chart: Chart, force: f64, row: Option<SparseVector>| {
+            let tooth = chart.tooth % self.mesh.ring.sectors;
+            let sum = by_tooth.entry(tooth).or_insert_with(|| vec![0.0; dofs]);
+            if let Some(row) = row {
+                row.add_to(force, sum);
+            }
+        };
+        match loads {
+            BodyLoads::Plane { surfaces, lugs } => {
+                surfaces
+                    .iter()
+                    .for_each(|load| add(load.chart, load.force, self.pressed(load.chart.surface, load.s)));
+                of_lugs = lugs;
+            }
+            BodyLoads::Solid(spots) => {
+                spots.iter().for_each(|load| {
+                    add(load.chart, load.force, self.pressed_at(load.chart.surface, load.spot.place));
+                });
+            }
+        }
+        (by_tooth.into_iter().collect(), of_lugs)
+    }
+
+    /// Returns the load vector of a unit force into the body at a point on a surface of a plane
+    /// sector; coordinates are clamped to its ends.
+    fn pressed(&self, surface: u32, s: f64) -> Option<SparseVector> {
+        let Loadable::Plane(model, chains) = &self.mesh.loadable else { return None };
+        let chain = chains.get(surface as usize)?;
+        let own = self.reshaped.as_ref().and_then(|surfaces| surfaces.get(surface as usize));
+        let [start, end] = chain.range();
+        let onto = own.map_or(s, |own| (own.onto)(s)).clamp(start, end);
+        let point = model.mesh.chain_point(chain, onto)?;
+        let normal = own.map_or(point.normal, |own| {
+            let last = own.profile.edge_from().unwrap_or(own.profile.length());
+            own.profile.at(s.clamp(0.0, last)).normal
+        });
+        Some(model.displacement_row(point.place, normal.map(|part| -part)))
+    }
+
+    /// Returns the load vector on a three-dimensional sector.
+    fn pressed_at(&self, surface: u32, [s, z]: [f64; 2]) -> Option<SparseVector> {
+        let Loadable::Solid(model, sets) = &self.mesh.loadable else { return None };
+        let set = sets.get(surface as usize)?;
+        let [start, end] = set.chart.as_ref()?.s_range();
+        let [low, high] = model.mesh.swept.as_ref()?.z_range();
+        let point = model.mesh.surface_point(set, s.clamp(start, end), z.clamp(low, high))?;
+        Some(model.displacement_row(point.place, point.normal.map(|part| -part)))
+    }
+}
+
+impl Mesh {
+    /// Returns a sector in the body's frame from displacements in its own frame.
+    fn sector(&self, tooth: u32, moved: &[f64], outline: usize) -> DeformedSector {
+        let (sin, cos) = (TAU * f64::from(tooth) / f64::from(self.ring.sectors)).sin_cos();
+        let turn = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
+        let axes = moved.len() / self.nodes.len().max(1);
+        let displacement = |node: usize| {
+            let at = |axis: usize| if axis < axes { moved[axes * node + axis] } else { 0.0 };
+            turn([at(0), at(1), at(2)])
+        };
+        let outline = &self.outlines[outline];
+        let nodes = || outline.nodes.iter().copied();
+        let stresses = if moved.iter().any(|&moved| moved != 0.0) {
+            self.elements.stresses(moved)
+        } else {
+            vec![[0.0; 6]; self.nodes.len()]
+        };
+        let rotation = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
+        DeformedSector {
+            tooth,
+            points: nodes().map(|node| turn(self.nodes[node])).collect(),
+            cells: outline.cells.clone(),
+            displacements: nodes().map(displacement).collect(),
+            stresses: nodes().map(|node| turned_tensor(&rotation, stresses[node])).collect(),
+        }
+    }
+}
+
+/// Transforms a symmetric tensor, xx, yy, zz, yz, zx, xy, to new axes; the rows of `rotation` are
+/// the components of the new axes along the old ones.
+pub fn turned_tensor(rotation: &[[f64; 3]; 3], [xx, yy, zz, yz, zx, xy]: [f64; 6]) -> [f64; 6] {
+    let tensor = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
+    let at = |a: usize, b: usize| {
+        (0..3)
+            .flat_map(|k| (0..3).map(move |l| (k, l)))
+            .map(|(k, l)| rotation[a][k] * tensor[k][l] * rotation[b][l])
+            .sum()
+    };
+    [at(0, 0), at(1, 1), at(2, 2), at(1, 2), at(2, 0), at(0, 1)]
+}

@@ -1,0 +1,294 @@
+//! Output elements of a mesh: cells with straight edges between nodes, and nodal stresses.
+//!
+//! An element with a grid of nodes has as many cells as the grid; in coarse output it is a single
+//! cell, by its corners. Stress is sampled where that of the displacements is most accurate, at the
+//! Gauss points of the elements' order (Barlow 1976). It is extrapolated to the nodes by the
+//! polynomials through these points, and averaged over the elements that share a node (Hinton and
+//! Campbell 1974).
+
+use calyx_fe::material::Plane;
+use calyx_fe::solid::{SolidModel, SolidPlace};
+use calyx_fe::{Place, PlaneModel};
+use calyx_numerics::quadrature::gauss_legendre;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Local coordinates with a smaller difference are equal.
+const SAME: f64 = 1e-9;
+
+/// Cells between points.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Outline {
+    /// Nodes of the mesh, ascending.
+    pub nodes: Vec<usize>,
+    /// Corners as indices into these nodes: four of a quadrilateral, counter-clockwise; eight of a
+    /// hexahedron, those of the face towards the first station before their opposites.
+    pub cells: Vec<Vec<usize>>,
+}
+
+/// Data that elements of one type share.
+struct Kind {
+    /// Node indices of the cells of the element, and of its single cell in coarse output.
+    cells: [Vec<Vec<usize>>; 2],
+    /// Local coordinates of the stress sampling points.
+    samples: Vec<[f64; 3]>,
+    /// Weight of each sampling point at each node.
+    weights: Vec<Vec<f64>>,
+}
+
+/// Element with the derivatives of its shape functions at the sampling points.
+struct Element {
+    kind: Arc<Kind>,
+    nodes: Vec<usize>,
+    /// Derivatives along x, y and z, by point and node, 1/m.
+    gradients: Vec<Vec<[f64; 3]>>,
+}
+
+/// Lamé's constants, Pa, and the out-of-plane strain by the in-plane strains.
+struct Law {
+    lame: [f64; 2],
+    across: f64,
+}
+
+/// Elements of a mesh. See the module documentation.
+pub(super) struct Elements {
+    nodes: usize,
+    dofs_per_node: usize,
+    law: Law,
+    elements: Vec<Element>,
+}
+
+impl Elements {
+    /// Builds the elements of a plane mesh.
+    pub fn plane(model: &PlaneModel) -> Self {
+        let mut kinds = BTreeMap::new();
+        let element = |(number, element): (usize, &calyx_fe::Element)| {
+            let kind = kinds.entry(element.order).or_insert_with(|| {
+                let places =
+                    element.order.node_places().into_iter().map(|[xi, eta]| [xi, eta, 0.0]).collect();
+                let points = usize::from(element.order.lowest_side());
+                Arc::new(Kind::new(places, [points, points, 1]))
+            });
+            let gradients = kind.samples.iter().map(|&[xi, eta, _]| {
+                let [[x_xi, x_eta], [y_xi, y_eta]] = model.mesh.jacobian(Place { element: number, xi, eta });
+                let area = x_xi * y_eta - x_eta * y_xi;
+                let shapes = element.order.shapes(xi, eta).into_iter();
+                shapes
+                    .map(|[_, a, b]| [(y_eta * a - y_xi * b) / area, (x_xi * b - x_eta * a) / area, 0.0])
+                    .collect()
+            });
+            Element { kind: kind.clone(), nodes: element.nodes.clone(), gradients: gradients.collect() }
+        };
+        let elements = model.mesh.elements.iter().enumerate().map(element).collect();
+        let ratio = model.material.poissons_ratio;
+        let across = match model.plane {
+            Plane::Strain => 0.0,
+            Plane::Stress => -ratio / (1.0 - ratio),
+        };
+        let law = Law { lame: lame(model.material.youngs_modulus, ratio), across };
+        Self { nodes: model.mesh.nodes.len(), dofs_per_node: 2, law, elements }
+    }
+
+    /// Builds the elements of a three-dimensional mesh, without those that have no material.
+    pub fn solid(model: &SolidModel) -> Self {
+        let mut kinds = BTreeMap::new();
+        let mut elements = Vec::new();
+        for (number, element) in model.mesh.elements.iter().enumerate() {
+            if model.mesh.absent.contains(&number) {
+                continue;
+            }
+            let kind = kinds.entry(&element.interpolation).or_insert_with(|| {
+                let [across, along] = element.interpolation.lowest().map(usize::from);
+                Arc::new(Kind::new(element.interpolation.node_places(), [across, across, along]))
+            });
+            let at = |&local: &[f64; 3]| model.gradients(SolidPlace { element: number, local });
+            let gradients = kind.samples.iter().map(at).collect();
+            elements.push(Element { kind: kind.clone(), nodes: element.nodes.clone(), gradients });
+        }
+        let law = Law { lame: model.lame(), across: 0.0 };
+        Self { nodes: model.mesh.nodes.len(), dofs_per_node: 3, law, elements }
+    }
+
+    /// Returns all elements by their cells, and by one cell each.
+    pub fn outlines(&self) -> [Outline; 2] {
+        [0, 1].map(|coarse| {
+            let cells = || {
+                self.elements.iter().flat_map(|element| {
+                    let cells = element.kind.cells[coarse].iter();
+                    cells.map(|cell| cell.iter().map(|&local| element.nodes[local]).collect::<Vec<_>>())
+                })
+            };
+            let mut nodes: Vec<usize> = cells().flatten().collect();
+            nodes.sort_unstable();
+            nodes.dedup();
+            let place = |node: &usize| nodes.partition_point(|other| other < node);
+            let cells = cells().map(|cell| cell.iter().map(place).collect()).collect();
+            Outline { nodes, cells }
+        })
+    }
+
+    /// Returns the stresses xx, yy, zz, yz, zx, xy at all nodes under displacements, Pa.
+    pub fn stresses(&self, displacements: &[f64]) -> Vec<[f64; 6]> {
+        let mut sums = vec![([0.0; 6], 0_u32); self.nodes];
+        for element in &self.elements {
+            let samples: Vec<[f64; 6]> = element
+                .gradients
+                .iter()
+                .map(|shapes| self.stress(&element.nodes, shapes, displacements))
+                .collect();
+            for (&node, weights) in element.nodes.iter().zip(&element.kind.weights) {
+                let (sum, count) = &mut sums[node];
+                *count += 1;
+                for (weight, sample) in weights.iter().zip(&samples) {
+                    sum.iter_mut().zip(sample).for_each(|(sum, part)| *sum += weight * part);
+                }
+            }
+        }
+        sums.into_iter().map(|(sum, count)| sum.map(|part| part / f64::from(count.max(1)))).collect()
+    }
+
+    fn stress(&self, nodes: &[usize], shapes: &[[f64; 3]], displacements: &[f64]) -> [f64; 6] {
+        let mut g = [[0.0; 3]; 3];
+        for (&node, shape) in nodes.iter().zip(shapes) {
+            let moved = &displacements[self.dofs_per_node * node..][..self.dofs_per_node];
+            for (row, moved) in g.iter_mut().zip(moved) {
+                row.iter_mut().zip(shape).for_each(|(sum, part)| *sum += moved * part);
+            }
+        }
+        if self.dofs_per_node == 2 {
+            g[2][2] = self.law.across * (g[0][0] + g[1][1]);
+        }
+        let [lambda, mu] = self.law.lame;
+        let mean = lambda * (g[0][0] + g[1][1] + g[2][2]);
+        let direct = |a: usize| mean + 2.0 * mu * g[a][a];
+        let shear = |a: usize, b: usize| mu * (g[a][b] + g[b][a]);
+        [direct(0), direct(1), direct(2), shear(1, 2), shear(2, 0), shear(0, 1)]
+    }
+}
+
+fn lame(young: f64, ratio: f64) -> [f64; 2] {
+    [young * ratio / ((1.0 + ratio) * (1.0 - 2.0 * ratio)), 0.5 * young / (1.0 + ratio)]
+}
+
+impl Kind {
+    /// Builds the data of an element with nodes at these local coordinates, and a number of
+    /// sampling points along each coordinate; one along a coordinate that the element does not
+    /// have.
+    fn new(places: Vec<[f64; 3]>, points: [usize; 3]) -> Self {
+        let lines = points.map(|count| gauss_legendre(count).into_iter().map(|(x, _)| x).collect::<Vec<_>>());
+        let tensor = |line: [&[f64]; 3]| {
+            let mut all = Vec::new();
+            for &zeta in line[2] {
+                for &eta in line[1] {
+                    all.extend(line[0].iter().map(|&xi| [xi, eta, zeta]));
+                }
+            }
+            all
+        };
+        let samples = tensor([0, 1, 2].map(|axis| lines[axis].as_slice()));
+        let weights = |place: &[f64; 3]| {
+            let along = [0, 1, 2].map(|axis| through(&lines[axis], place[axis]));
+            let factors = tensor([0, 1, 2].map(|axis| along[axis].as_slice()));
+            factors.into_iter().map(|[a, b, c]| a * b * c).collect()
+        };
+        Kind { cells: cells(&places), weights: places.iter().map(weights).collect(), samples }
+    }
+}
+
+/// Returns the cells of an element from the local coordinates of its nodes, and the cell of its
+/// corners.
+fn cells(places: &[[f64; 3]]) -> [Vec<Vec<usize>>; 2] {
+    let values = |axis: usize| {
+        let mut values: Vec<f64> = places.iter().map(|place| place[axis]).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup_by(|a, b| (*a - *b).abs() < SAME);
+        values
+    };
+    let lines = [0, 1, 2].map(values);
+    let near = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < SAME);
+    // Finds the node at a point of the grid of all values.
+    let node = |at: [usize; 3]| {
+        let wanted = [0, 1, 2].map(|axis| lines[axis][at[axis]]);
+        places.iter().position(|place| near(place, &wanted))
+    };
+    let cell = |low: [usize; 3], high: [usize; 3]| {
+        let corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
+        let layers = if low[2] == high[2] { 0..1 } else { 0..2 };
+        let corner = |layer: usize, [x, y]: [usize; 2]| {
+            let [x, y, layer] = [(x, 0), (y, 1), (layer, 2)].map(|(end, axis)| [low, high][end][axis]);
+            node([x, y, layer])
+        };
+        layers.flat_map(|layer| corners.map(|at| corner(layer, at))).collect::<Option<Vec<_>>>()
+    };
+    let last = lines.each_ref().map(|line| line.len() - 1);
+    let whole: Vec<Vec<usize>> = cell([0; 3], last).into_iter().collect();
+    let mut all = Some(Vec::new());
+    for k in 0..last[2].max(1) {
+        for j in 0..last[1] {
+            for i in 0..last[0] {
+                let one = cell([i, j, k], [i + 1, j + 1, (k + 1).min(last[2])]);
+                all = all.zip(one).map(|(mut all, one)| {
+                    all.push(one);
+                    all
+                });
+            }
+        }
+    }
+    // Nodes that do not form a grid leave gaps in it.
+    [all.unwrap_or_else(|| whole.clone()), whole]
+}
+
+/// Returns the weights of values at points in the polynomial through them at `x`.
+fn through(points: &[f64], x: f64) -> Vec<f64> {
+    let others = |k: usize| points.iter().enumerate().filter(move |(other, _)| *other != k);
+    (0..points.len())
+        .map(|k| others(k).map(|(_, other)| (x - other) / (points[k] - other)).product())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::bodies::{COARSE, STEEL, toothed_sector};
+
+    /// Stretched plate in plane stress: the elements have an out-of-plane strain, and no
+    /// out-of-plane stress. In plane strain there is such a stress.
+    #[test]
+    fn a_stretched_plate_has_no_stress_across_it() {
+        let (sector, _) = toothed_sector(12, 1.0, COARSE);
+        let moved: Vec<f64> = sector.mesh.nodes.iter().flat_map(|&[x, _]| [1e-4 * x, 0.0]).collect();
+        let (young, ratio) = (STEEL.youngs_modulus * 1e-4, STEEL.poissons_ratio);
+        let held = young / ((1.0 + ratio) * (1.0 - 2.0 * ratio));
+        for (plane, [along, beside, across]) in [
+            (Plane::Stress, [1.0, ratio, 0.0].map(|part| part * young / (1.0 - ratio * ratio))),
+            (Plane::Strain, [1.0 - ratio, ratio, ratio].map(|part| part * held)),
+        ] {
+            let plate = PlaneModel::new(sector.mesh.clone(), STEEL, plane);
+            for found in Elements::plane(&plate).stresses(&moved) {
+                let expected = [along, beside, across, 0.0, 0.0, 0.0];
+                assert!(
+                    found
+                        .iter()
+                        .zip(expected)
+                        .all(|(found, expected)| (found - expected).abs() < 1e-9 * along)
+                );
+            }
+        }
+    }
+
+    /// Nodes that form a grid make cells between all of them; otherwise the corners make one cell.
+    #[test]
+    fn elements_without_inner_nodes_are_one_cell() {
+        let at =
+            |places: &[[f64; 2]]| -> Vec<[f64; 3]> { places.iter().map(|&[x, y]| [x, y, 0.0]).collect() };
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        let sides = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+        let serendipity = at(&[corners, sides].concat());
+        let [all, whole] = cells(&serendipity);
+        assert_eq!((&all, &whole), (&vec![vec![0, 1, 2, 3]], &all));
+        let grid = at(&[&[[0.0, 0.0]], &corners[..], &sides[..]].concat());
+        let [all, whole] = cells(&grid);
+        assert_eq!((all.len(), whole), (4, vec![vec![1, 2, 3, 4]]));
+        assert_eq!(all[0], [1, 5, 0, 8]);
+    }
+}

@@ -1,0 +1,233 @@
+//! Displacements of all nodes of the sectors of a ring under given forces, with any support of its
+//! bore.
+//!
+//! The flexibility of the ring at its cuts ([`RingFlexibility`]) is that of its condensed
+//! structure. Interior displacements of a sector follow from the displacements `u_c` of its two
+//! cuts and the constraint forces `mu` of the bore: `u = K^-1 (f - K_c u_c - G mu)`. `K` is
+//! factorized once for all sectors and positions.
+
+use crate::StructureError;
+use crate::bore::BoreMeans;
+use crate::bore_coupling::BoreCoupling;
+use crate::condense::{Assembled, Cuts, Support, condense};
+use crate::dense::{add_product, product};
+use crate::ring::RingFlexibility;
+use calyx_fe::{Constraints, Solver, SparseVector};
+use calyx_numerics::interrupt::{Interrupt, Room};
+use faer::sparse::SparseColMat;
+use faer::{Mat, MatRef};
+
+/// Ring that keeps its interior, in contrast to a condensed structure.
+pub(super) struct SolvedRing {
+    pub sectors: u32,
+    /// Stiffness matrix of one sector, symmetric.
+    stiffness: SparseColMat<usize, f64>,
+    dofs_per_node: usize,
+    /// Degrees of freedom of the first cut, and the corresponding ones of the last cut.
+    cuts: [Vec<usize>; 2],
+    /// Rotation of the last cut, rad.
+    pitch: f64,
+    /// Forms of the means that are constrained or released; empty for a rigid bore.
+    forms: Vec<SparseVector>,
+    /// Solver of the interior, with fixed supports and both cuts fixed.
+    inside: Solver,
+    ring: RingFlexibility,
+    /// Coupling of sectors in addition to the ring's flexibility, and its equivalent forces by
+    /// those on cuts and means.
+    bore: Option<(BoreCoupling, Mat<f64>)>,
+    /// Memory reservation for the stiffness matrix.
+    _room: Room,
+}
+
+/// Sector of a ring, and the support of the ring.
+pub(super) struct Held {
+    pub sectors: u32,
+    pub cuts: Cuts,
+    /// Fixed degrees of freedom.
+    pub held: Vec<usize>,
+    pub means: Option<BoreMeans>,
+    /// Largest distance of sectors that are coupled through their cuts.
+    pub window: u32,
+}
+
+impl SolvedRing {
+    /// Builds the ring; `blamed` maps its errors.
+    pub fn new(
+        assembled: Assembled,
+        sector: Held,
+        blamed: impl Fn(StructureError) -> StructureError,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let Held { sectors, cuts, held, means, window } = sector;
+        let support = Support::of_ring(&held, means.as_ref());
+        let condensed = condense(&assembled, &support, Some(&cuts), &[], &[], interrupt)?;
+        let stiffness = condensed.stiffness.ok_or(StructureError::NoArea)?;
+        let mut ring = RingFlexibility::new(&stiffness, sectors, window, interrupt).map_err(&blamed)?;
+        let released = means.as_ref().map(|means| means.let_go(&mut ring)).transpose().map_err(blamed)?;
+        let bore = released.flatten().map(|released| {
+            let holding = released.holding.clone();
+            (BoreCoupling::new(released, sectors, cuts.angle), holding)
+        });
+        let dofs = [&cuts.first, &cuts.last].map(|nodes| assembled.dofs_of(nodes));
+        let mut resting = Constraints::new();
+        for &dof in held.iter().chain(dofs.iter().flatten()) {
+            resting.prescribe(dof, 0.0);
+        }
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let inside = Solver::dissected(&assembled.stiffness, &assembled.positions, resting)?;
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let Assembled { stiffness, dofs_per_node, room, .. } = assembled;
+        let forms = means.map_or_else(Vec::new, |means| means.forms);
+        Ok(Self {
+            sectors,
+            stiffness,
+            dofs_per_node,
+            cuts: dofs,
+            pitch: cuts.angle,
+            forms,
+            inside,
+            ring,
+            bore,
+            _room: room,
+        })
+    }
+
+    /// Returns displacements of sectors, one column each in the frame of the sector. The loads are
+    /// full vectors of forces on some sectors, in their own frames, and forces of spline teeth with
+    /// clearance, if any.
+    pub fn displacements(
+        &self,
+        loads: &[(u32, Vec<f64>)],
+        lugs: &[f64],
+        wanted: &[u32],
+    ) -> Result<Mat<f64>, StructureError> {
+        let dofs = self.stiffness.ncols();
+        let forces = Mat::from_fn(dofs, loads.len(), |dof, column| loads[column].1[dof]);
+        let alone = self.inside.solve(forces.as_ref())?;
+        let on_cuts = self.on_cuts(&forces, &alone);
+        let answer = |sector: u32| {
+            let mut sum = Mat::zeros(on_cuts.nrows(), 1);
+            for (load, (loaded, _)) in loads.iter().enumerate() {
+                self.add_answer(&mut sum, sector, (*loaded, on_cuts.as_ref().subcols(load, 1)));
+            }
+            self.add_lugs(&mut sum, sector, lugs);
+            sum
+        };
+        let answers: Vec<Mat<f64>> = wanted.iter().map(|&sector| answer(sector)).collect();
+        // On a rigid bore, sectors far from all loads do not move.
+        let moves = |&at: &usize| answers[at].col(0).iter().any(|&value| value != 0.0);
+        let moving: Vec<usize> = (0..wanted.len()).filter(moves).collect();
+        let unknowns = Mat::from_fn(on_cuts.nrows(), moving.len(), |row, at| answers[moving[at]][(row, 0)]);
+        let mut cuts_moved = Mat::zeros(dofs, moving.len());
+        let rest = self.forces_inside(&unknowns, &mut cuts_moved);
+        cuts_moved += self.inside.solve(rest.as_ref())?;
+        let mut moved = Mat::zeros(dofs, wanted.len());
+        for (at, &column) in moving.iter().enumerate() {
+            moved.as_mut().col_mut(column).copy_from(cuts_moved.col(at));
+        }
+        for (column, &sector) in wanted.iter().enumerate() {
+            if let Some(load) = loads.iter().position(|(loaded, _)| *loaded == sector) {
+                let mut own = moved.as_mut().col_mut(column);
+                own += alone.col(load);
+            }
+        }
+        Ok(moved)
+    }
+
+    fn cut_size(&self) -> usize {
+        self.cuts[0].len()
+    }
+
+    /// Returns the forces on the cuts (for the last one in the frame of the next sector) and on the
+    /// means that are equivalent to each load; `alone` is its interior displacement with fixed
+    /// cuts.
+    fn on_cuts(&self, forces: &Mat<f64>, alone: &Mat<f64>) -> Mat<f64> {
+        let n = self.cut_size();
+        let (sin, cos) = self.pitch.sin_cos();
+        let mut all = Mat::zeros(2 * n + self.forms.len(), forces.ncols());
+        for column in 0..forces.ncols() {
+            let alone = alone.col(column);
+            for (place, &dof) in self.cuts.iter().flatten().enumerate() {
+                let rows = self.stiffness.row_idx_of_col(dof).zip(self.stiffness.val_of_col(dof));
+                let passed: f64 = rows.map(|(row, value)| value * alone[row]).sum();
+                all[(place, column)] = forces[(dof, column)] - passed;
+            }
+            for first in (n..2 * n).step_by(self.dofs_per_node) {
+                let [x, y] = [all[(first, column)], all[(first + 1, column)]];
+                all[(first, column)] = cos * x + sin * y;
+                all[(first + 1, column)] = cos * y - sin * x;
+            }
+            for (mean, form) in self.forms.iter().enumerate() {
+                all[(2 * n + mean, column)] =
+                    -form.entries.iter().map(|&(dof, value)| value * alone[dof]).sum::<f64>();
+            }
+        }
+        all
+    }
+
+    /// Returns the number of sectors ahead, around the ring, from one sector to another.
+    fn places_ahead(&self, from: u32, to: u32) -> u32 {
+        (to % self.sectors + self.sectors - from % self.sectors) % self.sectors
+    }
+
+    /// Adds the displacements of a sector's cuts and means, in its own frame, by forces on those of
+    /// another sector.
+    fn add_answer(&self, sum: &mut Mat<f64>, observer: u32, (loaded, forces): (u32, MatRef<'_, f64>)) {
+        let (ahead, behind) = (self.places_ahead(loaded, observer), self.places_ahead(observer, loaded));
+        let known = ahead.min(behind) <= self.ring.window();
+        if known {
+            let ring = self.ring.at(ahead.min(behind));
+            let ring = if ahead <= behind { ring } else { ring.transpose() };
+            add_product(sum.as_mut(), 1.0, ring, forces);
+        }
+        if let Some((bore, holding)) = &self.bore
+            && !(known && bore.is_in_tables())
+        {
+            let felt = product(holding.as_ref(), forces);
+            let amplitudes = bore.amplitudes(observer, (loaded, &felt));
+            add_product(sum.as_mut(), 1.0, holding.transpose(), amplitudes.as_ref());
+        }
+    }
+
+    /// Adds the displacements of a sector's cuts and means by forces of spline teeth with
+    /// clearance.
+    fn add_lugs(&self, sum: &mut Mat<f64>, observer: u32, lugs: &[f64]) {
+        let Some((bore, holding)) = self.bore.as_ref().filter(|_| !lugs.is_empty()) else { return };
+        let lugs = MatRef::from_column_major_slice(lugs, lugs.len(), 1);
+        if let Some(amplitudes) = bore.amplitudes_by_lugs(observer, lugs) {
+            add_product(sum.as_mut(), 1.0, holding.transpose(), amplitudes.as_ref());
+        }
+    }
+
+    /// Sets the cut displacements of sectors from the unknowns; returns the resulting interior
+    /// forces.
+    fn forces_inside(&self, unknowns: &Mat<f64>, moved: &mut Mat<f64>) -> Mat<f64> {
+        let n = self.cut_size();
+        let (sin, cos) = self.pitch.sin_cos();
+        let mut forces = Mat::zeros(moved.nrows(), moved.ncols());
+        for column in 0..moved.ncols() {
+            for (place, &dof) in self.cuts.iter().flatten().enumerate() {
+                moved[(dof, column)] = unknowns[(place, column)];
+            }
+            for last in self.cuts[1].chunks_exact(self.dofs_per_node) {
+                let [x, y] = [moved[(last[0], column)], moved[(last[1], column)]];
+                moved[(last[0], column)] = cos * x - sin * y;
+                moved[(last[1], column)] = sin * x + cos * y;
+            }
+            let mut of_column = forces.as_mut().col_mut(column);
+            for &dof in self.cuts.iter().flatten() {
+                let by = moved[(dof, column)];
+                for (row, value) in self.stiffness.row_idx_of_col(dof).zip(self.stiffness.val_of_col(dof)) {
+                    of_column[row] -= value * by;
+                }
+            }
+            for (mean, form) in self.forms.iter().enumerate() {
+                let holding = unknowns[(2 * n + mean, column)];
+                for &(dof, value) in &form.entries {
+                    of_column[dof] -= value * holding;
+                }
+            }
+        }
+        forces
+    }
+}

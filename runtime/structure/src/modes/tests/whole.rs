@@ -1,0 +1,134 @@
+//! Sectors against the whole ring in one mesh.
+
+use super::sector_of;
+use crate::BoreHold;
+use crate::bore::{BoreMeans, Wanted};
+use crate::condense::Assembled;
+use crate::modes::body::{RingFields, ring_sector};
+use crate::modes::cyclic::ring_modes;
+use crate::modes::sector::Sector;
+use crate::tests::bodies::{Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
+use calyx_fe::PlaneModel;
+use calyx_fe::material::Plane;
+use calyx_numerics::dense::{cholesky, half_solve, product};
+use calyx_numerics::interrupt::Interrupt;
+use faer::{Mat, Side};
+use std::f64::consts::TAU;
+
+const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness: 2, grading: 1.0 };
+const TEETH: u32 = 6;
+
+/// Returns the squares of all natural frequencies of a whole mesh with the support of a ring, by
+/// dense matrices.
+fn of_whole(hold: Option<BoreHold>) -> Vec<f64> {
+    let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
+    let assembled = Assembled::plane(&model);
+    let bore = model.mesh.chain("bore").unwrap();
+    let held = match hold {
+        Some(BoreHold::Rigid) => assembled.dofs_of(&model.mesh.chain_nodes(bore)),
+        _ => Vec::new(),
+    };
+    let free: Vec<usize> = (0..model.dof_count()).filter(|dof| !held.contains(dof)).collect();
+    let dense = |sparse: &faer::sparse::SparseColMat<usize, f64>| {
+        let full = sparse.to_dense();
+        Mat::from_fn(free.len(), free.len(), |row, column| full[(free[row], free[column])])
+    };
+    let factor = cholesky(dense(&model.mass())).unwrap();
+    let half = half_solve(factor.as_ref(), dense(&assembled.stiffness));
+    let mut matrix = half_solve(factor.as_ref(), half.transpose().to_owned());
+    if let Some(BoreHold::Means { waves, degree }) = hold {
+        let wanted = Wanted::of_means(waves, degree, TEETH, TEETH);
+        let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
+        let forms: Vec<Vec<f64>> = means.forms.iter().map(|form| form.to_full(model.dof_count())).collect();
+        let forms = Mat::from_fn(free.len(), forms.len(), |row, column| forms[column][free[row]]);
+        // Projects the matrix on the complement of the forms; the forms get the eigenvalue zero.
+        let forms = half_solve(factor.as_ref(), forms).qr().compute_thin_Q();
+        let mut beside = Mat::<f64>::identity(free.len(), free.len());
+        beside -= product(forms.as_ref(), forms.transpose());
+        matrix = product(product(beside.as_ref(), matrix.as_ref()).as_ref(), beside.as_ref());
+    }
+    let mut squares = matrix.self_adjoint_eigenvalues(Side::Lower).unwrap();
+    if let Some(BoreHold::Means { .. }) = hold {
+        let held = squares.iter().filter(|&&square| square.abs() < 1e-6 * squares[squares.len() / 2]).count();
+        squares.drain(..held);
+    }
+    squares
+}
+
+fn fields(sector: &Sector, highest: f64) -> RingFields<'_> {
+    RingFields::new(sector, ring_modes(sector, highest, &Interrupt::never()).unwrap())
+}
+
+/// Returns a ring of sectors, supported or free.
+fn ring(hold: Option<BoreHold>) -> Sector {
+    let (model, _) = toothed_sector(TEETH, 1.0, SMALL);
+    match hold {
+        Some(hold) => {
+            let source = crate::RingSource { hold, ..ring_source(TEETH) };
+            ring_sector(&model, &source, &Interrupt::never()).unwrap()
+        }
+        None => sector_of(&model, TEETH, false),
+    }
+}
+
+const HOLDS: [Option<BoreHold>; 4] = [
+    None,
+    Some(BoreHold::Rigid),
+    Some(BoreHold::Means { waves: None, degree: 0 }),
+    Some(BoreHold::Means { waves: Some(3), degree: 0 }),
+];
+
+#[test]
+fn no_mode_of_the_whole_ring_is_missed() {
+    for hold in HOLDS {
+        let whole = of_whole(hold);
+        // Cut-offs between two frequencies, also further up where the spectrum is dense.
+        for number in [5, 20, 60] {
+            let gap = (number..).find(|&k| whole[k + 1] > 1.001 * whole[k] && whole[k] > 1.0).unwrap();
+            let highest = (0.5 * (whole[gap] + whole[gap + 1])).sqrt();
+            let sector = ring(hold);
+            let found = fields(&sector, highest).squares;
+            assert_eq!(found.len(), gap + 1, "{hold:?} up to number {gap}");
+            for (k, (a, b)) in found.iter().zip(&whole).enumerate() {
+                assert!(
+                    (a - b).abs() < 1e-9 * b + 1e-14 * whole[whole.len() - 1],
+                    "{hold:?}, mode {k}: {a} against {b}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn modes_are_orthogonal_on_the_whole_ring() {
+    for hold in HOLDS {
+        let sector = ring(hold);
+        let highest = of_whole(hold)[40].sqrt();
+        let fields = fields(&sector, highest);
+        let count = fields.modes.len();
+        assert!(count > 35);
+        let [mut mass, mut stiffness] = [0, 1].map(|_| Mat::<f64>::zeros(count, count));
+        for tooth in 0..TEETH {
+            let around = Mat::from_fn(sector.dofs(), count, |dof, mode| {
+                let field = fields.modes[mode].field;
+                let (sin, cos) =
+                    (TAU * f64::from(tooth * fields.harmonics[field]) / f64::from(TEETH)).sin_cos();
+                let [re, im] = [0, 1].map(|part| fields.parts[part][(dof, field)]);
+                if fields.modes[mode].sine { cos * im + sin * re } else { cos * re - sin * im }
+            });
+            for (sum, matrix) in [(&mut mass, &sector.mass), (&mut stiffness, &sector.stiffness)] {
+                *sum += around.transpose() * (matrix * &around);
+            }
+        }
+        for row in 0..count {
+            for column in 0..count {
+                let unit = if row == column { 1.0 } else { 0.0 };
+                assert!((mass[(row, column)] - unit).abs() < 1e-9, "{hold:?}: {row} {column}");
+                let square = unit * fields.squares[row];
+                let scale = fields.squares[row].max(fields.squares[column]).max(fields.squares[3]);
+                let error = (stiffness[(row, column)] - square).abs() / scale;
+                assert!(error < 1e-9, "{hold:?}: {row} {column}: {error:.1e}");
+            }
+        }
+    }
+}

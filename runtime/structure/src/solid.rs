@@ -1,0 +1,254 @@
+//! Elastic compliance of three-dimensional bodies, at their loadable surfaces.
+//!
+//! The compliance of a surface is split as in plane models: `A(x, x') = G(x, x') + R(x, x')`. `G`
+//! is the response of the half-space to a normal force (Johnson, Contact Mechanics, eq. 3.22a),
+//! `1 / (pi E' r)` with r the straight distance of the two points, plus the same terms for the
+//! images of the loaded point in the free side faces near which the surface ends. `R` is the smooth
+//! remainder, which the structure evaluates. Displacements are elastic only: rigid-body motion
+//! belongs to the frame.
+
+mod answers;
+mod axial;
+mod elastic;
+mod exchange;
+mod half_space;
+mod halves;
+mod points;
+mod responses;
+mod screw;
+mod simple;
+mod stored;
+#[cfg(any(test, feature = "fixtures"))]
+#[allow(dead_code, missing_docs, reason = "tests of other crates use it too")]
+pub mod test_surface;
+
+pub use elastic::{ElasticSolid, SolidSplitOptions, SolidSurfaceSource};
+pub use simple::SimpleSolid;
+
+use super::{Chart, LugForce};
+use crate::surface::Surface;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Location on a surface, with the length along the face over which a force is distributed and a
+/// displacement averaged, uniformly. Point values in place of adjacent cells would add polynomial
+/// variations along the face that the cells' pressures do not have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// Coordinates on the surface: along the profile, and the middle of the length along the face,
+    /// m.
+    pub place: [f64; 2],
+    /// Length along the second coordinate, m; 0 for a point.
+    pub length: f64,
+}
+
+impl From<[f64; 2]> for Spot {
+    /// Returns a spot of zero length.
+    fn from(place: [f64; 2]) -> Self {
+        Self { place, length: 0.0 }
+    }
+}
+
+/// A normal force on a surface: positive presses into the material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpotLoad {
+    /// Surface and tooth.
+    pub chart: Chart,
+    /// Location on the surface of the chart.
+    pub spot: Spot,
+    /// Force, N.
+    pub force: f64,
+}
+
+/// Mirror plane of `G` in the body's coordinates: a free side face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror {
+    /// Point on the plane, m.
+    pub point: [f64; 3],
+    /// Unit normal of the plane.
+    pub normal: [f64; 3],
+}
+
+impl Mirror {
+    /// Returns the image of a point, m.
+    pub fn image(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let [px, py, pz] = self.point;
+        let [nx, ny, nz] = self.normal;
+        let twice = 2.0 * ((x - px) * nx + (y - py) * ny + (z - pz) * nz);
+        [x - twice * nx, y - twice * ny, z - twice * nz]
+    }
+}
+
+/// Recovered stress on a free surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceStress {
+    /// Index of the tooth, counted counter-clockwise from 0.
+    pub tooth: u32,
+    /// Index of the surface as in [`Chart::surface`]: the fillet adjacent to that flank.
+    pub surface: u32,
+    /// Coordinates on the fillet: along the profile from the end of the flank, and along the axis,
+    /// m.
+    pub place: [f64; 2],
+    /// Position in the body's frame, m.
+    pub position: [f64; 3],
+    /// Stress components in the surface: along the profile, along the face, and shear, Pa.
+    pub components: [f64; 3],
+}
+
+impl SurfaceStress {
+    /// Returns the largest and the smallest principal stress in the surface, Pa; the third, normal
+    /// to the surface, is zero.
+    pub fn principal(&self) -> [f64; 2] {
+        let [along, across, shear] = self.components;
+        let (mean, radius) = (0.5 * (along + across), (0.5 * (along - across)).hypot(shear));
+        [mean + radius, mean - radius]
+    }
+}
+
+/// Elastic behaviour of a three-dimensional body.
+pub trait SolidStructure: Send + Sync {
+    /// Returns a surface of tooth 0 in the body's frame; the other teeth have the same surface,
+    /// rotated.
+    fn surface(&self, surface: u32) -> Arc<dyn Surface>;
+
+    /// Returns the angle of tooth `tooth` about the body's z axis, rad, counter-clockwise.
+    fn tooth_angle(&self, tooth: u32) -> f64 {
+        let teeth = self.teeth();
+        TAU * f64::from(tooth % teeth) / f64::from(teeth)
+    }
+
+    /// Returns the number of repeated sectors; 1 where nothing repeats.
+    fn teeth(&self) -> u32;
+
+    /// Returns `E' = E / (1 - nu²)` in Pa; infinite for a rigid body, whose `G` and `R` are zero.
+    fn surface_modulus(&self) -> f64;
+
+    /// Returns the mirror planes in which `G` has images.
+    fn mirrors(&self) -> &[Mirror];
+
+    /// Adds `R` to `block`, row-major, `observers.len()` rows by `loads.len()` columns: inward
+    /// normal displacement at spots of `observe` per unit inward normal force at spots of `load`,
+    /// m/N. The result is symmetric: exchanging loads and observers transposes it, bit for bit.
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observers: &[Spot],
+        load: Chart,
+        loads: &[Spot],
+        block: &mut [f64],
+    );
+
+    /// [`SolidStructure::add_compliance`] with checkpoints, as many cells take long.
+    ///
+    /// # Errors
+    /// The interrupt's.
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observers: &[Spot],
+        load: Chart,
+        loads: &[Spot],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
+        interrupt.check()?;
+        self.add_compliance(observe, observers, load, loads, block);
+        Ok(())
+    }
+
+    /// Returns the stresses under the given loads at each stress recovery point next to a surface
+    /// of a tooth. Empty if the structure recovers no stress.
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress>;
+
+    /// Returns the forces of the supporting spline teeth on the body under the given loads, one
+    /// entry a spline tooth; empty if spline teeth do not support the body.
+    fn lug_forces(&self, _loads: &[SpotLoad]) -> Vec<LugForce> {
+        Vec::new()
+    }
+
+    /// Returns the memory of the structure, in bytes, to within a few percent: the size that a
+    /// cache counts.
+    fn bytes(&self) -> usize;
+
+    /// Returns everything but the contact surfaces, to be stored on disk for
+    /// `Prototype::restore_solid`; `None` if building the
+    /// structure is faster than reading it.
+    fn stored(&self) -> Option<Vec<u8>> {
+        None
+    }
+}
+
+/// Structure with surfaces that differ slightly from its own, such as modified flanks on the body
+/// of the unmodified gear. Contact acts on the new surfaces; the compliance is that of the shared
+/// structure.
+pub struct Reshaped {
+    shared: Arc<dyn SolidStructure>,
+    surfaces: Vec<Arc<dyn Surface>>,
+}
+
+impl Reshaped {
+    /// Replaces the surfaces of `shared` with the same index by `surfaces`, over the same
+    /// coordinates; further ones remain.
+    pub fn new(shared: Arc<dyn SolidStructure>, surfaces: Vec<Arc<dyn Surface>>) -> Reshaped {
+        Reshaped { shared, surfaces }
+    }
+}
+
+impl SolidStructure for Reshaped {
+    fn surface(&self, surface: u32) -> Arc<dyn Surface> {
+        self.surfaces.get(surface as usize).cloned().unwrap_or_else(|| self.shared.surface(surface))
+    }
+
+    fn teeth(&self) -> u32 {
+        self.shared.teeth()
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        self.shared.surface_modulus()
+    }
+
+    fn mirrors(&self) -> &[Mirror] {
+        self.shared.mirrors()
+    }
+
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observers: &[Spot],
+        load: Chart,
+        loads: &[Spot],
+        block: &mut [f64],
+    ) {
+        self.shared.add_compliance(observe, observers, load, loads, block);
+    }
+
+    fn add_compliance_until(
+        &self,
+        observe: Chart,
+        observers: &[Spot],
+        load: Chart,
+        loads: &[Spot],
+        block: &mut [f64],
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
+        self.shared.add_compliance_until(observe, observers, load, loads, block, interrupt)
+    }
+
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
+        self.shared.stresses(tooth, surface, loads)
+    }
+
+    fn lug_forces(&self, loads: &[SpotLoad]) -> Vec<LugForce> {
+        self.shared.lug_forces(loads)
+    }
+
+    fn bytes(&self) -> usize {
+        self.shared.bytes()
+    }
+}
+
+#[cfg(any(test, feature = "fixtures"))]
+#[allow(dead_code, missing_docs, unused_imports, reason = "bodies that tests of other crates use too")]
+pub mod tests;

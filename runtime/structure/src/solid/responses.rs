@@ -1,0 +1,156 @@
+//! Responses of a body's mesh to all loads: as one problem, or as one problem for each half of a
+//! mirror-symmetric body.
+
+use super::exchange::{Exchange, Sector};
+use super::halves::Mirrored;
+use crate::StructureError;
+use crate::condense::{Assembled, Condensed, Cuts, Support, condense};
+use crate::dense::product;
+use crate::elastic::{Response, response};
+use crate::ring::{Released, RingFlexibility};
+use calyx_fe::SparseVector;
+use calyx_fe::solid::SolidModel;
+use calyx_numerics::interrupt::{Interrupt, Room};
+use faer::Mat;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Assembles the equations of a whole mesh.
+pub(super) fn whole(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
+    Assembled::solid(&model.mesh, interrupt, || model.stiffness())
+}
+
+/// Responses of a body with uncoupled parts.
+pub(super) struct Responses {
+    loads: usize,
+    rows: usize,
+    parts: Vec<Part>,
+    /// Coupling of loads through a compliant bore.
+    pub bore: Option<ThroughBore>,
+}
+
+/// Coupling of loads with the released amplitudes of the bore.
+pub(super) struct ThroughBore {
+    pub released: Released,
+    /// Constraint forces of the amplitudes for each load.
+    pub forces: Mat<f64>,
+    /// Each row by amplitudes.
+    pub stresses: Mat<f64>,
+}
+
+struct Part {
+    condensed: Condensed,
+    ring: Option<RingFlexibility>,
+    /// Indices of its loads among all.
+    loads: Vec<usize>,
+    /// For each of all rows, its index in this part and a sign; `None` if it is zero there.
+    rows: Vec<Option<(usize, f64)>>,
+}
+
+impl Part {
+    fn whole(condensed: Condensed, ring: Option<RingFlexibility>, exchange: &Exchange) -> Self {
+        let rows = (0..exchange.rows.len()).map(|row| Some((row, 1.0))).collect();
+        Self { condensed, ring, loads: (0..exchange.loads.len()).collect(), rows }
+    }
+}
+
+impl Responses {
+    /// Builds the responses of a body that was condensed in one piece.
+    pub fn of_body(condensed: Condensed, exchange: &Exchange) -> Self {
+        Self::of(vec![Part::whole(condensed, None, exchange)], exchange)
+    }
+
+    /// Builds the responses of a ring of sectors: by halves, if `mirrored` is given.
+    pub fn of_ring(
+        model: &SolidModel,
+        sector: &Sector,
+        mirrored: Option<&Mirrored>,
+        exchange: &Exchange,
+        interrupt: &Interrupt,
+    ) -> Result<Self, StructureError> {
+        let condensed = |assembled: &Assembled,
+                         held: &[usize],
+                         cuts: &Cuts,
+                         loads: &[SparseVector],
+                         rows: &[SparseVector]| {
+            let support = Support::of_ring(held, sector.means.as_ref());
+            let condensed = condense(assembled, &support, Some(cuts), loads, rows, interrupt)?;
+            let ring = |cut| RingFlexibility::new(cut, sector.sectors, sector.coupled, interrupt);
+            let ring = condensed.stiffness.as_ref().map(ring).transpose()?;
+            Ok::<_, StructureError>((condensed, ring))
+        };
+        let Some(mirrored) = mirrored.filter(|_| sector.means.is_none()) else {
+            let assembled = whole(model, interrupt)?;
+            let held = assembled.dofs_of(&sector.held);
+            let (condensed, mut ring) =
+                condensed(&assembled, &held, &sector.cuts, &exchange.loads, &exchange.rows)?;
+            let released = match (&mut ring, &sector.means) {
+                (Some(ring), Some(means)) => means.let_go(ring)?,
+                _ => None,
+            };
+            let bore = released.map(|released| ThroughBore {
+                forces: product(released.holding.as_ref(), condensed.on_cuts.as_ref()),
+                stresses: product(condensed.rows_cuts.as_ref(), released.holding.transpose()),
+                released,
+            });
+            return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
+        };
+        // The folded vectors of both halves together are as large as those of the whole.
+        let folded = exchange.rooms.iter().map(Room::bytes).sum();
+        let _room = interrupt.room_for(folded).map_err(StructureError::Interrupted)?;
+        let equations = mirrored.equations(model, interrupt)?;
+        let of_half = |(assembled, odd): (Arc<Assembled>, bool)| {
+            let half = mirrored.half(odd, sector, exchange);
+            let (loads, rows) = (&half.loads.vectors, &half.rows.vectors);
+            let (condensed, ring) = condensed(&assembled, &half.held, &half.cuts, loads, rows)?;
+            Ok(Part { condensed, ring, loads: half.loads.numbers, rows: half.rows.numbers })
+        };
+        let parts = equations
+            .into_par_iter()
+            .zip([false, true])
+            .map(of_half)
+            .collect::<Result<_, StructureError>>()?;
+        Ok(Self::of(parts, exchange))
+    }
+
+    fn of(parts: Vec<Part>, exchange: &Exchange) -> Self {
+        Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts, bore: None }
+    }
+
+    /// Returns the largest distance of a sector from a loaded one in the responses.
+    pub fn window(&self) -> u32 {
+        self.parts
+            .iter()
+            .filter_map(|part| part.ring.as_ref())
+            .map(RingFlexibility::window)
+            .min()
+            .unwrap_or(0)
+    }
+
+    /// Returns the responses of the sector at an offset ahead of a loaded one.
+    pub fn at(&self, offset: u32, interrupt: &Interrupt) -> Result<Response, StructureError> {
+        let own = |part: &Part| response(&part.condensed, part.ring.as_ref(), offset, interrupt);
+        let mut all = Response {
+            compliance: Mat::zeros(self.loads, self.loads),
+            stress_ahead: Mat::zeros(self.rows, self.loads),
+            stress_behind: (offset > 0).then(|| Mat::zeros(self.rows, self.loads)),
+        };
+        for part in &self.parts {
+            let own = own(part)?;
+            for (column, &load) in part.loads.iter().enumerate() {
+                for (row, &observer) in part.loads.iter().enumerate() {
+                    all.compliance[(observer, load)] = own.compliance[(row, column)];
+                }
+                for (row, place) in part.rows.iter().enumerate() {
+                    if let Some((place, sign)) = *place {
+                        all.stress_ahead[(row, load)] = sign * own.stress_ahead[(place, column)];
+                        if let (Some(all), Some(own)) = (&mut all.stress_behind, &own.stress_behind) {
+                            all[(row, load)] = sign * own[(place, column)];
+                        }
+                    }
+                }
+            }
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,23 @@
+//! Structures against exact solutions, whole meshes and brute force.
+
+pub mod annulus;
+pub mod bodies;
+pub mod bore;
+#[cfg(test)]
+mod deformed;
+#[cfg(test)]
+mod disc;
+#[cfg(test)]
+mod far_stress;
+pub mod loose_lugs;
+mod lugs;
+#[cfg(test)]
+mod revolved_web;
+#[cfg(test)]
+mod ring;
+#[cfg(test)]
+mod solid_ring;
+#[cfg(test)]
+mod split;
+#[cfg(test)]
+mod webs;
