@@ -21,7 +21,8 @@ use std::sync::Arc;
 use test_surfaces::{HELICAL, Helicoid, Pair};
 
 impl Pair {
-    /// Both as bodies of half-spaces between faces, the first driving with a torque and the second held.
+    /// Scene with both as half-space bodies between side faces, the first driven by a torque and
+    /// the second fixed.
     fn scene(&self, torque: f64, friction: f64) -> Scene {
         let (flanks, turns) = self.turned();
         let speeds = [10.0, -10.0 * self.base_radii[0] / self.base_radii[1]];
@@ -41,7 +42,7 @@ impl Pair {
         scene
     }
 
-    /// What contact does to both bodies at time 0.
+    /// Contact forces and moments on both bodies at time 0.
     fn reactions(&self, torque: f64, friction: f64) -> [[f64; 6]; 2] {
         let scene = self.scene(torque, friction);
         let fidelity = Fidelity::Solid(Template::Medium);
@@ -53,7 +54,7 @@ impl Pair {
     }
 }
 
-/// A flank on half-spaces between side faces.
+/// Flank on half-spaces between side faces.
 struct Tooth(Helicoid);
 
 impl Prototype for Tooth {
@@ -89,12 +90,12 @@ fn friction_moves_the_torques_of_a_spur_pair() {
         assert!((first / -torque - 1.0).abs() < 1e-12);
         let path = pair.base_radii.map(|rb| rb * pair.pressure_angle.tan());
         let (rho1, rho2) = (path[0] + phase, path[1] - phase);
-        // Before the pitch point the profiles slide towards it, after it away.
+        // Before the pitch point the profiles slide towards it, after it away from it.
         let s = phase.signum();
         let expected =
             (pair.base_radii[1] + s * friction * rho2) / (pair.base_radii[0] + s * friction * rho1);
         assert!((second / first / expected - 1.0).abs() < 1e-9, "{phase}: {} {expected}", second / first);
-        // Either way some of the power is lost.
+        // Friction dissipates power in both directions.
         assert!(second / first < pair.base_radii[1] / pair.base_radii[0]);
     }
 }
@@ -105,10 +106,11 @@ fn helical_pairs_push_along_their_axes() {
         let pair = Pair { base_helix: helix, ..HELICAL };
         let [first, second] = pair.reactions(50.0, 0.0);
         assert!((second[5] / first[5] / 2.0 - 1.0).abs() < 1e-9);
-        // The axial force is tan(helix angle) times the tangential force, at whatever radius.
+        // The axial force is tan(helix angle) times the tangential force at the same radius.
         let axial = first[5] * helix.tan() / pair.base_radii[0];
         assert!((first[2].abs() / axial.abs() - 1.0).abs() < 1e-9, "{first:?}");
-        // Hands mirror: a right-hand driver turning counter-clockwise is pushed the other way than a left-hand one.
+        // The sign of the axial force depends on the hand of the helix for the same sense of
+        // rotation.
         assert_eq!(first[2] > 0.0, helix > 0.0, "{first:?}");
         for axis in 0..3 {
             assert!((first[axis] + second[axis]).abs() < 1e-10 * first[1].abs());

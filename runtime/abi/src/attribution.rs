@@ -1,16 +1,18 @@
-//! From the place where an error arose to the argument of the program that led to it.
+//! Attribution of errors: from the location where an error arose to the argument of the program
+//! that caused it.
 
 use crate::RuntimeError;
 use crate::description::CallDescription;
 use crate::error::Place;
 
-/// Moves an error to the argument to blame.
+/// Moves an error to the argument at fault.
 ///
-/// If the error names an argument of the call at its place, the place becomes that argument. If that lies in the library,
-/// the error moves on, call by call, to the program: to the argument that the failing one was computed from, or to the
-/// call if there is no such argument or there are several. The library's place remains as a note.
+/// If the error names an argument of the call at its location, the location becomes that of the
+/// argument. If that is in the library, the error moves on, call by call, to the program: to the
+/// argument that the failing one was computed from, or to the call if there is no such argument or
+/// there are several. The library's location remains as a note.
 ///
-/// Arguments that are left to their defaults have no place: the error stays at the call.
+/// Arguments with default values have no location: the error stays at the call.
 pub fn attribute<'c>(
     error: &mut RuntimeError,
     calls: impl Iterator<Item = &'c CallDescription> + Clone,
@@ -25,13 +27,13 @@ pub fn attribute<'c>(
                 carried = call.carried(name).to_vec();
                 place = call.argument(name).unwrap_or(place);
             }
-            // It has been moved to the argument already.
+            // The error has already been moved to the argument.
             None => {
                 let call = calls.clone().find(|call| call.argument(name) == Some(place));
                 carried = call.map_or_else(Vec::new, |call| call.carried(name).to_vec());
             }
         },
-        // Of a `throw` or an `assert`: the first parameter that its message names.
+        // For a `throw` or an `assert`: the first parameter that its message names.
         None => {
             let names = call_at(place).into_iter().flat_map(|call| &call.carried);
             carried = names.flat_map(|(_, names)| names.clone()).collect();
@@ -71,17 +73,18 @@ pub fn attribute<'c>(
 }
 
 impl CallDescription {
-    /// The place of an argument that is written in the call.
+    /// Returns the location of an argument that is written in the call.
     fn argument(&self, name: &str) -> Option<Place> {
         self.arguments.iter().find(|(argument, _)| argument == name).map(|(_, place)| *place)
     }
 
-    /// Whether the call gives an argument, in writing or from what the function around it sees.
+    /// Returns whether the call provides an argument, explicitly or from variables of the enclosing
+    /// function.
     fn has(&self, name: &str) -> bool {
         self.argument(name).is_some() || !self.carried(name).is_empty()
     }
 
-    /// The parameters of the function around the call that an argument is computed from.
+    /// Returns the parameters of the enclosing function that an argument is computed from.
     fn carried(&self, name: &str) -> &[String] {
         self.carried.iter().find(|(argument, _)| argument == name).map_or(&[], |(_, names)| names)
     }
@@ -102,7 +105,8 @@ mod tests {
         }
     }
 
-    /// `set(cells = 9, more = 8)` calls `inner(n = cells)`, which calls the engine's `mesh(cells = n)`.
+    /// `set(cells = 9, more = 8)` calls `inner(n = cells)`, which calls the engine's
+    /// `mesh(cells = n)`.
     #[test]
     fn an_error_in_the_library_moves_to_the_argument_that_led_to_it() {
         let user = described((0, 0, 30), &[("cells", (0, 4, 5)), ("more", (0, 8, 9))], &[]);
@@ -126,7 +130,7 @@ mod tests {
         );
         assert!(error.details.calls.is_empty());
         assert_eq!(blamed(Some("cells"), (LIBRARY, 25, 26)), error);
-        // Nothing is known of what led to it.
+        // The cause is unknown.
         let error = blamed(None, (LIBRARY, 22, 23));
         assert_eq!((error.place, error.argument), (Some(user.place), None));
     }

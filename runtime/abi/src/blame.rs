@@ -1,11 +1,12 @@
-//! Where the arguments of a call are written: a table that compiled code carries, so that an error which blames an
-//! argument by name can be placed on it, also in an executable without its source tree.
+//! Argument table of a call, stored in compiled code: source locations of arguments by name. With
+//! it an error that names an argument can be located in an executable without its source tree.
 //!
-//! The bytes of one argument: its file, start and end as little-endian `u32`, the length of its name, its name.
+//! Encoding of an argument: its file, start and end as little-endian `u32`, the length of its name,
+//! its name.
 
 use crate::error::{Place, RuntimeError};
 
-/// The table of some arguments.
+/// Encodes the table of some arguments.
 pub fn encode<'n>(arguments: impl IntoIterator<Item = (&'n str, Place)>) -> Vec<u8> {
     let mut bytes = Vec::new();
     for (name, (file, start, end)) in arguments {
@@ -17,8 +18,8 @@ pub fn encode<'n>(arguments: impl IntoIterator<Item = (&'n str, Place)>) -> Vec<
     bytes
 }
 
-/// If the error blames an argument in the table, moves its place there. Arguments that are not in it (left to their
-/// default) keep the place of the call.
+/// Moves the location of an error to the argument that it names, if the table contains it.
+/// Otherwise (default values) the location of the call remains.
 pub fn blame(error: &mut RuntimeError, table: &[u8]) {
     let Some(wanted) = &error.argument else { return };
     let mut rest = table;

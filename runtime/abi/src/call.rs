@@ -1,41 +1,44 @@
-//! The calling convention: every function, compiled or provided by the engine, takes and returns 64-bit slots.
+//! Calling convention: every function, compiled or provided by the engine, takes and returns 64-bit
+//! slots.
 
 use crate::context::Context;
 use crate::shape::Shape;
 
-/// One 64-bit machine word: the bits of an `f64`, a truth value (0 or 1), or a [`crate::HeapId`].
+/// 64-bit slot: the bits of an `f64`, a Boolean (0 or 1), or a [`crate::HeapId`].
 pub type Slot = u64;
 
-/// Outcome of a call. Generated code compares it with zero and returns at once when it is not.
-/// The cause then stands in [`Context::error`].
+/// Status of a call. Generated code compares it with zero and returns immediately if it differs.
+/// The cause is in [`Context::error`].
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     Ok = 0,
-    /// `Context::error` says why. Catchable by the program.
+    /// Failed; `Context::error` contains the reason. The program can catch it.
     Failed = 1,
-    /// The run was cancelled or a limit was reached. Not catchable.
+    /// The run was cancelled or a limit was reached. The program cannot catch it.
     Cancelled = 2,
 }
 
-/// Signature of every compiled function and of every function the engine provides.
+/// Signature of every compiled function and of every function of the engine.
 ///
-/// `args` points to the slots of all arguments in order of declaration (see [`Repr::slots`]),
-/// `ret` to room for the slots of the result. Returns a [`Status`] as `i32`.
+/// `args` points to the slots of all arguments in order of declaration (see [`Repr::slots`]), `ret`
+/// to space for the slots of the result. Returns a [`Status`] as `i32`.
 ///
 /// # Safety
-/// `ctx` is valid and not aliased, `args` and `ret` hold as many slots as the declaration says.
+/// `ctx` must be valid and not aliased; `args` and `ret` must have the declared numbers of slots.
 pub type SlotFn = unsafe extern "C" fn(ctx: *mut Context, args: *const Slot, ret: *mut Slot) -> i32;
 
-/// A kernel: straight-line code without side effects, from inputs to outputs (SI units).
+/// Signature of a kernel: straight-line code without side effects, from inputs to outputs (SI
+/// units).
 ///
 /// Inputs are `[Time, params..., captured values...]`, see [`crate::heap::Kernel`].
 ///
 /// # Safety
-/// The pointers hold as many values as the kernel's description says.
+/// The pointers must have the numbers of values of the kernel's description.
 pub type KernelFn = unsafe extern "C" fn(inputs: *const f64, outputs: *mut f64);
 
-/// How a value is represented in slots. Dimensions are gone: every number is an `f64` in SI.
+/// Representation of a value in slots. It contains no dimensions: every number is an `f64` in SI
+/// units.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum Repr {
     /// No value (a function without result). No slot.
@@ -54,15 +57,15 @@ pub enum Repr {
     Array(Box<Repr>),
     /// The elements one after another.
     Tuple(Vec<Repr>),
-    /// One slot: heap id of a symbolic value (a site with its captured numbers).
-    /// The content tells what it evaluates to: Number, Vector or Transform.
+    /// One slot: heap id of a symbolic value (a site with its captured numbers) that evaluates to
+    /// the content: Number, Vector or Transform.
     Symbolic(Box<Repr>),
-    /// One slot: a number the engine hands out (a body, a gear, a mesh); its meaning is the engine's alone.
+    /// One slot: a number of the engine (a body, a gear, a mesh), opaque to programs.
     Handle,
 }
 
 impl Repr {
-    /// Number of slots a value takes.
+    /// Returns the number of slots of a value.
     pub fn slots(&self) -> usize {
         match self {
             Repr::Unit => 0,
@@ -74,28 +77,29 @@ impl Repr {
     }
 }
 
-/// What calling a provided function may do.
+/// Permitted effects of a provided function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purity {
-    /// Depends on its arguments alone. Called by `check` and the editor.
+    /// The result depends only on the arguments. `check` and the editor call it.
     Pure,
-    /// Adds to the scene. Called by `check` on a scratch scene.
+    /// Adds to the scene. `check` calls it on a scratch scene.
     Scene,
-    /// Solves something or writes to the outside. Never called by `check`.
+    /// Solves or has external effects. `check` never calls it.
     Effect,
 }
 
-/// Name and representation of a provided function's parameter.
+/// Name and representation of a parameter of a provided function.
 pub type ExternParameter = (&'static str, Shape);
 
-/// One function that the engine provides to programs: the row from which the interpreter's table, the machine
-/// code's symbol table and the link symbols all come.
+/// Function that the engine provides to programs: a row of the table from which the interpreter's
+/// table, the symbol table of machine code and the link symbols are generated.
 #[derive(Clone)]
 pub struct Extern {
-    /// Link symbol, e.g. `calyx_gears_material`: `calyx_` + module + `_` + name in the Calyx declaration.
+    /// Link symbol, e.g. `calyx_gears_material`: `calyx_` + module + `_` + name in the Calyx
+    /// declaration.
     pub symbol: &'static str,
     pub purity: Purity,
-    /// In order.
+    /// Parameters in order.
     pub params: &'static [ExternParameter],
     pub result: Shape,
     pub call: SlotFn,

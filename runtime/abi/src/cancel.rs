@@ -1,10 +1,10 @@
-//! A switch that ends what runs, from any thread.
+//! Cancellation of running programs from any thread.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Once set it stays set, and whatever looks at it ends soon. Clones are the same switch; one may stand behind as many
-/// runs as are to end together.
+/// Cancellation flag. Once set it stays set, and every run that polls it ends soon. Clones share
+/// the flag, also between several runs.
 #[derive(Clone, Debug, Default)]
 pub struct Cancel(Arc<Switch>);
 
@@ -23,7 +23,7 @@ impl Cancel {
         self.0.set.load(Ordering::Relaxed) || self.0.above.as_ref().is_some_and(Cancel::is_cancelled)
     }
 
-    /// A switch of its own that this one sets as well.
+    /// Creates a flag of its own that this one sets too.
     #[must_use]
     pub fn child(&self) -> Cancel {
         Cancel(Arc::new(Switch { set: AtomicBool::new(false), above: Some(self.clone()) }))

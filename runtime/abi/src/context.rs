@@ -1,4 +1,4 @@
-//! The state of one running model, as generated code and provided functions see it.
+//! State of a running model, shared by generated code and provided functions.
 
 use crate::call::Slot;
 use crate::cancel::Cancel;
@@ -12,69 +12,70 @@ use std::mem::offset_of;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What the engine keeps for a running model (its scene, its results). Provided functions downcast it.
+/// State of the engine for a running model (its scene, its results). Provided functions downcast
+/// it.
 pub type Host = Box<dyn Any + Send>;
 
-/// Calls that may be under way at once. With [`crate::stack::STACK_BYTES`] of stack this leaves 256 KiB to each.
+/// Maximum depth of calls. With [`crate::stack::STACK_BYTES`] of stack each call has 256 KiB.
 pub const MAX_DEPTH: u64 = 1000;
 
-/// One running model.
+/// State of a running model.
 ///
-/// The first three fields are the only ones that generated code reads and writes itself, at the offsets of
-/// [`Layout`]; object files rely on them, so they are part of its [`Fingerprint`](crate::Fingerprint).
+/// Generated code accesses only the first three fields directly, at the offsets of [`Layout`].
+/// Object files rely on them, so they are part of its [`Fingerprint`](crate::Fingerprint).
 #[repr(C)]
 pub struct Context {
-    /// Basic blocks that may be entered before [`crate::limits::refuel`] must be asked for more.
+    /// Number of basic blocks that may be entered before [`crate::limits::refuel`] must be called.
     pub granted: u64,
-    /// Calls under way, at most [`MAX_DEPTH`].
+    /// Present depth of calls, at most [`MAX_DEPTH`].
     pub depth: u64,
-    /// Source range `(file, start, end)` of the call under way, for error messages.
+    /// Source range `(file, start, end)` of the present call, for error messages.
     pub place: (u32, u32, u32),
     pub heap: Heap,
-    /// Set by whoever returns a status other than `Ok`.
+    /// Error of the call that returned a status other than `Ok`.
     pub error: Option<RuntimeError>,
-    /// Values of the model's params in SI, one per param that is a number (others hold NaN);
-    /// part of every kernel's inputs.
+    /// Values of the model's params in SI, one per numeric param (others are NaN); part of every
+    /// kernel's inputs.
     pub params: Vec<f64>,
-    /// Slots of all params in order of declaration, as the program reads them.
+    /// Slots of all params in order of declaration.
     pub param_slots: Vec<Slot>,
-    /// One kernel per symbolic site of the module.
+    /// Kernels by symbolic site of the module.
     pub kernels: Vec<Arc<dyn Kernel>>,
-    /// What the embedding program provides of the model's host functions, in the order of its description.
+    /// Host functions of the embedding program, in the order of the model's description.
     pub host_functions: Resolved,
-    /// The engine's own state.
+    /// State of the engine.
     pub host: Host,
-    /// Lines the program printed are handed to this.
+    /// Receiver of the lines that the program prints.
     pub print: Box<dyn FnMut(&str) + Send>,
-    /// Basic blocks the program may still enter before it is stopped; `check` sets a limit.
+    /// Fuel: number of basic blocks that the program may still enter; `check` sets a limit.
     pub fuel: u64,
-    /// Stops the program soon, from any thread.
+    /// Cancellation flag.
     pub cancel: Cancel,
-    /// Time and memory it may use.
+    /// Limits of time and memory.
     pub limits: Limits,
-    /// The source, by which a caught error tells its place.
+    /// Source files, for the locations of caught errors.
     pub files: Arc<[FileDescription]>,
-    /// The directory below which the program may read files; none if there is none.
+    /// Directory below which the program may read files; `None` if there is none.
     pub directory: Option<PathBuf>,
     /// Files and directories outside of `directory` that the program may read too, as absolute
     /// paths without links.
     pub allowed: Arc<[PathBuf]>,
-    /// Tables that travel with the program, by the names it reads them by: these are not looked for in `directory`.
-    /// `None` for a program that is beside its tables.
+    /// Tables stored with the program, by the names that it uses: these are not read from
+    /// `directory`. `None` for a program next to its tables.
     pub tables: Option<Arc<[FileDescription]>>,
-    /// Units by which quantities given as text are read.
+    /// Units for reading quantities given as text.
     pub units: Arc<[UnitDescription]>,
     /// The string under construction.
     pub text: String,
-    /// Whether printed lines stay in memory, where they count towards the limit.
+    /// True if printed lines are kept in memory, where they count towards the limit.
     pub keeps_output: bool,
-    /// Bytes of the lines that were kept.
+    /// Size of the kept lines, bytes.
     pub kept_output: u64,
     /// Bytes of the tables that the program has read.
     pub kept_tables: u64,
 }
 
-/// Offsets in bytes of the fields of [`Context`] that generated code touches.
+/// Byte offsets of the fields of [`Context`] that generated code accesses.
 pub struct Layout;
 
 impl Layout {
@@ -119,7 +120,7 @@ impl Context {
         }
     }
 
-    /// The engine's state, if it is of type `T`.
+    /// Returns the state of the engine, if it has type `T`.
     pub fn host<T: 'static>(&mut self) -> Option<&mut T> {
         self.host.downcast_mut()
     }

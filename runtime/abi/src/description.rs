@@ -1,6 +1,7 @@
-//! What every compiled model says of itself: the same structure feeds `--help`, hover, results and error messages.
+//! Description of a compiled model, used by `--help`, hover, results and error messages.
 //!
-//! In an object file it is stored as JSON. Here are its structure, and the C layout by which a linked model is found.
+//! Object files contain it as JSON. This module defines its structure, and the C layout of the
+//! table of a linked model.
 
 use crate::call::{KernelFn, Repr, SlotFn};
 use crate::error::Place;
@@ -9,61 +10,62 @@ use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// A linked model, as the object file exports it under the symbol `NAME_model`.
+/// Table of a linked model, exported by the object file under the symbol `NAME_model`.
 #[repr(C)]
 pub struct ModuleTable {
-    /// The [`Fingerprint`] that the code was compiled against.
+    /// [`Fingerprint`] of the interface that the code was compiled for.
     pub abi: u64,
     /// Runs the program's top level once.
     pub main: SlotFn,
-    /// Kernels in order of site.
+    /// Kernels by site.
     pub kernels: *const KernelFn,
     pub kernel_count: u64,
-    /// The description, UTF-8 JSON of a [`ModelDescription`].
+    /// Description: UTF-8 JSON of a [`ModelDescription`].
     pub description: *const u8,
     pub description_len: u64,
-    /// Three per param of the description: its default, and the ends of its range (`None` where it has none).
-    /// They take nothing; they may read earlier params from the context.
+    /// Three functions per param of the description: its default, and the ends of its range (`None`
+    /// if absent). They take no arguments and may read earlier params from the context.
     pub param_functions: *const Option<SlotFn>,
 }
 
 // SAFETY: the table and what it points to are constants of the linked program.
 unsafe impl Sync for ModuleTable {}
 
-/// Base dimensions that a program may add to the five of physics.
+/// Number of base dimensions that a program may declare in addition to the five physical ones.
 pub const OWN_BASES: usize = 3;
 
-/// Exponents of length, mass, time, angle and temperature, then of the dimensions that the program declares, each as
+/// Exponents of length, mass, time, angle and temperature, then of the declared dimensions, each as
 /// numerator and denominator.
 pub type Exponents = [(i32, i32); 5 + OWN_BASES];
 
-/// The description itself. Kept as JSON in object files and run directories.
+/// Description of a model. Stored as JSON in object files and run directories.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelDescription {
-    /// What the code was compiled against.
+    /// Fingerprint of the interface that the model was compiled for.
     pub abi: Fingerprint,
-    /// The model's file as shown to people.
+    /// Displayed name of the model's file.
     pub name: String,
-    /// Text of the doc comment that opens the model's file; empty if there is none.
+    /// Text of the doc comment at the start of the model's file; empty if there is none.
     pub doc: String,
-    /// Name of the unit system results print in: `SI`, `mm_N_s`, `inch_lbf_s`.
+    /// Name of the unit system of printed results: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub units: String,
     pub params: Vec<ParamDescription>,
     pub outputs: Vec<OutputDescription>,
-    /// Functions that the embedding program may provide, in the order of [`crate::Context::host_functions`].
+    /// Host functions that the embedding program may provide, in the order of
+    /// [`crate::Context::host_functions`].
     pub host_functions: Vec<HostFunctionDescription>,
-    /// One per symbolic site, in order of site: the order of [`ModuleTable::kernels`].
+    /// Kernels by symbolic site, in the order of [`ModuleTable::kernels`].
     pub kernels: Vec<KernelDescription>,
-    /// The model first, then every file it uses, the library's included.
+    /// The model's file first, then every file that it uses, including those of the library.
     #[serde(with = "shared")]
     pub files: Arc<[FileDescription]>,
-    /// Every unit of the language, so that values given as text can be read without the compiler.
+    /// All units of the language, for reading values given as text without the compiler.
     pub known_units: Vec<UnitDescription>,
-    /// Every dimension that has a name, the program's own base dimensions included. Of several that differ in the
-    /// exponent of angle only, the one that people mean comes first.
+    /// All named dimensions, including the program's own base dimensions. Among several that differ
+    /// only in the exponent of angle, the most common one is first.
     pub known_dimensions: Vec<DimensionDescription>,
-    /// Tables that the program reads at its params' defaults, by the names it reads them by. Elaboration fills them in;
-    /// they travel with the program.
+    /// Tables that the program reads at the default values of its params, by the names that it
+    /// uses. Elaboration adds them; they are stored with the program.
     #[serde(with = "shared")]
     pub tables: Arc<[FileDescription]>,
     /// Files and directories outside of the model's directory that the program may read, as
@@ -71,27 +73,29 @@ pub struct ModelDescription {
     /// the program.
     #[serde(skip)]
     pub allowed: Arc<[PathBuf]>,
-    /// Calls of the engine's and the library's functions, in order of place. Elaboration fills them in.
+    /// Calls of engine and library functions, in order of location. Elaboration adds them.
     pub calls: Vec<CallDescription>,
 }
 
-/// How the names of the library's files begin.
+/// Prefix of the names of library files.
 pub const LIBRARY: &str = "<library>/";
 
-/// Where a call of a function of the engine or the library is written, so that an error can be placed on an argument
-/// without the compiler. A `throw` in the library is described as a call without arguments.
+/// Call of an engine or library function, so that an error can be located at an argument without
+/// the compiler. A `throw` in the library is described as a call without arguments.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CallDescription {
     /// Byte range `(file, start, end)` of the call.
     pub place: Place,
-    /// Name and byte range of each argument that is written in the call; others are left to their defaults.
+    /// Name and byte range of each argument that is written in the call; others have default
+    /// values.
     pub arguments: Vec<(String, Place)>,
-    /// Of a call in the library: for each argument the parameters of the function around the call that it is computed from.
+    /// For a call in the library: the parameters of the enclosing function that each argument is
+    /// computed from.
     #[serde(default)]
     pub carried: Vec<(String, Vec<String>)>,
 }
 
-/// An input of the model.
+/// Param: an input of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ParamDescription {
     pub name: String,
@@ -99,16 +103,16 @@ pub struct ParamDescription {
     /// Number, Bool or String.
     pub repr: Repr,
     pub unit: UnitDescription,
-    /// Only whole numbers are allowed.
+    /// True if only integers are allowed.
     pub integral: bool,
-    /// Allowed strings; empty if any string will do.
+    /// Allowed strings; empty if any string is allowed.
     pub choices: Vec<String>,
-    /// The default and the ends of the allowed range in SI. They are computed by running the program's own
-    /// functions, so elaboration fills them in; `None` before that, and for what is not there.
+    /// Default and ends of the allowed range in SI. Elaboration computes them by running the
+    /// program's functions; `None` before that, and if absent.
     pub default: Option<ParamValue>,
     pub low: Option<f64>,
     pub high: Option<f64>,
-    /// Default and range are the same whatever other params are.
+    /// True if default and range do not depend on other params.
     pub independent: bool,
 }
 
@@ -117,84 +121,85 @@ pub struct ParamDescription {
 #[serde(untagged)]
 pub enum ParamValue {
     Bool(bool),
-    /// In SI.
+    /// Number in SI.
     Number(f64),
     String(String),
 }
 
-/// A wanted observable.
+/// Requested output.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OutputDescription {
     pub name: String,
     pub doc: String,
     /// Index in [`ModelDescription::kernels`].
     pub site: usize,
-    /// What results are shown in.
+    /// Unit of results.
     pub unit: UnitDescription,
     /// Name of the coherent SI unit.
     pub si: String,
 }
 
-/// A function that the embedding program may provide in place of the model's own ([`crate::host`]).
+/// Host function that the embedding program may provide in place of the model's own
+/// ([`crate::host`]).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HostFunctionDescription {
-    /// As it is provided by: of a function of an imported module `module.name`.
+    /// Name under which it is provided: `module.name` for a function of an imported module.
     pub name: String,
     pub doc: String,
     pub parameters: Vec<HostValueDescription>,
-    /// Its name is empty.
+    /// Result; its name is empty.
     pub result: HostValueDescription,
 }
 
-/// What a host function takes or gives.
+/// Parameter or result of a host function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HostValueDescription {
     pub name: String,
     /// Number, Bool, String, Vector, or an array of these.
     pub repr: Repr,
-    /// The type as the model writes it, like `Array(Length)`.
+    /// Type as written in the model, like `Array(Length)`.
     #[serde(rename = "type")]
     pub ty: String,
-    /// What the model shows its numbers in. They cross in coherent SI units.
+    /// Unit of display. Numbers are passed in coherent SI units.
     pub unit: UnitDescription,
 }
 
-/// How a number is shown: SI value = shown value * `factor`.
+/// Unit of display: SI value = displayed value * `factor`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct UnitDescription {
-    /// E.g. `lbf*inch`; empty for a pure number.
+    /// Name, e.g. `lbf*inch`; empty for a dimensionless number.
     pub name: String,
     pub factor: f64,
     pub dimension: Exponents,
 }
 
-/// A dimension with a name.
+/// Named dimension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DimensionDescription {
-    /// As annotations of the language have it: `Length`, `SecondMomentOfArea`.
+    /// Name in annotations of the language: `Length`, `SecondMomentOfArea`.
     pub name: String,
     pub exponents: Exponents,
 }
 
-/// A symbolic site's kernel.
+/// Kernel of a symbolic site.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct KernelDescription {
     pub name: String,
     /// Number, Vector or Transform.
     pub repr: Repr,
-    /// Highest time derivative computed beside the value.
+    /// Highest time derivative that is computed in addition to the value.
     pub order: u8,
     pub inputs: usize,
     pub outputs: usize,
     pub captures: Vec<CaptureDescription>,
 }
 
-/// A value a symbolic expression captured when its binding executed.
+/// Value that a symbolic expression captured when its binding executed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaptureDescription {
     pub name: String,
     pub repr: Repr,
-    /// An observable: captured as its index, replaced by its value at each step.
+    /// True for an observable: captured as its index, replaced by its value at each step.
     pub observable: bool,
 }
 
@@ -204,7 +209,7 @@ pub struct FileDescription {
     pub text: String,
 }
 
-/// What many instances share, written as a list.
+/// Serialization of shared slices as lists.
 mod shared {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
     use std::sync::Arc;

@@ -1,49 +1,51 @@
-//! How a value is shown: units, digits, names of fields. Constants of the program that `text` is made by.
+//! Display styles of values: units, digits, field names. They are constants of the program,
+//! arguments of `text`.
 //!
-//! The shape follows the value's representation. In machine code it stands as a short byte string ([`Display::encode`]).
+//! The structure follows the value's representation. In machine code it is a short byte string
+//! ([`Display::encode`]).
 
-/// How a value is shown.
+/// Display style of a value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Display {
-    /// As it is: truth values, handles, symbolic values.
+    /// Plain: Booleans, handles, symbolic values.
     Plain,
-    /// A text, padded to a width.
+    /// Text, padded to a width.
     Text {
         width: u8,
     },
-    /// A number, each component of a vector, or the translation of a frame.
+    /// Number, each component of a vector, or the translation of a frame.
     Number(NumberStyle),
-    /// Every element alike.
+    /// Style of every element.
     Array(Box<Display>),
     Tuple(Vec<Display>),
-    /// Name, and names of the fields of what is stored as a tuple.
+    /// Name, and names of the fields of a value stored as a tuple.
     Record(String, Vec<(String, Display)>),
 }
 
-/// How a number is shown.
+/// Display style of a number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NumberStyle {
-    /// SI value of the unit; 0 stands for 1, so that the default is a plain number.
+    /// SI value of the unit; 0 stands for 1, so that the default is a dimensionless number.
     pub factor: f64,
-    /// Name of the unit, empty for none.
+    /// Name of the unit; empty for none.
     pub unit: String,
-    /// Least number of characters of the number; 0 for as many as it takes.
+    /// Minimum width of the number in characters; 0 for none.
     pub width: u8,
-    /// Digits after the point; without, as many as it takes to read back.
+    /// Digits after the decimal point; `None` for as many as are required to read the number back.
     pub digits: Option<u8>,
-    /// With a power of ten.
+    /// True for scientific notation.
     pub scientific: bool,
 }
 
 impl NumberStyle {
-    /// In a unit, with as many digits as it takes.
+    /// Creates a style with a unit and as many digits as are required.
     pub fn in_unit(factor: f64, unit: impl Into<String>) -> Self {
         NumberStyle { factor, unit: unit.into(), ..NumberStyle::default() }
     }
 }
 
 impl Display {
-    /// As a constant of machine code.
+    /// Encodes the style as a constant of machine code.
     pub fn encode(&self) -> Vec<u8> {
         let mut code = Vec::new();
         self.append(&mut code);
@@ -81,7 +83,7 @@ impl Display {
         }
     }
 
-    /// What a code stands for; `None` if it is not one.
+    /// Decodes a style; `None` if the code is invalid.
     pub fn decode(code: &[u8]) -> Option<Display> {
         let mut rest = code;
         let display = take(&mut rest)?;

@@ -1,7 +1,7 @@
-//! The helpers as machine code calls them: C linkage, words for arguments, a status for a result, no panics.
+//! Helpers as called by machine code: C linkage, words as arguments, a status as result, no panics.
 //!
-//! One table makes the functions, their link symbols (for object files) and the rows from which the code
-//! generator declares them and the in-memory linker finds them.
+//! One table generates the functions, their link symbols (for object files) and the rows from which
+//! the code generator declares them and the in-memory linker finds them.
 
 use crate::call::{Slot, Status};
 use crate::context::{Context, RuntimeError};
@@ -9,15 +9,15 @@ use crate::display::Display;
 use crate::{failure, helpers, limits, repr_code, stack};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Runs the body of a function that generated code calls: errors and panics become a status and [`Context::error`],
-/// placed at the call under way unless the error names a place itself.
+/// Runs the body of a function that generated code calls. Errors and panics become a status and
+/// [`Context::error`], located at the present call unless the error has a location.
 ///
 /// Every function of the calling convention ([`crate::SlotFn`]) should consist of one call of this.
 ///
 /// # Safety
-/// `ctx` is valid and not aliased.
+/// `ctx` must be valid and not aliased.
 pub unsafe fn guarded(ctx: *mut Context, body: impl FnOnce(&mut Context) -> Result<(), RuntimeError>) -> i32 {
-    // SAFETY: the caller promises a valid context that nobody else uses during the call.
+    // SAFETY: the caller guarantees a valid context without other users during the call.
     let ctx = unsafe { &mut *ctx };
     let result = catch_unwind(AssertUnwindSafe(|| body(ctx)));
     let Err(mut error) = result.unwrap_or_else(|payload| Err(stack::panicked(payload.as_ref()))) else {
@@ -29,7 +29,7 @@ pub unsafe fn guarded(ctx: *mut Context, body: impl FnOnce(&mut Context) -> Resu
     status as i32
 }
 
-/// A helper, as the code generator and the in-memory linker see it.
+/// Helper for the code generator and the in-memory linker.
 #[derive(Clone, Copy, Debug)]
 pub struct EntryPoint {
     /// Link symbol.
@@ -39,58 +39,58 @@ pub struct EntryPoint {
     pub address: *const u8,
 }
 
-/// Slots at an address that generated code passed.
+/// Returns the slots at an address from generated code.
 ///
 /// # Safety
-/// `count` slots are there, and live for `'a`. With no slots, any address will do.
+/// `count` slots must exist there and live for `'a`. Without slots, any address is valid.
 unsafe fn slots<'a>(address: u64, count: u64) -> &'a [Slot] {
     if count == 0 {
         return &[];
     }
-    // SAFETY: promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { std::slice::from_raw_parts(address as *const Slot, count as usize) }
 }
 
-/// As [`slots`], to be written.
+/// Returns writable slots, like [`slots`].
 ///
 /// # Safety
-/// As [`slots`], and nobody else looks at them.
+/// As for [`slots`]; nothing else may access them.
 unsafe fn slots_mut<'a>(address: u64, count: u64) -> &'a mut [Slot] {
     if count == 0 {
         return &mut [];
     }
-    // SAFETY: promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { std::slice::from_raw_parts_mut(address as *mut Slot, count as usize) }
 }
 
-/// Bytes of a constant of generated code.
+/// Returns the bytes of a constant of generated code.
 ///
 /// # Safety
-/// As [`slots`], in bytes.
+/// As for [`slots`], in bytes.
 unsafe fn bytes<'a>(address: u64, count: u64) -> &'a [u8] {
     if count == 0 {
         return &[];
     }
-    // SAFETY: promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { std::slice::from_raw_parts(address as *const u8, count as usize) }
 }
 
-/// Text of a constant of generated code.
+/// Returns the text of a constant of generated code.
 ///
 /// # Safety
-/// As [`bytes`].
+/// As for [`bytes`].
 unsafe fn text<'a>(address: u64, count: u64) -> Result<&'a str, RuntimeError> {
-    // SAFETY: promised by the caller.
+    // SAFETY: guaranteed by the caller.
     std::str::from_utf8(unsafe { bytes(address, count) })
         .map_err(|_| helpers::malformed("text that is not UTF-8"))
 }
 
-/// A representation from its code.
+/// Decodes a representation.
 ///
 /// # Safety
-/// As [`bytes`].
+/// As for [`bytes`].
 unsafe fn repr(address: u64, count: u64) -> Result<crate::Repr, RuntimeError> {
-    // SAFETY: promised by the caller.
+    // SAFETY: guaranteed by the caller.
     let code = unsafe { bytes(address, count) };
     repr_code::decode(code).ok_or_else(|| helpers::malformed("an unknown representation"))
 }
@@ -104,19 +104,20 @@ macro_rules! entry_points {
             $(#[$doc])*
             ///
             /// # Safety
-            /// `ctx` is valid and not aliased; addresses point to as many slots or bytes as said beside them.
+            /// `ctx` must be valid and not aliased; addresses must point to the stated numbers of slots
+            /// or bytes.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn $symbol(ctx: *mut Context $(, $argument: u64)*) -> i32 {
-                // SAFETY: the caller promises a valid context, and that the addresses hold what they should.
+                // SAFETY: the caller guarantees a valid context and valid addresses.
                 unsafe { guarded(ctx, |$ctx| $body) }
             }
         )+
 
-        /// Link symbol of every helper, and how many arguments it takes after the context.
+        /// Link symbol of every helper, with its number of arguments after the context.
         pub const ENTRY_SIGNATURES: &[(&str, usize)] =
             &[$((stringify!($symbol), <[&str]>::len(&[$(stringify!($argument)),*])),)+];
 
-        /// Every helper that machine code may call.
+        /// Returns every helper that machine code may call.
         pub fn entry_points() -> Vec<EntryPoint> {
             vec![$(
                 EntryPoint {
@@ -130,21 +131,21 @@ macro_rules! entry_points {
 }
 
 entry_points! {
-    /// Asks for more basic blocks.
+    /// Requests more basic blocks.
     fn calyx_refuel(ctx) { limits::refuel(ctx) }
 
-    /// Fails because of too many calls under way.
+    /// Fails because the maximum depth of calls is exceeded.
     fn calyx_too_deep(_ctx) { Err(limits::too_deep()) }
 
-    /// Fails with the error whose slots are at `address`, and `help` beside it.
+    /// Fails with the error whose slots are at `address`, with the remedy `help`.
     fn calyx_throw(ctx, address, help, help_count) {
         Err(failure::thrown(ctx, slots(address, failure::ERROR_SLOTS as u64), text(help, help_count)?))
     }
 
-    /// Fails with an error that was caught.
+    /// Fails with a caught error.
     fn calyx_rethrow(ctx, caught) { Err(failure::rethrown(ctx, caught)) }
 
-    /// Takes the error that led to a handler; stores its id in `result`.
+    /// Takes the error that a handler catches; stores its id in `result`.
     fn calyx_catch(ctx, result) {
         slots_mut(result, 1)[0] = failure::catch(ctx)?;
         Ok(())
@@ -157,7 +158,8 @@ entry_points! {
         Ok(())
     }
 
-    /// Notes in the error under way that it left a function, which was called at a place. Fails as that error does.
+    /// Records that the present error left a function that was called at a location. Fails with
+    /// that error.
     fn calyx_passed(ctx, name, name_count, file, start, end) {
         let function = text(name, name_count)?;
         let mut error = ctx.error.take().ok_or_else(|| helpers::malformed("a failure without an error"))?;
@@ -165,15 +167,15 @@ entry_points! {
         Err(error)
     }
 
-    /// If the error under way blames an argument, places it there: `arguments` lists where each was written
-    /// ([`crate::blame`]). Fails as that error does.
+    /// Moves the present error to the argument that it names, if `arguments` contains its location
+    /// ([`crate::blame`]). Fails with that error.
     fn calyx_blame(ctx, arguments, count) {
         let mut error = ctx.error.take().ok_or_else(|| helpers::malformed("a failure without an error"))?;
         crate::blame::blame(&mut error, bytes(arguments, count));
         Err(error)
     }
 
-    /// Makes an array of `count` slots; stores its id in `result`.
+    /// Creates an array of `count` slots; stores its id in `result`.
     fn calyx_array_new(ctx, stride, address, count, result) {
         let elements = slots(address, count);
         limits::ask_memory(ctx, size_of_val(elements) as u64)?;
@@ -182,7 +184,8 @@ entry_points! {
         Ok(())
     }
 
-    /// Stores the address of an element in `result`; it is valid until the next call of anything.
+    /// Stores the address of an element in `result`; it is valid until the next call of any
+    /// function.
     fn calyx_array_element(ctx, array, index, result) {
         let element = helpers::element(ctx, array, f64::from_bits(index))?;
         slots_mut(result, 1)[0] = element.as_mut_ptr() as u64;
@@ -218,7 +221,7 @@ entry_points! {
         helpers::append_value(ctx, &repr, slots(address, count), &display)
     }
 
-    /// Ends the string under construction; stores its id in `result`.
+    /// Finishes the string under construction; stores its id in `result`.
     fn calyx_text_finish(ctx, result) {
         slots_mut(result, 1)[0] = helpers::finish_text(ctx)?;
         Ok(())
@@ -231,7 +234,8 @@ entry_points! {
         Ok(())
     }
 
-    /// Executes a `:=` with `count` captured slots, whose kinds are as many bytes; stores its id in `result`.
+    /// Executes a `:=` with `count` captured slots and as many bytes with their kinds; stores its
+    /// id in `result`.
     fn calyx_make_symbolic(ctx, site, repr_address, repr_count, kinds, address, count, result) {
         let repr = repr(repr_address, repr_count)?;
         let captured = slots(address, count);
@@ -240,14 +244,14 @@ entry_points! {
         Ok(())
     }
 
-    /// Stores the value of a symbolic value at a time in the `count` slots of `result`.
+    /// Evaluates a symbolic value at a time; stores its `count` slots in `result`.
     fn calyx_eval_symbolic(ctx, value, time, repr_address, repr_count, result, count) {
         let repr = repr(repr_address, repr_count)?;
         helpers::eval_symbolic(ctx, value, f64::from_bits(time), &repr, slots_mut(result, count))
     }
 
-    /// Calls a host function with `count` slots of arguments if the embedding program provides it; stores the slots of its
-    /// result in `result`, and whether it was called in `provided`.
+    /// Calls a host function with `count` slots of arguments if the embedding program provides it;
+    /// stores the slots of its result in `result`, and in `provided` whether it was called.
     fn calyx_host(ctx, function, arguments, count, result, result_count, provided) {
         let (arguments, result) = (slots(arguments, count), slots_mut(result, result_count));
         let called = crate::host::ask(ctx, function as usize, arguments, result)?;

@@ -1,49 +1,50 @@
-//! Errors of a running model: what they say, where they arose, and the calls that led there.
+//! Errors of a running model: message, location and call stack.
 
 use crate::call::Status;
 
 /// Byte range `(file, start, end)` of the source.
 pub type Place = (u32, u32, u32);
 
-/// Why a call failed.
+/// Error of a call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RuntimeError {
-    /// Stable code, e.g. `E0703`, or the program's own.
+    /// Stable code, e.g. `E0703`, or one of the program.
     pub code: String,
     pub message: String,
-    /// What to do about it; empty if nothing can be said.
+    /// Remedy; empty if there is none.
     pub help: String,
-    /// Name of the argument to blame, if one is (the caller knows where it was written).
+    /// Name of the argument at fault, if any; the caller knows its location.
     pub argument: Option<String>,
-    /// The blamed source, filled in by whoever knows it first.
+    /// Source location, set by the first caller that knows it.
     pub place: Option<Place>,
     pub details: Box<Details>,
 }
 
-/// What most errors do not have.
+/// Rarely used details.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Details {
-    /// Calls of the program's functions under way, innermost first; each caller adds its own as the error passes it.
+    /// Call stack of the program's functions, innermost first; each caller adds its entry as the
+    /// error passes.
     pub calls: Vec<Call>,
-    /// The number to blame, if the program that threw the error named one.
+    /// Number at fault, if the program that threw the error named one.
     pub value: Option<f64>,
-    /// Where the error arose by the words of the program that threw it; empty if it said nothing of it.
+    /// Origin of the error as stated by the program that threw it; empty if not stated.
     pub origin: String,
-    /// What else led to it, at places of their own.
+    /// Additional causes with their own locations.
     pub notes: Vec<(Place, String)>,
 }
 
-/// A call that was under way when an error arose.
+/// Call that was active when an error arose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Call {
-    /// The function that was called.
+    /// Name of the called function.
     pub function: String,
-    /// Where.
+    /// Location of the call.
     pub place: Place,
 }
 
 impl RuntimeError {
-    /// An error without a place; whoever knows one fills it in.
+    /// Creates an error without a location.
     pub fn new(code: &str, message: impl Into<String>, help: impl Into<String>) -> Self {
         RuntimeError {
             code: code.into(),
@@ -55,13 +56,13 @@ impl RuntimeError {
         }
     }
 
-    /// The same error, blamed on an argument of the call that fails with it.
+    /// Names the argument at fault of the failing call.
     #[must_use]
     pub fn of_argument(self, name: impl Into<String>) -> Self {
         RuntimeError { argument: Some(name.into()), ..self }
     }
 
-    /// What a function that fails with this error returns.
+    /// Returns the status of a function that fails with this error.
     pub fn status(&self) -> Status {
         match self.code.as_str() {
             codes::LIMIT | codes::CANCELLED | codes::EXHAUSTED | codes::INTERNAL => Status::Cancelled,
@@ -69,17 +70,17 @@ impl RuntimeError {
         }
     }
 
-    /// Notes a call that the error passes on its way out.
+    /// Adds a call that the error passes to the stack.
     pub fn passed(&mut self, function: &str, place: Place) {
         self.details.calls.push(Call { function: function.into(), place });
     }
 }
 
-/// Calls at either end that are shown of very many.
+/// Number of calls at either end that are shown of a deep stack.
 const SHOWN_CALLS: usize = 8;
 
-/// One line a call, innermost first: `` `f`, called at model.cx:3:7``. Equal calls in a row are counted, and the middle
-/// of very many is left out.
+/// Formats one line per call, innermost first: `` `f`, called at model.cx:3:7``. Equal consecutive
+/// calls are counted, and the middle of a deep stack is omitted.
 pub fn call_lines(calls: &[Call], shown_place: impl Fn(Place) -> String) -> Vec<String> {
     let mut lines = Vec::new();
     for group in calls.chunk_by(|a, b| a == b) {
@@ -94,31 +95,31 @@ pub fn call_lines(calls: &[Call], shown_place: impl Fn(Place) -> String) -> Vec<
     lines
 }
 
-/// Codes of the errors that running programs raise by themselves.
+/// Codes of the errors that running programs raise themselves.
 pub mod codes {
-    /// An axis of a rotation that is no unit vector.
+    /// The axis of a rotation is not a unit vector.
     pub const AXIS: &str = "E0515";
-    /// An index that is not whole or not within the array.
+    /// An index is not an integer or not within the array.
     pub const INDEX: &str = "E0701";
-    /// Functions call each other too deeply.
+    /// The maximum depth of calls is exceeded.
     pub const DEPTH: &str = "E0702";
     /// The limit on the number of basic blocks was reached.
     pub const LIMIT: &str = "E0703";
-    /// Somebody set [`crate::Context::cancel`].
+    /// [`crate::Context::cancel`] was set.
     pub const CANCELLED: &str = "E0704";
     /// An `assert` failed.
     pub const ASSERTION: &str = "E0705";
-    /// An observable was asked for its value while the model is still being built.
+    /// The value of an observable was requested while the model is still being built.
     pub const OBSERVABLE: &str = "E0706";
     /// The limit on time or memory was reached.
     pub const EXHAUSTED: &str = "E0707";
     /// The program threw an error without a code of its own.
     pub const THROWN: &str = "E0720";
-    /// A function that the embedding program provides failed.
+    /// A host function of the embedding program failed.
     pub const HOST: &str = "E0725";
     /// An argument of the engine is NaN.
     pub const NOT_A_NUMBER: &str = "E0722";
-    /// A fault of the engine or the compiler, not of the program.
+    /// Defect of the engine or the compiler, not of the program.
     pub const INTERNAL: &str = "E0799";
 }
 

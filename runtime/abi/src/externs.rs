@@ -1,5 +1,5 @@
-//! Functions the engine provides to programs: one macro turns a list of ordinary Rust bodies into the interpreter's
-//! table, the machine code's symbol table and the link symbols.
+//! Functions that the engine provides to programs. One macro turns a list of ordinary Rust bodies
+//! into the interpreter's table, the symbol table of machine code and the link symbols.
 
 use crate::call::Slot;
 use crate::context::{Context, RuntimeError, codes};
@@ -9,27 +9,28 @@ use crate::limits;
 use crate::shape::Shape;
 use std::sync::Arc;
 
-/// A value that crosses between programs and the engine.
+/// Value that is passed between programs and the engine.
 pub trait Value: Sized {
     const SHAPE: Shape;
-    /// Reads the value; `None` if the slots hold no such value (a defect of the caller, not of the program).
+    /// Reads the value; `None` if the slots do not contain such a value (a defect of the caller,
+    /// not of the program).
     fn read(context: &Context, slots: &[Slot]) -> Option<Self>;
     fn write(self, context: &mut Context, slots: &mut [Slot]);
-    /// Bytes on the heap that reading the value takes.
+    /// Returns the heap memory required to read the value, bytes.
     fn bytes_to_read(_context: &Context, _slots: &[Slot]) -> u64 {
         0
     }
-    /// Bytes on the heap that writing the value takes.
+    /// Returns the heap memory required to write the value, bytes.
     fn bytes_to_write(&self) -> u64 {
         0
     }
-    /// Whether a number in the value is NaN.
+    /// Returns whether the value contains NaN.
     fn has_nan(&self) -> bool {
         false
     }
 }
 
-/// What the engine hands out for a thing it keeps: an index into a table of its own.
+/// Handle of an object of the engine: an index into one of its tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Handle(pub u64);
 
@@ -105,7 +106,7 @@ impl Value for Handle {
     }
 }
 
-/// A symbolic value of the representation that the Calyx declaration states.
+/// Symbolic value with the representation of the Calyx declaration.
 pub struct Symbolic<const KIND: u8>(pub Arc<SymbolicValue>);
 /// `Symbolic(Number)`
 pub type SymbolicNumber = Symbolic<0>;
@@ -157,16 +158,16 @@ impl<T: Value> Value for Vec<T> {
     }
 }
 
-/// Hands out the arguments of a call one after another.
+/// Iterator over the arguments of a call.
 pub struct Arguments<'a> {
     slots: &'a [Slot],
 }
 
 impl Arguments<'_> {
-    /// The next argument, which the declaration calls `name`; NaN in it is refused.
+    /// Returns the next argument, which the declaration calls `name`, and rejects NaN.
     ///
     /// # Errors
-    /// E0720 if it is not a number; internal if the slots hold no such value.
+    /// E0722 if it contains NaN; internal if the slots do not contain such a value.
     pub fn take_number<T: Value>(&mut self, context: &Context, name: &str) -> Result<T, RuntimeError> {
         let value: T = self.take(context)?;
         if !value.has_nan() {
@@ -181,10 +182,10 @@ impl Arguments<'_> {
         Err(error)
     }
 
-    /// The next argument.
+    /// Returns the next argument.
     ///
     /// # Errors
-    /// Internal if the slots hold no such value; E0707 if it takes too much memory.
+    /// Internal if the slots do not contain such a value; E0707 if it takes too much memory.
     pub fn take<T: Value>(&mut self, context: &Context) -> Result<T, RuntimeError> {
         let count = T::SHAPE.slots().min(self.slots.len());
         let (now, rest) = self.slots.split_at(count);
@@ -200,10 +201,10 @@ impl Arguments<'_> {
     }
 }
 
-/// Runs the body of a provided function: results and errors to their places, panics stopped here.
+/// Runs the body of a provided function: stores its result or error and catches panics.
 ///
 /// # Safety
-/// As for [`crate::SlotFn`]; `args` holds `count` slots and `ret` as many as `T::SHAPE` takes.
+/// As for [`crate::SlotFn`]; `args` must have `count` slots and `ret` those of `T::SHAPE`.
 pub unsafe fn call<T: Value>(
     ctx: *mut Context,
     args: *const Slot,
@@ -212,7 +213,7 @@ pub unsafe fn call<T: Value>(
     body: impl FnOnce(&mut Context, Arguments) -> Result<T, RuntimeError>,
 ) -> i32 {
     let guarded_body = |context: &mut Context| {
-        // SAFETY: the caller vouches for the pointers; a slice of no slots needs no valid pointer.
+        // SAFETY: the caller guarantees the pointers; a slice of no slots needs no valid pointer.
         let slots = if count == 0 { &[][..] } else { unsafe { std::slice::from_raw_parts(args, count) } };
         limits::check(context)?;
         let value = body(context, Arguments { slots })?;
@@ -224,7 +225,7 @@ pub unsafe fn call<T: Value>(
         value.write(context, ret);
         Ok(())
     };
-    // SAFETY: the caller vouches for the context.
+    // SAFETY: the caller guarantees the context.
     unsafe { guarded(ctx, guarded_body) }
 }
 
@@ -238,8 +239,9 @@ pub unsafe fn call<T: Value>(
 /// assert_eq!(EXTERNS[0].symbol, "calyx_example_twice");
 /// ```
 ///
-/// NaN in an argument is refused, except by functions of the language itself (`calyx_std_`), which treat it as a number.
-/// Each becomes an exported C symbol of type [`crate::SlotFn`] and a row of the constant `EXTERNS`.
+/// NaN arguments are rejected, except by functions of the language itself (`calyx_std_`), which
+/// treat NaN like any number. Each function becomes an exported C symbol of type [`crate::SlotFn`]
+/// and a row of the constant `EXTERNS`.
 #[macro_export]
 macro_rules! externs {
     ($(
@@ -258,7 +260,7 @@ macro_rules! externs {
                 ret: *mut $crate::Slot,
             ) -> i32 {
                 let count = 0 $(+ <$type as $crate::externs::Value>::SHAPE.slots())*;
-                // SAFETY: passed on from the caller.
+                // SAFETY: the caller has the same obligations.
                 unsafe {
                     $crate::externs::call::<$result>(ctx, args, count, ret, |$context, #[allow(unused)] mut arguments| {
                         let library = !stringify!($symbol).starts_with("calyx_std_");
@@ -274,7 +276,7 @@ macro_rules! externs {
             }
         )*
 
-        /// The functions declared here, for the interpreter and the compiler.
+        /// Functions declared here, for the interpreter and the compiler.
         pub const EXTERNS: &[$crate::Extern] = &[$(
             $crate::Extern {
                 symbol: stringify!($symbol),

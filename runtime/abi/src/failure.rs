@@ -1,4 +1,4 @@
-//! `throw` and `catch`: from the values of a program to an error and back.
+//! `throw` and `catch`: conversions between the values of a program and errors.
 
 use crate::call::Slot;
 use crate::context::Context;
@@ -27,19 +27,19 @@ pub fn thrown(ctx: &Context, error: &[Slot], help: &str) -> RuntimeError {
     error.place = Some(ctx.place);
     error.details.origin = origin.into();
     error.details.value = Some(f64::from_bits(value)).filter(|value| !value.is_nan());
-    // A program cannot make an error that its callers could not catch.
+    // A program cannot create an error that its callers could not catch.
     if error.status() != crate::call::Status::Failed {
         error.code = codes::THROWN.into();
     }
     error
 }
 
-/// Takes the error that ended a statement, and keeps it while it is handled.
+/// Takes the error that ended a statement, and stores it while it is handled.
 ///
 /// # Errors
-/// Internal, if nothing failed; E0707 if errors that were caught take too much memory.
+/// Internal if nothing failed; E0707 if caught errors take too much memory.
 pub fn catch(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
-    // The string under construction when it failed will not be finished.
+    // Discard the string that was under construction when the error arose.
     ctx.text.clear();
     let error = ctx.error.take().ok_or_else(|| malformed("a handler without an error"))?;
     let id = ctx.heap.insert(Object::Error(Arc::new(error)));
@@ -47,10 +47,10 @@ pub fn catch(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
     Ok(id)
 }
 
-/// The slots of the `Error` that a handler sees.
+/// Returns the slots of the `Error` that a handler receives.
 ///
 /// # Errors
-/// Internal, if `caught` is no error.
+/// Internal if `caught` is not an error.
 pub fn fields(ctx: &mut Context, caught: HeapId) -> Result<[Slot; ERROR_SLOTS], RuntimeError> {
     let error = error(ctx, caught)?;
     let place = match error.details.origin.as_str() {
@@ -63,7 +63,7 @@ pub fn fields(ctx: &mut Context, caught: HeapId) -> Result<[Slot; ERROR_SLOTS], 
     Ok([code, message, place, error.details.value.unwrap_or(f64::NAN).to_bits(), help])
 }
 
-/// The error that a handler passes on.
+/// Returns the error that a handler rethrows.
 pub fn rethrown(ctx: &Context, caught: HeapId) -> RuntimeError {
     match error(ctx, caught) {
         Ok(error) => (*error).clone(),
@@ -78,7 +78,7 @@ fn error(ctx: &Context, id: HeapId) -> Result<Arc<RuntimeError>, RuntimeError> {
     }
 }
 
-/// `model.cx:3:7`; empty if the file is not known.
+/// Formats a location like `model.cx:3:7`; empty if the file is unknown.
 pub fn shown_place(ctx: &Context, (file, start, _): Place) -> String {
     let Some(file) = ctx.files.get(file as usize) else { return String::new() };
     let before = file.text.get(..start as usize).unwrap_or_default();

@@ -1,9 +1,9 @@
-//! What generated code and engine agree on, as one number: code that was compiled against another agreement is refused
-//! before it can do harm.
+//! Fingerprint of the interface between generated code and engine: code that was compiled for
+//! another interface is rejected.
 //!
-//! The number is computed when the engine is compiled, from the very tables that the code generator uses, so that nobody
-//! has to remember to count a version up when a function takes one more argument. What the tables do not show, the meaning
-//! of what is passed, is counted by hand ([`SEMANTICS`]).
+//! The hash is computed when the engine is compiled, from the tables that the code generator uses,
+//! so a change of a signature changes it automatically. Changes of meaning that the tables do not
+//! show are counted by hand ([`SEMANTICS`]).
 
 use crate::call::{Extern, Purity};
 use crate::context::{Layout, MAX_DEPTH};
@@ -17,19 +17,21 @@ use std::fmt;
 use std::mem::{offset_of, size_of};
 use std::str::FromStr;
 
-/// Counts changes of meaning that leave every name, arity and layout as it was: what a helper does with its arguments,
-/// the codes of representations, displays and blamed arguments, the description's JSON.
+/// Version of the meaning of the interface, to be incremented for changes that leave names, arities
+/// and layouts unchanged: the effect of a helper, the codes of representations, displays and
+/// argument tables, the JSON of the description.
 pub const SEMANTICS: u64 = 4;
 
-/// The agreement between generated code and an engine. Written as sixteen hexadecimal digits.
+/// Hash of the interface between generated code and an engine, written as sixteen hexadecimal
+/// digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Fingerprint(pub u64);
 
 impl Fingerprint {
-    /// Of an engine that provides these functions.
+    /// Computes the fingerprint of an engine that provides these functions.
     pub const fn of(tables: &[&[Extern]]) -> Fingerprint {
         let mut hash = Hash::new().number(SEMANTICS);
-        // What generated code reads and writes itself.
+        // Data that generated code accesses itself.
         let words = [
             Layout::GRANTED,
             Layout::DEPTH,
@@ -38,7 +40,7 @@ impl Fingerprint {
             Layout::PLACE_END,
             MAX_DEPTH as usize,
             ERROR_SLOTS,
-            // What the engine reads of generated code.
+            // Data of generated code that the engine reads.
             size_of::<ModuleTable>(),
             offset_of!(ModuleTable, abi),
             offset_of!(ModuleTable, main),
@@ -95,7 +97,7 @@ impl FromStr for Fingerprint {
     }
 }
 
-// As text: readers of JSON keep no more than 53 bits of a number.
+// Serialize as text, because JSON readers keep at most 53 bits of a number.
 impl Serialize for Fingerprint {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
@@ -108,7 +110,8 @@ impl<'de> Deserialize<'de> for Fingerprint {
     }
 }
 
-/// FNV-1a: short, known, and can be computed by the compiler. It keeps apart what differs by accident, not by intent.
+/// FNV-1a hash, which is short and can be evaluated at compile time. It distinguishes accidental
+/// differences, not malicious ones.
 #[derive(Clone, Copy)]
 struct Hash(u64);
 
@@ -131,7 +134,7 @@ impl Hash {
         hash
     }
 
-    /// With its length, so that two texts do not run into each other.
+    /// Hashes the length too, so that adjacent texts cannot be confused.
     const fn text(self, text: &str) -> Hash {
         let bytes = text.as_bytes();
         let (mut hash, mut i) = (self.number(bytes.len() as u64), 0);
@@ -204,7 +207,7 @@ mod tests {
             assert!(!seen.contains(&other), "{other}");
             seen.push(other);
         }
-        // The name of an argument is for messages.
+        // The name of an argument affects only messages.
         let renamed: &[(&str, Shape)] = &[("text", Shape::String)];
         assert_eq!(same, Fingerprint::of(&[&[Extern { params: renamed, ..ROW }]]));
     }

@@ -1,7 +1,9 @@
-//! Values that do not fit in slots: strings, arrays and symbolic values, owned by the running instance.
+//! Values that do not fit in slots: strings, arrays and symbolic values, owned by the running
+//! instance.
 //!
-//! Arrays have value semantics: the program copies when it binds an array that something else still names
-//! (the compiler inserts the copies). Nothing is freed before the instance ends; models build once and small.
+//! Arrays have value semantics: the program copies an array when it binds one that has another name
+//! (the compiler inserts the copies). Nothing is freed before the instance ends, because models are
+//! built once and are small.
 
 use crate::call::{Repr, Slot};
 use crate::error::{Call, RuntimeError};
@@ -13,35 +15,38 @@ use std::sync::Arc;
 /// Index into the [`Heap`].
 pub type HeapId = u64;
 
-/// Evaluates one kernel. Implemented by machine code and by the interpreter, which agree bit for bit.
+/// Evaluator of a kernel. Machine code and the interpreter implement it with bitwise equal results.
 pub trait Kernel: Send + Sync {
-    /// `inputs` = `[Time, params..., captured...]`; `outputs.len()` = [`Kernel::outputs`].
+    /// Evaluates the kernel with `inputs` = `[Time, params..., captured...]`; `outputs.len()` =
+    /// [`Kernel::outputs`].
     fn eval(&self, inputs: &[f64], outputs: &mut [f64]);
-    /// Number of inputs.
+    /// Returns the number of inputs.
     fn inputs(&self) -> usize;
-    /// Number of outputs: values, then first time derivatives, then second time derivatives; where other kernels
-    /// take them as inputs, the same again of the derivative by each param that expressions are differentiated by.
-    /// Per derivative order 1 for a number, 3 for a vector, 12 for a transform (rotation row by row, translation).
+    /// Returns the number of outputs: values, then first, then second time derivatives. If other
+    /// kernels take them as inputs, also the same of the derivative by each param of
+    /// differentiation. Per derivative order 1 for a number, 3 for a vector, 12 for a transform
+    /// (rotation row by row, translation).
     fn outputs(&self) -> usize;
 }
 
-/// What a `:=` binding is at run time: its site's kernel, and the values it captured when the binding executed.
+/// Symbolic value of a `:=` binding: the kernel of its site, and the values captured when the
+/// binding executed.
 #[derive(Clone)]
 pub struct SymbolicValue {
     /// Index of the site in the module's kernel table.
     pub site: usize,
-    /// What it evaluates to: Number, Vector or Transform.
+    /// Representation of its value: Number, Vector or Transform.
     pub repr: Repr,
     pub kernel: Arc<dyn Kernel>,
-    /// Captured values as numbers, in the order of the site's captures. An observable captures as its index
-    /// and is replaced by its value at each step (see [`SymbolicValue::observables`]).
+    /// Captured values as numbers, in the order of the site's captures. An observable is captured
+    /// as its index and replaced by its value at each step (see [`SymbolicValue::observables`]).
     pub captured: Vec<f64>,
-    /// Positions in `captured` that hold indices of observables.
+    /// Positions in `captured` of indices of observables.
     pub observables: Vec<usize>,
-    /// Expressions captured, by the position in `captured` that stands for them. The kernel takes all that the kernel
-    /// of the expression gives.
+    /// Captured expressions, by their position in `captured`. The kernel takes all outputs of an
+    /// expression's kernel as inputs.
     pub parts: Vec<(usize, Arc<SymbolicValue>)>,
-    /// Expressions inside one another, this one included.
+    /// Nesting depth of expressions, including this one.
     depth: usize,
 }
 
@@ -58,19 +63,20 @@ impl SymbolicValue {
         SymbolicValue { site, repr, kernel, captured, observables, parts, depth }
     }
 
-    /// Expressions captured inside one another, this one included.
+    /// Returns the nesting depth of captured expressions, including this one.
     pub fn depth(&self) -> usize {
         self.depth
     }
 
-    /// What its kernel gives. `observed` is the value of an observable by index. `None` if the kernel takes other
-    /// inputs than these.
+    /// Evaluates its kernel. `observed` returns the value of an observable by index. `None` if the
+    /// kernel has other inputs.
     pub fn evaluate(&self, time: f64, params: &[f64], observed: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
         let inputs = self.inputs(time, params, observed)?;
         Some(self.outputs(&inputs))
     }
 
-    /// Indices of the observables that it depends on, itself or through the expressions that it captured.
+    /// Returns the indices of the observables that it depends on, directly or through captured
+    /// expressions.
     pub fn observes(&self) -> BTreeSet<usize> {
         let (mut found, mut seen) = (BTreeSet::new(), HashSet::new());
         let mut rest = vec![self];
@@ -83,7 +89,8 @@ impl SymbolicValue {
         found
     }
 
-    /// The kernel's inputs: time, params, then what was captured, an expression by what its own kernel gives.
+    /// Returns the kernel's inputs: time, params, then captured values, with the outputs of its
+    /// kernel for each expression.
     pub fn inputs(&self, time: f64, params: &[f64], observed: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
         self.inputs_with(time, params, observed, &mut HashMap::new())
     }
@@ -100,7 +107,7 @@ impl SymbolicValue {
         inputs.extend_from_slice(params);
         for (position, &captured) in self.captured.iter().enumerate() {
             if let Some((_, part)) = self.parts.iter().find(|(at, _)| *at == position) {
-                // One that several others captured is evaluated once.
+                // An expression that several others capture is evaluated once.
                 if !known.contains_key(&Arc::as_ptr(part)) {
                     let below = part.inputs_with(time, params, observed, known)?;
                     known.insert(Arc::as_ptr(part), part.outputs(&below));
@@ -122,22 +129,22 @@ impl SymbolicValue {
     }
 }
 
-/// A heap object.
+/// Heap object.
 #[derive(Clone)]
 pub enum Object {
     String(Arc<str>),
-    /// Flat slots of the elements; `stride` slots each.
+    /// Flat slots of the elements, `stride` slots each.
     Array {
         stride: usize,
         slots: Vec<Slot>,
     },
     Symbolic(Arc<SymbolicValue>),
-    /// An error being handled.
+    /// Caught error.
     Error(Arc<RuntimeError>),
 }
 
 impl Object {
-    /// Memory it takes, about.
+    /// Returns its approximate size, bytes.
     fn bytes(&self) -> u64 {
         let content = match self {
             Object::String(text) => text.len(),
@@ -157,10 +164,10 @@ impl Object {
     }
 }
 
-/// Memory of an object beside its content, bytes: its entry in the heap, and what an allocation takes beside what is asked for.
+/// Memory overhead of an object, bytes: its entry in the heap, and the overhead of an allocation.
 pub const OBJECT: u64 = size_of::<Object>() as u64 + 32;
 
-/// All heap objects of one instance.
+/// Heap objects of an instance.
 #[derive(Default)]
 pub struct Heap {
     objects: Vec<Object>,
@@ -174,12 +181,12 @@ impl Heap {
         (self.objects.len() - 1) as HeapId
     }
 
-    /// Memory that all objects take, about.
+    /// Returns the approximate memory of all objects, bytes.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }
 
-    /// Counts slots that were appended to an object.
+    /// Accounts for slots that were appended to an object.
     pub fn grown(&mut self, slots: usize) {
         self.bytes += (slots * size_of::<Slot>()) as u64;
     }
@@ -203,7 +210,7 @@ impl Heap {
         }
     }
 
-    /// The flat slots of an array and its stride.
+    /// Returns the flat slots of an array and its stride.
     pub fn array(&self, id: HeapId) -> Option<(&[Slot], usize)> {
         match self.get(id)? {
             Object::Array { stride, slots } => Some((slots, *stride)),
@@ -211,7 +218,7 @@ impl Heap {
         }
     }
 
-    /// The elements of an array of numbers.
+    /// Returns the elements of an array of numbers.
     pub fn numbers(&self, id: HeapId) -> Option<Vec<f64>> {
         let (slots, _) = self.array(id)?;
         Some(slots.iter().map(|&s| f64::from_bits(s)).collect())
@@ -224,10 +231,11 @@ impl Heap {
         }
     }
 
-    /// A copy of an array that shares nothing with the original. `element` is the element's representation.
+    /// Makes a deep copy of an array. `element` is the element's representation.
     ///
     /// # Errors
-    /// E0707 before more memory is taken than the limits allow; internal if the slots do not fit the representation.
+    /// E0707 before the memory exceeds the limit; internal if the slots do not fit the
+    /// representation.
     pub fn copy_array(
         &mut self,
         id: HeapId,
@@ -238,7 +246,7 @@ impl Heap {
         limits.check_memory(self.bytes + OBJECT + size_of_val(slots) as u64)?;
         let slots = slots.to_vec();
         let stride_of_parts = if contains_array(element) { stride } else { 0 };
-        // Inserted before its elements are copied, so that all that is taken counts.
+        // Insert the copy before its elements are copied, so that all its memory counts.
         let copy = self.insert(Object::Array { stride, slots });
         if stride_of_parts > 0 {
             let mut slots = self.take_slots(copy);
@@ -250,7 +258,7 @@ impl Heap {
         Ok(copy)
     }
 
-    /// Replaces the arrays inside a value by copies of their own.
+    /// Replaces the arrays inside a value by deep copies.
     ///
     /// # Errors
     /// As for [`Heap::copy_array`].
@@ -278,7 +286,7 @@ impl Heap {
         Ok(())
     }
 
-    /// Takes the slots out of an array that is in the making.
+    /// Takes the slots out of an array under construction.
     fn take_slots(&mut self, id: HeapId) -> Vec<Slot> {
         match self.get_mut(id) {
             Some(Object::Array { slots, .. }) => std::mem::take(slots),
@@ -286,7 +294,7 @@ impl Heap {
         }
     }
 
-    /// Puts them back.
+    /// Returns the slots to the array.
     fn put_slots(&mut self, id: HeapId, taken: Vec<Slot>) {
         if let Some(Object::Array { slots, .. }) = self.get_mut(id) {
             *slots = taken;
@@ -294,7 +302,7 @@ impl Heap {
     }
 }
 
-/// The error of slots that do not hold a value of their representation.
+/// Returns the error of slots that do not contain a value of their representation.
 fn not_copied() -> RuntimeError {
     malformed("not a value that can be copied")
 }

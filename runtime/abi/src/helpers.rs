@@ -1,7 +1,7 @@
-//! What programs need beside arithmetic: arrays, strings, symbolic values.
+//! Operations of programs besides arithmetic: arrays, strings, symbolic values.
 //!
-//! The interpreter calls these functions; machine code calls them through [`crate::entry`]. One definition each, so
-//! that both do the same and fail with the same words.
+//! The interpreter calls these functions directly, machine code through [`crate::entry`]. So both
+//! have the same behaviour and error messages.
 
 use crate::call::{Extern, Repr, Slot, Status};
 use crate::context::{Context, RuntimeError, codes};
@@ -11,7 +11,7 @@ use crate::limits::{ask_memory, check_memory};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A slot that does not hold what its representation says: the compiler's fault.
+/// Returns the error of a slot that does not match its representation: a defect of the compiler.
 pub fn malformed(what: &str) -> RuntimeError {
     RuntimeError::new(codes::INTERNAL, format!("internal error: {what}"), "please report it with the model")
 }
@@ -19,7 +19,7 @@ pub fn malformed(what: &str) -> RuntimeError {
 /// Calls a function of the engine.
 ///
 /// # Errors
-/// What the function fails with; its place is that of the call ([`Context::place`]) unless it named one.
+/// Those of the function, located at the call ([`Context::place`]) unless they have a location.
 pub fn call_extern(
     function: &Extern,
     ctx: &mut Context,
@@ -30,12 +30,13 @@ pub fn call_extern(
     if arguments.len() != expected || result.len() != function.result.slots() {
         return Err(malformed(&format!("`{}` is called with the wrong number of slots", function.symbol)));
     }
-    // SAFETY: the row promises a function of the calling convention with these many slots, which was just checked.
+    // SAFETY: the row guarantees a function of the calling convention with these numbers of slots,
+    // checked above.
     let status = unsafe { (function.call)(ctx, arguments.as_ptr(), result.as_mut_ptr()) };
     outcome(ctx, status)
 }
 
-/// The error behind a status.
+/// Converts a status to a result.
 ///
 /// # Errors
 /// [`Context::error`], if the status is not `Ok`.
@@ -48,7 +49,7 @@ pub fn outcome(ctx: &mut Context, status: i32) -> Result<(), RuntimeError> {
     Err(error)
 }
 
-/// A new array of elements of `stride` slots.
+/// Creates an array of elements of `stride` slots.
 ///
 /// # Errors
 /// E0707 if it takes too much memory.
@@ -57,7 +58,7 @@ pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> Result<H
     Ok(ctx.heap.insert(Object::Array { stride, slots }))
 }
 
-/// A new string.
+/// Creates a string.
 ///
 /// # Errors
 /// E0707 if it takes too much memory.
@@ -77,19 +78,19 @@ fn length(slots: usize, stride: usize) -> usize {
     slots.checked_div(stride).unwrap_or(0)
 }
 
-/// Number of elements of an array.
+/// Returns the number of elements of an array.
 ///
 /// # Errors
-/// Internal, if it is none.
+/// Internal if it is not an array.
 pub fn array_length(ctx: &mut Context, id: HeapId) -> Result<f64, RuntimeError> {
     let (slots, stride) = array(ctx, id)?;
     Ok(length(slots.len(), stride) as f64)
 }
 
-/// The slots of an element.
+/// Returns the slots of an element.
 ///
 /// # Errors
-/// E0701 unless the index is a whole number from 0 to the length less one.
+/// E0701 if the index is not an integer from 0 to the length minus one.
 pub fn element(ctx: &mut Context, id: HeapId, index: f64) -> Result<&mut [Slot], RuntimeError> {
     let (slots, stride) = array(ctx, id)?;
     let range = element_range(index, slots.len(), stride)?;
@@ -99,7 +100,7 @@ pub fn element(ctx: &mut Context, id: HeapId, index: f64) -> Result<&mut [Slot],
 fn element_range(index: f64, slots: usize, stride: usize) -> Result<Range<usize>, RuntimeError> {
     let length = length(slots, stride);
     if index >= 0.0 && index < length as f64 && index.fract() == 0.0 {
-        // Whole and less than a length that is in memory, so the conversion is exact.
+        // The index is an integer below a length in memory, so the conversion is exact.
         let start = index as usize * stride;
         return Ok(start..start + stride);
     }
@@ -120,7 +121,7 @@ fn element_range(index: f64, slots: usize, stride: usize) -> Result<Range<usize>
 /// Appends an element to an array.
 ///
 /// # Errors
-/// Internal, if it is no array of such elements; E0707 if it takes too much memory.
+/// Internal if it is not an array of such elements; E0707 if it takes too much memory.
 pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), RuntimeError> {
     let (_, stride) = array(ctx, id)?;
     if value.len() != stride {
@@ -133,10 +134,10 @@ pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), Runtime
     Ok(())
 }
 
-/// Replaces the arrays inside a value by copies that share nothing with the originals.
+/// Replaces the arrays inside a value by deep copies.
 ///
 /// # Errors
-/// Internal, if the slots do not hold such a value; E0707 if it takes too much memory.
+/// Internal if the slots do not contain such a value; E0707 if it takes too much memory.
 pub fn copy(ctx: &mut Context, repr: &Repr, slots: &mut [Slot]) -> Result<(), RuntimeError> {
     ctx.heap.copy_value(slots, repr, &ctx.limits)
 }
@@ -154,7 +155,7 @@ pub fn append_text(ctx: &mut Context, text: &str) -> Result<(), RuntimeError> {
 /// Appends a value to the string under construction ([`Context::text`]).
 ///
 /// # Errors
-/// Internal, if the slots do not hold such a value; E0707 if its text takes too much memory.
+/// Internal if the slots do not contain such a value; E0707 if its text takes too much memory.
 pub fn append_value(
     ctx: &mut Context,
     repr: &Repr,
@@ -168,7 +169,7 @@ pub fn append_value(
     text.append(&ctx.heap, repr, slots, display)
 }
 
-/// Makes a string of the text under construction and begins anew.
+/// Creates a string from the text under construction and clears the text.
 ///
 /// # Errors
 /// E0707 if it takes too much memory.
@@ -179,10 +180,10 @@ pub fn finish_text(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
     Ok(ctx.heap.string(&text))
 }
 
-/// Whether two values are equal: numbers as IEEE 754 says, the rest by content.
+/// Compares two values: numbers as in IEEE 754, others by content.
 ///
 /// # Errors
-/// Internal, if the slots do not hold such values.
+/// Internal if the slots do not contain such values.
 pub fn equal(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Result<bool, RuntimeError> {
     equal_values(ctx, repr, a, b).ok_or_else(|| malformed("not values that can be compared"))
 }
@@ -223,7 +224,7 @@ fn equal_values(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Option<bo
     }
 }
 
-/// How a captured slot becomes a number of [`SymbolicValue::captured`].
+/// Conversion of a captured slot to a number of [`SymbolicValue::captured`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum CaptureKind {
@@ -238,7 +239,7 @@ pub enum CaptureKind {
 }
 
 impl CaptureKind {
-    /// The kinds of the slots of one capture.
+    /// Returns the kinds of the slots of one capture.
     pub fn of_slots(repr: &Repr, observable: bool) -> impl Iterator<Item = CaptureKind> {
         let kind = match repr {
             _ if observable => CaptureKind::Observable,
@@ -250,13 +251,14 @@ impl CaptureKind {
     }
 }
 
-/// Expressions captured inside one another.
+/// Maximum nesting depth of captured expressions.
 const MOST_PARTS: usize = 1000;
 
-/// Executes a `:=`: a symbolic value of the site with the captured slots. `kinds` holds [`CaptureKind`]s as bytes.
+/// Executes a `:=`: creates a symbolic value of the site with the captured slots. `kinds` contains
+/// [`CaptureKind`]s as bytes.
 ///
 /// # Errors
-/// Internal, if the module has no kernel for the site.
+/// Internal if the module has no kernel for the site.
 pub fn make_symbolic(
     ctx: &mut Context,
     site: usize,
@@ -289,11 +291,11 @@ pub fn make_symbolic(
     Ok(id)
 }
 
-/// The value of a symbolic value at a time, at present params, without its derivatives. Brackets, which are a tuple in
-/// the symbolic value, become arrays where `repr` has arrays.
+/// Evaluates a symbolic value at a time with the present params, without its derivatives. Brackets,
+/// which are a tuple in the symbolic value, become arrays where `repr` has arrays.
 ///
 /// # Errors
-/// E0706 if it depends on an observable; internal if `id` is no symbolic value of this size.
+/// E0706 if it depends on an observable; internal if `id` is not a symbolic value of this size.
 pub fn eval_symbolic(
     ctx: &mut Context,
     id: HeapId,
@@ -320,7 +322,8 @@ pub fn eval_symbolic(
     Ok(())
 }
 
-/// Puts a kernel's numbers into slots: `from` is how the kernel gives them, `to` how the program has them.
+/// Stores a kernel's numbers in slots: `from` is the representation of the kernel, `to` that of the
+/// program.
 fn pack(
     ctx: &mut Context,
     from: &Repr,
@@ -352,10 +355,10 @@ fn pack(
     Ok(())
 }
 
-/// Reads the slots of a param; `offset` counts the slots of the params before it.
+/// Reads the slots of a param; `offset` is the number of slots of the params before it.
 ///
 /// # Errors
-/// Internal, if the params have not been set.
+/// Internal if the params have not been set.
 pub fn param(ctx: &Context, offset: usize, result: &mut [Slot]) -> Result<(), RuntimeError> {
     let slots = ctx
         .param_slots
@@ -365,7 +368,8 @@ pub fn param(ctx: &Context, offset: usize, result: &mut [Slot]) -> Result<(), Ru
     Ok(())
 }
 
-/// The value that stands for the result of a function that was not called: zeros, an empty string, an empty array.
+/// Returns the placeholder for the result of a function that was not called: zeros, an empty
+/// string, an empty array.
 pub fn zero_value(ctx: &mut Context, repr: &Repr) -> Vec<Slot> {
     match repr {
         Repr::String => vec![ctx.heap.string("")],

@@ -1,7 +1,8 @@
-//! Functions that the program which embeds a model provides in place of the model's own.
+//! Host functions: functions that the embedding program provides in place of the model's own.
 //!
-//! A model declares `host function friction(in v: Velocity) -> Number { return 0.05; }`. Wherever it is called, the context is
-//! asked first ([`HostFunctions`]); if nobody provides the function, its body runs. A closure of ordinary types is one:
+//! A model declares `host function friction(in v: Velocity) -> Number { return 0.05; }`. A call
+//! first queries the context ([`HostFunctions`]); if the function is not provided, its body runs.
+//! Closures of ordinary types are host functions:
 //!
 //! ```
 //! use calyx_abi::host::HostFunctions;
@@ -14,8 +15,8 @@
 //! assert_eq!(functions.names().collect::<Vec<_>>(), ["friction", "lookup"]);
 //! ```
 //!
-//! Numbers are in coherent SI units. What the closure returns as an error, and a panic of it, is an error of the model at the
-//! call, which the model may catch.
+//! Numbers are in coherent SI units. An error or a panic of the closure is an error of the model at
+//! the call, which the model may catch.
 
 use crate::call::{Repr, Slot};
 use crate::context::{Context, RuntimeError, codes};
@@ -28,7 +29,7 @@ use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-/// A call of a function that the embedding program provides.
+/// Call of a host function.
 pub struct HostCall<'c> {
     context: &'c mut Context,
     arguments: &'c [Slot],
@@ -36,10 +37,10 @@ pub struct HostCall<'c> {
 }
 
 impl HostCall<'_> {
-    /// The next argument, in order of the declaration.
+    /// Returns the next argument, in order of the declaration.
     ///
     /// # Errors
-    /// Internal, if it is of another type.
+    /// Internal if it has another type.
     pub fn argument<T: Value>(&mut self) -> Result<T, RuntimeError> {
         let split = self.arguments.split_at_checked(T::SHAPE.slots());
         let (now, rest) = split.ok_or_else(|| malformed("a host function with fewer arguments"))?;
@@ -47,10 +48,10 @@ impl HostCall<'_> {
         T::read(self.context, now).ok_or_else(|| malformed("an argument of another type"))
     }
 
-    /// Gives the result.
+    /// Sets the result.
     ///
     /// # Errors
-    /// Internal, if it is of another type.
+    /// Internal if it has another type.
     pub fn give<T: Value>(&mut self, value: T) -> Result<(), RuntimeError> {
         if self.result.len() != T::SHAPE.slots() {
             return Err(malformed("a host function with another result"));
@@ -59,33 +60,36 @@ impl HostCall<'_> {
         Ok(())
     }
 
-    /// The slots of all arguments that were not taken, and those of the result: for callers whose types are known at run time
-    /// only. A number is the bits of an `f64`, a truth value 0 or 1, a vector three numbers.
+    /// Returns the slots of all arguments that were not taken, and those of the result, for callers
+    /// whose types are known only at run time. A number is the bits of an `f64`, a Boolean 0 or 1,
+    /// a vector three numbers.
     pub fn slots(&mut self) -> (&[Slot], &mut [Slot]) {
         (self.arguments, self.result)
     }
 }
 
-/// A function that the embedding program provides. [`HostClosure`] makes one of a closure.
+/// Host function of the embedding program. [`HostClosure`] creates one from a closure.
 pub trait HostFunction: Send + Sync {
-    /// Takes the arguments and gives the result.
+    /// Takes the arguments and sets the result.
     ///
     /// # Errors
-    /// Why there is no result: an error of the model at the call.
+    /// The reason why there is no result: an error of the model at the call.
     fn call(&self, call: &mut HostCall) -> Result<(), RuntimeError>;
 }
 
-/// The error of a function that the embedding program provides.
+/// Returns the error of a host function.
 pub fn failed(message: impl Into<String>) -> RuntimeError {
     RuntimeError::new(codes::HOST, message, "the program that runs the model provides this function")
 }
 
-/// What a closure may return: a value, or a `Result` of one whose error can be shown.
+/// Return type of a closure: a value, or a `Result` whose error implements `Display`.
 pub trait HostResult {
     type Value: Value;
 
+    /// Converts to the value.
+    ///
     /// # Errors
-    /// What the closure returned as one.
+    /// The error of the closure.
     fn into_value(self) -> Result<Self::Value, RuntimeError>;
 }
 
@@ -103,14 +107,14 @@ impl<T: Value, E: fmt::Display> HostResult for Result<T, E> {
     }
 }
 
-/// A closure of up to six arguments (`f64`, `bool`, `String`, `[f64; 3]`, or a `Vec` of these) that returns one of these
-/// or a `Result` of one. `Signature` is found by the compiler.
+/// Closure of up to six arguments (`f64`, `bool`, `String`, `[f64; 3]`, or a `Vec` of these) that
+/// returns one of these or a `Result` of one. The compiler infers `Signature`.
 pub trait HostClosure<Signature>: Send + Sync + 'static {
-    /// The closure with what it takes and gives.
+    /// Returns the closure with its types.
     fn provided(self) -> Provided;
 }
 
-/// A function of known types.
+/// Host function with its types.
 #[derive(Clone)]
 pub struct Provided {
     parameters: Vec<Repr>,
@@ -119,13 +123,13 @@ pub struct Provided {
 }
 
 impl Provided {
-    /// A function whose types are known at run time only.
+    /// Creates a function whose types are known only at run time.
     pub fn new(parameters: Vec<Repr>, result: Repr, call: Arc<dyn HostFunction>) -> Provided {
         Provided { parameters, result, call }
     }
 }
 
-/// As a closure is written: `|f64, Vec<f64>| -> f64`.
+/// Formats the types like a closure: `|f64, Vec<f64>| -> f64`.
 impl fmt::Display for Provided {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write_closure(f, &self.parameters, &self.result)
@@ -137,7 +141,7 @@ fn write_closure(f: &mut impl fmt::Write, parameters: &[Repr], result: &Repr) ->
     write!(f, "|{}| -> {}", parameters.join(", "), rust_type(result))
 }
 
-/// The Rust type of a representation.
+/// Returns the Rust type of a representation.
 fn rust_type(repr: &Repr) -> String {
     match repr {
         Repr::Unit => "()".into(),
@@ -185,28 +189,29 @@ macro_rules! closures {
 
 closures! { () (A) (A, B) (A, B, C) (A, B, C, D) (A, B, C, D, E) (A, B, C, D, E, G) }
 
-/// What an embedding program provides, by name. Cheap to clone.
+/// Host functions of an embedding program, by name. Cheap to clone.
 #[derive(Clone, Default)]
 pub struct HostFunctions(Arc<BTreeMap<String, Provided>>);
 
-/// Why what is provided does not fit a model.
+/// Mismatch between provided functions and a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unfit {
     pub message: String,
-    /// What to do about it.
+    /// Remedy.
     pub help: String,
 }
 
-/// What is provided of a model's host functions, in the order of its description.
+/// Provided host functions of a model, in the order of its description.
 pub type Resolved = Arc<[Option<Arc<dyn HostFunction>>]>;
 
 impl HostFunctions {
-    /// Provides a closure in place of the model's function of this name, and of one provided before.
+    /// Provides a closure in place of the model's function of this name, and of one provided
+    /// before.
     pub fn add<S>(&mut self, name: impl Into<String>, closure: impl HostClosure<S>) {
         self.add_provided(name, closure.provided());
     }
 
-    /// As [`HostFunctions::add`], for a function whose types are known at run time only.
+    /// Provides a function whose types are known only at run time, like [`HostFunctions::add`].
     pub fn add_provided(&mut self, name: impl Into<String>, function: Provided) {
         Arc::make_mut(&mut self.0).insert(name.into(), function);
     }
@@ -215,7 +220,7 @@ impl HostFunctions {
         self.0.keys().map(String::as_str)
     }
 
-    /// What of it a model calls.
+    /// Selects the functions that a model calls.
     ///
     /// # Errors
     /// The model has no such function, or one with other arguments or another result.
@@ -246,7 +251,7 @@ fn fits(function: &HostFunctionDescription, provided: &Provided) -> Result<(), U
         return Ok(());
     }
     let mut expected = String::new();
-    // A string takes everything.
+    // Writing to a string cannot fail.
     let _ = write_closure(&mut expected, &declared, &function.result.repr);
     Err(Unfit {
         message: format!("`{}` is given as `{provided}`, and the model declares `{function}`", function.name),
@@ -254,7 +259,7 @@ fn fits(function: &HostFunctionDescription, provided: &Provided) -> Result<(), U
     })
 }
 
-/// As it is declared: `host function friction(in v: Velocity) -> Number`.
+/// Formats the declaration: `host function friction(in v: Velocity) -> Number`.
 impl fmt::Display for HostFunctionDescription {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let parameter = |value: &HostValueDescription| format!("in {}: {}", value.name, value.ty);
@@ -263,10 +268,11 @@ impl fmt::Display for HostFunctionDescription {
     }
 }
 
-/// Calls a host function if somebody provides it. Otherwise tells so and leaves the result alone.
+/// Calls a host function if it is provided; returns whether it was called. Otherwise the result is
+/// unchanged.
 ///
 /// # Errors
-/// What the function fails with, its panics included; or that the run is to end.
+/// Those of the function, including its panics, or the cancellation of the run.
 pub fn ask(
     context: &mut Context,
     function: usize,
@@ -276,7 +282,8 @@ pub fn ask(
     let Some(Some(provided)) = context.host_functions.get(function).cloned() else { return Ok(false) };
     limits::check(context)?;
     let mut call = HostCall { context, arguments, result };
-    // What a closure leaves half done is its own; of the context it sees what it reads and writes through the call.
+    // A panic may leave only the closure's own state inconsistent; it accesses the context only
+    // through the call.
     let called = catch_unwind(AssertUnwindSafe(|| provided.call(&mut call)));
     called.unwrap_or_else(|payload| {
         Err(failed(format!("the function panicked: {}", crate::stack::panic_message(payload.as_ref()))))

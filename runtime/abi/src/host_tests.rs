@@ -1,4 +1,4 @@
-//! Closures as host functions, without a program.
+//! Tests of closures as host functions, without a program.
 
 use super::*;
 use crate::description::UnitDescription;

@@ -1,12 +1,16 @@
-//! What generated code and the engine must agree on, and nothing else.
+//! Interface between generated code and the engine.
 //!
-//! Every crate of the workspace may see this one; it sees none of ours.
-//! It holds the one scalar definition of each numeric operation ([`math`]), the calling convention
-//! ([`call`]), the run-time values behind opaque slots ([`heap`]), the state a running model carries
-//! ([`context`]), its errors ([`error`], [`failure`]) and limits ([`limits`], [`cancel`]), the helpers that programs need beside
-//! arithmetic ([`helpers`], as machine code calls them in [`entry`]), how values are shown ([`display`], [`text`],
-//! [`units`]) and read ([`quantity`]), the description that every compiled model brings along ([`description`]), and the
-//! number by which code knows an engine that keeps the same agreement ([`fingerprint`]).
+//! Every crate of the workspace may depend on this one; it depends on none of them.
+//!
+//! - [`math`]: the single scalar definition of each numeric operation.
+//! - [`call`]: calling convention. [`heap`]: run-time values behind slots.
+//! - [`context`]: state of a running model. [`error`], [`failure`]: its errors. [`limits`],
+//!   [`cancel`]: its limits.
+//! - [`helpers`]: operations of programs besides arithmetic; [`entry`] exports them to machine
+//!   code.
+//! - [`display`], [`text`], [`units`]: output of values. [`quantity`]: their input.
+//! - [`description`]: description that every compiled model contains.
+//! - [`fingerprint`]: hash by which code recognizes an engine with the same interface.
 
 pub mod attribution;
 pub mod blame;

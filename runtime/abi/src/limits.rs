@@ -1,30 +1,33 @@
-//! What keeps a running program in bounds: cancellation, the count of basic blocks, time, memory, and depth of calls.
+//! Limits of a running program: cancellation, number of basic blocks, time, memory, and depth of
+//! calls.
 
 use crate::context::{Context, MAX_DEPTH};
 use crate::error::{RuntimeError, codes};
 use std::time::{Duration, Instant};
 
-/// Basic blocks between two looks at the limits.
+/// Number of basic blocks between two checks of the limits.
 const GRANT: u64 = 4096;
 
-/// What a run may use. Without a limit it may use everything.
+/// Limits of a run; `None` is unlimited.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Limits {
-    /// When it must have ended, and how long it was given.
+    /// Deadline, and the time limit that it follows from.
     pub time: Option<(Instant, Duration)>,
     /// Bytes that the program's strings, arrays, expressions and tables may take together.
     pub memory: Option<u64>,
 }
 
 impl Limits {
-    /// Limits of a run that begins now.
+    /// Creates the limits of a run that starts now.
     pub fn from_now(time: Option<Duration>, memory: Option<u64>) -> Limits {
         let end = |given: Duration| Some((Instant::now().checked_add(given)?, given));
         Limits { time: time.and_then(end), memory }
     }
 
+    /// Checks the time.
+    ///
     /// # Errors
-    /// E0707 if the time is over.
+    /// E0707 after the deadline.
     pub fn check_time(&self) -> Result<(), RuntimeError> {
         match self.time {
             Some((end, given)) if Instant::now() >= end => Err(RuntimeError::new(
@@ -36,8 +39,10 @@ impl Limits {
         }
     }
 
+    /// Checks an amount of memory.
+    ///
     /// # Errors
-    /// E0707 if this many bytes are too many.
+    /// E0707 if it exceeds the limit.
     pub fn check_memory(&self, bytes: u64) -> Result<(), RuntimeError> {
         match self.memory {
             Some(limit) if bytes > limit => Err(RuntimeError::new(
@@ -50,7 +55,7 @@ impl Limits {
     }
 }
 
-/// `2 GB`, `512 MB`, `100 bytes`: in the largest unit that leaves no fraction.
+/// Formats a size like `2 GB`, `512 MB`, `100 bytes`, in the largest unit without a fraction.
 fn shown_bytes(bytes: u64) -> String {
     let units = [(1_000_000_000, "GB"), (1_000_000, "MB"), (1000, "kB")];
     match units.into_iter().find(|(size, _)| bytes >= *size && bytes.is_multiple_of(*size)) {
@@ -59,7 +64,7 @@ fn shown_bytes(bytes: u64) -> String {
     }
 }
 
-/// Ends a program that was cancelled or has used up its time.
+/// Checks for cancellation and the time limit.
 ///
 /// # Errors
 /// E0704 or E0707.
@@ -70,7 +75,7 @@ pub fn check(ctx: &Context) -> Result<(), RuntimeError> {
     ctx.limits.check_time()
 }
 
-/// Ends a program whose values take too much memory.
+/// Checks the memory of the program's values.
 ///
 /// # Errors
 /// E0707.
@@ -78,7 +83,7 @@ pub fn check_memory(ctx: &Context) -> Result<(), RuntimeError> {
     ask_memory(ctx, 0)
 }
 
-/// Ends a program whose values would take too much memory with so many bytes more. Asked before they are allocated.
+/// Checks the memory of the program's values with an allocation of `more` bytes, before it is made.
 ///
 /// # Errors
 /// E0707.
@@ -106,14 +111,14 @@ pub fn refuel(ctx: &mut Context) -> Result<(), RuntimeError> {
     Ok(())
 }
 
-/// Counts the basic block about to be entered; `false` if [`refuel`] must be asked first.
+/// Counts the basic block about to be entered; `false` if [`refuel`] must be called first.
 pub fn enter_block(ctx: &mut Context) -> bool {
     let granted = ctx.granted > 0;
     ctx.granted = ctx.granted.saturating_sub(1);
     granted
 }
 
-/// The error of a call beyond [`MAX_DEPTH`].
+/// Returns the error of a call beyond [`MAX_DEPTH`].
 pub fn too_deep() -> RuntimeError {
     RuntimeError::new(
         codes::DEPTH,

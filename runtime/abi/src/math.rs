@@ -1,27 +1,28 @@
-//! The one scalar definition of every numeric operation.
+//! The single scalar definition of every numeric operation.
 //!
-//! Constant folding, the interpreters, machine code in memory and object files all use these, so that they agree
-//! bit for bit (the sign and payload of a NaN excepted: IEEE 754 leaves them open). Sine and cosine are our own
-//! ([`crate::trigonometry`]); the other transcendental functions come from `libm` (pure Rust), never from the system.
-//! Multiply-adds are never fused.
+//! Constant folding, the interpreters, machine code in memory and object files all use these
+//! definitions, so their results are bitwise equal (except for the sign and payload of a NaN, which
+//! IEEE 754 leaves open). Sine and cosine are implemented in [`crate::trigonometry`]; the other
+//! transcendental functions come from `libm` (pure Rust), never from the system. Multiply-adds are
+//! never fused.
 //!
-//! `+ - * /` and [`sqrt`] are IEEE 754 operations rounded to nearest, so machine code uses its own instructions;
-//! the same holds for [`abs`], [`min`], [`max`] and the comparisons. Everything else is *called*: the macro below
-//! makes a symbol `calyx_math_<name>` of C linkage for it, and its row in [`FUNCTIONS`].
+//! `+ - * /` and [`sqrt`] are IEEE 754 operations rounded to nearest, so machine code uses its own
+//! instructions; likewise [`abs`], [`min`], [`max`] and the comparisons. All other operations are
+//! *called*: the macro below defines a symbol `calyx_math_<name>` of C linkage for each, and its
+//! row in [`FUNCTIONS`].
 //!
-//! Truth values are 1.0 and 0.0; whatever is not equal to zero, NaN included, counts as true.
-//! No operation traps.
+//! Booleans are 1.0 and 0.0; any value not equal to zero, including NaN, counts as true. No
+//! operation traps.
 
-/// The largest deviation of the length of a unit vector from one. Rounding its components to six
-/// digits makes less.
+/// Tolerance of the length of a unit vector. It covers components rounded to six digits.
 pub const UNIT_TOLERANCE: f64 = 1e-6;
 
-/// Whether a vector of this length counts as a unit vector.
+/// Returns whether a vector of this length counts as a unit vector.
 pub fn is_unit(length: f64) -> bool {
     (length - 1.0).abs() <= UNIT_TOLERANCE
 }
 
-/// A truth value as a number.
+/// Converts a Boolean to a number.
 #[inline]
 pub fn truth(condition: bool) -> f64 {
     if condition { 1.0 } else { 0.0 }
@@ -38,7 +39,8 @@ pub fn sqrt(x: f64) -> f64 {
     x.sqrt()
 }
 
-/// The lesser of two numbers; NaN if either is NaN; `-0 < +0` (`minimum` of IEEE 754-2019).
+/// Returns the smaller of two numbers; NaN if either is NaN; `-0 < +0` (`minimum` of IEEE
+/// 754-2019).
 #[inline]
 pub fn min(a: f64, b: f64) -> f64 {
     if a < b {
@@ -46,14 +48,15 @@ pub fn min(a: f64, b: f64) -> f64 {
     } else if b < a {
         b
     } else if a == b {
-        // Equal numbers differ in bits only as zeros of unlike sign: the negative one wins.
+        // Equal numbers have different bits only if they are zeros of opposite sign: the negative
+        // one is the minimum.
         f64::from_bits(a.to_bits() | b.to_bits())
     } else {
         a + b
     }
 }
 
-/// The greater of two numbers; NaN if either is NaN; `-0 < +0` (`maximum` of IEEE 754-2019).
+/// Returns the larger of two numbers; NaN if either is NaN; `-0 < +0` (`maximum` of IEEE 754-2019).
 #[inline]
 pub fn max(a: f64, b: f64) -> f64 {
     if a > b {
@@ -79,7 +82,7 @@ pub fn less_equal(a: f64, b: f64) -> f64 {
     truth(a <= b)
 }
 
-/// `a == b`; false if either is NaN; zeros of unlike sign are equal.
+/// `a == b`; false if either is NaN; zeros of opposite sign are equal.
 #[inline]
 pub fn equal(a: f64, b: f64) -> f64 {
     truth(a == b)
@@ -100,7 +103,7 @@ pub fn or(a: f64, b: f64) -> f64 {
     truth(a != 0.0 || b != 0.0)
 }
 
-/// `a` where the condition is true, else `b`.
+/// `a` if the condition is true, else `b`.
 #[inline]
 pub fn select(condition: f64, a: f64, b: f64) -> f64 {
     if condition != 0.0 { a } else { b }
@@ -108,11 +111,11 @@ pub fn select(condition: f64, a: f64, b: f64) -> f64 {
 
 pub use crate::trigonometry::{sincos, sincos_columns};
 
-/// `x` to a whole power from -2 to 8 by products; `None` for any other exponent. This is how [`pow`] has these powers
-/// too, and how expressions write them, so that all have the same bits.
+/// Returns `x` to an integer power from -2 to 8 by products; `None` for any other exponent. [`pow`]
+/// and expressions compute these powers in the same way, so all have the same bits.
 ///
-/// Squares are exact to half a unit in the last place, the eighth power to four. Where a product overflows or
-/// underflows on the way, so does the result.
+/// The error of squares is at most half a unit in the last place, that of the eighth power four
+/// units. If an intermediate product overflows or underflows, so does the result.
 #[inline]
 pub fn whole_power(x: f64, exponent: f64) -> Option<f64> {
     let square = x * x;
@@ -133,23 +136,24 @@ pub fn whole_power(x: f64, exponent: f64) -> Option<f64> {
     })
 }
 
-/// A function as machine code calls it.
+/// Function as called by machine code.
 #[derive(Clone, Copy, Debug)]
 pub enum MathFn {
     Unary(extern "C" fn(f64) -> f64),
     Binary(extern "C" fn(f64, f64) -> f64),
-    /// Angle, where to store the sine, where to store the cosine.
+    /// Arguments: angle, pointers to the sine and the cosine.
     ///
     /// Calling it is safe if both pointers are valid for writing an `f64`.
     Sincos(unsafe extern "C" fn(f64, *mut f64, *mut f64)),
-    /// Angles, how many, where to store the sines, where to store the cosines.
+    /// Arguments: pointer to the angles, their number, pointers to the sines and the cosines.
     ///
-    /// Calling it is safe if as many `f64` are there, and may be written, and the three do not overlap.
+    /// Calling it is safe if the three arrays have this length, the results are writable, and they
+    /// do not overlap.
     SincosColumns(unsafe extern "C" fn(*const f64, usize, *mut f64, *mut f64)),
 }
 
 impl MathFn {
-    /// Address, for a table of symbols.
+    /// Returns the address, for a symbol table.
     pub fn address(self) -> *const u8 {
         match self {
             MathFn::Unary(function) => function as *const u8,
@@ -203,14 +207,16 @@ called! {
     Unary exp(x) = calyx_math_exp { libm::exp(x) }
     /// Natural logarithm; `log(0) = -inf`, NaN below zero.
     Unary log(x) = calyx_math_log { libm::log(x) }
-    /// Greatest whole number not above `x`.
+    /// Largest integer not above `x`.
     Unary floor(x) = calyx_math_floor { x.floor() }
-    /// Least whole number not below `x`.
+    /// Smallest integer not below `x`.
     Unary ceil(x) = calyx_math_ceil { x.ceil() }
-    /// Nearest whole number; halves away from zero, as C does: `round(2.5) = 3`, `round(-2.5) = -3`.
+    /// Nearest integer; halves are rounded away from zero, as in C: `round(2.5) = 3`, `round(-2.5)
+    /// = -3`.
     Unary round(x) = calyx_math_round { x.round() }
     /// `x` to the power `y`, with the conventions of C: `pow(x, 0) = pow(1, y) = 1` even for NaN,
-    /// NaN for a negative `x` and a `y` that is not whole. Small whole powers are products ([`whole_power`]).
+    /// NaN for a negative `x` and a non-integer `y`. Small integer powers are products
+    /// ([`whole_power`]).
     Binary pow(x, y) = calyx_math_pow {
         match whole_power(x, y) {
             Some(power) => power,
@@ -221,24 +227,25 @@ called! {
     Binary atan2(y, x) = calyx_math_atan2 { libm::atan2(y, x) }
 }
 
-/// [`sincos`] as machine code calls it.
+/// [`sincos`] for machine code.
 ///
 /// # Safety
-/// `sine` and `cosine` are valid for writing an `f64`.
+/// `sine` and `cosine` must be valid for writing an `f64`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_math_sincos(x: f64, sine: *mut f64, cosine: *mut f64) {
     let (s, c) = sincos(x);
-    // SAFETY: the caller promises that both may be written.
+    // SAFETY: the caller guarantees that both are writable.
     unsafe {
         sine.write(s);
         cosine.write(c);
     }
 }
 
-/// [`sincos_columns`] as machine code calls it.
+/// [`sincos_columns`] for machine code.
 ///
 /// # Safety
-/// `angles` is valid for reading `count` numbers, `sines` and `cosines` for writing as many; none overlap.
+/// `angles` must be valid for reading `count` numbers, `sines` and `cosines` for writing as many;
+/// they must not overlap.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_math_sincos_columns(
     angles: *const f64,
@@ -246,7 +253,7 @@ pub unsafe extern "C" fn calyx_math_sincos_columns(
     sines: *mut f64,
     cosines: *mut f64,
 ) {
-    // SAFETY: the caller promises it.
+    // SAFETY: guaranteed by the caller.
     let (angles, sines, cosines) = unsafe {
         (
             std::slice::from_raw_parts(angles, count),

@@ -1,12 +1,13 @@
-//! Values given as text: `0.5 mm`, `1000 lbf*inch`, `10 / inch`, `2e-3`, with the units of the language.
+//! Parser of quantities given as text: `0.5 mm`, `1000 lbf*inch`, `10 / inch`, `2e-3`, with the
+//! units of the language.
 
 use crate::description::{DimensionDescription, Exponents, OWN_BASES, UnitDescription};
 use crate::units::to_si;
 
-/// Of a pure number.
+/// Exponents of a dimensionless number.
 pub const PURE: Exponents = [(0, 1); 5 + OWN_BASES];
 
-/// A number with its dimension, in SI. `unit` is false if no unit was given.
+/// Number in SI with its dimension. `unit` is false if no unit was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
     pub value: f64,
@@ -14,17 +15,17 @@ pub struct Quantity {
     pub unit: bool,
 }
 
-/// Reads `NUMBER [UNIT]` where UNIT is names with whole exponents, joined by `*` and `/`.
-/// The error says what was not understood.
+/// Parses `NUMBER [UNIT]`, where UNIT consists of names with integer exponents, joined by `*` and
+/// `/`. The error describes the problem.
 pub fn parse(text: &str, units: &[UnitDescription]) -> Result<Quantity, String> {
     let (number, unit) = split_number(text.trim())?;
     with_unit(number, unit, units)
 }
 
-/// A number in a unit as [`parse`] reads it; an empty text is no unit.
+/// Converts a number with a unit like [`parse`]; an empty text is no unit.
 ///
 /// # Errors
-/// What was not understood.
+/// A description of the problem.
 pub fn with_unit(number: f64, unit: &str, units: &[UnitDescription]) -> Result<Quantity, String> {
     let mut quantity = Quantity { value: number, dimension: PURE, unit: false };
     let mut rest = unit;
@@ -47,7 +48,7 @@ pub fn with_unit(number: f64, unit: &str, units: &[UnitDescription]) -> Result<Q
         let (exponent, after) = split_exponent(after)?;
         let exponent = if divide { -exponent } else { exponent };
         let factor = unit.factor.powi(exponent);
-        // As the compiler reads the literal: the unit right after the number is part of it.
+        // As in the compiler, the unit right after the number is part of the literal.
         quantity.value = if quantity.unit { quantity.value * factor } else { to_si(quantity.value, factor) };
         for (sum, part) in quantity.dimension.iter_mut().zip(unit.dimension) {
             *sum = add(*sum, (part.0 * exponent, part.1));
@@ -58,12 +59,12 @@ pub fn with_unit(number: f64, unit: &str, units: &[UnitDescription]) -> Result<Q
     Ok(quantity)
 }
 
-/// The longest prefix that is a number.
+/// Splits off the longest prefix that is a number.
 fn split_number(text: &str) -> Result<(f64, &str), String> {
     (1..=text.len())
         .rev()
         .filter(|&end| text.is_char_boundary(end))
-        // `inf` and `nan` are not numbers anybody gives on purpose.
+        // Reject `inf` and `nan`, which are not intended as numbers.
         .filter(|&end| !text[..end].contains(|c: char| c.is_alphabetic() && c != 'e' && c != 'E'))
         .find_map(|end| Some((text[..end].trim_end().parse().ok()?, &text[end..])))
         .ok_or_else(|| format!("`{text}` does not begin with a number"))
@@ -89,20 +90,20 @@ fn gcd(a: i32, b: i32) -> i32 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// Whether two dimensions may stand for each other: angle is soft and never blocks.
+/// Returns whether two dimensions are compatible: the exponent of angle is ignored.
 pub fn fits(a: Exponents, b: Exponents) -> bool {
     const ANGLE: usize = 3;
     (0..a.len()).filter(|&base| base != ANGLE).all(|base| a[base].0 * b[base].1 == b[base].0 * a[base].1)
 }
 
-/// What kind of quantity has a dimension, in words with an article: `a length`, `a second moment of area`. `None` if it
-/// has no name.
+/// Returns the name of a dimension with an article: `a length`, `a second moment of area`; `None`
+/// if it has no name.
 pub fn kind(dimension: Exponents, known: &[DimensionDescription]) -> Option<String> {
     if dimension == PURE {
         return Some("a pure number".into());
     }
     let exact = known.iter().find(|named| named.exponents == dimension);
-    // An angle that got in by multiplication says nothing of the kind.
+    // A factor of angle does not change the kind of a quantity.
     let found = exact.or_else(|| known.iter().find(|named| fits(named.exponents, dimension)))?;
     let mut words = String::new();
     for letter in found.name.chars() {

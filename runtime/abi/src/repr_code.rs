@@ -1,11 +1,12 @@
-//! Representations as short byte strings: constants in machine code that tell helpers how to read slots.
+//! Encoding of representations as short byte strings: constants in machine code that describe slots
+//! to helpers.
 //!
-//! One letter per representation; an array or symbolic value is followed by its content, a tuple by its elements
-//! and `)`. A list of pairs of a number and an array of strings is `a(nas)`.
+//! One letter per representation; an array or symbolic value is followed by its content, a tuple by
+//! its elements and `)`. A list of pairs of a number and an array of strings is `a(nas)`.
 
 use crate::call::Repr;
 
-/// The code of a representation.
+/// Encodes a representation.
 pub fn encode(repr: &Repr) -> Vec<u8> {
     let mut code = Vec::new();
     append(repr, &mut code);
@@ -37,7 +38,7 @@ fn append(repr: &Repr, code: &mut Vec<u8>) {
     }
 }
 
-/// The representation a code stands for; `None` if it is not the code of one.
+/// Decodes a representation; `None` if the code is invalid.
 pub fn decode(code: &[u8]) -> Option<Repr> {
     let (repr, rest) = take(code)?;
     rest.is_empty().then_some(repr)

@@ -1,8 +1,8 @@
-//! How values of functions that the engine provides are represented, known when the engine is compiled.
+//! Representations of the values of provided functions as compile-time constants.
 
 use crate::call::Repr;
 
-/// A [`Repr`] as a constant.
+/// [`Repr`] as a constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     Unit,
@@ -17,7 +17,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Number of slots a value takes, as [`Repr::slots`] has it.
+    /// Returns the number of slots of a value, like [`Repr::slots`].
     pub const fn slots(self) -> usize {
         match self {
             Shape::Unit => 0,

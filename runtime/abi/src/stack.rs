@@ -1,8 +1,9 @@
-//! A stack large enough for every program that keeps to the depth limit, whatever thread asks.
+//! Stack that is large enough for every program within the depth limit, on any thread.
 //!
-//! Programs may recurse [`crate::context::MAX_DEPTH`] deep. Threads of tests and thread pools have 2 MiB, which deep
-//! recursion would overrun, and an overrun ends the process. So programs run on a thread of their own, and whatever is
-//! called from there stays on it. Its memory is only reserved: pages cost something when they are first touched.
+//! Programs may recurse to a depth of [`crate::context::MAX_DEPTH`]. Threads of tests and thread
+//! pools have stacks of 2 MiB, which deep recursion would overflow, and an overflow ends the
+//! process. Therefore programs run on a thread of their own, together with everything called from
+//! there. Its memory is only reserved; pages are committed on first use.
 
 use crate::call::{Slot, SlotFn};
 use crate::context::{Context, RuntimeError, codes};
@@ -12,15 +13,15 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread::{self, JoinHandle};
 
-/// Stack of the thread that runs a program.
+/// Stack size of the thread that runs a program, bytes.
 pub const STACK_BYTES: usize = 256 << 20;
 
 thread_local! {
-    /// Whether this thread was made here.
+    /// True on threads created here.
     static LARGE: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Whether this thread has a large stack, so that [`with_stack`] stays on it.
+/// Returns whether this thread has a large stack, so that [`with_stack`] runs on it.
 pub fn is_large() -> bool {
     LARGE.with(Cell::get)
 }
@@ -37,13 +38,14 @@ fn no_thread(error: &io::Error) -> RuntimeError {
     )
 }
 
-/// Runs a closure on a large stack, here if this is one, and waits for it.
+/// Runs a closure on a large stack, on this thread if it has one, and waits for it.
 ///
 /// # Errors
-/// Internal errors if the thread cannot be made or the closure panics.
+/// Internal errors if the thread cannot be created or the closure panics.
 pub fn with_stack<R: Send>(body: impl FnOnce() -> R + Send) -> Result<R, RuntimeError> {
     if is_large() {
-        // What the closure was changing is given up with the error, as where a thread of its own panics.
+        // State that the closure was modifying is discarded with the error, as after a panic of a
+        // separate thread.
         return catch_unwind(AssertUnwindSafe(body)).map_err(|payload| panicked(payload.as_ref()));
     }
     thread::scope(|scope| {
@@ -56,10 +58,10 @@ pub fn with_stack<R: Send>(body: impl FnOnce() -> R + Send) -> Result<R, Runtime
     })
 }
 
-/// Runs a closure on a large stack of its own beside what goes on here.
+/// Runs a closure on a large stack of its own, concurrently.
 ///
 /// # Errors
-/// Internal errors if the thread cannot be made; when it is joined, if the closure panicked.
+/// Internal errors if the thread cannot be created; when it is joined, if the closure panicked.
 pub fn beside<R: Send + 'static>(
     body: impl FnOnce() -> R + Send + 'static,
 ) -> Result<Beside<R>, RuntimeError> {
@@ -70,27 +72,28 @@ pub fn beside<R: Send + 'static>(
     thread().spawn(body).map(Beside).map_err(|error| no_thread(&error))
 }
 
-/// What [`beside`] runs.
+/// Running closure of [`beside`].
 pub struct Beside<R>(JoinHandle<R>);
 
 impl<R> Beside<R> {
     /// Waits for its end.
     ///
     /// # Errors
-    /// Internal, if it panicked.
+    /// Internal if it panicked.
     pub fn join(self) -> Result<R, RuntimeError> {
         self.0.join().map_err(|payload| panicked(payload.as_ref()))
     }
 }
 
-/// Runs a compiled function from outside (a program's top level, a param's default) on a large stack, and returns
-/// the slots of its results. [`Context::place`] should tell where the function is.
+/// Runs a compiled function from outside (a program's top level, a param's default) on a large
+/// stack, and returns the slots of its results. [`Context::place`] should be the location of the
+/// function.
 ///
 /// # Errors
-/// What the function fails with, and where.
+/// Those of the function, with their location.
 ///
 /// # Safety
-/// The function takes as many slots as `arguments` and returns `results`.
+/// The function must take as many slots as `arguments` and return `results`.
 pub unsafe fn run(
     ctx: &mut Context,
     function: SlotFn,
@@ -106,14 +109,14 @@ pub unsafe fn run(
             ctx.depth = 0;
         }
         let mut slots = vec![0; results];
-        // SAFETY: promised by the caller; the context is borrowed for the whole call.
+        // SAFETY: guaranteed by the caller; the context is borrowed for the whole call.
         let status = unsafe { function(ctx, arguments.as_ptr(), slots.as_mut_ptr()) };
         ctx.depth = depth;
         helpers::outcome(ctx, status).map(|()| slots)
     })?
 }
 
-/// The error that stands for a panic of the engine.
+/// Returns the error for a panic of the engine.
 pub(crate) fn panicked(payload: &(dyn std::any::Any + Send)) -> RuntimeError {
     RuntimeError::new(
         codes::INTERNAL,
@@ -122,7 +125,7 @@ pub(crate) fn panicked(payload: &(dyn std::any::Any + Send)) -> RuntimeError {
     )
 }
 
-/// What a panic says.
+/// Returns the message of a panic.
 pub(crate) fn panic_message(payload: &(dyn std::any::Any + Send)) -> &str {
     let text = payload.downcast_ref::<&str>().copied();
     text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("unknown cause")

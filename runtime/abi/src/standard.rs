@@ -1,12 +1,12 @@
-//! Functions every program may call: `print`, `assert`, the check of `Rotate`, and the checks of array elements against
-//! ranges and choices.
+//! Functions that every program may call: `print`, `assert`, the check of `Rotate`, and the checks
+//! of array elements against ranges and choices.
 
 use crate::context::{RuntimeError, codes};
 use crate::limits;
 
 crate::externs! {
-    /// `print(String)`: hands one line to [`Context::print`](crate::Context::print). Whoever runs the program decides what
-    /// becomes of it, so it may be called while nothing is solved.
+    /// `print(String)`: passes one line to [`Context::print`](crate::Context::print). The caller of
+    /// the program decides about its use, so it may be called while nothing is solved.
     Scene fn calyx_std_print(context, line: String) -> () {
         if context.keeps_output {
             let bytes = (size_of::<String>() + line.len()) as u64;
@@ -30,7 +30,8 @@ crate::externs! {
         Err(RuntimeError::new(codes::ASSERTION, message, ""))
     }
 
-    /// The axis of a rotation: hands back a unit vector, and fails with E0515 on any other.
+    /// Check of the axis of a rotation: returns a unit vector unchanged, and fails with E0515 for
+    /// any other.
     Pure fn calyx_std_unit_axis(context, axis: [f64; 3]) -> [f64; 3] {
         let _ = context;
         let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -48,14 +49,14 @@ crate::externs! {
         Err(RuntimeError::new(codes::AXIS, message, help))
     }
 
-    /// `first_outside(Array(Number), Number, Number, Bool)`: index of the first element outside a range, -1 if there is
-    /// none. NaN is outside unless it passes.
+    /// `first_outside(Array(Number), Number, Number, Bool)`: index of the first element outside a
+    /// range, -1 if there is none. NaN is outside unless `nan_passes`.
     Pure fn calyx_std_first_outside(context, values: Vec<f64>, low: f64, high: f64, nan_passes: bool) -> f64 {
         let _ = context;
         Ok(index_of(values.iter().position(|&value| is_outside(value, low, high, nan_passes))))
     }
 
-    /// The same of vectors, of which every component must lie in the range.
+    /// Index of the first vector with a component outside a range, -1 if there is none.
     Pure fn calyx_std_first_vector_outside(
         context, values: Vec<[f64; 3]>, low: f64, high: f64, nan_passes: bool,
     ) -> f64 {
@@ -64,7 +65,8 @@ crate::externs! {
         Ok(index_of(values.iter().position(outside)))
     }
 
-    /// `first_unknown(Array(String), Array(String))`: index of the first element that is no choice, -1 if there is none.
+    /// `first_unknown(Array(String), Array(String))`: index of the first element that is not among
+    /// the choices, -1 if there is none.
     Pure fn calyx_std_first_unknown(context, values: Vec<String>, choices: Vec<String>) -> f64 {
         let _ = context;
         Ok(index_of(values.iter().position(|value| !choices.contains(value))))

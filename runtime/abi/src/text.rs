@@ -1,4 +1,4 @@
-//! Values as text: what `print` and string interpolation show.
+//! Formatting of values as text, for `print` and string interpolation.
 
 use crate::call::{Repr, Slot};
 use crate::display::{Display, NumberStyle};
@@ -7,7 +7,8 @@ use crate::heap::Heap;
 use crate::helpers::malformed;
 use crate::units::{from_si, to_si};
 
-/// The shortest decimal that reads back as the same number; powers of ten outside 1e-5 .. 1e16.
+/// Formats the shortest decimal that reads back as the same number; scientific notation outside
+/// 1e-5 .. 1e16.
 pub fn number(x: f64) -> String {
     let magnitude = x.abs();
     if x.is_nan() {
@@ -19,14 +20,14 @@ pub fn number(x: f64) -> String {
     }
 }
 
-/// A number in SI in a unit: the shortest decimal that, taken in that unit, gives the number again.
+/// Formats a number in SI in a unit: the shortest decimal that converts back to the number.
 fn shortest(x: f64, factor: f64) -> String {
     let shown = from_si(x, factor);
     let text = number(shown);
     if !shown.is_finite() || (to_si(shown, factor) == x && text.len() <= 15) {
         return text;
     }
-    // The quotient is rounded, so a neighbour of it may be shorter.
+    // The quotient is rounded, so a neighbour may have a shorter decimal.
     let shorter = (0..17).find_map(|digits| {
         let candidate: f64 = format!("{shown:.digits$e}").parse().ok()?;
         (to_si(candidate, factor) == x).then(|| number(candidate))
@@ -34,7 +35,7 @@ fn shortest(x: f64, factor: f64) -> String {
     shorter.unwrap_or(text)
 }
 
-/// A number in SI as a style shows it.
+/// Formats a number in SI with a style.
 pub fn quantity(x: f64, style: &NumberStyle) -> String {
     let factor = if style.factor == 0.0 { 1.0 } else { style.factor };
     let shown = from_si(x, factor);
@@ -45,7 +46,7 @@ pub fn quantity(x: f64, style: &NumberStyle) -> String {
         (Some(digits), scientific) => {
             let digits = usize::from(digits);
             let text = if scientific { format!("{shown:.digits$e}") } else { format!("{shown:.digits$}") };
-            // What rounds to nothing has no sign.
+            // A number that is rounded to zero has no sign.
             match text.strip_prefix('-') {
                 Some(rest) if !rest.contains(|c: char| ('1'..='9').contains(&c)) => rest.to_string(),
                 _ => text,
@@ -61,10 +62,10 @@ pub fn quantity(x: f64, style: &NumberStyle) -> String {
     text
 }
 
-/// A text that values are appended to as long as there is room.
+/// Text under construction with a memory limit.
 pub struct Growing<'t> {
     text: &'t mut String,
-    /// Fails if the text may not be so many bytes long.
+    /// Fails if the text may not have this length in bytes.
     room: &'t dyn Fn(usize) -> Result<(), RuntimeError>,
 }
 
@@ -82,7 +83,8 @@ impl<'t> Growing<'t> {
     /// Appends a value.
     ///
     /// # Errors
-    /// There is no room; internal if the slots or the display do not fit the representation.
+    /// The memory limit is reached; internal if the slots or the display do not fit the
+    /// representation.
     pub fn append(
         &mut self,
         heap: &Heap,
@@ -95,7 +97,7 @@ impl<'t> Growing<'t> {
             Display::Number(style) => style,
             _ => &plain,
         };
-        // A component that is minus zero is nothing.
+        // A component of -0 is shown as 0.
         let numbers = |slots: &[Slot], style: &NumberStyle| {
             let shown: Vec<_> = slots.iter().map(|&s| quantity(f64::from_bits(s) + 0.0, style)).collect();
             format!("[{}]", shown.join(", "))
@@ -170,7 +172,7 @@ impl<'t> Growing<'t> {
         self.push(close)
     }
 
-    /// Appends a text with blanks behind it up to the width it is to have.
+    /// Appends a text with trailing blanks up to its width.
     fn pad(&mut self, shown: &str, display: &Display) -> Result<(), RuntimeError> {
         self.push(shown)?;
         if let Display::Text { width } = display {
@@ -181,7 +183,7 @@ impl<'t> Growing<'t> {
     }
 }
 
-/// The error of slots that do not hold a value of their representation.
+/// Returns the error of slots that do not contain a value of their representation.
 fn not_shown() -> RuntimeError {
     malformed("not a value that can be shown")
 }
@@ -208,7 +210,7 @@ mod tests {
 
     #[test]
     fn quantities_show_the_decimal_that_was_written() {
-        // A short decimal in any unit must come out as that decimal, although conversions round.
+        // A short decimal in any unit must be shown unchanged, although conversions round.
         for (factor, unit) in [(0.0254, "inch"), (1e-3, "mm"), (1e-6, "um"), (0.01, "%"), (6894.757, "psi")] {
             for thousandths in -3000..3000 {
                 let written = f64::from(thousandths) / 1000.0;

@@ -1,30 +1,33 @@
-//! Sine and cosine: one polynomial for scalar code and for whole columns, with the same bits.
+//! Sine and cosine: one polynomial for scalar code and for whole columns, with bitwise equal
+//! results.
 //!
-//! Kinematic code is mostly sines and cosines, and what makes them cheap is width: eight angles at once with the
-//! instructions of this machine. So the definition is written for that: straight arithmetic without branches,
-//! tables or fused multiply-adds, which the compiler turns into two, four or eight lanes as it stands. Every
-//! operation in it is exact or rounded to nearest, whatever the width, so width never shows in a bit.
+//! Kinematic code consists mostly of sines and cosines, which vectorization makes cheap: eight
+//! angles at a time with the instructions of this machine. Therefore the definition is
+//! straight-line arithmetic without branches, tables or fused multiply-adds, which the compiler
+//! vectorizes to two, four or eight lanes. Every operation is exact or rounded to nearest for any
+//! width, so the width does not affect the bits.
 //!
-//! The angle loses the nearest multiple `n` of pi/2 in three parts (Cody and Waite): the products `n P1` and `n P2` are
-//! exact, what the second subtraction rounds away is recovered, so the remainder is known to 2^-102. Polynomials of
-//! least greatest error on -pi/4..pi/4 follow, and the quadrant puts sign and place. The error stays below 0.8
-//! units in the last place. Where this does not hold (angles above [`LIMIT`]; remainders so small that too few
-//! of their digits are known, as at the double next to pi; infinities; NaN) `libm` is asked, one angle at a time.
+//! Argument reduction subtracts the nearest multiple `n` of pi/2 in three parts (Cody and Waite).
+//! The products `n P1` and `n P2` are exact, and the rounding error of the second subtraction is
+//! recovered, so the remainder is accurate to 2^-102. Minimax polynomials on -pi/4..pi/4 follow,
+//! and the quadrant determines sign and exchange. The error is below 0.8 units in the last place.
+//! Angles outside the range of the reduction use `libm`, one at a time: angles above [`LIMIT`];
+//! remainders with too few accurate digits, as at the double next to pi; infinities; NaN.
 
-/// The greatest angle for which `n P1` is exact: 2^20 quarter turns.
+/// Largest angle for which `n P1` is exact: 2^20 quarter revolutions.
 const LIMIT: f64 = 1_647_000.0;
-/// A remainder smaller than this share of its angle has lost too many digits.
+/// Smallest ratio of the remainder to the angle with sufficient digits.
 const CANCELLED: f64 = 1.0 / (1u64 << 40) as f64;
 
 const TWO_OVER_PI: f64 = std::f64::consts::FRAC_2_PI;
-/// Adding it rounds to a whole number, whose lowest bits are then those of the sum.
+/// Adding it rounds to an integer, whose lowest bits are then those of the sum.
 const TO_WHOLE: f64 = 1.5 * (1u64 << 52) as f64;
 /// pi/2 in three parts: 33 bits, the next 33, and the next 53.
 const P1: f64 = f64::from_bits(0x3ff9_21fb_5440_0000);
 const P2: f64 = f64::from_bits(0x3dd0_b461_1a60_0000);
 const P3: f64 = f64::from_bits(0x3ba3_198a_2e03_7073);
 
-/// `(sin(r)/r - 1)/r^2` as a polynomial in `r^2`, relative error of the sine 2^-58.
+/// Polynomial for `(sin(r)/r - 1)/r^2` in `r^2`; relative error of the sine 2^-58.
 const SINE: [f64; 6] = [
     -0.16666666666666632,
     0.008333333333322422,
@@ -33,7 +36,7 @@ const SINE: [f64; 6] = [
     -2.505075854407543e-08,
     1.5896821376768944e-10,
 ];
-/// `(cos(r) - 1 + r^2/2)/r^4` as a polynomial in `r^2`, error of the cosine 2^-64.
+/// Polynomial for `(cos(r) - 1 + r^2/2)/r^4` in `r^2`; error of the cosine 2^-64.
 const COSINE: [f64; 6] = [
     0.0416666666666666,
     -0.0013888888888874136,
@@ -45,20 +48,20 @@ const COSINE: [f64; 6] = [
 
 const SIGN: u64 = 1 << 63;
 
-/// Sine and cosine of an angle in radians.
+/// Returns sine and cosine of an angle in radians.
 #[inline]
 pub fn sincos(angle: f64) -> (f64, f64) {
     let (sine, cosine, holds) = ordinary(angle);
     if holds { (sine, cosine) } else { exceptional(angle) }
 }
 
-/// Sines and cosines of many angles, each with the bits of [`sincos`], by the widest instructions of this machine.
-/// What has no partner in the shortest of the three is left alone.
+/// Computes sines and cosines of many angles with the bits of [`sincos`], by the widest
+/// instructions of this machine. Elements beyond the shortest of the three slices are ignored.
 pub fn sincos_columns(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     #[cfg(target_arch = "x86_64")]
     {
         if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-            // SAFETY: the machine has just said that it has these instructions.
+            // SAFETY: the machine reports these instructions.
             return unsafe { eight_lanes(angles, sines, cosines) };
         }
         if is_x86_feature_detected!("avx2") {
@@ -81,7 +84,7 @@ fn four_lanes(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     columns(angles, sines, cosines);
 }
 
-/// A loop that the compiler makes as wide as its caller allows.
+/// Loop that the compiler vectorizes to the width of its caller.
 #[inline(always)]
 fn columns(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     let count = angles.len().min(sines.len()).min(cosines.len());
@@ -97,7 +100,7 @@ fn columns(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     }
 }
 
-/// Asks `libm` for the angles that [`ordinary`] cannot do.
+/// Replaces the results of angles that [`ordinary`] does not support by those of `libm`.
 #[cold]
 #[inline(never)]
 fn replace_exceptions(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
@@ -112,16 +115,17 @@ fn exceptional(angle: f64) -> (f64, f64) {
     libm::sincos(angle)
 }
 
-/// Sine, cosine, and whether they are to be used.
+/// Returns sine, cosine, and whether they are valid.
 #[inline(always)]
 fn ordinary(angle: f64) -> (f64, f64, bool) {
-    // The sine is odd and the cosine even, to the sign of a zero.
+    // The sine is odd and the cosine even, including the sign of a zero.
     let x = angle.abs();
     let shifted = x * TWO_OVER_PI + TO_WHOLE;
     let n = shifted - TO_WHOLE;
     let quadrant = shifted.to_bits();
 
-    // Both subtractions are exact, or their error is: where n P2 exceeds t, the difference has few enough digits.
+    // Both subtractions are exact, or their error is: where n P2 exceeds t, the difference has few
+    // enough digits.
     let t = x - n * P1;
     let w = n * P2;
     let r = t - w;
@@ -140,7 +144,7 @@ fn ordinary(angle: f64) -> (f64, f64, bool) {
     let rest = 1.0 - half;
     let cosine = rest + (((1.0 - rest) - half) + (z * (z * q) - head * tail));
 
-    // All ones where an odd number of quarter turns exchanges the two.
+    // All ones if an odd number of quarter revolutions exchanges the two.
     let exchange = (quadrant & 1).wrapping_neg();
     let difference = (sine.to_bits() ^ cosine.to_bits()) & exchange;
     let sine_sign = ((quadrant << 62) ^ angle.to_bits()) & SIGN;

@@ -1,9 +1,11 @@
-//! Between SI and the units people write: one definition, so that what is shown reads back as the number it was.
+//! Conversion between SI and other units: one definition, so that displayed numbers read back
+//! unchanged.
 
-/// A number given in a unit, in SI.
+/// Converts a number in a unit to SI.
 ///
-/// Where the unit is a whole fraction of the SI unit (`mm`, `um`, `%`) this divides, which rounds once: `10 um` is
-/// the number nearest to 0.00001, as multiplying by a factor that is itself rounded would not give.
+/// If the unit is an integer fraction of the SI unit (`mm`, `um`, `%`), this divides, which rounds
+/// once: `10 um` is the number nearest to 0.00001. Multiplication by a rounded factor would not
+/// give this.
 pub fn to_si(value: f64, factor: f64) -> f64 {
     match divisor(factor) {
         Some(divisor) => value / divisor,
@@ -11,7 +13,7 @@ pub fn to_si(value: f64, factor: f64) -> f64 {
     }
 }
 
-/// A number in SI, in a unit.
+/// Converts a number in SI to a unit.
 pub fn from_si(value: f64, factor: f64) -> f64 {
     match divisor(factor) {
         Some(divisor) => value * divisor,
@@ -19,7 +21,7 @@ pub fn from_si(value: f64, factor: f64) -> f64 {
     }
 }
 
-/// The whole number whose reciprocal a factor below one is.
+/// Returns the integer whose reciprocal is a factor below one.
 fn divisor(factor: f64) -> Option<f64> {
     let inverse = (1.0 / factor).round();
     let whole = factor > 0.0 && factor < 1.0 && inverse < 9e15;

@@ -1,6 +1,7 @@
-//! Runs a frozen scene over a list of positions: plan, system, steps, results.
+//! Quasi-static analysis of a frozen scene over a list of positions: plan, system, steps, results.
 //!
-//! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs it to its end and tells an observer.
+//! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs all of it and reports to an
+//! observer.
 
 use crate::estimate::{self, Estimates, Judged, quasi_static_siblings};
 use crate::observe::Observe;
@@ -28,7 +29,7 @@ use std::collections::VecDeque;
 use std::iter::FusedIterator;
 use std::time::{Duration, Instant};
 
-/// An analysis that is planned and known to be held, before anything that takes long.
+/// Analysis that has passed planning and the restraint check, before anything expensive.
 pub struct Planned<'s> {
     scene: &'s Scene,
     positions: &'s [Position],
@@ -43,10 +44,11 @@ pub struct Planned<'s> {
 }
 
 impl<'s> Planned<'s> {
-    /// Plans the quasi-static analysis (inertia left out, every position in equilibrium) of a scene at some positions.
+    /// Plans the quasi-static analysis (equilibrium without inertia) of a scene at some positions.
     ///
     /// # Errors
-    /// The scene cannot be modelled so, contacts cannot hold what is free, or the earlier rows are of another analysis.
+    /// The scene cannot be modelled at this fidelity, a free motion meets no resistance, or the
+    /// earlier rows belong to another analysis.
     pub fn new(
         scene: &'s Scene,
         positions: &'s [Position],
@@ -56,7 +58,7 @@ impl<'s> Planned<'s> {
         let mut timing = Timing::default();
         check_solved(&options.solved, positions, outputs)?;
         let highest_frequency = options.highest_frequency;
-        // Structures take long, and this is known without them.
+        // Check this first: structures are expensive, and the check does not need them.
         let request = Request::new(scene, outputs, Method::QuasiStatic(positions), options);
         let plan = timing.stage("plan", || request.plan(&options.resources.interrupt))?;
         Ok(Planned {
@@ -73,7 +75,7 @@ impl<'s> Planned<'s> {
         })
     }
 
-    /// What is modelled, and why.
+    /// Returns the plan.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
@@ -81,7 +83,7 @@ impl<'s> Planned<'s> {
     /// Builds the structures, or takes them from the cache.
     ///
     /// # Errors
-    /// A structure cannot be built, or the interrupt's.
+    /// A structure cannot be built, or those of the interrupt.
     pub fn build(self) -> Result<Steps<'s>, EngineError> {
         let Planned { scene, positions, outputs, resources, solved, highest_frequency, plan, .. } = self;
         let (structure, error_estimates, mut timing) = (self.structure, self.error_estimates, self.timing);
@@ -112,16 +114,16 @@ impl<'s> Planned<'s> {
     }
 }
 
-/// A position in equilibrium and what is observed of it.
+/// Equilibrium at a position with its observables.
 struct Found {
     step: StepResult,
     observed: Vec<Observed>,
 }
 
-/// A quasi-static analysis under way: an iterator over its positions, in order.
+/// Quasi-static analysis in progress: an iterator over its positions, in order.
 ///
-/// As many are solved side by side as there are threads, the first of them being the one that is asked for. After an error it is at
-/// its end.
+/// It solves as many positions in parallel as there are threads, starting with the requested one.
+/// After an error it ends.
 pub struct Steps<'s> {
     scene: &'s Scene,
     positions: &'s [Position],
@@ -134,7 +136,7 @@ pub struct Steps<'s> {
     plan: Plan,
     timing: Timing,
     system: System<'s>,
-    /// Positions that follow, solved side by side with one that was asked for.
+    /// Following positions, solved in parallel with the requested one.
     ahead: VecDeque<Result<Found, EngineError>>,
     /// Time spent on positions.
     solving: Duration,
@@ -156,40 +158,41 @@ impl<'s> Steps<'s> {
         Planned::new(scene, positions, outputs, options)?.build()
     }
 
-    /// What is modelled, and why.
+    /// Returns the plan.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
 
-    /// What reads values off a solved position.
+    /// Returns the system, which evaluates observables at solved positions.
     pub fn system(&self) -> &System<'s> {
         &self.system
     }
 
-    /// The position solved last, with its patches, cells and forces; `None` before the first.
+    /// Returns the last solved position, with its contact patches, cells and forces; `None` before
+    /// the first.
     pub fn current(&self) -> Option<&StepResult> {
         self.current.as_ref()
     }
 
-    /// The same as observables see it.
+    /// Returns the last solved position in the form that observables use.
     pub fn equilibrium(&self) -> Option<Equilibrium<'_>> {
         Some(Equilibrium { system: &self.system, step: self.current.as_ref()? })
     }
 
-    /// All positions solved so far, those of an earlier run among them.
+    /// Returns all solved positions, including those of an earlier run.
     pub fn solved(&self) -> &[Solved] {
         &self.solved
     }
 
-    /// Positions there are, solved or not.
+    /// Returns the number of all positions, solved or not.
     pub fn count(&self) -> usize {
         self.positions.len()
     }
 
-    /// Solves what is left, sums up, and estimates errors if they are asked for.
+    /// Solves the remaining positions, computes the summaries, and estimates errors if requested.
     ///
     /// # Errors
-    /// The first that a position ended with, or the interrupt's.
+    /// The first error of a position, or those of the interrupt.
     pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
         for step in self.by_ref() {
             step?;
@@ -232,7 +235,8 @@ impl<'s> Steps<'s> {
         })
     }
 
-    /// The table of modes about the first position, which is solved once more for it: a run that goes on has not seen it.
+    /// Computes the table of modes about the first position. It solves this position again, because
+    /// a resumed run has not solved it.
     fn first_modes(&self) -> Result<Option<ModesTable>, EngineError> {
         let (Some(request), Some(first)) = (&self.scene.modes_table, self.positions.first()) else {
             return Ok(None);
@@ -248,7 +252,8 @@ impl<'s> Steps<'s> {
         }
         let Found { step, observed } = match self.ahead.pop_front() {
             Some(Ok(found)) => found,
-            // Again and alone, so that what kernels note about an error is of this position and no other.
+            // Solve the position again, alone, so that notes of kernels about an error refer to
+            // this position only.
             _ => self.solve_alone(position)?,
         };
         let row = StepRow::new(position.clone(), self.outputs, &observed, step.warnings.clone());
@@ -258,7 +263,7 @@ impl<'s> Steps<'s> {
         Ok(Solved { row, certificate, state: Vec::new() })
     }
 
-    /// Solves the next positions, one a thread.
+    /// Solves the next positions in parallel, one per thread.
     fn solve_ahead(&mut self) {
         let positions = &self.positions[self.solved.len()..];
         let together = &positions[..self.resources.threads().min(positions.len())];
@@ -270,7 +275,7 @@ impl<'s> Steps<'s> {
     fn solve_alone(&self, position: &Position) -> Result<Found, EngineError> {
         let step = self.system.solve(position.time)?;
         let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
-        // An observable that was interrupted has no value, and that is not the model's fault.
+        // An interrupted observable has no value, which is not an error of the model.
         self.resources.interrupt.check()?;
         Ok(Found { step, observed })
     }
@@ -303,47 +308,49 @@ impl Iterator for Steps<'_> {
 
 impl FusedIterator for Steps<'_> {}
 
-/// The stage in which errors are estimated.
+/// Name of the stage in which errors are estimated.
 pub(crate) const ERRORS: &str = "errors";
 
-/// What happens while an analysis runs, in order.
+/// Events of a running analysis, in order.
 pub enum Event<'a> {
-    /// The scene is planned and known to be held.
+    /// The scene is planned and has passed the restraint check.
     Planned(&'a Plan),
-    /// A stage begins: `structures`, `positions` or, where they are estimated, `errors`.
+    /// A stage begins: `structures`, `positions` or, if errors are estimated, `errors`.
     Stage(&'static str),
-    /// A setting is tried for a tolerance.
+    /// The tolerance search tries a setting.
     Choosing(&'a Choosing),
-    /// A position is solved. `index` counts from 0 to `count` - 1, beginning behind those that an earlier run had solved.
+    /// A position is solved. `index` runs from 0 to `count` - 1 and starts after the positions of
+    /// an earlier run.
     Step {
-        /// Of the position.
+        /// Index of the position.
         index: usize,
-        /// Of positions.
+        /// Number of positions.
         count: usize,
-        /// Its row and its certificate.
+        /// Row and certificate of the position.
         solved: &'a Solved,
-        /// Where [`AnalysisOptions::fields`] asks for them.
+        /// Fields, if [`AnalysisOptions::fields`] requests them.
         fields: Option<&'a Fields>,
     },
 }
 
-/// Told of every event; an error from it ends the analysis.
+/// Receiver of the events of an analysis; an error from it ends the analysis.
 pub trait Observer {
-    /// Is told of an event.
+    /// Receives an event.
     ///
     /// # Errors
-    /// Whatever is to end the analysis.
+    /// Any error; it ends the analysis.
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError>;
 }
 
-/// Observes nothing.
+/// Ignores all events.
 impl Observer for () {
     fn observe(&mut self, _: Event<'_>) -> Result<(), EngineError> {
         Ok(())
     }
 }
 
-/// A quasi-static analysis from beginning to end, watched: [`Planned`] and [`Steps`] with somebody who is told.
+/// Runs a quasi-static analysis from planning to results ([`Planned`], [`Steps`]) and reports its
+/// events to an observer.
 ///
 /// # Errors
 /// Those of planning, building and solving, and of the observer.
@@ -375,7 +382,7 @@ pub fn quasi_static(
 }
 
 impl Timing {
-    /// The meshes of bodies, if fields are to have them.
+    /// Returns the meshes of the bodies if the fields include them.
     pub(crate) fn meshed(
         &mut self,
         scene: &Scene,
@@ -388,12 +395,12 @@ impl Timing {
     }
 }
 
-/// Whether a position is among those, so many at most, whose fields are told.
+/// Returns whether the fields of a position are reported, if at most `wanted` positions are.
 pub(crate) fn tells_fields(wanted: usize, index: usize, count: usize) -> bool {
     wanted > 0 && index.is_multiple_of(count.div_ceil(wanted).max(1))
 }
 
-/// Rows of an earlier run must be those of the first positions, bit for bit.
+/// Checks that the rows of an earlier run equal those of the first positions, bit for bit.
 pub(crate) fn check_solved(
     solved: &[Solved],
     positions: &[Position],
@@ -412,9 +419,9 @@ pub(crate) fn check_solved(
     ))
 }
 
-/// A result that is no number says nothing; the sooner the model's author knows where it came from the better.
+/// Rejects NaN results, so that the author of a model learns of their origin early.
 ///
-/// Outputs that the plan refuses are expected to be none.
+/// Outputs that the plan refuses are expected to be NaN.
 pub(crate) fn refuse_nan(row: &StepRow, outputs: &[OutputRequest], plan: &Plan) -> Result<(), EngineError> {
     let refused = |output: usize| plan.refused.iter().any(|refused| refused.output == output);
     let nan = |output: &usize| row.outputs[*output].value.is_nan() && !refused(*output);

@@ -1,10 +1,14 @@
-//! What an analysis will cost, told before it is done: counts of operations, and how fast this machine does them.
+//! Cost prediction of an analysis: counts of operations, and the speed of this machine.
 //!
-//! Two kinds of work take the time. Condensing structures is products of dense matrices; contact and the near field are evaluations of
-//! elementary functions. How fast a machine does each is measured once, in a fraction of a second ([`Rates`]); how much of each there is follows
-//! from the plan ([`structure`], [`positions`]). The constants are counts, fitted to runs of examples on one machine (`docs/accuracy.md`), which they
-//! give back within a third, but for contact of twisted flanks, which takes half to twice as long as is told. How far off they are elsewhere nothing
-//! measures but `calyx tradeoff`, which prints predicted beside measured times. A prediction is for telling seconds from minutes.
+//! Two kinds of work dominate the time. Condensation of structures consists of products of dense
+//! matrices; contact and the near field are evaluations of elementary functions. The speed of a
+//! machine at each is measured once, in a fraction of a second ([`Rates`]). The amount of each
+//! follows from the plan ([`structure`], [`positions`]). The constants are counts fitted to runs of
+//! examples on one machine (`docs/accuracy.md`). They reproduce these runs within a third, except
+//! for contact of twisted flanks, where the time is half to twice the prediction. `calyx tradeoff`
+//! prints predicted and measured times. A prediction serves to distinguish seconds from minutes.
+//!
+//! See `docs/theory/fidelity.md`.
 
 mod analysis;
 
@@ -18,24 +22,25 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-/// How fast a machine works.
+/// Speed of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rates {
-    /// Multiplications a second in products of dense matrices, on one thread.
+    /// Multiplications per second in products of dense matrices, on one thread.
     pub products: f64,
-    /// Logarithms a second, each with the few operations around it, on one thread.
+    /// Logarithms per second, each with the few operations around it, on one thread.
     pub logarithms: f64,
-    /// Threads that there are.
+    /// Number of threads.
     pub threads: usize,
 }
 
-/// Size of the matrices of a calibration, and how many products are tried; the fastest counts, for others may have been disturbed.
+/// Size of the matrices of a calibration, and number of repetitions; the fastest counts, because
+/// others may have been disturbed.
 const TRIED: (usize, usize) = (384, 5);
-/// Logarithms of a calibration, and how often they are tried.
+/// Number of logarithms of a calibration, and number of repetitions.
 const LOGARITHMS: (usize, usize) = (400_000, 5);
 
 impl Rates {
-    /// Measures this machine, which takes about a tenth of a second.
+    /// Measures this machine, in about a tenth of a second.
     pub fn measure() -> Rates {
         let (size, tries) = TRIED;
         let matrix = Mat::from_fn(size, size, |i, j| 1.0 + ((7 * i + 3 * j) % 11) as f64);
@@ -61,12 +66,12 @@ impl Rates {
         }
     }
 
-    /// Those that a file keeps of this machine; measured and kept there if it has none, or if they are to be measured `anew`. A file that
-    /// cannot be written is done without.
+    /// Returns the rates of this machine from a file. Measures and stores them if the file has none
+    /// or if `anew` is set. Failure to write the file is ignored.
     pub fn of_this_machine(file: Option<&Path>, anew: bool) -> Rates {
         let there = file.and_then(|file| std::fs::read(file).ok());
         let kept = there.as_deref().and_then(|text| serde_json::from_slice::<Rates>(text).ok());
-        // A file of somebody else with this name stays.
+        // Do not overwrite a file of another kind with this name.
         let ours = there.as_deref().is_none_or(<[u8]>::is_empty) || kept.is_some();
         if let Some(rates) = kept.filter(|rates| !anew && rates.are_sound()) {
             return rates;
@@ -74,7 +79,7 @@ impl Rates {
         let rates = Rates::measure();
         if let (Some(file), Ok(text), true) = (file, serde_json::to_vec(&rates), ours) {
             let _ = file.parent().map(std::fs::create_dir_all);
-            // In one step, so that a kill leaves no part of a file, which would count as somebody else's.
+            // Rename atomically: a partial file after a kill would count as a file of another kind.
             let unfinished = file.with_extension(format!("{}.part", std::process::id()));
             let _ = std::fs::write(&unfinished, text).and_then(|()| std::fs::rename(&unfinished, file));
         }
@@ -87,7 +92,7 @@ impl Rates {
     }
 }
 
-/// The least time of some tries, s.
+/// Returns the shortest time of some repetitions, s.
 fn fastest(tries: usize, work: impl Fn()) -> f64 {
     let time = |()| {
         let started = Instant::now();
@@ -97,20 +102,21 @@ fn fastest(tries: usize, work: impl Fn()) -> f64 {
     (0..tries).map(|_| time(())).fold(f64::INFINITY, f64::min).max(1e-9)
 }
 
-/// What a part of an analysis takes.
+/// Cost of a part of an analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// s
+    /// Time, s.
     pub time: f64,
-    /// Bytes.
+    /// Memory, bytes.
     pub memory: f64,
 }
 
-/// What condensing a structure costs, on all threads.
+/// Returns the cost of condensing a structure, on all threads.
 ///
-/// A sector's mesh takes a time in proportion to its degrees of freedom: setting up equations, carrying loads and stresses through the
-/// elimination, in space the near field, which in the plane takes a time in proportion to pairs of loads. Sectors are joined by products of dense
-/// matrices besides, in space usually by mirror-symmetric halves.
+/// The time for a sector's mesh is proportional to its number of DOFs: assembly, elimination with
+/// loads and stresses, and in three dimensions the near field. In a plane model the near field
+/// takes a time proportional to the number of pairs of loads. Joining the sectors takes products of
+/// dense matrices, in three dimensions usually by mirror-symmetric halves.
 pub fn structure(size: &StructureSize, in_space: bool, rates: &Rates) -> Cost {
     let freedoms = size.freedoms as f64;
     let whole = in_space && !size.mirrored;
@@ -132,26 +138,31 @@ pub fn structure(size: &StructureSize, in_space: bool, rates: &Rates) -> Cost {
     }
 }
 
-/// Time of a degree of freedom of a sector, in logarithms: 41 to 56 microseconds on a machine that takes 3.6 nanoseconds for one, of up to 127,000
-/// degrees of freedom in space; 10 microseconds in the plane, of 7,000 to 35,000.
+/// Time per DOF of a sector, in logarithms: 41 to 56 microseconds on a machine that takes 3.6
+/// nanoseconds per logarithm, for up to 127,000 DOFs in three dimensions; 10 microseconds in plane
+/// models of 7,000 to 35,000 DOFs.
 const LOGARITHMS_PER_FREEDOM_IN_SPACE: f64 = 13_000.0;
 const LOGARITHMS_PER_FREEDOM_IN_PLANE: f64 = 2_900.0;
-/// Time of a pair of loads in the plane: 5 microseconds on the same machine, by meshes of different fineness under 256 loads.
+/// Time per pair of loads in a plane model: 5 microseconds on the same machine, for meshes of
+/// different density with 256 loads.
 const LOGARITHMS_PER_PAIR_OF_LOADS: f64 = 1_450.0;
-/// Of the products that joining sectors whole would take, halves take so many.
+/// Fraction of the products of joining whole sectors that mirror-symmetric halves take.
 const PRODUCTS_OF_HALVES: f64 = 0.25;
-/// By how much more time and memory a sector in space takes that has no halves, such as a helical gear's.
+/// Factors of time and memory of a three-dimensional sector without mirror symmetry, such as a
+/// helical gear's.
 const WHOLE: [f64; 2] = [4.6, 5.4];
-/// What of its threads an analysis uses.
+/// Parallel efficiency of an analysis.
 const EFFICIENCY: f64 = 0.8;
-/// Memory while a sector's mesh is eliminated, by its degrees of freedom.
+/// Memory for the elimination of a sector's mesh, per DOF.
 const BYTES_PER_FREEDOM_IN_PLANE: f64 = 1_100.0;
 const BYTES_PER_FREEDOM_IN_SPACE: f64 = 3_900.0;
 
-/// What so many positions cost, each a contact problem of so many cells, solved side by side or one after the other.
+/// Returns the cost of a number of positions, each a contact problem of so many cells, solved in
+/// parallel or one after the other.
 ///
-/// What each cell does to each other one takes the time, more than the solution; the same in the plane and in space, more on flanks that are
-/// `twisted`, where cells do not lie in rows.
+/// The influence coefficients between cells take more time than the solution. The time is equal in
+/// plane and three-dimensional models, and longer on `twisted` flanks, whose cells do not lie in
+/// rows.
 pub fn positions(cells: usize, twisted: bool, count: usize, side_by_side: bool, rates: &Rates) -> Cost {
     let cells = cells as f64;
     let pair = LOGARITHMS_PER_PAIR_OF_CELLS * if twisted { TWISTED } else { 1.0 };
@@ -163,13 +174,13 @@ pub fn positions(cells: usize, twisted: bool, count: usize, side_by_side: bool, 
     Cost { time, memory: threads * MATRICES * size_of::<f64>() as f64 * cells * cells }
 }
 
-/// Time of a pair of cells: 0.3 microseconds on the same machine.
+/// Time per pair of cells: 0.3 microseconds on the same machine.
 const LOGARITHMS_PER_PAIR_OF_CELLS: f64 = 83.0;
-/// On twisted flanks so many times as much.
+/// Factor for twisted flanks.
 const TWISTED: f64 = 2.1;
-/// Of finding what touches and reading values off.
+/// Time of the search for contact and of observables per position.
 const LOGARITHMS_PER_POSITION: f64 = 1e5;
-/// Matrices of all cells by all cells.
+/// Number of matrices of all cells by all cells.
 const MATRICES: f64 = 4.0;
 
 #[cfg(test)]
@@ -203,7 +214,7 @@ mod tests {
         assert!((structure(&SIZE, true, &faster).time / own.time - 0.5).abs() < 1e-12);
         let [few, many] = [100, 700].map(|cells| positions(cells, false, 32, true, &RATES));
         assert!(many.time > 10.0 * few.time);
-        // A motion in time goes step by step.
+        // Steps of a transient analysis are solved one after the other.
         assert!(positions(100, false, 32, false, &RATES).time > few.time);
         assert_eq!(positions(100, false, 0, true, &RATES).time, 0.0);
     }
@@ -219,7 +230,7 @@ mod tests {
         std::fs::write(&file, serde_json::to_vec(&kept).unwrap()).unwrap();
         assert_eq!(Rates::of_this_machine(Some(&file), false), kept);
         assert!(Rates::of_this_machine(Some(&file), true).products > 1.0);
-        // Neither rates of nothing nor a file that is none are believed.
+        // Files with zero rates or invalid content are rejected.
         for text in ["{", "{\"products\":0.0,\"logarithms\":1.0,\"threads\":1}"] {
             std::fs::write(&file, text).unwrap();
             assert!(Rates::of_this_machine(Some(&file), false).are_sound());

@@ -3,38 +3,40 @@
 use calyx_numerics::error::EngineError;
 use calyx_solve::integration::{Scheme, TimeRange, check_resolved};
 
-/// What a history begins with.
+/// Initial state of a transient analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Start {
-    /// The equilibrium under the loads of the first time, at rest against the prescribed motion. What the deflections there do to inertia sets
-    /// in with the first step: it is of the order of `(omega / omega_n)²` of them.
+    /// Equilibrium under the loads at the start, at rest relative to the prescribed motion. The
+    /// inertia terms due to the deflections set in with the first step; they are of the order of
+    /// `(omega / omega_n)²` of them.
     #[default]
     Equilibrium,
-    /// Where frames are meant to be, at rest against the prescribed motion.
+    /// Prescribed position of the frames, at rest relative to the prescribed motion.
     Frames,
 }
 
-/// How motion in time is analysed.
+/// Options of a transient analysis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DynamicOptions {
-    /// When it begins, s.
+    /// Start time, s.
     pub from: f64,
-    /// One after the other.
+    /// Time ranges, one after the other.
     pub ranges: Vec<TimeRange>,
-    /// The integrator.
+    /// Time integration scheme.
     pub scheme: Scheme,
-    /// Rayleigh's damping: of mass, 1/s, and of stiffness, s. The latter is of bearings and modes.
+    /// Rayleigh damping: factors on mass, 1/s, and on stiffness, s. The latter applies to bearings
+    /// and modes.
     pub rayleigh: [f64; 2],
-    /// What it begins with.
+    /// Initial state.
     pub start: Start,
 }
 
 impl DynamicOptions {
-    /// That its numbers make sense together.
+    /// Checks the options for consistency.
     ///
     /// # Errors
-    /// E0763: a range of time cannot be integrated, or its steps are lost in the digits of their times. E0764: there is no range, or
-    /// damping is negative.
+    /// E0763: a time range cannot be integrated, or its steps are lost in the digits of their
+    /// times. E0764: there is no range, or damping is negative.
     pub fn check(&self) -> Result<(), EngineError> {
         let refuse = |argument: &'static str, message: &str, help: &str| {
             Err(EngineError::new("E0764", message, help).blame(argument))

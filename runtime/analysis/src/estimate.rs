@@ -1,16 +1,19 @@
-//! How wrong outputs are: an estimate of the error of every statistic of an output, in parts by what causes it.
+//! Error estimates of the statistics of outputs, in parts by their cause.
 //!
-//! One mechanism serves all parts that come from solving: *siblings*. A sample of the positions (the extremes of every output among them) is
-//! solved once more with one knob turned, everything else equal, and with the order at which outputs converge in that knob the
-//! difference tells the error (Richardson's extrapolation; Roache's grid convergence index has a factor of safety besides, as here).
-//! Siblings are coarser than the run they judge, so they cost a part of it: a mesh of half as many elements along every direction, a
-//! contact grid of half as many cells. Only the level above, which tells what the model itself leaves out, costs more than the run.
-//! A motion in time is gone through once more in steps twice as long ([`in_time`]).
-//! What lies between positions is told by the positions and by a few more between them ([`sampling`]). Values that are nothing but rounding are
-//! known by the sizes of the scene ([`rounding`]).
+//! One mechanism serves all parts that concern the solution: *perturbed solves*. A sample of the
+//! positions, which includes the extremes of every output, is solved again with one setting
+//! changed. With the order of convergence in that setting, the difference determines the error
+//! (Richardson extrapolation; Roache's grid convergence index has a factor of safety in addition,
+//! as here). Perturbed solves are coarser than the analysis and cost a part of it: a mesh of half
+//! as many elements along every direction, a contact grid of half as many cells. Only the next
+//! fidelity level, which estimates the model error, costs more than the analysis. A transient
+//! analysis is repeated with steps of twice the length ([`in_time`]). The error between positions
+//! is estimated from the positions and from a few more between them ([`sampling`]). Values that
+//! consist of rounding are identified from the scales of the scene ([`rounding`]).
 //!
-//! Orders and factors are measured (`cargo bench -p calyx-gears --bench convergence`), and what comes of them is tested: estimate over true
-//! error, the effectivity (`stdlib-gears/tests/estimates.rs`).
+//! Orders and factors are measured (`cargo bench -p calyx-gears --bench convergence`). Tests check
+//! the effectivity, the ratio of estimated to true error (`stdlib-gears/tests/estimates.rs`). See
+//! `docs/theory/error-estimates.md`.
 
 mod besides;
 mod continuation;
@@ -34,56 +37,58 @@ use calyx_model::observed::OutputRequest;
 use sampling::Course;
 use std::sync::Arc;
 
-/// Which errors an analysis estimates.
+/// Selection of the errors that an analysis estimates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Estimates {
     /// None.
     #[default]
     None,
-    /// Those that cost less than the run: all but what the level leaves out.
+    /// Those that cost less than the analysis: all except the model error.
     Cheap,
-    /// That too, by the level above, which costs more than the run.
+    /// All, including the model error from the next fidelity level, which costs more than the
+    /// analysis.
     Full,
 }
 
 impl Estimates {
-    /// With their names, as models give them.
+    /// All with their names in the language.
     pub const ALL: [(&'static str, Estimates); 3] =
         [("none", Estimates::None), ("cheap", Estimates::Cheap), ("full", Estimates::Full)];
 
-    /// As models call it.
+    /// Returns the name in the language.
     pub fn name(self) -> &'static str {
         Estimates::ALL.into_iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
     }
 
-    /// By its name.
+    /// Returns the selection of a name.
     pub fn named(name: &str) -> Option<Estimates> {
         Estimates::ALL.into_iter().find(|(known, _)| *known == name).map(|(_, estimates)| estimates)
     }
 }
 
-/// Of fewer positions nothing is known between them.
+/// Number of positions below which the error between them is unknown.
 const FEWEST: usize = 3;
 
-/// A part of the error that siblings told, or why they did not.
+/// Part of the error from perturbed solves, or the reason why it is missing.
 pub(crate) struct Found {
     pub part: Part,
-    /// One per output.
+    /// Errors by output.
     pub errors: Result<Vec<Statistics>, String>,
 }
 
-/// What errors are estimated by.
+/// Data for the error estimates.
 #[derive(Default)]
 pub(crate) struct Evidence {
-    /// What siblings told.
+    /// Parts from perturbed solves.
     pub found: Vec<Found>,
-    /// The rows of the analysis, and others between them; or none.
+    /// Rows of the analysis with others between them; may be empty.
     pub rows: Vec<StepRow>,
-    /// By output: magnitude up to which it may be nothing but rounding. Empty where that is not known.
+    /// Magnitude up to which an output may consist of rounding, by output. Empty if unknown.
     pub rounding: Vec<f64>,
 }
 
-/// Puts estimates into the summaries: what siblings found, and what lies between the rows.
+/// Writes estimates into the summaries: those of perturbed solves, and those of the variation
+/// between rows.
 pub(crate) fn attach(
     summaries: &mut [OutputSummary],
     rows: &[StepRow],
@@ -92,7 +97,7 @@ pub(crate) fn attach(
     evidence: &Evidence,
 ) {
     let Evidence { found, rows: more, rounding } = evidence;
-    // What is closed, and what is not, goes on behind the last row or does not.
+    // A closed curve continues after the last row, an open one does not.
     let known = [false, true].map(|closed| within(if more.is_empty() { rows } else { more }, rows, closed));
     for (index, (summary, request)) in summaries.iter_mut().zip(outputs).enumerate() {
         let closed = summary::is_closed(rows, request, observables);
@@ -127,14 +132,15 @@ pub(crate) fn attach(
     }
 }
 
-/// Of rows and others between them those that belong to a course which ends where the rows end, unless it is closed.
+/// Returns the rows within the range of the analysis, from all rows including those between; all if
+/// the curve is closed.
 fn within<'r>(all: &'r [StepRow], rows: &[StepRow], closed: bool) -> &'r [StepRow] {
     let Some(last) = rows.last().filter(|_| !closed) else { return all };
     let behind = all.iter().rev().take_while(|row| row.position != last.position).count();
     &all[..all.len() - behind]
 }
 
-/// A value of an output with the ends of its range, where it has one.
+/// Value of an output with the ends of its range, if it has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ends {
     pub value: f64,
@@ -142,7 +148,7 @@ pub(crate) struct Ends {
     pub high: f64,
 }
 
-/// Of an output, by row.
+/// Returns the values of an output by row.
 pub(crate) fn ends(rows: &[StepRow], output: usize) -> Vec<Ends> {
     let of = |row: &StepRow| {
         let seen = &row.outputs[output];
@@ -152,7 +158,8 @@ pub(crate) fn ends(rows: &[StepRow], output: usize) -> Vec<Ends> {
     rows.iter().map(of).collect()
 }
 
-/// Whether stresses go into an output: they converge more slowly than deflections and forces do.
+/// Returns whether an output depends on stresses, which converge more slowly than deflections and
+/// forces.
 pub(crate) fn is_stress(request: &OutputRequest, observables: &[Arc<dyn Observable>]) -> bool {
     let stressed = |index: usize| observables.get(index).is_some_and(|seen| seen.stresses_of().is_some());
     request.value.observes().into_iter().any(stressed)

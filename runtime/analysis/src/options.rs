@@ -5,28 +5,29 @@ use crate::rows::Solved;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::resources::Resources;
 
-/// How an analysis is done.
+/// Options of an analysis.
 #[derive(Clone, Debug)]
 pub struct AnalysisOptions {
-    /// How bodies are modelled.
+    /// Fidelity level of the bodies.
     pub fidelity: Fidelity,
-    /// How finely.
+    /// Discretization of the structures.
     pub structure: StructureOptions,
-    /// Natural frequencies of bodies up to which motion in time and the vibrations about an equilibrium see their modes, Hz; 0 takes bodies as
-    /// rigid ones on elastic teeth. No equilibrium depends on it.
+    /// Highest natural frequency of body modes in transient analyses and in vibrations about an
+    /// equilibrium, Hz; 0 treats bodies as rigid with elastic teeth. Equilibria do not depend on
+    /// it.
     pub highest_frequency: f64,
-    /// Threads, kept structures, an interrupt: no result depends on them.
+    /// Threads, structure cache and interrupt. No result depends on them.
     pub resources: Resources,
-    /// What an earlier run of the same analysis solved of its first positions; it goes on behind them, and its result is that
-    /// of a run that solved them all.
+    /// First positions of an earlier run of the same analysis. The analysis resumes after them,
+    /// with the same result as a run without interruption.
     pub solved: Vec<Solved>,
-    /// Of so many positions at most, evenly spread from the first on, tell the observer the fields too: pressures, line loads, stresses.
-    /// They take no part in the results.
+    /// Maximum number of positions, evenly spaced from the first, at which the observer also
+    /// receives fields: pressures, line loads, stresses. Fields are not part of the results.
     pub fields: usize,
-    /// Whether the meshes of elastic bodies, deformed, are among these fields: they are decomposed for it once, and each position takes a
-    /// back-substitution for every tooth.
+    /// Includes deformed meshes of elastic bodies in the fields. This costs one factorization, and
+    /// for each position a back-substitution per tooth.
     pub bodies: bool,
-    /// Which errors of its outputs are estimated, once all positions are solved.
+    /// Error estimates that are computed after all positions are solved.
     pub error_estimates: Estimates,
 }
 

@@ -1,6 +1,9 @@
-//! Knobs that somebody outside a model turns, whatever the model says of its analysis: fidelity, mesh, contact grids, positions.
+//! Settings overrides: fidelity, mesh, contact grids and positions from outside a model.
 //!
-//! Speed against accuracy is measured by turning one of them at a time, on models that were not written for it.
+//! They serve to measure speed and accuracy by changing one setting at a time, on unmodified
+//! models.
+//!
+//! See `docs/theory/fidelity.md`.
 
 use crate::estimate::Estimates;
 use crate::scene::Scene;
@@ -8,40 +11,42 @@ use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 
-/// What takes the place of what a model says of its analysis; `None` leaves it to the model.
+/// Settings that replace those of the model; `None` keeps the model's own.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Override {
-    /// How bodies are modelled.
+    /// Fidelity level.
     pub fidelity: Option<Fidelity>,
-    /// Multiplies the number of elements along every direction of the mesh.
+    /// Factor on the number of elements along every direction of the mesh.
     pub refinement: Option<f64>,
-    /// Order of displacements in the section, 1 to 3.
+    /// Order of the displacement interpolation in the section, 1 to 3.
     pub order: Option<usize>,
-    /// Elements along the face, 1 to 64.
+    /// Number of elements along the face, 1 to 64.
     pub face_elements: Option<usize>,
-    /// Order of displacements along the face, 1 to 8.
+    /// Order of the displacement interpolation along the face, 1 to 8.
     pub displacement_order: Option<usize>,
     /// M: contact grids have 2M + 1 cells across; 1 to 400.
     pub cells: Option<usize>,
-    /// N: in space they have 2N + 1 slices along the face; 1 to 200.
+    /// N: three-dimensional contact grids have 2N + 1 slices along the face; 1 to 200.
     pub cells_along: Option<usize>,
-    /// Of the positions without a name every so many are analysed, from the first on; those with one always.
+    /// Sampling of positions: every so many unnamed positions are analysed, starting with the
+    /// first; named ones always.
     pub every: Option<usize>,
-    /// Which errors are estimated.
+    /// Selection of error estimates.
     pub error_estimates: Option<Estimates>,
 }
 
-/// The contact grids of a scene at a level: M across, and N along the face, where there are slices.
+/// Contact grid of a scene at a fidelity level: M across, and N along the face for
+/// three-dimensional models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid {
-    /// 2M + 1 cells.
+    /// M: 2M + 1 cells across.
     pub half_cells: usize,
-    /// 2N + 1 slices.
+    /// N: 2N + 1 slices along the face.
     pub half_slices: Option<usize>,
 }
 
 impl Grid {
-    /// Cells of a pair of teeth; none where M is 0, as of bodies that do not deform.
+    /// Returns the number of cells of a tooth pair; zero if M is 0, as for rigid bodies.
     pub fn cells(&self) -> usize {
         match self.half_cells {
             0 => 0,
@@ -50,7 +55,7 @@ impl Grid {
     }
 }
 
-/// What a knob can be.
+/// Ranges of the settings.
 const RANGES: [(&str, [usize; 2]); 6] = [
     ("order", [1, 3]),
     ("face_elements", [1, 64]),
@@ -60,14 +65,14 @@ const RANGES: [(&str, [usize; 2]); 6] = [
     ("every", [1, 10_000]),
 ];
 
-/// Of meshes, so that a slip is told before the memory of the machine is.
+/// Range of refinements, which catches a typing error before it exhausts the memory.
 const REFINEMENTS: [f64; 2] = [0.1, 10.0];
 
 impl Override {
-    /// Turns a knob by its name, as an option or a program gives it.
+    /// Sets a setting by its name, from the text of an option.
     ///
     /// # Errors
-    /// E0795: there is no such knob, or it cannot be turned so far.
+    /// E0795: there is no such setting, or the value is out of range.
     pub fn set(&mut self, name: &str, text: &str) -> Result<(), EngineError> {
         let refuse = |help: String| {
             Err(EngineError::new("E0795", format!("`{name}` of an analysis cannot be `{text}`"), help))
@@ -131,7 +136,7 @@ impl Override {
         }
     }
 
-    /// The knobs that are turned, by their names, in a fixed order.
+    /// Returns the names and values of the overridden settings, in a fixed order.
     pub fn turned(&self) -> Vec<(&'static str, String)> {
         let count = |number: Option<usize>| number.map(|number| number.to_string());
         let all = [
@@ -148,17 +153,17 @@ impl Override {
         all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
     }
 
-    /// Whether nothing is turned.
+    /// Returns whether nothing is overridden.
     pub fn is_none(&self) -> bool {
         *self == Override::default()
     }
 
-    /// Whether the setting itself is the model's, whatever is told of its errors.
+    /// Returns whether the analysis itself is unchanged, regardless of error estimates.
     pub fn keeps_setting(&self) -> bool {
         Override { error_estimates: None, ..*self }.is_none()
     }
 
-    /// The mesh of a model that asks for `own`.
+    /// Applies the mesh overrides to the model's `own` options.
     pub fn structure(&self, own: StructureOptions) -> StructureOptions {
         StructureOptions {
             refinement: self.refinement.unwrap_or(own.refinement),
@@ -169,7 +174,7 @@ impl Override {
         }
     }
 
-    /// Turns the contact grids of a scene.
+    /// Applies the contact grid overrides to a scene.
     pub fn turn_grids(&self, scene: &mut Scene) {
         for pair in &mut scene.pairs {
             pair.grid.half_cells = self.cells.or(pair.grid.half_cells);
@@ -177,7 +182,7 @@ impl Override {
         }
     }
 
-    /// The positions that are analysed of a model's.
+    /// Selects the positions that are analysed.
     pub fn sample(&self, positions: Vec<Position>) -> Vec<Position> {
         let Some(every) = self.every else { return positions };
         let mut unnamed = 0;
@@ -189,9 +194,10 @@ impl Override {
         positions.into_iter().filter(|position| kept(position)).collect()
     }
 
-    /// An error of an analysis that was changed from outside, with that said: whoever wrote the model did not ask for it.
+    /// Adds to an error of the analysis that settings were overridden, because the author of the
+    /// model did not choose them.
     pub fn told_of(&self, error: EngineError) -> EngineError {
-        // What ends a run from outside has no remedy.
+        // An interruption from outside has no remedy.
         if self.is_none() || error.help.is_empty() {
             return error;
         }

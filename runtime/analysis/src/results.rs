@@ -1,4 +1,4 @@
-//! What an analysis yields: a row per position, a summary per output, and how long each stage took.
+//! Results of an analysis: rows by position, summaries by output, and timings.
 
 mod chosen;
 mod error_estimate;
@@ -15,42 +15,44 @@ use calyx_contact::problem::Certificate;
 use calyx_model::plan::Plan;
 use std::time::{Duration, Instant};
 
-/// A multiple of the tooth mesh frequency in a quantity: `amplitude cos(2 pi order cycle + phase)`, with `cycle` the part of the mesh
-/// cycle passed.
+/// Harmonic of the tooth mesh frequency: `amplitude cos(2 pi order cycle + phase)`, with the
+/// fraction `cycle` of the mesh cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
-    /// From 1.
+    /// Order, from 1.
     pub order: usize,
-    /// Half of peak to peak, in the unit of the quantity.
+    /// Amplitude, half of peak-to-peak, in the unit of the quantity.
     pub amplitude: f64,
-    /// rad, above -pi and up to pi.
+    /// Phase, rad, above -pi and up to pi.
     pub phase: f64,
 }
 
-/// An output over all positions, SI.
+/// Statistics of an output over all positions, SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputSummary {
-    /// Least value.
+    /// Smallest value.
     pub min: f64,
     /// Largest value.
     pub max: f64,
-    /// Over time: the trapezoidal rule on the (not quite uniform) positions; of a quantity that every mesh cycle repeats, over the
-    /// whole cycle.
+    /// Mean over time: trapezoidal rule over the (not quite uniform) positions, extended to the
+    /// whole cycle for an output that repeats in every mesh cycle.
     pub mean: f64,
-    /// Largest less least.
+    /// Difference between the largest and the smallest value.
     pub peak_to_peak: f64,
-    /// Index of the position of the maximum, and where on the body it was.
+    /// Index of the position of the maximum.
     pub at_max: usize,
-    /// Of the maximum.
+    /// Location of the maximum on a body.
     pub place: Option<Place>,
-    /// Of the tooth mesh frequency and its multiples, where the positions are a mesh cycle and every cycle gives the same values.
+    /// Harmonics of the tooth mesh frequency, if the positions are a mesh cycle and the output
+    /// repeats in every cycle.
     pub harmonics: Vec<Harmonic>,
-    /// How wrong all this probably is, where the analysis estimates it.
+    /// Estimated errors, if the analysis estimates them.
     pub error: Option<ErrorEstimate>,
 }
 
 impl OutputSummary {
-    /// Of an output that has no value at the fidelity of the analysis: its numbers are none.
+    /// Creates the summary of an output without a value at the fidelity of the analysis; its
+    /// numbers are NaN.
     pub fn none() -> OutputSummary {
         let [min, max, mean, peak_to_peak] = [f64::NAN; 4];
         OutputSummary {
@@ -66,22 +68,22 @@ impl OutputSummary {
     }
 }
 
-/// Everything an analysis yields.
+/// All results of an analysis.
 #[derive(Clone, Debug)]
 pub struct AnalysisResult {
-    /// What was modelled, and why.
+    /// Plan of the analysis.
     pub plan: Plan,
-    /// One a position, in order.
+    /// Rows by position, in order.
     pub rows: Vec<StepRow>,
-    /// One per output.
+    /// Summaries by output.
     pub summaries: Vec<OutputSummary>,
-    /// The worst residuals of all positions.
+    /// Largest residuals over all positions.
     pub certificate: Certificate,
-    /// Modes about the first position, if the scene asks for them.
+    /// Modes about the first position, if the scene requests them.
     pub modes: Option<ModesTable>,
-    /// How long it took.
+    /// Timings.
     pub timing: Timing,
-    /// What was chosen for a tolerance, if there was one.
+    /// Outcome of the tolerance search, if a tolerance was given.
     pub chosen: Option<Chosen>,
 }
 
@@ -90,14 +92,15 @@ pub struct AnalysisResult {
 pub struct Timing {
     /// Name and duration.
     pub stages: Vec<(&'static str, Duration)>,
-    /// How many were built, how many reused.
+    /// Numbers of built and reused structures.
     pub structures: StructureCounts,
-    /// The most memory that was asked for at once, bytes: to condense a structure, or for the matrices of a position.
+    /// Largest memory requirement of a single computation, bytes: condensation of a structure or
+    /// the matrices of a position.
     pub memory: u64,
 }
 
 impl Timing {
-    /// Runs `work` and records how long it took.
+    /// Runs `work` and records its duration.
     pub fn stage<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
         let started = Instant::now();
         let result = work();
@@ -105,7 +108,7 @@ impl Timing {
         result
     }
 
-    /// Records how long a stage took.
+    /// Records the duration of a stage.
     pub fn add(&mut self, name: &'static str, time: Duration) {
         self.stages.push((name, time));
     }

@@ -5,19 +5,19 @@ use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::position::Position;
 use serde::{Deserialize, Serialize};
 
-/// A solved position, as reported.
+/// Reported row of a solved position.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepRow {
-    /// Where it was solved.
+    /// The position.
     pub position: Position,
-    /// One per output.
+    /// Values by output.
     pub outputs: Vec<Observed>,
-    /// What should be known about the position, in sentences.
+    /// Warnings about the position, in sentences.
     pub warnings: Vec<String>,
 }
 
 impl StepRow {
-    /// The row of a position from the values of all observables of the scene.
+    /// Creates the row of a position from the values of all observables of the scene.
     pub fn new(
         position: Position,
         requests: &[OutputRequest],
@@ -29,13 +29,14 @@ impl StepRow {
     }
 }
 
-/// A solved position and how well it was solved: what a later run needs of it to go on behind it.
+/// Solved position with its certificate: all that a later run needs to resume after it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
-    /// As reported.
+    /// Reported row.
     pub row: StepRow,
     /// How well it is solved.
     pub certificate: Certificate,
-    /// Of a step in time: the state of its coordinates, from which the next one goes on; empty in equilibrium.
+    /// State of the coordinates after a time step, from which the next step starts; empty for an
+    /// equilibrium.
     pub state: Vec<f64>,
 }

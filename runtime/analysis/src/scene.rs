@@ -22,12 +22,12 @@ pub struct Scene {
     pub mechanism: Mechanism,
     /// By [`ObservableId`].
     pub observables: Vec<Arc<dyn Observable>>,
-    /// Whether a table of the modes at the first position is wanted.
+    /// Request for a table of the modes at the first position.
     pub modes_table: Option<ModesRequest>,
 }
 
 impl Scene {
-    /// Observing the same thing twice costs nothing.
+    /// Adds an observable, or returns the existing id of an equal one.
     pub fn observe(&mut self, observable: impl Observable) -> ObservableId {
         let known = self.observables.iter().position(|known| known.as_ref().equals(observable.as_any()));
         let at = known.unwrap_or_else(|| {

@@ -1,4 +1,5 @@
-//! What a row of positions comes to: extremes, mean, and the harmonics of what every mesh cycle repeats.
+//! Statistics of outputs over the positions: extremes, mean, and harmonics of quantities that
+//! repeat in every mesh cycle.
 
 use crate::observe::Course;
 use crate::observe::Observable;
@@ -10,15 +11,17 @@ use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Multiples of the tooth mesh frequency that are told.
+/// Number of reported harmonics of the tooth mesh frequency.
 const HARMONICS: usize = 5;
-/// Positions nearer to each other than this part of the cycle, on both sides of a jump, count as one.
+/// Distance of positions on both sides of a jump, as a fraction of the cycle, below which they
+/// count as one.
 const TOGETHER: f64 = 1e-4;
 
-/// Terms of which less than this is left beside the others, of a half, are not told apart by the positions.
+/// Squared pivot, of at most a half, below which a term is not distinguishable from the others at
+/// these positions.
 const TOLD_APART: f64 = 0.05;
 
-/// Summarises every output over the rows.
+/// Summarizes every output over the rows.
 pub fn summarize(
     rows: &[StepRow],
     outputs: &[OutputRequest],
@@ -57,7 +60,7 @@ pub fn summarize(
     outputs.iter().enumerate().map(summary).collect()
 }
 
-/// Whether the rows go through a mesh cycle at whose end an output is as at its beginning.
+/// Returns whether the rows cover a mesh cycle at whose end an output has its initial value.
 pub(crate) fn is_closed(
     rows: &[StepRow],
     request: &OutputRequest,
@@ -71,12 +74,12 @@ pub(crate) fn is_closed(
 fn repeats(request: &OutputRequest, observables: &[Arc<dyn Observable>], times: [f64; 2]) -> bool {
     let passes =
         |index: usize| observables.get(index).is_none_or(|seen| seen.quantity().course == Course::Passes);
-    // Any values will do to see whether time makes a difference.
+    // Use arbitrary values to test for a dependence on time.
     let [now, later] = times.map(|time| request.at(time, &|index| 0.7 + 0.1 * index as f64).to_bits());
     request.observes(|_| true) && !request.observes(passes) && now == later
 }
 
-/// The trapezoidal rule from the first position to the last.
+/// Returns the mean by the trapezoidal rule from the first position to the last.
 fn mean_over_time(rows: &[StepRow], values: &[f64]) -> f64 {
     let (Some(first), Some(last)) = (rows.first(), rows.last()) else { return f64::NAN };
     let span = last.position.time - first.position.time;
@@ -92,22 +95,23 @@ fn mean_over_time(rows: &[StepRow], values: &[f64]) -> f64 {
 
 /// Positions over one mesh cycle.
 struct Cycle {
-    /// Part of the cycle passed, ascending.
+    /// Fractions of the cycle, ascending.
     at: Vec<f64>,
-    /// Of the cycle that each position stands for: half the way to both neighbours, round the end. They add up to one.
+    /// Fraction of the cycle that each position represents: half the distance to both neighbours,
+    /// across the end. They add up to one.
     weights: Vec<f64>,
-    /// s
+    /// Duration of the cycle, s.
     period: f64,
 }
 
 impl Cycle {
-    /// The cycle that the rows go through; `None` if they do not go through one.
+    /// Returns the cycle that the rows cover; `None` if they do not cover one.
     fn of(rows: &[StepRow]) -> Option<Cycle> {
         let at: Vec<f64> = rows.iter().map(|row| row.position.cycle).collect();
         let (first, last) = (*at.first()?, *at.last()?);
         let mut steps: Vec<f64> = at.windows(2).map(|pair| pair[1] - pair[0]).collect();
         steps.push(first + 1.0 - last);
-        // A cycle is gone through where no step of it is longer than half of it.
+        // The rows cover a cycle if no step is longer than half of it.
         if !steps.iter().all(|&step| step > 0.0 && step <= 0.5) {
             return None;
         }
@@ -117,13 +121,14 @@ impl Cycle {
         Some(Cycle { at, weights, period: time / (last - first) })
     }
 
-    /// The trapezoidal rule round the cycle.
+    /// Returns the mean by the periodic trapezoidal rule.
     fn mean(&self, values: &[f64]) -> f64 {
         self.weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
     }
 
-    /// The harmonics that fit the values best, in the sense of least squares weighted by what each position stands for: on uniform
-    /// positions they are those of the discrete Fourier transform. As many as the positions tell apart, at most five.
+    /// Returns the least-squares fit of harmonics, weighted by the fractions that the positions
+    /// represent; at uniform positions the discrete Fourier transform. As many as the positions
+    /// distinguish, at most five.
     fn harmonics(&self, values: &[f64]) -> Vec<Harmonic> {
         let mut apart = self.at.clone();
         apart.dedup_by(|later, earlier| *later - *earlier < TOGETHER);
@@ -137,8 +142,8 @@ impl Cycle {
         (1..=fitted.len() / 2).map(harmonic).collect()
     }
 
-    /// The mean, and of so many harmonics the sine and the cosine of each; `None` if the positions hardly tell these terms apart: what differs
-    /// between them would be blown up.
+    /// Fits the mean, and sine and cosine of `count` harmonics; `None` if the positions hardly
+    /// distinguish these terms, because differences between them would be amplified.
     fn fitted(&self, values: &[f64], count: usize) -> Option<DVector<f64>> {
         let term = |row: usize, column: usize| {
             let angle = TAU * self.at[row] * column.div_ceil(2) as f64;
@@ -148,7 +153,7 @@ impl Cycle {
         let weighted = DMatrix::from_fn(terms.nrows(), terms.ncols(), |i, k| self.weights[i] * terms[(i, k)]);
         let right = weighted.transpose() * DVector::from_column_slice(values);
         let factor = (weighted.transpose() * terms).cholesky()?;
-        // Pivots of sines and cosines are halves, if positions are uniform.
+        // Pivots of sines and cosines are one half at uniform positions.
         let told = factor.l_dirty().diagonal().iter().all(|pivot| pivot * pivot > TOLD_APART);
         told.then(|| factor.solve(&right))
     }

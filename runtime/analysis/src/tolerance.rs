@@ -1,15 +1,20 @@
-//! The cheapest way to analyse whose estimated error keeps to a tolerance.
+//! Tolerance search: finds the cheapest setting whose estimated error satisfies a tolerance.
 //!
-//! Settings stand on a ladder from cheap to dear: the levels, and meshes of each. From the bottom up, each solves a few positions with
-//! estimates of all its errors, what its level leaves out among them; the first that keeps to the tolerance analyses the whole. What is
-//! found wanting says what to change: the level, the mesh, the contact grid. Contact cells come first where they alone miss the tolerance: they are
-//! had cheapest at a low level, and so is the knowledge that no number of them will do. Levels that the scene cannot be had at are passed over. The
-//! whole analysis is judged by its own estimates, and where they miss the tolerance it is done again one better; so are positions doubled where too
-//! much lies between them. What is not estimated keeps to nothing.
+//! Settings form a sequence from cheap to expensive: the fidelity levels, and meshes of each. From
+//! the start, each solves a few positions with estimates of all errors, including the model error.
+//! The first that satisfies the tolerance analyses all positions. The dominant part of the error
+//! determines the next change: level, mesh or contact grid. Contact grids are refined first if they
+//! alone miss the tolerance, because they are cheapest at a low level, and because this shows early
+//! that no number of cells suffices. Fidelity levels that do not support the scene are skipped. The
+//! whole analysis has its own estimates; if they miss the tolerance, it is repeated with a better
+//! setting. The number of positions is doubled if the variation between them is too large. An
+//! output without an error estimate fails the tolerance.
 //!
-//! Choices depend on estimates and on counted work ([`bound`]), never on times, so that they are the
-//! same on every machine. A search that would take too much work, or that is interrupted, ends with
-//! the best results so far, and says so ([`Chosen::ended`]).
+//! Decisions depend on estimates and on counted work ([`bound`]), never on times, so they are equal
+//! on every machine. A search that would take too much work, or that is interrupted, ends with the
+//! best results so far and reports this ([`Chosen::ended`]).
+//!
+//! See `docs/theory/fidelity.md`.
 
 mod best;
 mod bound;
@@ -33,18 +38,21 @@ use calyx_structure::cache::OperatorCache;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Positions that settings are compared at, beside those with names.
+/// Number of positions for the comparison of settings, in addition to named ones.
 const SPREAD: usize = 4;
-/// Contact grids and positions are doubled so often at most.
+/// Maximum number of doublings of contact grids and of positions.
 const DOUBLINGS: u32 = 3;
-/// What is left of the error of contact grids where their cells are doubled: estimates are from the same order.
+/// Fraction of the contact grid error that remains after doubling the cells; the estimates assume
+/// the same order.
 const LEFT_OF_GRID: f64 = 0.3;
-/// A part of the error that takes more than this of the tolerance is worth mending by itself.
+/// A part of the error above this fraction of the tolerance is reduced on its own.
 const SHARE: f64 = 0.5;
-/// Bytes of the structures that are kept while settings are compared, where nobody else keeps them.
+/// Size of the structure cache during the comparison of settings, bytes, if there is no other
+/// cache.
 const KEPT: usize = 1 << 30;
 
-/// Factors on the elements of a level along every direction, from coarse to fine. In space a finer template does more.
+/// Returns the factors on the elements of a level along every direction, from coarse to fine. In
+/// three dimensions a finer template is more effective.
 fn meshes(fidelity: Fidelity) -> &'static [f64] {
     match fidelity {
         Fidelity::Rigid | Fidelity::Analytic => &[1.0],
@@ -74,7 +82,7 @@ pub fn quasi_static_within(
     check_tolerance(tolerance)?;
     let mut resources = options.resources.clone();
     resources.cache.get_or_insert_with(|| Arc::new(OperatorCache::new(KEPT)));
-    // Rows of an earlier run may be those of another setting.
+    // Rows of an earlier run may belong to another setting.
     let options = AnalysisOptions {
         resources,
         solved: Vec::new(),
@@ -110,10 +118,10 @@ pub fn quasi_static_within(
     }
 }
 
-/// Whether there can be such a tolerance.
+/// Checks the tolerance.
 ///
 /// # Errors
-/// E0791: it is no part between 0 and 1.
+/// E0791: it is not between 0 and 1.
 pub fn check_tolerance(tolerance: f64) -> Result<(), EngineError> {
     if tolerance > 0.0 && tolerance < 1.0 {
         return Ok(());
@@ -123,32 +131,32 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), EngineError> {
         .blame("tolerance"))
 }
 
-/// Where a search stands on the ladder.
+/// State of a search.
 #[derive(Clone, Debug)]
 struct Ladder {
     tolerance: f64,
     setting: Setting,
-    /// Above the setting's that the scene may be had at.
+    /// Levels above that of the setting that may support the scene.
     levels: Vec<Fidelity>,
 }
 
-/// The search for a setting.
+/// Search for a setting.
 struct Search<'a> {
     ladder: Ladder,
     scene: &'a Scene,
     outputs: &'a [OutputRequest],
     options: AnalysisOptions,
-    /// The first that it cannot be had at, and why.
+    /// First level that does not support the scene, and the reason.
     missing: Option<(Fidelity, EngineError)>,
     tried: Vec<Tried>,
     work: Work,
-    /// The results with the least estimated error.
+    /// Results with the smallest estimated error.
     best: Option<Best>,
-    /// Which of those tried the observer has been told the positions of last.
+    /// Index of the attempt whose positions the observer received last.
     observed: Option<usize>,
 }
 
-/// The reason for which a search ends without a setting that meets the tolerance.
+/// Reason for which a search ends without a setting that meets the tolerance.
 enum Stop {
     /// There are no results.
     Failed(EngineError),
@@ -163,7 +171,7 @@ impl From<EngineError> for Stop {
     }
 }
 
-/// Who is told, and whether it was they that ended an analysis.
+/// Observer, with a flag that it ended an analysis.
 struct Heard<'a> {
     observer: &'a mut dyn Observer,
     refused: bool,
@@ -177,27 +185,28 @@ impl Observer for Heard<'_> {
     }
 }
 
-/// What is wrong with a setting, each as the largest part of an output's magnitude.
+/// Errors of a setting by cause, each the largest relative to an output's magnitude.
 #[derive(Clone, Copy, Debug)]
 struct Wanting {
-    /// Whether an output has no value at all.
+    /// True if an output has no value.
     values: bool,
     level: f64,
-    /// What the level leaves out beyond what the mesh may be wrong by: the level above, which has a mesh of its own, sees both.
+    /// Model error in excess of the mesh error: the comparison with the next level, which has its
+    /// own mesh, includes both.
     beyond_mesh: f64,
     grid: f64,
     between: f64,
 }
 
 impl Ladder {
-    /// Goes to a better setting, by what is wrong with this one; false where there is none.
+    /// Moves to a better setting according to the errors of this one; false if there is none.
     fn better(&mut self, wanting: Wanting) -> bool {
         let Wanting { values, level, beyond_mesh, grid, between } = wanting;
         let Setting { fidelity, refinement, cells, positions } = self.setting;
         let finer = meshes(fidelity).iter().copied().find(|&finer| finer > refinement);
         let next = self.levels.first().copied();
         let worth = SHARE * self.tolerance;
-        // How often cells and positions may be doubled yet.
+        // Remaining doublings of cells and positions.
         let [cells_left, positions_left] =
             [cells, positions].map(|count| DOUBLINGS.saturating_sub(count.ilog2()));
         let least = grid * LEFT_OF_GRID.powi(cells_left as i32);
@@ -216,7 +225,7 @@ impl Ladder {
         true
     }
 
-    /// To the next level, with its coarsest mesh; false where there is none.
+    /// Moves to the next level, with its coarsest mesh; false if there is none.
     fn rise(&mut self) -> bool {
         if self.levels.is_empty() {
             return false;
@@ -229,11 +238,11 @@ impl Ladder {
 }
 
 impl Search<'_> {
-    /// Tries settings from cheap to dear until one meets the tolerance at all positions.
+    /// Tries settings from cheap to expensive until one meets the tolerance at all positions.
     fn climb(&mut self, positions: &[Position], observer: &mut dyn Observer) -> Result<AnalysisResult, Stop> {
         let few = few_of(positions);
         let few_are_all = few.len() == positions.len();
-        // Whether a few positions have been compared by the setting, or need not be.
+        // True if the setting has been compared at a few positions, or need not be.
         let mut compared = few_are_all;
         loop {
             observer.observe(Event::Stage("choosing"))?;
@@ -248,13 +257,13 @@ impl Search<'_> {
             {
                 return Ok(best.result);
             }
-            // More positions change nothing at the few.
+            // More positions do not change the comparison at a few.
             compared =
                 few_are_all || Setting { positions: setting.positions, ..self.ladder.setting } == setting;
         }
     }
 
-    /// How far the search is.
+    /// Returns the progress of the search.
     fn choosing(&self, whole: bool) -> Choosing {
         Choosing {
             setting: self.ladder.setting,
@@ -264,8 +273,8 @@ impl Search<'_> {
         }
     }
 
-    /// Analyses with the setting, and stores the results if none are better. Returns true if they meet
-    /// the tolerance; otherwise the setting is a better one afterwards.
+    /// Analyses with the setting, and stores the results if none are better. Returns true if they
+    /// meet the tolerance; otherwise the setting is a better one afterwards.
     fn attempt(
         &mut self,
         positions: &[Position],
@@ -303,7 +312,7 @@ impl Search<'_> {
             Err(error) if options.resources.interrupt.check().is_err() => {
                 return Err(Stop::Ended(error.message.clone(), error));
             }
-            // The scene cannot be had at a level that nobody asked for.
+            // A level above the requested one does not support the scene.
             Err(error) if fidelity != self.options.fidelity => {
                 return Ok(self.pass_over(error).map(|()| false)?);
             }
@@ -316,7 +325,7 @@ impl Search<'_> {
             let all = result.summaries.iter().map(of).enumerate();
             all.fold((0, 0.0), |worst, this| if this.1 > worst.1 { this } else { worst })
         };
-        // Few positions say nothing of what lies between them.
+        // A few positions do not reveal the variation between them.
         let counted: Vec<Part> =
             Part::ALL.into_iter().filter(|&part| whole || part != Part::Positions).collect();
         let (output, error) = worst_in(&counted);
@@ -350,7 +359,8 @@ impl Search<'_> {
         }
     }
 
-    /// The scene cannot be had at the setting's level: the next above it is tried; where there is none, the finest mesh below.
+    /// Skips the setting's level, which does not support the scene: moves to the next level or, if
+    /// there is none, to the finest mesh below.
     fn pass_over(&mut self, error: EngineError) -> Result<(), Stop> {
         let Setting { fidelity, cells, positions, .. } = self.ladder.setting;
         self.missing.get_or_insert((fidelity, error));
@@ -383,8 +393,8 @@ impl Search<'_> {
         EngineError::new("E0793", message, LARGER).blame("tolerance")
     }
 
-    /// Notes in results with which setting they were had: with the last one, or for a reason with
-    /// another of those tried.
+    /// Records in results the setting of their analysis: the last one, or another of those tried,
+    /// with the reason.
     fn chosen(self, mut result: AnalysisResult, ended: Option<(String, usize)>) -> AnalysisResult {
         let unseen = result.summaries.iter().filter_map(|summary| summary.error.as_ref()).find_map(|error| {
             error
@@ -407,10 +417,10 @@ impl Search<'_> {
     }
 }
 
-/// The largest error of extremes and mean in some parts, as a part of the largest magnitude; infinite of what is not known to keep to anything.
-/// `several`: whether there is more than one position.
+/// Returns the largest error of extremes and mean in some parts, relative to the largest magnitude;
+/// infinite if unknown. `several` is true if there is more than one position.
 fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity, several: bool) -> f64 {
-    // An output without a value keeps to nothing.
+    // An output without a value fails the tolerance.
     let Some(error) = summary.error.as_ref().filter(|_| summary.max.is_finite() && summary.min.is_finite())
     else {
         return f64::INFINITY;
@@ -418,9 +428,10 @@ fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity, several
     let is_missing = |(part, _): &(Part, String)| {
         let needed = match part {
             Part::Discretization | Part::ContactGrid | Part::TimeStep => true,
-            // A single position has nothing beside it.
+            // A single position has no variation between positions.
             Part::Positions => several,
-            // Meshes may be all that a scene can be had by; what has none is not to be trusted by itself.
+            // Only finite element models may lack a comparison with another level; closed-form
+            // models need one.
             Part::Level => fidelity.body_model() != BodyModel::Elements,
         };
         needed && parts.contains(part)
@@ -428,7 +439,7 @@ fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity, several
     if error.not_estimated.iter().any(is_missing) {
         return f64::INFINITY;
     }
-    // Where nothing is but rounding there is nothing to keep to.
+    // A value that consists of rounding satisfies any tolerance.
     if error.is_rounding(summary) {
         return 0.0;
     }
@@ -437,20 +448,20 @@ fn relative(summary: &OutputSummary, parts: &[Part], fidelity: Fidelity, several
     if error == 0.0 { 0.0 } else { error / summary.max.abs().max(summary.min.abs()) }
 }
 
-/// Those with names, where loads jump, and some spread over all.
+/// Returns the named positions, where loads jump, and some spread over all.
 fn few_of(positions: &[Position]) -> Vec<Position> {
     let spread = |index: usize| (0..SPREAD).any(|k| k * positions.len() / SPREAD == index);
     let wanted = positions.iter().enumerate().filter(|(index, at)| !at.name.is_empty() || spread(*index));
     wanted.map(|(_, position)| position.clone()).collect()
 }
 
-/// One more position between any two.
+/// Inserts a position between any two.
 fn doubled(positions: &[Position]) -> Vec<Position> {
     let mut all = Vec::with_capacity(2 * positions.len());
     for pair in positions.windows(2) {
         let [one, other] = [&pair[0], &pair[1]];
         all.push(one.clone());
-        // Both sides of a jump stay as near to each other as they are.
+        // Both sides of a jump keep their distance.
         if one.name.is_empty() || other.name.is_empty() {
             let middle = |of: fn(&Position) -> f64| 0.5 * (of(one) + of(other));
             all.push(Position {

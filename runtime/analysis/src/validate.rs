@@ -40,9 +40,9 @@ pub struct Request<'a> {
     pub outputs: &'a [OutputRequest],
     /// Quasi-static or dynamic.
     pub method: Method<'a>,
-    /// How bodies are modelled.
+    /// Fidelity level of the bodies.
     pub fidelity: Fidelity,
-    /// How finely.
+    /// Discretization of the structures.
     pub structure: StructureOptions,
     /// Natural frequency up to which bodies have modes, Hz; 0 for none.
     pub highest_frequency: f64,
@@ -55,7 +55,7 @@ const AVOIDABLE: [&str; 12] = [
 ];
 
 impl<'a> Request<'a> {
-    /// The request of an analysis with these options.
+    /// Creates the request of an analysis with these options.
     pub fn new(
         scene: &'a Scene,
         outputs: &'a [OutputRequest],
@@ -66,16 +66,17 @@ impl<'a> Request<'a> {
         Request { scene, outputs, method, fidelity, structure, highest_frequency }
     }
 
-    /// The plan of the analysis, if it is possible.
+    /// Plans the analysis, if it is possible.
     ///
     /// # Errors
-    /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676, E0677, E0690, E0714, E0715,
-    /// E0723, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to E0783. Also the interrupt's.
+    /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676,
+    /// E0677, E0690, E0714, E0715, E0723, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to
+    /// E0783. Also those of the interrupt.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
         let first = match self.method {
             Method::QuasiStatic(positions) => Some(positions.first().map_or(0.0, |position| position.time)),
-            // A motion that begins where frames stand needs no equilibrium.
+            // A motion that starts at the prescribed position needs no equilibrium.
             Method::Dynamic(dynamics) => (dynamics.start == Start::Equilibrium).then_some(dynamics.from),
         };
         if let Some(time) = first {
@@ -84,8 +85,8 @@ impl<'a> Request<'a> {
         Ok(plan)
     }
 
-    /// Outputs that have no value at the requested fidelity while others have one, each as the
-    /// error to report.
+    /// Returns the outputs that have no value at the requested fidelity while others have one, each
+    /// as the error to report.
     pub fn without_value(&self) -> Vec<EngineError> {
         let refused = Refused::of(self.scene, self.outputs, self.fidelity);
         if refused.len() == self.outputs.len() {
@@ -126,7 +127,7 @@ impl<'a> Request<'a> {
     /// Checks that free bodies have inertia and that the scene has the modes that outputs request.
     fn check_vibrations(&self, plan: &Plan) -> Result<(), EngineError> {
         let freedoms = number_freedoms(self.scene, plan);
-        // Inertia of a gear takes its mesh, so it is found for free bodies alone.
+        // The inertia of a gear requires its mesh, so only that of free bodies is computed.
         let inertia = |(index, body): (usize, &calyx_model::body::Body)| match freedoms
             .iter()
             .any(|freedom| freedom.body == index)
@@ -136,15 +137,15 @@ impl<'a> Request<'a> {
         };
         let inertias: Vec<Inertia> = self.scene.bodies.iter().enumerate().map(inertia).collect();
         check_inertia(self.scene, &freedoms, &inertias)?;
-        // How many modes bodies have up to a frequency is known when they are found.
+        // The number of modes up to a frequency is known only after they are computed.
         match self.highest_frequency > 0.0 {
             true => Ok(()),
             false => check_mode_count(self.scene, freedoms.len()),
         }
     }
 
-    /// The error with a remedy that works: first changes of the request that make it possible, then
-    /// what the error itself advises.
+    /// Replaces the remedy of an error by one that works: first changes of the request that make it
+    /// possible, then the remedy of the error itself.
     fn advise(&self, error: EngineError) -> EngineError {
         if !AVOIDABLE.contains(&error.code) {
             return error;
@@ -157,15 +158,15 @@ impl<'a> Request<'a> {
         EngineError { help, ..error }
     }
 
-    /// The smallest change of fidelity, modes and method that makes the request possible, as an
-    /// imperative.
+    /// Returns the smallest change of fidelity, modes and method that makes the request possible,
+    /// as an imperative.
     fn possible_change(&self) -> Option<String> {
         let possible = |request: &Request<'_>| request.decide().is_ok();
         let elsewhere = |request: Request<'_>| -> Vec<Fidelity> {
             let at = |fidelity: &Fidelity| possible(&Request { fidelity: *fidelity, ..request });
             let elastic = |fidelity: &Fidelity| *fidelity != Fidelity::Rigid && at(fidelity);
-            // The nearest with more detail and the nearest with less; rigid bodies only if there is
-            // nothing else.
+            // The nearest with more detail and the nearest with less; rigid bodies only as a last
+            // resort.
             let more = self.fidelity.all_above().find(at);
             let named: Vec<Fidelity> = more.into_iter().chain(below(self.fidelity).find(elastic)).collect();
             match named.is_empty() && self.fidelity != Fidelity::Rigid && at(&Fidelity::Rigid) {
@@ -209,7 +210,7 @@ impl<'a> Request<'a> {
     }
 }
 
-/// Fidelities with less detail, the nearest first.
+/// Returns the fidelities with less detail, the nearest first.
 fn below(fidelity: Fidelity) -> impl Iterator<Item = Fidelity> {
     let at = Fidelity::ALL.into_iter().position(|known| known == fidelity).unwrap_or(0);
     Fidelity::ALL.into_iter().take(at).rev()

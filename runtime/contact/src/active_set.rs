@@ -1,13 +1,15 @@
-//! Exact solution of the contact problem by pivoting between active sets.
+//! Exact solution of the contact problem by active-set methods.
 //!
-//! Block principal pivoting (Júdice & Pires, Computers & Operations Research 21, 1994) exchanges all cells of wrong sign
-//! at once and takes a handful of factorisations. If it stops gaining ground, a primal active-set method (Nocedal & Wright,
-//! Numerical Optimization, alg. 16.3) takes over: one exchange at a time from a feasible start, with falling objective, so it
-//! ends. Clarabel is the last resort.
+//! Block principal pivoting (Júdice & Pires, Computers & Operations Research 21, 1994) exchanges
+//! all cells of wrong sign in each iteration and takes a handful of factorizations. If it makes no
+//! progress, a primal active-set method (Nocedal & Wright, Numerical Optimization, alg. 16.3)
+//! replaces it: single exchanges from a feasible start with decreasing objective, so it terminates.
+//! The interior-point solver Clarabel is the last resort.
 //!
-//! The problem is first scaled to unit compliance of every cell and to arms of order one, by powers of two: nothing is
-//! rounded and units do not matter. The equations of the final active set are always those of its cells in ascending
-//! order with one step of refinement, so the answer's bits do not depend on where the search started.
+//! The problem is first scaled to unit compliance of every cell and to influence of order one of
+//! every DOF. The factors are powers of two, so nothing is rounded, and units do not matter. The
+//! final equations are always those of the cells in ascending order with one step of iterative
+//! refinement, so the bits of the solution do not depend on the start.
 
 use super::clarabel_check;
 use super::dense::{ActiveEquations, Matrix, Singular, dot, null_motion};
@@ -16,30 +18,32 @@ use super::problem::{ContactError, ContactProblem, FreeMotion, Method, Solution}
 use super::scaled::Scaled;
 use calyx_numerics::interrupt::Interrupt;
 
-/// Blocks of exchanges tried without fewer wrong signs before single exchanges take over.
+/// Number of block exchanges without a smaller number of wrong signs before single exchanges take
+/// over.
 const PATIENCE: usize = 10;
-/// A force below this fraction of the largest counts as zero: rounding, times the compliance's condition.
+/// Forces below this fraction of the largest count as zero: rounding, times the condition number of
+/// the compliance.
 const FORCE_TOLERANCE: f64 = 1e-12;
-/// An overlap below this fraction of the terms of a gap counts as zero.
+/// Overlaps below this fraction of the terms of a gap count as zero.
 const GAP_TOLERANCE: f64 = 1e-13;
 
-/// Solves a contact problem. `warm_start` is a guess of the cells that carry force (from a neighbouring step, say);
-/// indices beyond the cells are ignored.
+/// Solves a contact problem. `warm_start` is an estimate of the active set, for example from a
+/// neighbouring step; indices beyond the cells are ignored.
 ///
-/// Without any load the motion is one of many that leave no overlap: [`super::rigid_limit`] picks the one that a drive
-/// would leave.
+/// Without any load the motion is not unique; [`super::rigid_limit`] selects the limit under a
+/// vanishing drive load.
 ///
 /// # Errors
-/// [`ContactError::Infeasible`] and [`ContactError::Unconstrained`] name the motion at fault,
+/// [`ContactError::Infeasible`] and [`ContactError::Unconstrained`] contain the motion,
 /// [`ContactError::DependentCells`] the cell.
 pub fn solve(problem: &ContactProblem, warm_start: Option<&[usize]>) -> Result<Solution, ContactError> {
     solve_until(problem, warm_start, &Interrupt::never())
 }
 
-/// The same, with a checkpoint before each factorisation.
+/// Solves a contact problem and polls an interrupt before each factorization.
 ///
 /// # Errors
-/// As [`solve`]; [`ContactError::Interrupted`].
+/// Those of [`solve`]; [`ContactError::Interrupted`].
 pub fn solve_until(
     problem: &ContactProblem,
     warm_start: Option<&[usize]>,
@@ -47,12 +51,12 @@ pub fn solve_until(
 ) -> Result<Solution, ContactError> {
     problem.validate()?;
     let solution = pivot(problem, warm_start, interrupt)?;
-    // Largest residuals pass over what is no number: such a solution has no certificate.
+    // Maxima ignore NaN, so a solution with NaN would pass its certificate.
     let finite = solution.forces.iter().chain(&solution.motion).all(|value| value.is_finite());
     if finite { Ok(solution) } else { Err(ContactError::NotConverged) }
 }
 
-/// Of a valid problem.
+/// Solves a valid problem by pivoting.
 fn pivot(
     problem: &ContactProblem,
     warm_start: Option<&[usize]>,
@@ -65,7 +69,8 @@ fn pivot(
     warm.sort_unstable();
     warm.dedup();
     let mut iterations = 0;
-    // A warm start that leads nowhere (it may not even hold all freedoms) is followed by a cold one, from all cells.
+    // A warm start may fail, for example if it does not determine all DOFs. A cold start with all
+    // cells follows.
     for start in [warm, (0..problem.cells()).collect()] {
         if start.is_empty() && problem.cells() > 0 {
             continue;
@@ -85,7 +90,7 @@ fn pivot(
     Ok(Solution { forces, motion, gaps, active, method: Method::Clarabel, iterations, certificate })
 }
 
-/// A set of cells with its forces and the motion, in scaled variables.
+/// Active set with its forces and the motion, in scaled variables.
 struct Found {
     active: Vec<usize>,
     forces: Vec<f64>,
@@ -97,7 +102,8 @@ impl Scaled<'_> {
         free_motion(scaled_motion, &self.freedom_scale)
     }
 
-    /// Motions that no cell and no spring resists make the problem ill-posed, whatever the active set.
+    /// Rejects motions that no cell and no spring resists: the problem is ill-posed for every
+    /// active set.
     fn check_freedoms(&self) -> Result<(), ContactError> {
         let m = self.load.len();
         let Some(motion) = null_motion(&self.resistance(0..self.cells()), 1e-14) else {
@@ -112,7 +118,8 @@ impl Scaled<'_> {
         Err(ContactError::Infeasible(self.free_motion(&motion)))
     }
 
-    /// `K + C_S' C_S`: singular on the motions that the cells S and the springs do not see.
+    /// Computes `K + C_S' C_S`, which is singular on the motions that neither the cells S nor the
+    /// springs resist.
     fn resistance(&self, cells: impl Iterator<Item = usize>) -> Matrix {
         let mut sum = self.stiffness.clone();
         for i in cells {
@@ -126,7 +133,8 @@ impl Scaled<'_> {
         sum
     }
 
-    /// Forces of the active cells and the motion that close their gaps, with one step of refinement.
+    /// Computes the forces on the active cells and the motion that close their gaps, with one step
+    /// of iterative refinement.
     fn close(&self, active: &[usize], interrupt: &Interrupt) -> Result<(Vec<f64>, Vec<f64>), Singular> {
         let m = self.load.len();
         let equations = ActiveEquations::new(
@@ -161,7 +169,8 @@ impl Scaled<'_> {
         elastic + dot(self.arms.row(i), motion) + self.gaps[i]
     }
 
-    /// Sum of magnitudes of the terms of the active cells' gaps, the largest: what overlaps are compared with.
+    /// Returns the largest sum of magnitudes of the terms of an active cell's gap: the scale of
+    /// overlaps.
     fn gap_scale(&self, active: &[usize], forces: &[f64], motion: &[f64]) -> f64 {
         active
             .iter()
@@ -174,19 +183,20 @@ impl Scaled<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// Cells outside the active set that overlap beyond rounding, with their (negative) gaps.
+    /// Returns cells outside the active set that overlap beyond rounding, with their (negative)
+    /// gaps.
     fn overlapping(&self, found: &Found) -> Vec<(usize, f64)> {
         let tolerance = self.gap_tolerance(found);
         self.open(found).filter(|&(_, gap)| gap < -tolerance).collect()
     }
 
-    /// The first of some cells that touches without being part of the active set.
+    /// Returns the first of these cells that touches without belonging to the active set.
     fn touching(&self, found: &Found, cells: &[usize]) -> Option<usize> {
         let tolerance = self.gap_tolerance(found);
         self.open(found).find(|(i, gap)| *gap <= tolerance && cells.contains(i)).map(|(i, _)| i)
     }
 
-    /// Gaps of the cells beside the active set.
+    /// Returns the gaps of the cells outside the active set.
     fn open(&self, found: &Found) -> impl Iterator<Item = (usize, f64)> {
         let mut loaded = vec![false; self.cells()];
         for &i in &found.active {
@@ -219,7 +229,8 @@ impl Scaled<'_> {
     }
 }
 
-/// Back to the freedoms' units, the one that moves most in scaled units named and set to ±1.
+/// Transforms a motion to the units of the DOFs. The DOF that moves most in scaled units is named
+/// and set to ±1.
 pub(super) fn free_motion(scaled_motion: &[f64], freedom_scale: &[f64]) -> FreeMotion {
     let freedom = (0..scaled_motion.len())
         .max_by(|&k, &l| scaled_motion[k].abs().total_cmp(&scaled_motion[l].abs()).then(l.cmp(&k)))
@@ -229,13 +240,15 @@ pub(super) fn free_motion(scaled_motion: &[f64], freedom_scale: &[f64]) -> FreeM
     FreeMotion { freedom, direction: own[freedom].signum(), motion: own.iter().map(|x| x / size).collect() }
 }
 
-/// What counts as zero beside these forces, or, should all be rounding, beside the force that a gap is worth.
+/// Returns the force that counts as zero: relative to these forces or, if all are rounding, to the
+/// force that closes a gap.
 fn force_tolerance(scaled: &Scaled, forces: &[f64]) -> f64 {
     let largest = |values: &[f64]| values.iter().fold(0.0f64, |a, v| a.max(v.abs()));
     (FORCE_TOLERANCE * largest(forces)).max(1e-16 * largest(&scaled.gaps))
 }
 
-/// `None` if it does not converge, or meets a set of cells that does not hold all freedoms.
+/// Block principal pivoting; `None` if it does not converge or reaches an active set that does not
+/// determine all DOFs.
 fn block_pivoting(
     scaled: &Scaled,
     start: Vec<usize>,
@@ -251,7 +264,7 @@ fn block_pivoting(
         interrupt.check().map_err(ContactError::Interrupted)?;
         let (forces, motion) = match scaled.close(&active, interrupt) {
             Ok(closed) => closed,
-            // What depends on others may well be open in the end: it matters only if it is not.
+            // A dependent cell matters only if it is loaded in the final solution.
             Err(Singular::Compliance(position)) => {
                 dependent.push(active.remove(position));
                 continue;
@@ -286,7 +299,8 @@ fn block_pivoting(
     }
 }
 
-/// Cells whose force is rounding are no part of the active set: which of them a search ends with depends on its start.
+/// Removes cells whose force is rounding from the active set, because their membership depends on
+/// the start.
 fn without_idle_cells(
     scaled: &Scaled,
     mut found: Found,
@@ -307,7 +321,7 @@ fn without_idle_cells(
         match scaled.close(&kept, interrupt) {
             Ok((forces, motion)) => found = Found { active: kept, forces, motion },
             Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
-            // Idle cells alone fix some freedom (a load that vanishes in its direction): keep them, unloaded.
+            // Idle cells alone determine some DOF (its load vanishes): keep them, unloaded.
             Err(_) => {
                 for q in found.forces.iter_mut().filter(|q| **q <= tolerance) {
                     *q = 0.0;
@@ -318,7 +332,7 @@ fn without_idle_cells(
     }
 }
 
-/// Primal active set from a feasible start. `None` at the limit of iterations.
+/// Primal active-set method from a feasible start; `None` at the limit of iterations.
 fn single_pivoting(
     scaled: &Scaled,
     iterations: &mut usize,
@@ -330,7 +344,7 @@ fn single_pivoting(
         Balance::RunsAway(motion) => return Err(ContactError::Infeasible(scaled.free_motion(&motion))),
         Balance::Interrupted(error) => return Err(ContactError::Interrupted(error)),
     };
-    // The active cells must see every freedom; once they do, exchanges keep it so.
+    // The active cells must determine every DOF; exchanges preserve this property.
     while let Some(motion) = null_motion(&scaled.resistance(active.iter().copied()), 1e-12) {
         let seen = |i: usize| dot(scaled.arms.row(i), &motion).abs();
         let Some(cell) = (0..n)
@@ -354,7 +368,7 @@ fn single_pivoting(
             Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
         let tolerance = force_tolerance(scaled, &target);
-        // The first cell whose force reaches zero on the way to the target; ties by index.
+        // First cell whose force vanishes on the way to the target; ties by index.
         let blocking = active
             .iter()
             .zip(&target)

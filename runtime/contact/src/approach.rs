@@ -1,14 +1,15 @@
-//! Where two placed profiles come closest: opposite normals, joined along the normal.
+//! Closest approach of two placed profiles: points with opposite normals, joined along the normal.
 //!
-//! With t the tangents, n the outward normals and P the points, the unknown arc lengths satisfy `(P2 - P1)·t1 = 0` and
-//! `t2·n1 = 0`. A scan over both profiles, piece by piece between the jumps of their curvatures, finds where both residuals
-//! change sign; Newton's method does the rest, and as its Jacobian has the determinant
-//! `-(k1 + k2 + k1 k2 gap)` it converges to rounding wherever the surfaces are not conforming.
+//! With the tangents t, the outward normals n and the points P, the arc lengths satisfy `(P2 -
+//! P1)·t1 = 0` and `t2·n1 = 0`. A scan over both profiles, piece by piece between the jumps of
+//! their curvatures, brackets the sign changes of both residuals. Newton's method follows; its
+//! Jacobian has the determinant `-(k1 + k2 + k1 k2 gap)`, so it converges to rounding unless the
+//! surfaces are conforming.
 
 use super::placement::{ContactFrame, Placement, dot, minus};
 use calyx_structure::profile::{Profile, ProfilePoint};
 
-/// A profile where its body has put it.
+/// Profile in the position of its body.
 #[derive(Clone, Copy)]
 pub struct PlacedProfile<'a> {
     /// Profile in the coordinates of its body.
@@ -18,7 +19,7 @@ pub struct PlacedProfile<'a> {
 }
 
 impl PlacedProfile<'_> {
-    /// The point at arc length `s`, in the coordinates that the profile is placed in.
+    /// Returns the point at arc length `s`, in the coordinates of the placement.
     pub fn at(&self, s: f64) -> ProfilePoint {
         let local = self.profile.at(s);
         ProfilePoint {
@@ -29,7 +30,8 @@ impl PlacedProfile<'_> {
         }
     }
 
-    /// Arc length at which the search ends: the profile's end, or the start of its edge.
+    /// Returns the arc length at which the search ends: the end of the profile, or the start of its
+    /// edge.
     pub(super) fn end(&self, search_edges: bool) -> f64 {
         match self.profile.edge_from() {
             Some(edge) if !search_edges => edge.min(self.profile.length()),
@@ -42,35 +44,38 @@ impl PlacedProfile<'_> {
     }
 }
 
-/// The closest approach of two profiles.
+/// Closest approach of two profiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
     /// Distance along the common normal, m; negative where the bodies overlap.
     pub gap: f64,
-    /// Arc length on either profile, m.
+    /// Arc length on each profile, m.
     pub s: [f64; 2],
     /// Reference point, common normal and tangent.
     pub frame: ContactFrame,
-    /// Sum of both curvatures with their gap's share, 1/m: what the gap grows with, half of it times x².
+    /// Relative curvature, 1/m, including the effect of the gap: the gap grows by half of it times
+    /// x².
     pub relative_curvature: f64,
-    /// Whether the point lies on the profile's rounded edge.
+    /// True if the point lies on the rounded edge of the profile.
     pub on_edge: [bool; 2],
-    /// Whether it is the profile's end, because no point within has a normal opposite to the other's.
-    /// The relative curvature then says nothing.
+    /// True if the point is the end of the profile, because no point within has a normal opposite
+    /// to that of the other profile. The relative curvature is meaningless then.
     pub at_end: [bool; 2],
 }
 
-/// Samples of each smooth piece of a profile. A piece is a flank, a relief or the rounding of an edge: along it the normal
-/// turns steadily, by less than a right angle or so.
+/// Number of samples per smooth piece of a profile. A piece is a flank, a relief or a rounded edge:
+/// its normal rotates monotonically by less than about a right angle.
 const SAMPLES_PER_PIECE: usize = 20;
 const NEWTON_STEPS: usize = 100;
-/// Newton steps in full; later ones are halved, lest they go to and fro over a jump of curvature.
+/// Number of full Newton steps. Later steps are halved, to avoid oscillation over a jump of
+/// curvature.
 const FULL_STEPS: usize = 20;
 
-/// The closest approach, or `None` if no two points face each other.
+/// Finds the closest approach; `None` if no two points face each other.
 ///
-/// With `search_edges` the whole profiles are searched and, failing a common normal, their ends. Without, only contact with a
-/// common normal on both flanks proper, below their edges, counts: the nominal path of contact.
+/// With `search_edges` the search includes the whole profiles and, without a common normal, their
+/// ends. Otherwise only contact with a common normal on both flanks below their edges counts: the
+/// nominal path of contact.
 pub fn closest_approach(first: PlacedProfile, second: PlacedProfile, search_edges: bool) -> Option<Approach> {
     let samples = [samples(&first, search_edges), samples(&second, search_edges)];
     let ends = [first.end(search_edges), second.end(search_edges)];
@@ -101,7 +106,7 @@ pub fn closest_approach(first: PlacedProfile, second: PlacedProfile, search_edge
     best
 }
 
-/// Points at which pieces are sampled, ascending in arc length.
+/// Returns the sample points, ascending in arc length.
 fn samples(placed: &PlacedProfile, search_edges: bool) -> Vec<(f64, ProfilePoint)> {
     let end = placed.end(search_edges);
     let mut knots = vec![0.0];
@@ -118,12 +123,13 @@ fn samples(placed: &PlacedProfile, search_edges: bool) -> Vec<(f64, ProfilePoint
     arcs.into_iter().map(|s| (s, placed.at(s))).collect()
 }
 
-/// The residuals of a common normal, in this order: join along the tangent, m; turn between the normals.
+/// Residuals of a common normal: join along the tangent, m, and sine of the angle between the
+/// normals.
 fn residuals(p1: &ProfilePoint, p2: &ProfilePoint) -> [f64; 2] {
     [dot(minus(p2.position, p1.position), p1.tangent), dot(p2.tangent, p1.normal)]
 }
 
-/// A common normal in the rectangle between two neighbouring samples on each profile.
+/// Finds a common normal in the rectangle between two neighbouring samples on each profile.
 fn tangential_contact(
     first: &PlacedProfile,
     second: &PlacedProfile,
@@ -145,7 +151,8 @@ fn tangential_contact(
             }
         }
     }
-    // A little more than the corners' range: the residuals are curved, and a root may lie on the rectangle's rim.
+    // Extend the range slightly beyond the corners: the residuals are curved, and a root may lie on
+    // the boundary of the rectangle.
     for k in 0..2 {
         let margin = 0.1 * (highest[k] - lowest[k]);
         if lowest[k] > margin || highest[k] < -margin {
@@ -157,7 +164,7 @@ fn tangential_contact(
     let (p1, p2) = (first.at(s[0]), second.at(s[1]));
     let gap = dot(minus(p2.position, p1.position), p1.normal);
     let relative_curvature = p1.curvature + p2.curvature + p1.curvature * p2.curvature * gap;
-    // Anything but a minimum of the distance is an approach from inside.
+    // Only a minimum of the distance counts; other stationary points approach from inside.
     if dot(p1.normal, p2.normal) >= 0.0 || relative_curvature <= 0.0 {
         return None;
     }
@@ -186,7 +193,7 @@ fn newton(
         let [along, turn] = residuals(&p1, &p2);
         let gap = dot(minus(p2.position, p1.position), p1.normal);
         let facing = dot(p1.tangent, p2.tangent);
-        // Derivatives by dt/ds = -k n, dn/ds = k t.
+        // Derivatives with dt/ds = -k n, dn/ds = k t.
         let [[a, b], [c, d]] = [
             [-1.0 - p1.curvature * gap, facing],
             [p1.curvature * facing, -p2.curvature * dot(p2.normal, p1.normal)],
@@ -199,12 +206,12 @@ fn newton(
         let size = step[0].abs().max(step[1].abs());
         let part = if iteration < FULL_STEPS { 1.0 } else { 0.5 };
         let next = [(s[0] + part * step[0]).clamp(0.0, ends[0]), (s[1] + part * step[1]).clamp(0.0, ends[1])];
-        // Held back at an end by more than rounding: the common normal lies outside.
+        // Limited at an end by more than rounding: the common normal lies outside.
         if next == s && size > 1e3 * settled {
             return None;
         }
         s = next;
-        // Settled, or as near as rounding of the profile lets it come.
+        // Converged, or limited by rounding of the profile.
         if size <= settled || (size <= 1e3 * settled && size >= 0.5 * previous) {
             return Some(s);
         }
@@ -213,7 +220,8 @@ fn newton(
     None
 }
 
-/// An end of one profile against the smooth part of the other; `corner_side` says which is the first body.
+/// Finds the contact of an end of one profile with the smooth part of the other; `corner_side` is
+/// the side of the corner.
 fn corner_contact(
     corner: &PlacedProfile,
     smooth: &PlacedProfile,
@@ -230,14 +238,14 @@ fn corner_contact(
         if along(&p_low) < 0.0 || along(&p_high) > 0.0 {
             continue;
         }
-        // The distance along the tangent falls as s grows: bisect to the last bit.
+        // The distance along the tangent decreases with s: bisect to the last bit.
         while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
             let middle = 0.5 * (low + high);
             if along(&smooth.at(middle)) > 0.0 { low = middle } else { high = middle }
         }
         let foot = smooth.at(low);
         let gap = dot(minus(end.position, foot.position), foot.normal);
-        // The corner must face the surface, and the profile behind it must recede.
+        // The corner must face the surface, and the profile behind the corner must recede.
         let inward = if at_length { -1.0 } else { 1.0 };
         let recedes = inward * dot(end.tangent, foot.normal) > 0.0;
         if dot(end.normal, foot.normal) < 0.0 && recedes && best.is_none_or(|b| gap < b.2) {

@@ -1,8 +1,8 @@
-//! The compliance of all cells of all patches: half-planes where load and observer share a surface, structures where they share
-//! a body.
+//! Compliance matrix of the cells of all patches: half-planes where load and observer share a
+//! surface, structures where they share a body.
 //!
-//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit for bit; nothing is
-//! averaged with its transpose.
+//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit
+//! for bit without averaging.
 
 use super::grid::Cell;
 use calyx_numerics::error::EngineError;
@@ -10,10 +10,11 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::half_plane::HalfPlane;
 use calyx_structure::{Chart, Structure};
 
-/// One body's part in a patch.
+/// Body in a patch.
 #[derive(Clone, Copy)]
 pub struct Side<'a> {
-    /// Tells bodies apart: several may share a structure (planets made alike) without touching each other's displacements.
+    /// Index of the body. Several bodies may share a structure (equal planets) without coupling of
+    /// their displacements.
     pub body: usize,
     /// Elastic behaviour of the body.
     pub structure: &'a dyn Structure,
@@ -21,7 +22,7 @@ pub struct Side<'a> {
     pub chart: Chart,
 }
 
-/// A patch: its two different bodies, in the order of its grid's sides, and its cells.
+/// Contact patch: its two different bodies, in the order of its grid's sides, and its cells.
 #[derive(Clone, Copy)]
 pub struct Patch<'a> {
     /// First and second body.
@@ -70,7 +71,8 @@ fn is_symmetric(block: &[f64], n: usize) -> bool {
     (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
 }
 
-/// Growth of the gaps of one patch per force on the cells of another, or of the `same`.
+/// Computes the influence coefficients of forces on the cells of one patch for the gaps of another
+/// or the `same`.
 fn block(
     observing: &Patch,
     loaded: &Patch,
@@ -103,7 +105,7 @@ fn block(
             };
             for (i, cell) in observing.cells.iter().enumerate() {
                 interrupt.check()?;
-                // Exchanging its cells leaves the half-plane's answer as it is.
+                // The half-plane term is symmetric, so compute one triangle.
                 let others = if same { &loaded.cells[..=i] } else { loaded.cells };
                 for (j, other) in others.iter().enumerate() {
                     let given = half_plane.cell_compliance(cell.arc[a], other.arc[b]);

@@ -1,23 +1,24 @@
-//! The contact problem through an independent interior-point solver: the check of the pivoting solver, and its fallback.
+//! Interior-point solution of the contact problem with Clarabel: independent check and fallback of
+//! the pivoting solver.
 
 use super::problem::{ContactError, ContactProblem};
 use super::scaled::Scaled;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
 
-/// Forces and motion, `(p, x)`, to interior-point accuracy.
+/// Solves for forces and motion, `(p, x)`, to interior-point accuracy.
 ///
 /// # Errors
-/// [`ContactError::NotConverged`] whatever the reason: the pivoting solver names reasons.
+/// [`ContactError::NotConverged`] for any failure; the pivoting solver reports reasons.
 pub fn solve(problem: &ContactProblem) -> Result<(Vec<f64>, Vec<f64>), ContactError> {
     problem.validate()?;
     let scaled = Scaled::new(problem);
     let (n, m) = (problem.cells(), problem.freedoms());
-    // Forces of order one: by the load, or where there is none by the overlaps.
+    // Scale forces to order one: by the load or, if it is zero, by the overlaps.
     let largest = |values: &[f64]| values.iter().fold(0.0f64, |a, v| a.max(v.abs()));
     let size = [largest(&scaled.load), largest(&scaled.gaps)].into_iter().find(|&s| s > 0.0).unwrap_or(1.0);
 
-    // Variables: q, and the motions y that the springs see.
+    // Variables: q, and the motions y that strain springs.
     let mut quadratic = Columns::default();
     for j in 0..n {
         quadratic.push((0..=j).map(|i| (i, scaled.compliance(i, j))));
@@ -58,7 +59,8 @@ pub fn solve(problem: &ContactProblem) -> Result<(Vec<f64>, Vec<f64>), ContactEr
     .map_err(|_| ContactError::NotConverged)?;
     solver.solve();
     match solver.solution.status {
-        // Tolerances are set beyond what it reaches: it ends where it gains no more.
+        // The tolerances are beyond the attainable accuracy, so the solver stops when it makes no
+        // more progress.
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {}
         _ => return Err(ContactError::NotConverged),
     }
@@ -67,7 +69,7 @@ pub fn solve(problem: &ContactProblem) -> Result<(Vec<f64>, Vec<f64>), ContactEr
     Ok((forces, motion))
 }
 
-/// A sparse matrix column by column; zeros are left out.
+/// Sparse matrix by columns without zeros.
 #[derive(Default)]
 struct Columns {
     starts: Vec<usize>,

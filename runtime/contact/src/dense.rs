@@ -1,4 +1,5 @@
-//! The equations of one active set: a dense Cholesky factor of its compliance and a Schur complement for the freedoms.
+//! Equations of an active set: dense Cholesky factorization of the compliance, and Schur complement
+//! for the DOFs.
 
 use calyx_numerics::dense::{add_product, divide_by_factor};
 use calyx_numerics::error::EngineError;
@@ -7,7 +8,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
 use faer::{Mat, MatMut, Par};
 
-/// Row-major rows by columns, as small and plain as the freedoms of a contact problem need.
+/// Dense row-major matrix for the few DOFs of a contact problem.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Matrix {
     pub rows: usize,
@@ -43,12 +44,13 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// Why the equations of an active set have no unique solution.
+/// Reason why the equations of an active set have no unique solution.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Singular {
-    /// The compliance is not positive definite; the position in the active set where the factor breaks down.
+    /// The compliance is not positive definite; contains the position in the active set at which
+    /// the factorization breaks down.
     Compliance(usize),
-    /// This motion of the freedoms is not seen by the active cells nor by a spring.
+    /// Neither the active cells nor a spring resist this motion.
     Freedoms(Vec<f64>),
     /// The factorization was interrupted.
     Interrupted(EngineError),
@@ -66,7 +68,8 @@ const WHOLE: usize = 1536;
 /// Multiplications between two checkpoints: less than a second.
 const PIECE: usize = 1 << 32;
 
-/// A pivot under this fraction of its diagonal entry is rounding: the row depends on those before it.
+/// A pivot below this fraction of its diagonal entry is rounding: the row depends on the rows
+/// before it.
 const PIVOT_TOLERANCE: f64 = 1e-13;
 
 /// `A = L L'`, in place. Only the lower triangle is that of the factor.
@@ -112,7 +115,7 @@ fn factor(a: MatMut<'_, f64>, first: usize, interrupt: &Interrupt) -> Result<(),
 /// Factors a matrix in one piece. The error is the row at which it is not positive definite.
 fn factor_whole(mut a: MatMut<'_, f64>) -> Result<(), usize> {
     let n = a.nrows();
-    // Sequential: the bits must not depend on the number of threads.
+    // Sequential, so that the bits do not depend on the number of threads.
     let mut memory =
         MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f64>(n, Par::Seq, Default::default()));
     llt::factor::cholesky_in_place(
@@ -132,18 +135,17 @@ fn solve_in_place(factor: &Mat<f64>, right: &mut Mat<f64>) {
     llt::solve::solve_in_place(factor.as_ref(), right.as_mut(), Par::Seq, MemStack::new(&mut memory));
 }
 
-/// Factored equations of an active set S:
-/// `A_SS p + C_S x = -e_S`, `C_S' p - K x = -f`.
+/// Factorized equations of an active set S: `A_SS p + C_S x = -e_S`, `C_S' p - K x = -f`.
 pub(super) struct ActiveEquations {
     factor: Mat<f64>,
     /// `C_S` and `A_SS^-1 C_S`.
     arms: Mat<f64>,
     solved_arms: Mat<f64>,
-    /// Factor of `K + C_S' A_SS^-1 C_S`.
+    /// Cholesky factor of the Schur complement `K + C_S' A_SS^-1 C_S`.
     schur: Mat<f64>,
 }
 
-/// Relative size under which a pivot of the freedoms' Schur complement (of unit diagonal) counts as zero.
+/// Relative size below which a pivot of the Schur complement (with unit diagonal) counts as zero.
 const RANK_TOLERANCE: f64 = 1e-12;
 
 impl ActiveEquations {
@@ -172,8 +174,8 @@ impl ActiveEquations {
         if let Some(motion) = null_motion(&whole, RANK_TOLERANCE) {
             return Err(Singular::Freedoms(motion));
         }
-        // Positive definite beyond RANK_TOLERANCE, so the factor exists; were rounding to break it, the last
-        // freedom is as good a name as any.
+        // The matrix is positive definite beyond RANK_TOLERANCE, so the factor exists. If rounding
+        // breaks it, the last DOF is named.
         cholesky(&mut schur, interrupt).map_err(|broken| match broken {
             Broken::Dependent(k) => {
                 let mut motion = vec![0.0; m];
@@ -185,7 +187,8 @@ impl ActiveEquations {
         Ok(Self { factor, arms: active_arms, solved_arms, schur })
     }
 
-    /// `(p_S, x)` for the right-hand sides `gaps` (of the gap rows) and `loads` (of the equilibrium rows).
+    /// Solves for `(p_S, x)` with the right-hand sides `gaps` (of the gap rows) and `loads` (of the
+    /// equilibrium rows).
     pub fn solve(&self, gaps: &[f64], loads: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let (n, m) = (gaps.len(), loads.len());
         let mut pressed = Mat::from_fn(n, 1, |i, _| gaps[i]);
@@ -202,8 +205,9 @@ impl ActiveEquations {
     }
 }
 
-/// A motion that a positive semi-definite matrix maps to zero, largest component 1; `None` if it is definite.
-/// Diagonal pivoting after scaling to unit diagonal, so that units of the freedoms do not matter.
+/// Returns a null vector of a positive semidefinite matrix with largest component 1; `None` if the
+/// matrix is definite. Uses diagonal pivoting after scaling to unit diagonal, so units of the DOFs
+/// do not matter.
 pub(super) fn null_motion(matrix: &Matrix, tolerance: f64) -> Option<Vec<f64>> {
     let m = matrix.rows;
     let scale: Vec<f64> =
@@ -224,7 +228,7 @@ pub(super) fn null_motion(matrix: &Matrix, tolerance: f64) -> Option<Vec<f64>> {
     }) {
         let k = remaining[position];
         if a[(k, k)] <= tolerance {
-            // a v = 0 with v_k = 1: back through the eliminated rows.
+            // Solve a v = 0 with v_k = 1 by back-substitution through the eliminated rows.
             let mut motion = vec![0.0; m];
             motion[k] = 1.0;
             for &(row, ref values) in pivots.iter().rev() {

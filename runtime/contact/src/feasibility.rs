@@ -1,6 +1,7 @@
-//! Whether contact can balance a load at all: non-negative least squares (Lawson & Hanson, Solving Least Squares
-//! Problems, ch. 23) on the equilibrium equations. Its passive set is a first feasible set of cells; its residual, if
-//! there is one, is by its optimality conditions the motion along which the load runs away (Farkas).
+//! Feasibility of equilibrium: non-negative least squares (Lawson & Hanson, Solving Least Squares
+//! Problems, ch. 23) on the equilibrium equations. The passive set is a first feasible active set.
+//! A nonzero residual is, by the optimality conditions, a motion along which the load is unbalanced
+//! (Farkas' lemma).
 
 use super::dense::{Matrix, dot};
 use calyx_numerics::error::EngineError;
@@ -11,18 +12,19 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 const BALANCED: f64 = 1e-12;
 
 pub(super) enum Balance {
-    /// Cell forces `>= 0` in equilibrium with the load; the loaded cells' arms are linearly independent.
+    /// Cell forces `>= 0` in equilibrium with the load; the rows of C of the loaded cells are
+    /// linearly independent.
     Found { forces: Vec<f64>, cells: Vec<usize> },
-    /// A motion that closes no gap, strains no spring, and on which the load does positive work.
+    /// Motion that closes no gap and strains no spring, and on which the load does positive work.
     RunsAway(Vec<f64>),
-    /// The search was ended from outside.
+    /// The search was interrupted.
     Interrupted(EngineError),
 }
 
-/// Finds `p >= 0` and any x with `C'p - K x = -f`. Data scaled so that columns of C are of the order of one.
+/// Finds `p >= 0` and any x with `C'p - K x = -f`. The columns of C must be scaled to order one.
 pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64], interrupt: &Interrupt) -> Balance {
     let (n, m) = (arms.rows, arms.columns);
-    // Springs take any force in the range of K; what is left is equilibrium on its null space.
+    // Springs balance any force in the range of K; equilibrium remains on its null space.
     let unsprung = null_space(stiffness);
     let project = |v: &[f64]| -> Vec<f64> { unsprung.iter().map(|basis| dot(basis, v)).collect() };
     let columns: Vec<Vec<f64>> = (0..n).map(|i| project(arms.row(i))).collect();
@@ -33,7 +35,8 @@ pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64], interrupt
     let mut forces = vec![0.0; n];
     let mut passive: Vec<usize> = Vec::new();
     let mut residual = target.clone();
-    // Each pass raises the balanced part of the load; more than a few per freedom means rounding alone moves it.
+    // Each pass increases the balanced part of the load; more than a few passes per DOF are due to
+    // rounding alone.
     for _ in 0..10 * (m + 1) * (m + 1) {
         if dot(&residual, &residual).sqrt() <= BALANCED * wanted {
             break;
@@ -58,7 +61,8 @@ pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64], interrupt
                 }
                 break;
             }
-            // Go as far towards the trial as forces stay pushes, and drop what reaches zero.
+            // Move towards the trial as far as forces remain compressive, and remove cells whose
+            // force vanishes.
             let step = passive
                 .iter()
                 .zip(&trial)
@@ -104,13 +108,13 @@ fn least_squares(columns: &[Vec<f64>], passive: &[usize], target: &[f64]) -> Vec
     let matrix = DMatrix::from_fn(target.len(), passive.len(), |k, j| columns[passive[j]][k]);
     let decomposition = matrix.svd(true, true);
     let cut = 1e-13 * decomposition.singular_values.max();
-    // Both factors were asked for, so the solution exists.
+    // Both factors were requested, so the solution exists.
     decomposition
         .solve(&DVector::from_column_slice(target), cut)
         .map_or_else(|_| vec![0.0; passive.len()], |x| x.as_slice().to_vec())
 }
 
-/// Orthonormal basis of the motions that strain no spring.
+/// Returns an orthonormal basis of the motions that strain no spring.
 fn null_space(stiffness: &Matrix) -> Vec<Vec<f64>> {
     let m = stiffness.rows;
     let unit = |k: usize| (0..m).map(|l| if l == k { 1.0 } else { 0.0 }).collect();

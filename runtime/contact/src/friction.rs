@@ -1,27 +1,34 @@
-//! Friction along a given direction of sliding: a fixed point around the frictionless contact problem.
+//! Coulomb friction with prescribed sliding directions, by fixed-point iteration around the
+//! frictionless contact problem.
 //!
-//! A cell that slides carries, beside its normal force p, the force mu p along the surface. It does no work on gaps, for the direction
-//! is that of the kinematics; it enters equilibrium. With the friction of the forces found before among the loads, the problem is the
-//! convex one again, and as friction is a small part of the load a few rounds settle it to rounding. What friction itself does to the
-//! shape of the bodies is left out.
+//! A sliding cell carries the force mu p along the surface in addition to its normal force p. The
+//! direction follows from the kinematics, so the friction force does no work on gaps and enters
+//! only equilibrium. With the friction of the previous forces among the loads, the problem is
+//! convex. Friction is a small part of the load, so a few iterations converge to rounding.
+//! Deformation due to friction is neglected.
+//!
+//! See `docs/theory/contact.md`.
 
 use super::active_set::solve_until;
 use super::problem::{ContactError, ContactProblem, Solution};
 use calyx_numerics::interrupt::Interrupt;
 
-/// Rounds of which each gains at least a digit for every coefficient of friction up to some tenths.
+/// Maximum number of iterations. Each gains at least a digit for coefficients of friction up to
+/// some tenths.
 const ROUNDS: usize = 60;
-/// Change of the loads by friction, relative to the loads, that is rounding.
+/// Change of the friction loads, relative to the loads, that counts as rounding.
 const SETTLED: f64 = 1e-15;
 
-/// Solves a contact problem with friction. `friction`, cells by freedoms, row-major: the generalised force on a freedom by the friction of
-/// a unit normal force on a cell, mu times the work of the friction on a unit of the freedom; zero where a cell does not slide.
+/// Solves a contact problem with friction. `friction` (cells by DOFs, row-major) is the generalized
+/// force on a DOF due to the friction of a unit normal force on a cell: mu times the work of the
+/// friction on a unit of the DOF. It is zero for cells that do not slide.
 ///
-/// The solution is that of the problem with all friction among its loads, which is what its certificate is about; that problem is
-/// returned with it.
+/// Returns the solution together with the problem that includes all friction among its loads; the
+/// certificate refers to this problem.
 ///
 /// # Errors
-/// As [`solve_until`]; [`ContactError::NotConverged`] if friction grows without end (it holds what should move).
+/// Those of [`solve_until`]; [`ContactError::NotConverged`] if friction grows without bound
+/// (self-locking).
 pub fn solve_with_friction(
     problem: ContactProblem,
     friction: &[f64],
@@ -51,7 +58,7 @@ pub fn solve_with_friction(
         let change =
             |k: usize| if scale[k] == 0.0 { 0.0 } else { (load[k] - loaded.load[k]).abs() / scale[k] };
         let size = (0..m).map(change).fold(0.0, f64::max);
-        // Settled, or as near as rounding of the forces lets it come.
+        // Converged, or limited by rounding of the forces.
         if size <= SETTLED || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
             return Ok((loaded, solution));
         }

@@ -1,4 +1,4 @@
-//! Closest approaches and grids of circles and involutes, against closed forms.
+//! Tests of closest approaches and grids of circles and involutes against closed forms.
 
 use super::Placement;
 use super::approach::{PlacedProfile, closest_approach};
@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// A pair of involutes: base radii 47 and 94 mm on a distance of 150.3 mm, the second turned so that the flanks are
-/// `gap` apart in a place given by the first one's turn.
+/// Pair of involutes with base radii 47 and 94 mm and a centre distance of 150.3 mm. The second is
+/// rotated so that the flanks are `gap` apart at a point given by the rotation of the first.
 struct Pair {
     first: Involute,
     second: Involute,
@@ -39,7 +39,7 @@ impl Pair {
         }
     }
 
-    /// Everything turned by `turn` about the first centre.
+    /// Returns the pair rotated by `turn` about the first centre.
     fn placed(&self, turn: f64) -> [PlacedProfile<'_>; 2] {
         let center = Placement::new(turn, [0.0, 0.0]).point(self.center);
         [
@@ -64,12 +64,12 @@ fn involutes_on_the_line_of_action() {
                 let roll = pair.pressure_angle - first_turn;
                 let s = 0.5 * 0.047 * (roll * roll - 0.05 * 0.05);
                 assert!((approach.s[0] - s).abs() < 1e-13 * 0.15, "{} {s}", approach.s[0]);
-                // The arms are the base radii, whatever the centre distance.
+                // The arms equal the base radii for any centre distance.
                 let center = second.placement.origin();
                 assert!((approach.frame.rotation_arm(0, [0.0, 0.0]).abs() / 0.047 - 1.0).abs() < 1e-13);
                 assert!((approach.frame.rotation_arm(1, center).abs() / 0.094 - 1.0).abs() < 1e-13);
                 assert_eq!((approach.at_end, approach.on_edge), ([false; 2], [false; 2]));
-                // Members swapped: the same place, everything mirrored.
+                // Exchanged bodies give the same point, mirrored.
                 let swapped = closest_approach(second, first, true).unwrap();
                 assert!((swapped.gap - approach.gap).abs() < 1e-15);
                 assert!((swapped.s[1] - approach.s[0]).abs() < 1e-14);
@@ -119,7 +119,7 @@ fn circles_on_the_line_of_centres() {
 
 #[test]
 fn contact_beyond_an_end() {
-    // The upper circle stands beyond the lower arc's end (0.3 rad to the left of its top).
+    // The upper circle lies beyond the end of the lower arc (0.3 rad to the left of its top).
     let (lower, upper) =
         (circle(0.5 * PI, 0.05), Arcs::new([0.0, 0.0], 1.2 * PI, &[(0.02, 0.6 * PI)], false));
     let angle = 0.5 * PI + 0.4;
@@ -132,7 +132,7 @@ fn contact_beyond_an_end() {
     let end = lower.at(lower.length()).position;
     let expected = f64::hypot(end[0] - shift[0], end[1] - shift[1]) - 0.02;
     assert!((approach.gap - expected).abs() < 1e-15);
-    // Bodies exchanged, the same corner.
+    // Exchanged bodies give the same corner.
     let swapped = closest_approach(second, first, true).unwrap();
     assert_eq!(swapped.at_end, [false, true]);
     assert!((swapped.gap - approach.gap).abs() < 1e-15);
@@ -141,7 +141,8 @@ fn contact_beyond_an_end() {
 
 #[test]
 fn curvature_jumps_do_not_stop_the_search() {
-    // Every place around the jump, at steps that do not hit it evenly, is found on the right piece.
+    // Sample points around the jump with incommensurate steps: each must be found on the right
+    // piece.
     let lower = Arcs::new([0.0, 0.0], 0.5 * PI - 0.2, &[(0.05, 0.2), (0.001, 0.5)], true);
     let upper = Arcs::new([0.0, 0.0], 1.5 * PI - 0.7, &[(0.1, 1.4)], false);
     for k in -20i32..=40 {
@@ -173,10 +174,11 @@ fn gaps_are_those_of_the_parabola_nearby() {
     assert_eq!(grid.surface_ends, [false; 2]);
     for cell in &grid.cells {
         let (x, h) = (cell.center(), cell.width());
-        // Averaged over the cell; the curvature on a straight line joining the surfaces, without the gap's own share.
+        // Average over the cell; curvature along a straight line between the surfaces, without the
+        // effect of the gap.
         let curvature = first.at(approach.s[0]).curvature + second.at(approach.s[1]).curvature;
         let parabola = approach.gap + 0.5 * curvature * (x * x + h * h / 12.0);
-        // The next term is cubic: the change of an involute's curvature, x³ k² cot / 6 or so.
+        // The next term is cubic: the change of an involute's curvature, about x³ k² cot / 6.
         assert!((cell.gap - parabola).abs() < curvature * curvature * (x.abs() + h).powi(3), "{cell:?}");
         for side in 0..2 {
             let direction = (cell.arc[side][1] - cell.arc[side][0]).signum();
@@ -217,7 +219,7 @@ fn cells_shrink_towards_an_edge() {
         GridOptions { half_count: 10, width: Width::Total(1e-3), contact_modulus: 1e11, search_edges: true };
     let grid = lay(first, second, &approach, &options);
     let flank_cell = 1e-3 / 21.0;
-    // Relative curvature is 30 on the flank and 10010 on the edge.
+    // The relative curvature is 30 on the flank and 10010 on the edge.
     let edge_cell = flank_cell * (30.0f64 / 10010.0).sqrt();
     let edge_cells: Vec<_> = grid.cells.iter().filter(|c| c.edge).collect();
     assert!(edge_cells.len() >= 10, "{}", edge_cells.len());
@@ -232,7 +234,7 @@ fn cells_shrink_towards_an_edge() {
     }
     assert!(grid.cells.iter().any(|c| (c.width() / flank_cell - 1.0).abs() < 0.1));
     assert!(grid.cells.len() < 60);
-    // A cell ends at the edge's start.
+    // A cell ends at the start of the edge.
     assert!(grid.cells.iter().any(|c| (c.arc[0][1] - 0.01).abs() < 1e-12));
 }
 
@@ -290,9 +292,9 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
         |body_number, tooth| Side { body: body_number, structure: &body, chart: Chart { tooth, surface: 0 } };
     let patches = [
         Patch { sides: [side(0, 0), side(1, 0)], cells: &one.cells },
-        // Shares a chart with the first patch on body 0, another tooth of body 1.
+        // Shares a surface with the first patch on body 0; another tooth of body 1.
         Patch { sides: [side(0, 0), side(1, 1)], cells: &other.cells },
-        // Shares nothing, though the structure is the same.
+        // Shares no body, although the structure is the same.
         Patch { sides: [side(2, 0), side(3, 0)], cells: &one.cells },
     ];
     let matrix = compliance(&patches, &Interrupt::never()).expect("no interrupt");
@@ -303,7 +305,7 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
         }
     }
     assert!(matrix[10] > 0.0);
-    // The second patch's cells see the first through one body only.
+    // The cells of the second patch are coupled to the first through one body only.
     assert!((matrix[9] / matrix[5] - 0.5).abs() < 0.2, "{} {}", matrix[9], matrix[5]);
     assert!((22..n).all(|j| matrix[j] == 0.0));
     assert_eq!(matrix[22 * n + 22], matrix[0]);

@@ -1,8 +1,10 @@
-//! The grid of a patch: cells in the common tangent plane, each with its piece of both surfaces and its gap.
+//! Contact grid of a plane patch: cells in the common tangent plane, each with its part of both
+//! surfaces and its gap.
 //!
-//! Cells are centred at the closest approach and measured by x along the tangent. Their gaps are exact separations of the true
-//! surfaces along the common normal, averaged over the cell as its pressure is uniform over it. Near a rounded edge the cells
-//! shrink geometrically to the size that a patch on the edge itself asks for, so that both are resolved alike.
+//! Cells are centred at the closest approach; x is the coordinate along the tangent. Gaps are exact
+//! separations of the surfaces along the common normal, averaged over the cell like its uniform
+//! pressure. Near a rounded edge the cells shrink geometrically to the size required by a patch on
+//! the edge itself, so that both are resolved equally.
 
 use super::approach::{Approach, PlacedProfile};
 use super::placement::{ContactFrame, dot, minus};
@@ -10,28 +12,28 @@ use super::pressure::hertz_half_width;
 use super::zone::{ENDLESS, FlankEnds, unit_half_width};
 use calyx_structure::Structure;
 
-/// A cell of a patch.
+/// Contact cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Its ends along the tangent, ascending, m.
+    /// Ends along the tangent, ascending, m.
     pub x: [f64; 2],
-    /// Per side: arc lengths of the surface over the cell's ends, in the order of `x`.
+    /// Arc lengths of the cell's ends on each surface, in the order of `x`.
     pub arc: [[f64; 2]; 2],
-    /// Per side: arc length of the surface over the cell's centre.
+    /// Arc length of the cell's centre on each surface.
     pub s: [f64; 2],
-    /// Average separation of the undeformed surfaces, m; negative where they overlap.
+    /// Average separation of the undeformed surfaces, m; negative for overlap.
     pub gap: f64,
-    /// Whether either surface is on its rounded edge here.
+    /// True if either surface is on its rounded edge here.
     pub edge: bool,
 }
 
 impl Cell {
-    /// m
+    /// Width, m.
     pub fn width(&self) -> f64 {
         self.x[1] - self.x[0]
     }
 
-    /// Middle along the tangent, m.
+    /// Centre along the tangent, m.
     pub fn center(&self) -> f64 {
         0.5 * (self.x[0] + self.x[1])
     }
@@ -43,10 +45,10 @@ impl super::pressure::Piece for Cell {
     }
 }
 
-/// How wide a grid is, measured on the flank.
+/// Width of a grid, measured on the flank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Width {
-    /// m.
+    /// Total width, m.
     Total(f64),
     /// [`MARGIN`] times the Hertzian contact of this force (N/m).
     Hertz {
@@ -55,35 +57,36 @@ pub enum Width {
     },
 }
 
-/// Width of an automatic grid over that of the Hertzian contact: room for what load sharing and reliefs change,
-/// while three quarters of the cells are loaded.
+/// Ratio of the width of an automatic grid to that of the Hertzian contact. It leaves room for load
+/// sharing and reliefs, and three quarters of the cells are loaded.
 pub const MARGIN: f64 = 1.3;
 
 /// Options of a contact grid in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOptions {
-    /// M: a grid has 2M + 1 cells, more where it is graded towards an edge and fewer where a surface ends.
+    /// M: a grid has 2M + 1 cells, more where it is graded towards an edge and fewer where a
+    /// surface ends.
     pub half_count: usize,
     /// Total width, or the load it follows from.
     pub width: Width,
     /// E*, Pa.
     pub contact_modulus: f64,
-    /// Whether cells may lie on the profiles' edges.
+    /// Permits cells on the edges of the profiles.
     pub search_edges: bool,
 }
 
-/// The cells of a patch.
+/// Contact grid: the cells of a patch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
     /// Reference point, common normal and tangent.
     pub frame: ContactFrame,
-    /// Ascending in x.
+    /// Cells, ascending in x.
     pub cells: Vec<Cell>,
     /// Requested width, m.
     pub width: f64,
     /// M: half the number of cells, the middle one not counted.
     pub half_count: usize,
-    /// Whether the grid ends on the left and right because a surface does.
+    /// True on the left and right if the grid ends there because a surface does.
     pub surface_ends: [bool; 2],
     /// Where the flanks end on the left and right, in the grid or beyond it.
     pub flank: FlankEnds,
@@ -91,22 +94,25 @@ pub struct Grid {
     pub unit_half_width: f64,
 }
 
-/// Growth of cells per distance from an edge's start.
+/// Growth of the cell size with the distance from the start of an edge.
 const GRADING: f64 = 0.25;
-/// A surface that leans over by more than acos of this against the tangent plane ends there, as far as contact goes.
+/// Cosine of the largest angle between a surface and the tangent plane; beyond it the surface ends
+/// for contact.
 const LEAST_COSINE: f64 = 0.2;
-/// Smallest size of edge cells beside flank cells.
+/// Smallest ratio of edge cells to flank cells.
 const SHARPEST_EDGE: f64 = 1e-5;
-/// Curvature just beside an edge's start is taken this far from it, relative to the profile's length.
+/// Distance from the start of an edge at which the adjacent curvature is evaluated, relative to the
+/// length of the profile.
 const BESIDE: f64 = 1e-9;
 
-/// E* of two bodies: 1/E* = 1/E'1 + 1/E'2 (Johnson, eq. 4.5). Infinite if both are rigid.
+/// Returns the contact modulus of two bodies: 1/E* = 1/E'1 + 1/E'2 (Johnson, eq. 4.5). Infinite if
+/// both are rigid.
 pub fn contact_modulus(first: &dyn Structure, second: &dyn Structure) -> f64 {
     (first.surface_modulus().recip() + second.surface_modulus().recip()).recip()
 }
 
-/// Lays the grid of the patch at a closest approach of `first` and `second`. No cells if the surfaces do not face each
-/// other over any width.
+/// Creates the grid at a closest approach of `first` and `second`. The grid has no cells if the
+/// surfaces do not face each other.
 pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, options: &GridOptions) -> Grid {
     let placed = [first, second];
     let frame = approach.frame;
@@ -121,13 +127,14 @@ pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, opt
     };
     let count = (2 * options.half_count + 1) as f64;
 
-    // Edges within reach, and the cells that a patch on them wants: Hertzian widths go by the root of curvature.
+    // Edges within reach, and the cell size of a patch on them: Hertzian widths are inversely
+    // proportional to the root of the curvature.
     let mut edges = Vec::new();
     for side in 0..2 {
         let Some(start) = placed[side].profile.edge_from().filter(|_| options.search_edges) else { continue };
         let edge_curvature = curvature_beside_edge(&placed[side], start, 1.0) + flank[1 - side];
         let ratio = ((flank[0] + flank[1]) / edge_curvature).sqrt();
-        // A sharper edge than this is a corner: no grid resolves it.
+        // A sharper edge is a corner, which no grid resolves.
         if ratio > SHARPEST_EDGE && start < placed[side].profile.length() {
             let surface = &surfaces[side];
             let x = surface.x_of(start.clamp(surface.arc[0], surface.arc[1]));
@@ -137,7 +144,8 @@ pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, opt
 
     let mut range = [-0.5 * width, 0.5 * width];
     for edge in &edges {
-        // Beyond an edge's start, or the reference on it, half a grid of edge cells.
+        // Beyond the start of an edge, or beyond a reference point on it, half a grid of edge
+        // cells.
         let side = if edge.towards > 0.0 { 1 } else { 0 };
         let reach = 0.5 * count * edge.cell;
         let limit = edge.towards * ((edge.towards * edge.x).max(0.0) + reach);
@@ -182,7 +190,8 @@ fn flank_ends(surfaces: &[Surface; 2], edges: &[Edge]) -> FlankEnds {
     surfaces.chain(edges).fold(ENDLESS, ends)
 }
 
-/// Curvature of the flank (`side` -1) or the edge (+1) next to the edge's start, if `s` is beyond it; else at `s`.
+/// Returns the curvature of the flank (`side` -1) or the edge (+1) next to the start of the edge if
+/// `s` is beyond it, else at `s`.
 fn curvature_beside_edge(placed: &PlacedProfile, s: f64, side: f64) -> f64 {
     match placed.profile.edge_from() {
         Some(start) if s >= start => {
@@ -195,16 +204,17 @@ fn curvature_beside_edge(placed: &PlacedProfile, s: f64, side: f64) -> f64 {
 /// Start of a rounded edge on the tangent line.
 pub(super) struct Edge {
     pub x: f64,
-    /// +1 if the edge lies at larger x, -1 if at smaller.
+    /// +1 if the edge lies at larger x, -1 if at smaller x.
     pub towards: f64,
-    /// Width of cells on it, m.
+    /// Width of the cells on it, m.
     pub cell: f64,
 }
 
-/// Ends of the cells over `range`: of size `flank_cell`, shrinking towards edges, with ends at the edges' starts.
+/// Returns the ends of the cells over `range`: of size `flank_cell`, smaller towards edges, with
+/// ends at the starts of the edges.
 ///
-/// Between such ends, cells hold equal shares of the integral of 1 / size, so that a patch seen from the other side has the
-/// same cells.
+/// Between such ends, each cell has an equal share of the integral of 1 / size, so the grid is the
+/// same with the sides exchanged.
 pub(super) fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<f64> {
     let inside = |x: &f64| *x > range[0] && *x < range[1];
     let mut stops: Vec<f64> = edges.iter().map(|edge| edge.x).filter(inside).collect();
@@ -215,7 +225,8 @@ pub(super) fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> V
     for to in stops {
         let pieces = size_pieces([from, to], flank_cell, edges);
         let total: f64 = pieces.iter().map(Piece::cells).sum();
-        // No larger than asked; grids on edges hold half cells by design, which rounding must not push up and down.
+        // Round up, but with a tolerance: grids on edges have half cells by design, and rounding
+        // must not change their number.
         let count = (total - 1e-6).ceil().max(1.0);
         let (mut piece, mut passed) = (0, 0.0);
         for end in 1..count as usize {
@@ -232,22 +243,22 @@ pub(super) fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> V
     bounds
 }
 
-/// A part of the tangent line over which the size of cells varies linearly.
+/// Part of the tangent line over which the cell size varies linearly.
 struct Piece {
     x: [f64; 2],
     size: [f64; 2],
 }
 
 impl Piece {
-    /// Number of cells, not whole: the integral of 1 / size.
+    /// Returns the (fractional) number of cells: the integral of 1 / size.
     fn cells(&self) -> f64 {
         let [a, b] = self.size;
         let length = self.x[1] - self.x[0];
-        // The logarithmic mean of the sizes, which rounds badly where they are nearly the same.
+        // Logarithmic mean of the sizes, which suffers from cancellation if they are nearly equal.
         if (b - a).abs() < 1e-9 * a { length / a } else { length * (b / a).ln() / (b - a) }
     }
 
-    /// Where `cells` cells from its start end.
+    /// Returns the end of the first `cells` cells.
     fn after(&self, cells: f64) -> f64 {
         let [a, b] = self.size;
         let slope = (b - a) / (self.x[1] - self.x[0]);
@@ -256,11 +267,13 @@ impl Piece {
     }
 }
 
-/// The size of cells over `range`: the flank's, or what the nearest edge asks for, growing away from it.
+/// Returns the cell size over `range`: that of the flank, or that of the nearest edge, which grows
+/// with the distance from it.
 fn size_pieces(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<Piece> {
     let asked = |edge: &Edge, x: f64| edge.cell + GRADING * (edge.towards * (edge.x - x)).max(0.0);
     let size = |x: f64| edges.iter().fold(flank_cell, |size, edge| size.min(asked(edge, x)));
-    // Where an edge's demand meets the flank's size, and where two facing edges' demands meet.
+    // Knots where the size of an edge's cells reaches that of the flank, and where the sizes of two
+    // facing edges are equal.
     let mut knots = vec![range[0], range[1]];
     for edge in edges {
         knots.push(edge.x - edge.towards * (flank_cell - edge.cell) / GRADING);
@@ -275,15 +288,15 @@ fn size_pieces(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<Piece> {
     knots.windows(2).map(piece).collect()
 }
 
-/// A profile as a function of x, from the reference point as far as it faces the other.
+/// Profile as a function of x, from the reference point as far as it faces the other profile.
 struct Surface<'a> {
     placed: PlacedProfile<'a>,
     frame: ContactFrame,
-    /// +1 if arc length grows with x, -1 if it falls.
+    /// +1 if arc length grows with x, -1 if it decreases.
     sense: f64,
-    /// Ascending.
+    /// Range of arc length, ascending.
     arc: [f64; 2],
-    /// Ascending.
+    /// Range of x, ascending.
     x: [f64; 2],
 }
 
@@ -312,7 +325,7 @@ impl<'a> Surface<'a> {
         dot(minus(self.placed.at(s).position, self.frame.point), self.frame.tangent)
     }
 
-    /// Arc lengths over ascending x, each sought from the one before.
+    /// Returns the arc lengths at ascending x, each searched from the one before.
     fn arcs_at(&self, x: &[f64]) -> Vec<f64> {
         let mut arcs = Vec::with_capacity(x.len());
         let mut guess = 0.5 * (self.arc[0] + self.arc[1]);
@@ -324,7 +337,7 @@ impl<'a> Surface<'a> {
         arcs
     }
 
-    /// Arc length over x: Newton's method inside a shrinking bracket, as x grows or falls steadily with arc length.
+    /// Returns the arc length at x by a safeguarded Newton method; x is monotonic in arc length.
     fn arc_at(&self, x: f64, guess: f64) -> f64 {
         let (mut low, mut high) = (self.arc[0], self.arc[1]);
         let resolution = 2.0 * f64::EPSILON * high;
@@ -350,14 +363,14 @@ impl<'a> Surface<'a> {
         s
     }
 
-    /// Height over the tangent plane at an arc length, along the common normal.
+    /// Returns the height over the tangent plane at an arc length, along the common normal.
     fn height(&self, s: f64) -> f64 {
         dot(minus(self.placed.at(s).position, self.frame.point), self.frame.normal)
     }
 }
 
-/// Average separation over a cell with its ends and its middle `s` on either side, by Gauss's three-point rule: exact for
-/// surfaces of fifth degree.
+/// Returns the average separation over a cell, with the arc lengths of its ends and its centre `s`
+/// on each side, by three-point Gauss-Legendre quadrature: exact for surfaces of fifth degree.
 fn average_gap(surfaces: &[Surface; 2], x: [f64; 2], arc: [[f64; 2]; 2], s: [f64; 2]) -> f64 {
     const OUTER_POINT: f64 = 0.774_596_669_241_483_4;
     let (center, half) = (0.5 * (x[0] + x[1]), 0.5 * (x[1] - x[0]));
@@ -371,23 +384,24 @@ fn average_gap(surfaces: &[Surface; 2], x: [f64; 2], arc: [[f64; 2]; 2], s: [f64
         / 18.0
 }
 
-/// What a solution says about its grid (report figures 3.40 to 3.42).
+/// Assessment of a grid from a solution (report figures 3.40 to 3.42).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridReport {
     /// Number of cells with a positive pressure.
     pub loaded_cells: usize,
-    /// Left, right: the outermost cell is loaded although the surfaces go on. Pressures are too high.
+    /// True on the left and right if the outermost cell is loaded although the surfaces continue.
+    /// Pressures are overestimated then.
     pub truncated: [bool; 2],
-    /// Fewer than five cells are loaded: the pressure has no shape.
+    /// True if fewer than five cells are loaded, too few for a pressure distribution.
     pub under_resolved: bool,
-    /// A better width (m), for the same M.
+    /// Recommended width (m), for the same M.
     pub recommended_width: Option<f64>,
 }
 
-/// Loaded cells without which a patch counts as under-resolved.
+/// Number of loaded cells below which a patch is under-resolved.
 pub const LEAST_LOADED_CELLS: usize = 5;
 
-/// Judges a grid by the pressures (Pa) found on it.
+/// Assesses a grid from the pressures (Pa) on it.
 pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     let cells = &grid.cells;
     let loaded_cells = pressures.iter().filter(|&&p| p > 0.0).count();
@@ -396,16 +410,18 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
         loaded(pressures.first()) && !grid.surface_ends[0],
         loaded(pressures.last()) && !grid.surface_ends[1],
     ];
-    // A patch that fills its surface from end to end, on few cells, cannot be helped by another width.
+    // No other width improves a patch of few cells that covers its surface from end to end.
     let under_resolved = loaded_cells > 0 && loaded_cells < LEAST_LOADED_CELLS.min(cells.len());
     let recommended_width = if truncated[0] || truncated[1] {
-        // Where p² would reach zero, if that is outside; else the cut is too deep to tell.
+        // Zero of the extrapolated p² if it lies outside; otherwise the patch is truncated too much
+        // for an estimate.
         let wanted = super::pressure::zeros_of_squared_pressure(cells, pressures)
             .map(|zeros| 2.0 * MARGIN * zeros[0].abs().max(zeros[1].abs()))
             .filter(|&w| w > 1.1 * grid.width);
         Some(wanted.unwrap_or(2.0 * grid.width))
     } else if under_resolved {
-        // The loaded cells' extent bounds the patch from above: on a grid fitted to it, at least as much is loaded again.
+        // The loaded cells bound the patch from above: a grid fitted to them has at least as many
+        // loaded cells.
         let farthest = cells
             .iter()
             .zip(pressures)
@@ -419,7 +435,7 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     GridReport { loaded_cells, truncated, under_resolved, recommended_width }
 }
 
-/// Pressure in each cell (Pa) for cell forces (N/m).
+/// Computes the pressure in each cell (Pa) from the cell forces (N/m).
 pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
     cells.iter().zip(forces).map(|(cell, force)| force / cell.width()).collect()
 }

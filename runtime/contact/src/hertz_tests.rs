@@ -1,4 +1,4 @@
-//! Two cylinders against Hertz: the whole way from profiles to peak pressure.
+//! Tests of two cylinders against Hertz, from profiles to peak pressure.
 
 use super::Placement;
 use super::active_set::solve;
@@ -13,7 +13,7 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Chart;
 use std::f64::consts::PI;
 
-// Johnson, eqs. 4.43 to 4.45: steel cylinders of 50 and 100 mm, 500 N/mm.
+// Johnson, eqs. 4.43 to 4.45: steel cylinders of 50 and 100 mm radius, 500 N/mm.
 const FORCE: f64 = 5e5;
 const RADII: [f64; 2] = [0.05, 0.1];
 const HALF_WIDTH: f64 = 0.000432993640638256;
@@ -30,7 +30,7 @@ fn cylinders() -> [Arcs; 2] {
     ]
 }
 
-/// The grid and the pressures of two placed profiles pressed together by `FORCE`.
+/// Returns the grid and the pressures of two placed profiles pressed together by `FORCE`.
 fn press(
     profiles: &[Arcs; 2],
     shift: [f64; 2],
@@ -83,7 +83,8 @@ fn cylinders_converge_to_hertz() {
     }
     println!("{errors:?}");
     assert!(errors[0][0] < 5e-3 && errors[0][1] < 1e-2, "{errors:?}");
-    // Three halvings; first order at the patch's ends, which lie anywhere in a cell, so compare over all three.
+    // Three halvings. Convergence is of first order at the ends of the patch, which lie anywhere in
+    // a cell, so compare over all three.
     assert!(errors[3][0] < errors[0][0] / 8.0 && errors[3][1] < errors[0][1] / 4.0, "{errors:?}");
 }
 
@@ -95,7 +96,7 @@ fn grids_too_narrow_and_too_wide_are_reported() {
         let mut width = total(factor);
         let (grid, pressures) = press(&profiles, [0.0, 0.15], 10, width, true);
         assert_eq!(assess(&grid, &pressures).truncated, [true, true], "{factor}");
-        // Following the advice ends with a grid that fits.
+        // Repeated recommendations must converge to a suitable grid.
         for _ in 0..4 {
             let (grid, pressures) = press(&profiles, [0.0, 0.15], 10, width, true);
             if let Some(better) = assess(&grid, &pressures).recommended_width {
@@ -117,7 +118,8 @@ fn grids_too_narrow_and_too_wide_are_reported() {
 
 #[test]
 fn a_patch_on_an_edge_is_resolved_like_one_on_the_flank() {
-    // A flank of 50 mm radius ends in an edge of 0.5 mm, which a shifted cylinder meets well inside its turn.
+    // A flank of 50 mm radius ends in an edge of 0.5 mm radius. A shifted cylinder touches the edge
+    // well inside its arc.
     let radius = 5e-4;
     let profiles = [
         Arcs::new([0.0, 0.0], 0.5 * PI - 0.2, &[(RADII[0], 0.2), (radius, 0.8)], true),
@@ -132,7 +134,8 @@ fn a_patch_on_an_edge_is_resolved_like_one_on_the_flank() {
     let modulus = contact_modulus(&steel(), &steel());
     let expected = (FORCE * modulus * relative_curvature / PI).sqrt();
     let found = peak(&grid.cells, &pressures).unwrap();
-    // Hertz takes parabolas; over a/R = 0.1 the circle's next term adds (a/R)²/4-ish to the curvature.
+    // Hertz assumes parabolas; at a/R = 0.1 the next term of the circle adds about (a/R)²/4 to the
+    // curvature.
     assert!((found.pressure / expected - 1.0).abs() < 5e-3, "{} {expected}", found.pressure);
     let report = assess(&grid, &pressures);
     assert!(!report.under_resolved && report.truncated == [false; 2], "{report:?}");
@@ -150,7 +153,8 @@ fn in_zones(grid: &Grid, pressures: &[f64]) -> [f64; 2] {
 
 #[test]
 fn a_patch_across_the_start_of_an_edge() {
-    // Pressed on just short of the edge: both parts are loaded, both resolved, and refinement changes little.
+    // Contact just short of the edge: flank and edge are loaded and resolved, and refinement
+    // changes little.
     let profiles = [
         Arcs::new([0.0, 0.0], 0.5 * PI - 0.2, &[(RADII[0], 0.2), (1e-3, 0.8)], true),
         Arcs::new([0.0, 0.0], 1.5 * PI - 0.2, &[(RADII[1], 0.4)], false),
@@ -167,7 +171,7 @@ fn a_patch_across_the_start_of_an_edge() {
     for (coarse, fine) in coarse.into_iter().zip(fine) {
         assert!((coarse / fine - 1.0).abs() < 0.03, "{coarse} {fine}");
     }
-    // Without edges the cells end where the edge starts.
+    // Without edges the cells end at the start of the edge.
     let (grid, _) = press(&profiles, shift, 10, automatic(), false);
     assert!(grid.cells.iter().all(|cell| !cell.edge));
     assert_eq!(grid.surface_ends, [true, false]);

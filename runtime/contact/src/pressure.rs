@@ -1,20 +1,22 @@
-//! Peak pressure and half-width of a patch, read off the pressures of its cells.
+//! Peak pressure and half-width of a patch from the pressures of its cells.
 //!
-//! Under a Hertzian contact p² is a parabola across the patch, p² = p0² (1 - (x - c)²/a²), which a fit through a few cells
-//! gets to second order of the cell's width although the pressure itself has a vertical tangent at the patch's ends.
+//! In a Hertzian contact p² is a parabola across the patch, p² = p0² (1 - (x - c)²/a²). A fit to a
+//! few cells is accurate to second order in the cell width, although the pressure has a vertical
+//! tangent at the ends of the patch.
 
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::PI;
 
-/// Half-width of a Hertzian line contact, m: a² = 4 q / (pi E* k), for force `force` (q, N/m), E* in Pa and relative curvature
-/// in 1/m (Johnson, eq. 4.43).
+/// Returns the half-width of a Hertzian line contact, m: a² = 4 q / (pi E* k), for `force` q (N/m),
+/// E* in Pa and the relative curvature k in 1/m (Johnson, eq. 4.43).
 pub fn hertz_half_width(force: f64, contact_modulus: f64, relative_curvature: f64) -> f64 {
     (4.0 * force / (PI * contact_modulus * relative_curvature)).sqrt()
 }
 
-/// A piece of a line under one pressure: a cell of a plane patch, a slice of another.
+/// Interval of uniform pressure on a line: a cell of a plane patch, or a slice of a
+/// three-dimensional one.
 pub trait Piece {
-    /// Ascending, m.
+    /// Ends, ascending, m.
     fn ends(&self) -> [f64; 2];
 }
 
@@ -29,23 +31,23 @@ pub(super) fn center(piece: &impl Piece) -> f64 {
     0.5 * (from + to)
 }
 
-/// Largest pressure of some cells of a patch.
+/// Peak pressure of some cells of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
-    /// Pa.
+    /// Peak pressure, Pa.
     pub pressure: f64,
-    /// Where, along the tangent, m.
+    /// Location along the tangent, m.
     pub x: f64,
-    /// The loaded cell nearest to it.
+    /// Loaded cell nearest to the location.
     pub cell: usize,
 }
 
-/// Cells to either side of the largest that the parabola of the peak is fitted through.
+/// Number of cells on either side of the largest for the parabola of the peak.
 const PEAK_REACH: usize = 2;
 
-/// The peak pressure: the vertex of a parabola through p² of the (at most five) loaded neighbours of the cell of largest
-/// pressure; that cell's own pressure where the maximum lies at the end of the patch. `None` if no cell is loaded.
-/// `pressures` in Pa, one a cell.
+/// Returns the peak pressure: the vertex of a parabola through p² of the (at most five) loaded
+/// neighbours of the cell with the largest pressure, or that cell's own pressure if the maximum
+/// lies at the end of the patch. `None` if no cell is loaded. `pressures` are in Pa, one per cell.
 pub fn peak(cells: &[impl Piece], pressures: &[f64]) -> Option<Peak> {
     let belongs = |i: usize| pressures[i] > 0.0;
     let largest = (0..cells.len())
@@ -62,7 +64,7 @@ pub fn peak(cells: &[impl Piece], pressures: &[f64]) -> Option<Peak> {
     }
     let fit = Parabola::through(cells, pressures, largest - first, largest + last);
     Some(match fit.and_then(|f| f.vertex()) {
-        // A vertex outside the fitted cells is no maximum of theirs.
+        // A vertex outside the fitted cells is not their maximum.
         Some((x, squared))
             if squared > 0.0
                 && x > cells[largest - first].ends()[0]
@@ -74,14 +76,14 @@ pub fn peak(cells: &[impl Piece], pressures: &[f64]) -> Option<Peak> {
     })
 }
 
-/// Half-width of the loaded zone, m: half the distance between the zeros of p² extrapolated. `None` with fewer than
-/// five loaded cells, or where p² is no parabola with two zeros.
+/// Returns the half-width of the loaded zone, m: half the distance between the extrapolated zeros
+/// of p². `None` with fewer than five loaded cells, or if the fit of p² does not have two zeros.
 pub fn half_width(cells: &[impl Piece], pressures: &[f64]) -> Option<f64> {
     zeros_of_squared_pressure(cells, pressures).map(|[left, right]| 0.5 * (right - left))
 }
 
-/// Where a parabola fitted to p² of the loaded cells is zero; without the outermost on each side, which are loaded over
-/// part of their width only.
+/// Returns the zeros of a parabola fitted to p² of the loaded cells. The fit excludes the outermost
+/// cell on each side, which is loaded over part of its width.
 pub(super) fn zeros_of_squared_pressure(cells: &[impl Piece], pressures: &[f64]) -> Option<[f64; 2]> {
     let first = pressures.iter().position(|&p| p > 0.0)?;
     let last = pressures.iter().rposition(|&p| p > 0.0)?;
@@ -91,7 +93,7 @@ pub(super) fn zeros_of_squared_pressure(cells: &[impl Piece], pressures: &[f64])
     Parabola::through(cells, pressures, first + 1, last - 1)?.zeros()
 }
 
-/// c0 + c1 u + c2 u², with u = (x - origin) / unit.
+/// Parabola c0 + c1 u + c2 u², with u = (x - origin) / unit.
 struct Parabola {
     origin: f64,
     unit: f64,
@@ -99,7 +101,7 @@ struct Parabola {
 }
 
 impl Parabola {
-    /// Least squares through p² of the cells `first ..= last`, at least three of them.
+    /// Least-squares fit to p² of the cells `first ..= last`, at least three.
     fn through(cells: &[impl Piece], pressures: &[f64], first: usize, last: usize) -> Option<Self> {
         let origin = 0.5 * (cells[first].ends()[0] + cells[last].ends()[1]);
         let unit = 0.5 * (cells[last].ends()[1] - cells[first].ends()[0]);
@@ -115,7 +117,7 @@ impl Parabola {
         Some(Self { origin, unit, coefficients: [c[0], c[1], c[2]] })
     }
 
-    /// Position and value of the maximum.
+    /// Returns position and value of the maximum.
     fn vertex(&self) -> Option<(f64, f64)> {
         let [c0, c1, c2] = self.coefficients;
         if c2 >= 0.0 {
@@ -125,7 +127,7 @@ impl Parabola {
         Some((self.origin + self.unit * u, c0 + 0.5 * c1 * u))
     }
 
-    /// Ascending.
+    /// Returns the zeros, ascending.
     fn zeros(&self) -> Option<[f64; 2]> {
         let [c0, c1, c2] = self.coefficients;
         let discriminant = c1 * c1 - 4.0 * c2 * c0;

@@ -1,65 +1,68 @@
-//! The contact problem (report eq. 2.40): its data, what a solution is, and the certificate of one.
+//! Contact problem (report eq. 2.40): its data, its solution and the certificate of a solution.
 //!
-//! Find cell forces `p >= 0` and rigid motions `x` with gaps `d = A p + C x + e >= 0`, `p'd = 0` and equilibrium
-//! `C'p - K x = -f`. The report's eq. 2.37 to 2.39 need transposes; with the signs here B is C', because contact forces
-//! do positive work where gaps grow. These are the optimality conditions of the convex program
-//! `min p'Ap/2 + e'p + x'Kx/2` under the equilibrium, with x as its multipliers.
+//! Find cell forces `p >= 0` and rigid motions `x` with gaps `d = A p + C x + e >= 0`, `p'd = 0`
+//! and equilibrium `C'p - K x = -f`. This is a (mixed) linear complementarity problem. Equations
+//! 2.37 to 2.39 of the report need transposes; with the signs here B is C', because contact forces
+//! do positive work where gaps grow. The conditions are the optimality conditions of the convex
+//! program `min p'Ap/2 + e'p + x'Kx/2` subject to the equilibrium, with x as its multipliers.
+//!
+//! See `docs/theory/contact.md`.
 
 use calyx_numerics::error::EngineError;
 use serde::{Deserialize, Serialize};
 
-/// Data of a contact problem of n cells and m freedoms; matrices row-major.
+/// Data of a contact problem of n cells and m DOFs; matrices are row-major.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactProblem {
-    /// A, n by n, symmetric positive definite: growth of a cell's gap per force on a cell, m/(N/m).
+    /// A, the compliance matrix, n by n, symmetric positive definite: growth of a cell's gap per
+    /// force on a cell, m/(N/m).
     pub compliance: Vec<f64>,
-    /// C, n by m: growth of a cell's gap per unit of a rigid freedom (m, or m/rad).
+    /// C, n by m: growth of a cell's gap per unit of a rigid-body DOF (m, or m/rad).
     pub arms: Vec<f64>,
-    /// e, n: gaps with no force and no motion, m; negative where bodies overlap.
+    /// e, n: gaps without force and motion, m; negative where the undeformed bodies overlap.
     pub gaps: Vec<f64>,
-    /// K, m by m, symmetric positive semi-definite: springs on the freedoms. All zero without springs.
+    /// K, m by m, symmetric positive semidefinite: springs on the DOFs; zero without springs.
     pub stiffness: Vec<f64>,
-    /// f, m: external generalised force on each freedom, positive in the freedom's positive sense.
+    /// f, m: external generalized force on each DOF, positive in the positive sense of the DOF.
     pub load: Vec<f64>,
 }
 
-/// A motion of the freedoms that nothing resists.
+/// Rigid motion without resistance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeMotion {
-    /// The freedom that takes most part in it, compared by the growth of gaps it causes.
+    /// DOF with the largest part in the motion, compared by the change of gaps.
     pub freedom: usize,
-    /// +1 or -1: the sense of that freedom.
+    /// Sense of that DOF, +1 or -1.
     pub direction: f64,
-    /// All freedoms in their own units, the named one ±1.
+    /// Motion of all DOFs in their own units; that of the named one is ±1.
     pub motion: Vec<f64>,
 }
 
-/// Why a contact problem has no solution, or none was found.
+/// Reason why a contact problem has no solution, or none was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ContactError {
-    /// The load runs away along this motion, on which no contact closes.
+    /// The load does work on this motion, and no contact closes along it.
     #[error("no contact can balance the load: it moves degree of freedom {} in the {} direction", .0.freedom, sense(.0.direction))]
     Infeasible(FreeMotion),
-    /// The load does no work on this motion, but neither contact nor spring fixes it.
+    /// The load does no work on this motion, but neither contact nor a spring determines it.
     #[error("degree of freedom {} is constrained neither by contact nor by a spring", .0.freedom)]
     Unconstrained(FreeMotion),
-    /// Gaps of cells are not independent: the compliance loses rank at this cell (two cells in one place,
-    /// or rigid bodies).
+    /// The compliance matrix loses rank at this cell: two cells coincide, or the bodies are rigid.
     #[error("the compliance of cell {cell} is not independent of the cells before it")]
     DependentCells {
         /// Index of the cell.
         cell: usize,
     },
-    /// Contact cannot be avoided by any motion, so there is no limit of vanishing load.
+    /// No position is free of overlap, so the rigid-body limit does not exist.
     #[error("the bodies overlap in every position")]
     Jammed,
-    /// A number is not finite, or the arrays do not fit each other.
+    /// A number is not finite, or the dimensions of the arrays do not match.
     #[error("contact problem: {0}")]
     Invalid(&'static str),
-    /// Neither pivoting nor the check found the solution.
+    /// Neither pivoting nor the interior-point method found the solution.
     #[error("the contact solver did not converge")]
     NotConverged,
-    /// Whoever asked for the solution ended the search.
+    /// The caller interrupted the search.
     #[error(transparent)]
     Interrupted(EngineError),
 }
@@ -68,37 +71,39 @@ fn sense(direction: f64) -> &'static str {
     if direction > 0.0 { "positive" } else { "negative" }
 }
 
-/// What led to a solution.
+/// Algorithm that found the solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Blocks of cells exchanged at once.
+    /// Block principal pivoting: many cells are exchanged at a time.
     BlockPivoting,
-    /// One exchange at a time, which cannot cycle as blocks of them can.
+    /// Single exchanges, which cannot cycle.
     SinglePivoting,
-    /// Interior point, when pivoting ran into its limit.
+    /// Interior-point method, used after pivoting reached its limit.
     Clarabel,
 }
 
-/// Largest relative violations of a solution, from the problem's own unscaled data. Of the order of rounding if exact.
+/// Largest relative residuals of a solution, evaluated with the unscaled data of the problem. An
+/// exact solution has residuals of the order of rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
-    /// Largest `p_i |d_i|` over the largest force and the gap scale.
+    /// Complementarity: largest `p_i |d_i|`, relative to the largest force times the gap scale.
     pub complementarity: f64,
-    /// Largest overlap over the gap scale: the largest sum of magnitudes in a loaded cell's gap equation.
+    /// Largest overlap, relative to the gap scale, which is the largest sum of magnitudes in a
+    /// loaded cell's gap equation.
     pub penetration: f64,
-    /// Largest negative force over the largest force.
+    /// Largest negative force, relative to the largest force.
     pub tension: f64,
-    /// Largest residual of equilibrium over the sum of magnitudes of its terms.
+    /// Largest residual of equilibrium, relative to the sum of magnitudes of its terms.
     pub equilibrium: f64,
 }
 
 impl Certificate {
-    /// The largest of all residuals.
+    /// Returns the largest of all residuals.
     pub fn largest(&self) -> f64 {
         self.complementarity.max(self.penetration).max(self.tension).max(self.equilibrium)
     }
 
-    /// The worse of both, entry by entry: for a summary over steps.
+    /// Returns the larger of both residuals, entry by entry.
     pub fn worst(&self, other: &Self) -> Self {
         Self {
             complementarity: self.complementarity.max(other.complementarity),
@@ -112,17 +117,18 @@ impl Certificate {
 /// A solved contact problem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// p, N/m.
+    /// p, cell forces, N/m.
     pub forces: Vec<f64>,
-    /// x.
+    /// x, rigid motion by DOF.
     pub motion: Vec<f64>,
-    /// d, m.
+    /// d, gaps, m.
     pub gaps: Vec<f64>,
-    /// Cells that carry force, ascending: a warm start for a problem that is nearly the same.
+    /// Active set: cells that carry force, ascending. It serves as a warm start for similar
+    /// problems.
     pub active: Vec<usize>,
-    /// How it was found.
+    /// Algorithm that found the solution.
     pub method: Method,
-    /// Active sets tried.
+    /// Number of active sets tried.
     pub iterations: usize,
     /// How well it is solved.
     pub certificate: Certificate,
@@ -134,7 +140,7 @@ impl ContactProblem {
         self.gaps.len()
     }
 
-    /// Number of rigid freedoms.
+    /// Number of rigid-body DOFs.
     pub fn freedoms(&self) -> usize {
         self.load.len()
     }
@@ -156,7 +162,7 @@ impl ContactProblem {
         }
     }
 
-    /// d for the given forces and motion.
+    /// Returns the gaps d at the given forces and motion.
     pub fn gaps_at(&self, forces: &[f64], motion: &[f64]) -> Vec<f64> {
         let (n, m) = (self.cells(), self.freedoms());
         (0..n)
@@ -168,7 +174,7 @@ impl ContactProblem {
             .collect()
     }
 
-    /// The value that the solution minimises: elastic energy and work against gaps and springs.
+    /// Returns the objective function: elastic energy, and work against gaps and springs.
     pub fn objective(&self, forces: &[f64], motion: &[f64]) -> f64 {
         let (n, m) = (self.cells(), self.freedoms());
         let mut value = 0.0;
@@ -183,7 +189,7 @@ impl ContactProblem {
         value
     }
 
-    /// Violations of the conditions of the problem, each over the magnitude of what it is made of.
+    /// Computes the residuals of all conditions, each relative to the magnitude of its terms.
     pub fn certify(&self, forces: &[f64], motion: &[f64]) -> Certificate {
         let (n, m) = (self.cells(), self.freedoms());
         let gaps = self.gaps_at(forces, motion);

@@ -1,30 +1,32 @@
-//! Where springs come to rest under a load, and which motions they leave free: what is left to contact as the load on those vanishes.
+//! Unloaded equilibrium of the springs, and the motions that strain no spring. Contact determines
+//! these in the rigid-body limit.
 
 use super::dense::dot;
 use super::problem::{ContactError, FreeMotion};
 use super::rigid_limit::{RigidLimit, rigid_limit};
 use calyx_numerics::interrupt::Interrupt;
 
-/// Springs on freedoms, at rest.
+/// Equilibrium of springs on the DOFs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rest {
-    /// A position of the freedoms in which the springs balance the load, as far as they can.
+    /// Position of the DOFs at which the springs balance the load as far as possible.
     pub motion: Vec<f64>,
-    /// A basis of the motions that strain no spring. Without springs the freedoms themselves.
+    /// Basis of the motions that strain no spring; all DOFs if there are no springs.
     pub free: Vec<Vec<f64>>,
-    /// Whether the load does no work on any of them.
+    /// True if the load does no work on any of these motions.
     pub balanced: bool,
 }
 
-/// A pivot below this part of its freedom's own stiffness is rounding: a motion that strains nothing.
+/// A pivot below this fraction of its DOF's stiffness is rounding: the motion strains no spring.
 const RANK: f64 = 1e-11;
-/// Work of a load on a free motion, beside that of its parts, that is rounding.
+/// Work of a load on a free motion that counts as rounding, relative to that of its terms.
 const NO_WORK: f64 = 1e-11;
 
-/// `stiffness`, symmetric and positive semidefinite, row-major, and `load`, one entry a freedom.
+/// Computes the equilibrium from `stiffness` (symmetric positive semidefinite, row-major) and
+/// `load` (one entry per DOF).
 pub fn rest(stiffness: &[f64], load: &[f64]) -> Rest {
     let m = load.len();
-    // Every freedom in a unit in which its own stiffness is 1.
+    // Scale each DOF to unit stiffness.
     let scale: Vec<f64> = (0..m)
         .map(|k| stiffness.get(k * m + k).copied().unwrap_or_default())
         .map(|own| if own > 0.0 { own.sqrt().recip() } else { 1.0 })
@@ -32,7 +34,8 @@ pub fn rest(stiffness: &[f64], load: &[f64]) -> Rest {
     let mut a: Vec<Vec<f64>> =
         (0..m).map(|k| (0..m).map(|l| scale[k] * stiffness[k * m + l] * scale[l]).collect()).collect();
     let mut right: Vec<f64> = load.iter().zip(&scale).map(|(f, s)| f * s).collect();
-    // Gauss and Jordan with the largest pivot first: rows of pivots end up solved for the freedoms that are left.
+    // Gauss-Jordan elimination with the largest pivot first: pivot rows are solved for the
+    // remaining DOFs.
     let mut left: Vec<usize> = (0..m).collect();
     let mut pivots = Vec::new();
     while let Some(position) =
@@ -81,11 +84,11 @@ pub fn rest(stiffness: &[f64], load: &[f64]) -> Rest {
 }
 
 impl Rest {
-    /// [`rigid_limit`] of contacts beside the springs: these stay at rest, and `direction` decides what they leave free. `None` if they
-    /// leave nothing free and contacts overlap.
+    /// [`rigid_limit`] of contacts with the springs in equilibrium: `direction` determines the
+    /// motions that strain no spring. `None` if there are none and contacts overlap.
     ///
     /// # Errors
-    /// As [`rigid_limit`].
+    /// Those of [`rigid_limit`].
     pub fn rigid_limit(
         &self,
         gaps: &[f64],
@@ -109,13 +112,13 @@ impl Rest {
         Ok(Some(RigidLimit { motion, ..limit }))
     }
 
-    /// A combination of the free motions.
+    /// Returns a combination of the free motions.
     fn of(&self, parts: &[f64]) -> Vec<f64> {
         let m = self.motion.len();
         (0..m).map(|k| self.free.iter().zip(parts).map(|(free, part)| free[k] * part).sum()).collect()
     }
 
-    /// An error about free motions, about the freedoms.
+    /// Transforms an error in terms of free motions to the DOFs.
     fn named(&self, error: ContactError) -> ContactError {
         let expanded = |motion: FreeMotion| {
             let freedom = self.free.get(motion.freedom).and_then(|free| free.iter().rposition(|&x| x == 1.0));
@@ -143,11 +146,12 @@ mod tests {
         assert!(rest(&[0.0; 4], &[0.0; 2]).balanced);
     }
 
-    /// A shaft on one radial spring off its origin: it turns about the spring, and a force through the spring does not turn it.
+    /// A shaft on one eccentric radial spring rotates about the spring, and a force through the
+    /// spring does not rotate it.
     #[test]
     fn what_springs_leave_free_strains_none_and_the_rest_balances_the_load() {
         let (k, at) = (3e8, 0.07);
-        // u and a turn; the spring sees u + at * turn.
+        // u and a rotation; the deflection of the spring is u + at * rotation.
         let stiffness = [k, k * at, k * at, k * at * at];
         let found = rest(&stiffness, &[600.0, 600.0 * at]);
         assert!(found.balanced);
@@ -162,7 +166,8 @@ mod tests {
         assert!((found.motion[0] - 600.0 / k).abs() < 1e-20 && (found.motion[1] - 0.2).abs() < 1e-15);
     }
 
-    /// A body on a spring along y, driven along x against a slanting wall: the wall stops it where the spring is at rest.
+    /// A body on a spring along y is driven along x against an inclined wall: the wall stops it at
+    /// the equilibrium of the spring.
     #[test]
     fn springs_stay_at_rest_while_contact_stops_the_drive() {
         let found = rest(&[0.0, 0.0, 0.0, 2e6], &[0.0, 20.0]);

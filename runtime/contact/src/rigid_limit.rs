@@ -1,8 +1,11 @@
-//! Where bodies come to rest as the load vanishes: rigid bodies, touching but not deformed.
+//! Rigid-body limit: positions of rigid bodies in contact as the load vanishes.
 //!
-//! The limit of the contact problem for loads t g, t towards 0, is the linear program
-//! `max g'x  subject to  C x + e >= 0`; its dual, `min e'p, C'p = -g, p >= 0`, has as many rows as there are freedoms and
-//! is solved by the simplex method from the basis that balances the load. The motion is then exact to rounding.
+//! The limit of the contact problem for loads t g with t towards 0 is the linear program `max g'x
+//! subject to  C x + e >= 0`. Its dual, `min e'p, C'p = -g, p >= 0`, has one row per DOF. The
+//! simplex method solves it from the basis that balances the load, so the motion is exact to
+//! rounding.
+//!
+//! See `docs/theory/contact.md`.
 
 use super::active_set::free_motion;
 use super::dense::{Matrix, dot};
@@ -11,22 +14,23 @@ use super::problem::ContactError;
 use calyx_numerics::interrupt::Interrupt;
 use nalgebra::{DMatrix, DVector};
 
-/// Bodies at rest under a vanishing load.
+/// Rigid bodies in contact under a vanishing load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidLimit {
-    /// x, one entry a freedom.
+    /// x, one entry per DOF.
     pub motion: Vec<f64>,
-    /// Contacts that touch and fix the motion, one a freedom, ascending.
+    /// Touching contacts that determine the motion, one per DOF, ascending.
     pub touching: Vec<usize>,
 }
 
-/// `gaps` (e, m) and `arms` (C, contacts by freedoms, row-major) of the contacts, and `direction` (g), the load whose limit
-/// is taken. Give the gaps of closest approach, one a patch: averages over cells are larger by the cells' curvature.
+/// Computes the limit from `gaps` (e, m) and `arms` (C, contacts by DOFs, row-major) of the
+/// contacts and the load `direction` (g). Pass the gaps of closest approach, one per patch:
+/// averages over cells are larger because of the curvature.
 ///
 /// # Errors
-/// [`ContactError::Infeasible`] if no contact stops the motion, [`ContactError::Unconstrained`] if the load does not
-/// decide some freedom, [`ContactError::Jammed`] if there is no position without overlap; [`ContactError::Interrupted`], as with
-/// many freedoms it takes long.
+/// [`ContactError::Infeasible`] if no contact stops the motion, [`ContactError::Unconstrained`] if
+/// the load does not determine some DOF, [`ContactError::Jammed`] if every position has an overlap;
+/// [`ContactError::Interrupted`], because many DOFs take long.
 pub fn rigid_limit(
     gaps: &[f64],
     arms: &[f64],
@@ -64,11 +68,13 @@ pub fn rigid_limit(
     Ok(RigidLimit { motion: motion.iter().zip(&scale).map(|(y, s)| y * s).collect(), touching })
 }
 
-/// Adds contacts until the basis sees every freedom; the error is a motion that no contact sees.
+/// Adds contacts until the basis determines every DOF; the error is a motion that no contact
+/// resists.
 fn complete(arms: &Matrix, mut basis: Vec<usize>) -> Result<Vec<usize>, Vec<f64>> {
     let m = arms.columns;
     while basis.len() < m {
-        // A motion that the basis does not see: the last right singular vector of its arms, padded to be square.
+        // Find a motion that the basis does not resist: the last right singular vector of its rows
+        // of C, padded to a square matrix.
         let square = DMatrix::from_fn(m, m, |r, k| basis.get(r).map_or(0.0, |&i| arms[(i, k)]));
         let Some(right) = square.svd(false, true).v_t else { return Err(vec![1.0; m]) };
         let motion: Vec<f64> = right.row(m - 1).iter().copied().collect();
@@ -104,7 +110,8 @@ fn simplex(
             if gap < -1e-14 * (rigid + gaps[i].abs()) { -gap } else { 0.0 }
         };
         let candidates = (0..n).filter(|i| !basis.contains(i) && violation(*i) > 0.0);
-        // The largest overlap enters; should that go round in circles, the first one (Bland's rule) cannot.
+        // The largest overlap enters the basis. If this cycles, Bland's rule (first index)
+        // terminates.
         let entering = if iteration < limit / 2 {
             candidates.max_by(|&i, &j| violation(i).total_cmp(&violation(j)).then(j.cmp(&i)))
         } else {
@@ -137,7 +144,7 @@ mod tests {
     use std::sync::Arc;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    /// Wheels in a row, each driven by the one before.
+    /// Train of wheels, each driven by the one before.
     fn train(wheels: usize) -> (Vec<f64>, Vec<f64>) {
         let mut arms = vec![0.0; wheels * wheels];
         for k in 0..wheels {

@@ -3,8 +3,8 @@
 use super::dense::Matrix;
 use super::problem::ContactProblem;
 
-/// The problem in variables `p = cell_scale * q`, `x = freedom_scale * y`. The compliance stays where it is, for it is large, and is
-/// scaled entry by entry.
+/// Contact problem in the variables `p = cell_scale * q`, `x = freedom_scale * y`. The compliance
+/// matrix is large, so it is not copied but scaled entry by entry.
 pub(super) struct Scaled<'a> {
     compliance: &'a [f64],
     pub arms: Matrix,
@@ -15,7 +15,7 @@ pub(super) struct Scaled<'a> {
     pub freedom_scale: Vec<f64>,
 }
 
-/// The power of two next to `value`, by logarithm.
+/// Returns the power of two nearest to `value` in the logarithm.
 fn power_of_two(value: f64) -> f64 {
     value.log2().round().exp2()
 }
@@ -31,7 +31,7 @@ impl<'a> Scaled<'a> {
                 column[k] = column[k].max((cell_scale[i] * problem.arms[i * m + k]).abs());
             }
         }
-        // An arm that is rounding beside the other freedoms' arms is none.
+        // An entry that is rounding relative to the entries of the other DOFs counts as zero.
         let largest = column.iter().copied().fold(0.0, f64::max);
         let seen: Vec<bool> = column.iter().map(|&c| c > 1e-13 * largest).collect();
         let freedom_scale: Vec<f64> = (0..m)
@@ -69,7 +69,8 @@ impl<'a> Scaled<'a> {
         self.gaps.len()
     }
 
-    /// Growth of the gap of cell `i` per force on cell `j`, in scaled variables.
+    /// Returns the influence coefficient of the force on cell `j` for the gap of cell `i`, in
+    /// scaled variables.
     pub fn compliance(&self, i: usize, j: usize) -> f64 {
         self.cell_scale[i] * self.compliance[i * self.cells() + j] * self.cell_scale[j]
     }

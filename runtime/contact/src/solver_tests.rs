@@ -1,4 +1,4 @@
-//! The contact solver against enumeration, against Clarabel, and against itself.
+//! Tests of the contact solver against enumeration, Clarabel and itself.
 
 use super::active_set::solve;
 use super::clarabel_check;
@@ -7,11 +7,11 @@ use super::rigid_limit::rigid_limit;
 use calyx_numerics::interrupt::Interrupt;
 use nalgebra::{DMatrix, DVector};
 
-/// Xorshift: the same numbers on every machine.
+/// Xorshift generator: the same numbers on every machine.
 pub(super) struct Random(pub u64);
 
 impl Random {
-    /// Uniform over -1 .. 1.
+    /// Returns a number uniform over -1 .. 1.
     pub fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -20,7 +20,8 @@ impl Random {
     }
 }
 
-/// A random problem whose load contact forces balance, more of them than freedoms so that the motion is unique.
+/// Returns a random problem whose load contact forces balance, with more cells than DOFs so that
+/// the motion is unique.
 pub(super) fn random_problem(n: usize, m: usize, springs: bool, random: &mut Random) -> ContactProblem {
     let factor = DMatrix::from_fn(n, n, |_, _| random.next());
     let matrix = &factor * factor.transpose() + DMatrix::identity(n, n) * (0.05 * n as f64);
@@ -38,7 +39,7 @@ pub(super) fn random_problem(n: usize, m: usize, springs: bool, random: &mut Ran
     }
 }
 
-/// All sets of loaded cells, one by one.
+/// Tries all active sets.
 fn by_enumeration(problem: &ContactProblem) -> Option<(Vec<f64>, Vec<f64>)> {
     let (n, m) = (problem.cells(), problem.freedoms());
     for set in 0u32..1 << n {
@@ -139,7 +140,7 @@ fn units_do_not_matter() {
     let mut random = Random(77);
     let problem = random_problem(60, 2, true, &mut random);
     let reference = solve(&problem, None).unwrap();
-    // Lengths by a, forces by b; the second freedom is a rotation.
+    // Scales lengths by a, forces by b; the second DOF is a rotation.
     for (a, b) in [(3.7e4, 3.7e-4), (3.7e-4, 3.7e4), (3.7e-4, 3.7e-4)] {
         let freedom = [a, 1.0];
         let scale = |values: &[f64], factor: &dyn Fn(usize) -> f64| -> Vec<f64> {
@@ -162,7 +163,7 @@ fn units_do_not_matter() {
     }
 }
 
-/// Cells on a line that push a body in the sense of freedom 0, without springs.
+/// Cells on a line that push a body in the sense of DOF 0, without springs.
 fn one_way(arms: Vec<f64>, m: usize, load: Vec<f64>) -> ContactProblem {
     let n = arms.len() / m;
     let compliance = (0..n * n).map(|e| if e / n == e % n { 2.0 } else { 0.5 }).collect();
@@ -171,13 +172,13 @@ fn one_way(arms: Vec<f64>, m: usize, load: Vec<f64>) -> ContactProblem {
 
 #[test]
 fn loads_that_contact_cannot_balance_are_named() {
-    // Moving freedom 0 forward opens every gap; pulled that way, it runs away.
+    // A positive motion of DOF 0 opens every gap; a load in this sense is infeasible.
     let Err(ContactError::Infeasible(motion)) = solve(&one_way(vec![0.3, 0.2, 0.1], 1, vec![5.0]), None)
     else {
         panic!("the body should run away")
     };
     assert_eq!((motion.freedom, motion.direction), (0, 1.0));
-    // Freedom 0 is pressed on and held; freedom 1 is pulled off, whatever its unit.
+    // DOF 0 is pressed into contact; DOF 1 is pulled off, in any unit.
     for unit in [1.0, 1e3] {
         let problem = one_way(vec![0.3, 0.0, 0.2, 0.1 * unit, 0.1, 0.2 * unit], 2, vec![-5.0, 3.0 * unit]);
         let Err(ContactError::Infeasible(motion)) = solve(&problem, None) else {
@@ -189,7 +190,8 @@ fn loads_that_contact_cannot_balance_are_named() {
 
 #[test]
 fn freedoms_that_nothing_holds_are_named() {
-    // No cell sees freedom 1; without load it is merely undetermined, with load it runs away.
+    // No cell constrains DOF 1: without load it is undetermined, with load the problem is
+    // infeasible.
     let arms = vec![0.3, 0.0, 0.2, 0.0, 0.1, 0.0];
     let Err(ContactError::Unconstrained(motion)) = solve(&one_way(arms.clone(), 2, vec![-5.0, 0.0]), None)
     else {
@@ -200,13 +202,13 @@ fn freedoms_that_nothing_holds_are_named() {
         panic!("freedom 1 runs away")
     };
     assert_eq!((motion.freedom, motion.direction), (1, -1.0));
-    // Two bodies seen by the cells only as a difference: turning both together is free.
+    // The cells constrain only a difference of two bodies: rotating both together is free.
     let arms = vec![0.3, -0.6, 0.2, -0.4, 0.1, -0.2];
     let Err(ContactError::Unconstrained(motion)) = solve(&one_way(arms, 2, vec![-5.0, 10.0]), None) else {
         panic!("the common rotation is free")
     };
     assert!((motion.motion[0] / motion.motion[1] - 2.0).abs() < 1e-9, "{motion:?}");
-    // A spring holds what contact does not.
+    // A spring resists the motion that contact does not.
     let mut held = one_way(vec![0.3, 0.0, 0.2, 0.0, 0.1, 0.0], 2, vec![-5.0, 8.0]);
     held.stiffness = vec![0.0, 0.0, 0.0, 4.0];
     assert!((solve(&held, None).unwrap().motion[1] - 2.0).abs() < 1e-12);
@@ -232,7 +234,7 @@ fn cells_in_one_place_are_named() {
 
 #[test]
 fn cells_that_depend_on_each_other_and_stay_open_do_no_harm() {
-    // The last two are one, and out of reach.
+    // The last two cells coincide, and stay open.
     let mut problem = one_way(vec![0.3, 0.2, 0.2, 0.2], 1, vec![-5.0]);
     problem.compliance = vec![2.0, 0.5, 0.5, 0.5, 0.5, 2.0, 0.7, 0.7, 0.5, 0.7, 2.0, 2.0, 0.5, 0.7, 2.0, 2.0];
     problem.gaps = vec![0.0, 0.0, 1e3, 1e3];
@@ -243,7 +245,7 @@ fn cells_that_depend_on_each_other_and_stay_open_do_no_harm() {
 
 #[test]
 fn a_degenerate_cell_is_left_out_of_the_active_set() {
-    // By symmetry cell 1 is exactly at zero force and zero gap.
+    // By symmetry cell 1 has exactly zero force and zero gap.
     let mut problem = one_way(vec![1.0, 1.0, 1.0], 1, vec![-2.0]);
     // Forces 1, 0, 1: elastic gaps 2.5, 1.0, 2.5.
     problem.gaps = vec![0.0, 1.5, 0.0];
@@ -265,7 +267,7 @@ fn without_load_nothing_is_pressed() {
 
 #[test]
 fn vanishing_load_brings_bodies_to_touch() {
-    // One freedom: the first gap to close.
+    // With one DOF, the first gap to close determines the limit.
     let limit = rigid_limit(&[3.0, 1.0, 4.0], &[0.5, 0.25, -1.0], &[-1.0], &Interrupt::never()).unwrap();
     assert_eq!((limit.motion[0], limit.touching), (-4.0, vec![1]));
     let limit = rigid_limit(&[3.0, 1.0, 4.0], &[0.5, 0.25, -1.0], &[1.0], &Interrupt::never()).unwrap();
@@ -292,7 +294,7 @@ fn the_rigid_limit_is_that_of_small_loads() {
         let mut problem = random_problem(12, m, false, &mut random);
         let limit = match rigid_limit(&problem.gaps, &problem.arms, &problem.load, &Interrupt::never()) {
             Ok(limit) => limit,
-            // Random gaps need not leave room.
+            // Random gaps may exclude all positions.
             Err(ContactError::Jammed) => continue,
             Err(error) => panic!("trial {trial}: {error}"),
         };

@@ -4,7 +4,7 @@ use calyx_structure::profile::{Profile, ProfilePoint};
 use calyx_structure::{Chart, StressPlace, Structure, SurfaceLoad};
 use std::sync::Arc;
 
-/// Arcs of circles joined with continuous normals, run through counter-clockwise; the last may be an edge.
+/// Circular arcs joined with continuous normals, counter-clockwise; the last may be an edge.
 pub struct Arcs {
     /// Start of each arc, its centre, radius and the angle of its normal at the start.
     arcs: Vec<(f64, [f64; 2], f64, f64)>,
@@ -14,7 +14,8 @@ pub struct Arcs {
 }
 
 impl Arcs {
-    /// From the normal's angle `from`, arcs of the given radii and turns; the first centre is at `center`.
+    /// Creates arcs of the given radii and angles from the normal's angle `from`; the first centre
+    /// is `center`.
     pub fn new(center: [f64; 2], from: f64, pieces: &[(f64, f64)], last_is_edge: bool) -> Self {
         let mut arcs: Vec<(f64, [f64; 2], f64, f64)> = Vec::new();
         let (mut s, mut angle, mut center) = (0.0, from, center);
@@ -59,7 +60,7 @@ impl Profile for Arcs {
     }
 }
 
-/// The involute of a base circle about the origin, between two roll angles.
+/// Involute of a base circle about the origin, between two roll angles.
 pub struct Involute {
     pub base_radius: f64,
     pub roll: [f64; 2],
@@ -82,7 +83,7 @@ impl Profile for Involute {
     }
 }
 
-/// A body whose only compliance is the half-plane's.
+/// Body whose only compliance is that of the half-plane.
 pub struct HalfPlaneBody {
     pub surface_modulus: f64,
 }

@@ -1,27 +1,27 @@
-//! What bodies weigh: mass, where it is, and its moments.
+//! Inertia of bodies: mass, centre of mass and moments of inertia.
 
 use std::ops::{Add, Mul};
 
-/// Mass and moments of a body in its frame. Those of bodies that make one add up.
+/// Mass and moments of a body in its frame. The inertias of the parts of a body add up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inertia {
-    /// kg.
+    /// Mass, kg.
     pub mass: f64,
-    /// Of the mass by the place in the body, kg m: the mass times where its centre is.
+    /// First moment of mass: the mass times the position of its centre, kg m.
     pub moment: [f64; 3],
-    /// About the frame's origin, kg m²: products of inertia are negative off the diagonal, as in the relation of angular momentum to
-    /// angular velocity.
+    /// Inertia tensor about the origin of the frame, kg m². Off-diagonal entries are negative
+    /// products of inertia, as in the relation of angular momentum to angular velocity.
     pub about: [[f64; 3]; 3],
 }
 
 impl Inertia {
-    /// Of a point, or of a body as a whole: mass (kg), polar moment about the z axis and moment about axes across it (kg m²), both through the
-    /// origin, where the centre is.
+    /// Creates the inertia of a body with its centre of mass at the origin: mass (kg), polar moment
+    /// about the z axis and moment about transverse axes (kg m²).
     pub fn axial(mass: f64, polar: f64, across: f64) -> Self {
         Self { mass, moment: [0.0; 3], about: [[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, polar]] }
     }
 
-    /// The same body `offset` further along z, if its centre was in the origin, m.
+    /// Shifts a body with its centre of mass at the origin by `offset` along z, m.
     pub fn shifted_along(self, offset: f64) -> Self {
         let mut shifted = self;
         shifted.moment[2] += self.mass * offset;
@@ -31,17 +31,17 @@ impl Inertia {
         shifted
     }
 
-    /// Where its centre is, m; the origin of a body without mass.
+    /// Returns the centre of mass, m; the origin for a body without mass.
     pub fn centre(&self) -> [f64; 3] {
         if self.mass == 0.0 { [0.0; 3] } else { self.moment.map(|moment| moment / self.mass) }
     }
 
-    /// About a point of the body, m: the moments by the theorem of parallel axes.
+    /// Returns the inertia about a point of the body, m, by the parallel axis theorem.
     pub fn from(&self, [x, y, z]: [f64; 3]) -> Self {
         let Inertia { mass, moment, mut about } = *self;
         let at = [x, y, z];
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        // Of each particle |r - p|² = r² - 2 r p + p², and so the products.
+        // |r - p|² = r² - 2 r p + p² for each particle, and similarly for the products.
         let spread = mass * dot(at, at) - 2.0 * dot(moment, at);
         for (i, row) in about.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
@@ -53,7 +53,7 @@ impl Inertia {
         Self { mass, moment, about }
     }
 
-    /// About the z axis, kg m².
+    /// Returns the moment of inertia about the z axis, kg m².
     pub fn polar(&self) -> f64 {
         self.about[2][2]
     }
@@ -75,7 +75,7 @@ impl Add for Inertia {
     }
 }
 
-/// So many times as dense.
+/// Scales the density.
 impl Mul<Inertia> for f64 {
     type Output = Inertia;
 
@@ -94,7 +94,8 @@ mod tests {
 
     #[test]
     fn two_halves_make_a_whole() {
-        // A rod of 2 kg and 0.6 m along z by its halves: m l²/12 across, nothing about itself.
+        // A rod of 2 kg and 0.6 m along z from its halves: m l²/12 about transverse axes, zero
+        // about its own.
         let half = Inertia::axial(1.0, 0.0, 0.3 * 0.3 / 12.0);
         let whole = half.shifted_along(0.15) + half.shifted_along(-0.15);
         assert_eq!([whole.mass, whole.polar()], [2.0, 0.0]);

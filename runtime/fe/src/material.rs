@@ -1,24 +1,24 @@
-//! Linear elastic, isotropic materials, and how a plane section of them is held.
+//! Linear elastic, isotropic materials, and the assumption of plane models.
 
 use calyx_numerics::error::EngineError;
 
-/// An isotropic material. SI units (Pa, kg/m³).
+/// Linear elastic, isotropic material. SI units (Pa, kg/m³).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// E, in Pa.
+    /// Young's modulus E, Pa.
     pub youngs_modulus: f64,
-    /// ν, 0 <= ν < 0.5.
+    /// Poisson's ratio ν, 0 <= ν < 0.5.
     pub poissons_ratio: f64,
-    /// ρ, in kg/m³.
+    /// Density ρ, kg/m³.
     pub density: f64,
 }
 
-/// What happens across the plane of a two-dimensional model.
+/// Assumption of a two-dimensional model about the direction normal to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plane {
-    /// No strain across: a wide face.
+    /// Plane strain: no normal strain, for a wide face.
     Strain,
-    /// No stress across: a thin disc.
+    /// Plane stress: no normal stress, for a thin disc.
     Stress,
 }
 
@@ -26,10 +26,11 @@ impl Material {
     /// Common steel: 206 GPa, 0.3, 7850 kg/m³.
     pub const STEEL: Material = Material { youngs_modulus: 206e9, poissons_ratio: 0.3, density: 7850.0 };
 
-    /// A material, if its numbers make sense: E in Pa, ν, ρ in kg/m³.
+    /// Creates a material after a check of its constants: E in Pa, ν, ρ in kg/m³.
     ///
     /// # Errors
-    /// E0660: Young's modulus is not positive; E0661: Poisson's ratio is not from 0 to below 0.5; E0662: the density is negative.
+    /// E0660: Young's modulus is not positive; E0661: Poisson's ratio is negative or not below 0.5;
+    /// E0662: the density is negative.
     pub fn new(youngs_modulus: f64, poissons_ratio: f64, density: f64) -> Result<Material, EngineError> {
         let refusal = |code, argument, message: &str, help: &str| {
             Err(EngineError::new(code, message, help).blame(argument))
@@ -56,8 +57,9 @@ impl Material {
         Ok(Material { youngs_modulus, poissons_ratio, density })
     }
 
-    /// E', the modulus of a half-plane's surface: E / (1 - ν²) in plane strain, E in plane stress.
-    /// Two bodies in contact have 1/E* = 1/E'1 + 1/E'2 (Johnson, Contact Mechanics, eq. 4.5).
+    /// Returns E', the modulus of the surface of a half-plane: E / (1 - ν²) in plane strain, E in
+    /// plane stress. Two bodies in contact have 1/E* = 1/E'1 + 1/E'2 (Johnson, Contact Mechanics,
+    /// eq. 4.5).
     pub fn surface_modulus(&self, plane: Plane) -> f64 {
         match plane {
             Plane::Strain => self.youngs_modulus / (1.0 - self.poissons_ratio * self.poissons_ratio),

@@ -1,15 +1,22 @@
-//! Bearings: what connects bodies to each other and to ground besides contact (report, section 3.1.8).
+//! Bearings: linear connections between bodies, or between a body and ground, with optional stops
+//! (report, section 3.1.8).
 //!
-//! A bearing has two races, each a rigid part of a body or of ground. Its *deflection* x is how far the first race has moved against the
-//! second: three displacements of the bearing's origin and three turns, along and about the bearing's axes. The second race is pushed by
-//! `f = K (x - x0) - f_ext` and the first one by as much the other way, so that K takes load and motion as an unloaded deformation x0 and
-//! a load f_ext of its own would have it. Stops add unilateral springs: where `delta + a . x` would be negative a force along a opposes it.
+//! A bearing has two races, each a rigid part of a body or of ground. Its *deflection* x is the
+//! motion of the first race relative to the second: three displacements of the bearing's origin and
+//! three rotations, along and about the bearing's axes. The force `f = K (x - x0) - f_ext` acts on
+//! the second race, its opposite on the first. x0 is the deflection at which the springs carry no
+//! load, and f_ext an additional load. Stops add unilateral springs: where `delta + a . x` would be
+//! negative, a force along a opposes it.
 //!
-//! The bearing's origin and z axis lie on the first body: `at` in the coordinates of its frame, and that frame's z axis. Its x and y
-//! axes do not turn with the first body: they belong to the second race, being that frame's (or ground's) x axis, made square to z, and
-//! what completes them. So a shaft turns in a bearing whose housing has a stiffer side, and the side stays where it is; the pin of a planet
-//! goes round with its carrier. With an axisymmetric matrix it makes no difference. Both races have to keep their origin and axis in
-//! common: the first body may only turn about the bearing's axis, as seen from the second.
+//! The origin and the z axis of the bearing belong to the first body: the origin is `at` in the
+//! coordinates of its frame, and z is the z axis of that frame. The x axis belongs to the second
+//! race: it is the x axis of that body's frame (or of ground), projected normal to z; y completes
+//! the triad. Hence a shaft rotates in a bearing whose anisotropic housing remains fixed, and a
+//! planet pin's directions rotate with the carrier. An axisymmetric matrix does not depend on this
+//! choice. Both races must keep their origin and axis in common: relative to the second body, the
+//! first may only rotate about the bearing's axis.
+//!
+//! See `docs/theory/bearings.md`.
 
 mod placed;
 mod springs;
@@ -24,74 +31,79 @@ use calyx_numerics::error::EngineError;
 use nalgebra::{Matrix6, SymmetricEigen};
 use std::f64::consts::TAU;
 
-/// Row by row, in the order of [`FREEDOMS`]: N/m, N (per rad, or N m per m) and N m/rad for stiffness, these times s for damping.
+/// Bearing matrix by rows, in the order of [`FREEDOMS`]. Units of stiffness: N/m, N (per rad, or N
+/// m per m) and N m/rad; damping: these times s.
 pub type BearingMatrix = [[f64; 6]; 6];
 
-/// What carries the second race of a bearing.
+/// Carrier of the second race of a bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Support {
-    /// What does not move.
+    /// Ground.
     Ground,
     /// Another body.
     Body(BodyId),
 }
 
-/// A bearing between a body and ground or another body.
+/// Bearing between a body and ground or another body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bearing {
-    /// What results and messages call it.
+    /// Name in results and messages.
     pub name: String,
-    /// Carries the first race.
+    /// Body of the first race.
     pub body: BodyId,
-    /// Carries the second race.
+    /// Body or ground of the second race.
     pub to: Support,
-    /// The bearing's origin in the coordinates of the first body's frame, m. It lies on the axis about which that body turns.
+    /// Origin of the bearing in the coordinates of the first body's frame, m. It lies on the axis
+    /// of rotation of that body.
     pub at: [f64; 3],
-    /// K, symmetric and positive semidefinite.
+    /// K, the stiffness matrix, symmetric and positive semidefinite.
     pub stiffness: BearingMatrix,
-    /// C, the same of rates, which a quasi-static analysis leaves out.
+    /// C, the damping matrix. Quasi-static analyses ignore it.
     pub damping: BearingMatrix,
-    /// x0, the deflection at which the springs bear nothing: m and rad.
+    /// x0, the deflection at which the springs carry no load, m and rad.
     pub unloaded: [f64; 6],
-    /// f_ext, what pushes the first race away from the second besides: N and N m.
+    /// f_ext, additional load that pushes the first race away from the second, N and N m.
     pub load: [f64; 6],
-    /// What the bearing bears beyond clearances.
+    /// Stops: unilateral springs behind clearances.
     pub stops: Vec<Stop>,
 }
 
-/// A clearance, and the spring that is met where it is used up.
+/// Unilateral spring with a clearance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
-    /// `clearance + direction . x >= 0` (report, eq. 3.4): one wall.
+    /// One wall: `clearance + direction . x >= 0` (report, eq. 3.4).
     Wall {
-        /// delta; negative where the wall presses from the beginning. m if the direction's displacements are pure numbers.
+        /// delta; negative for a preloaded wall. Its unit is m if the direction's coefficients of
+        /// displacements are dimensionless.
         clearance: f64,
-        /// a, by freedom: of displacements 1, of turns m.
+        /// a, by DOF: dimensionless for displacements, m for rotations.
         direction: [f64; 6],
-        /// Of the wall, N/m.
+        /// Stiffness of the wall, N/m.
         stiffness: f64,
     },
-    /// The displacement across the axis is at most `clearance`, in whichever direction: a ring.
+    /// Ring: the radial displacement is at most `clearance` in all directions.
     Ring {
-        /// From the middle outwards, m.
+        /// Radial clearance, m.
         clearance: f64,
-        /// Of the ring on its seat, N/m: the same in all directions.
+        /// Stiffness of the seat of the ring, N/m, equal in all directions.
         stiffness: f64,
     },
 }
 
-/// A ring is a polygon of so many walls with its corners on the circle, two of them on each axis. A load that is not exactly square to a
-/// wall presses into a corner, so the clearance is exact; its direction is right to half a side, 2.8 degrees.
+/// Number of walls of a ring, which is a polygon with its corners on the clearance circle and two
+/// corners on each axis. A load that is not exactly normal to a wall presses into a corner, so the
+/// clearance is exact. The direction of the force is exact to half a side, 2.8 degrees.
 const SIDES: usize = 64;
-/// The walls of a ring have this part of its compliance each for themselves, so that no three of them share a load at a corner in no
-/// determined way; the rest of it is the seat's, which they have in common.
+/// Fraction of the compliance of a ring that each wall has separately. Without it, the distribution
+/// of a load on three walls at a corner would be indeterminate. The rest of the compliance belongs
+/// to the seat, which all walls share.
 const OWN: f64 = 1e-6;
 
-/// Rows of a stop's gap equations and the compliance between them.
+/// Gap equations of a stop and the compliance matrix between them.
 pub struct Walls {
-    /// Clearance and direction of each.
+    /// Clearance and direction of each row.
     pub rows: Vec<(f64, [f64; 6])>,
-    /// m/N, row-major.
+    /// Compliance matrix, m/N, row-major.
     pub compliance: Vec<f64>,
 }
 
@@ -109,8 +121,8 @@ impl Stop {
                     let (sine, cosine) = angle(side).sin_cos();
                     (depth, [-cosine, -sine, 0.0, 0.0, 0.0, 0.0])
                 };
-                // A ring on a seat that gives alike in all directions: pushed along one wall's normal, another one moves by the cosine
-                // between them.
+                // On an isotropic seat, a unit force along the normal of one wall displaces another
+                // wall by the cosine of the angle between their normals.
                 let of = |entry: usize| {
                     let (one, other) = (entry / SIDES, entry % SIDES);
                     let between = TAU * (one.abs_diff(other) as f64) / SIDES as f64;
@@ -132,7 +144,7 @@ impl Stop {
         }
     }
 
-    /// Whether it presses where nothing has moved.
+    /// Returns whether the stop carries load at zero deflection.
     fn presses_at_rest(&self) -> bool {
         matches!(self, Stop::Wall { clearance, .. } if *clearance < 0.0)
     }
@@ -156,8 +168,8 @@ impl Stop {
     }
 }
 
-/// A matrix that is the same whichever way the bearing is turned about its axis: across it, along it, against tilting, against turning
-/// about it. Units as [`BearingMatrix`].
+/// Returns a matrix that is invariant under rotation about the bearing's axis, from its radial,
+/// axial, tilting and torsional coefficients. Units as in [`BearingMatrix`].
 pub const fn axisymmetric(radial: f64, axial: f64, tilting: f64, torsional: f64) -> BearingMatrix {
     let mut matrix = [[0.0; 6]; 6];
     matrix[0][0] = radial;
@@ -170,7 +182,8 @@ pub const fn axisymmetric(radial: f64, axial: f64, tilting: f64, torsional: f64)
 }
 
 impl Bearing {
-    /// A bearing of this stiffness on ground at a place on the body's axis (m from its frame's origin).
+    /// Creates a bearing to ground with this stiffness, at the axial position `at` on the body's
+    /// axis (m from the origin of its frame).
     pub fn new(name: impl Into<String>, body: BodyId, at: f64, stiffness: BearingMatrix) -> Bearing {
         Bearing {
             name: name.into(),
@@ -185,13 +198,13 @@ impl Bearing {
         }
     }
 
-    /// The bearing with its second race on a body.
+    /// Moves the second race to another body.
     pub fn between(mut self, other: BodyId) -> Bearing {
         self.to = Support::Body(other);
         self
     }
 
-    /// The bodies it connects, the first race's before the second's.
+    /// Returns the bodies that the bearing connects, that of the first race first.
     pub fn bodies(&self) -> impl Iterator<Item = BodyId> {
         let second = match self.to {
             Support::Ground => None,
@@ -200,12 +213,12 @@ impl Bearing {
         [Some(self.body), second].into_iter().flatten()
     }
 
-    /// How many gap equations its stops are.
+    /// Returns the number of gap equations of the stops.
     pub fn walls(&self) -> usize {
         self.stops.iter().map(Stop::count).sum()
     }
 
-    /// Whether it bears nothing where nothing has moved.
+    /// Returns whether the bearing carries no load at zero deflection.
     pub fn is_unloaded_at_rest(&self) -> bool {
         let still = self.unloaded.iter().chain(&self.load).all(|&entry| entry == 0.0);
         still && !self.stops.iter().any(Stop::presses_at_rest)
@@ -250,10 +263,11 @@ impl Bearing {
     }
 }
 
-/// Asymmetry and negative eigenvalues beyond this, beside what the diagonal says of size, are no rounding of printed digits.
+/// Tolerance of asymmetry and of negative eigenvalues, relative to the diagonal; covers rounding of
+/// printed digits.
 const ROUNDING: f64 = 1e-6;
 
-/// What is wrong with a matrix, and what to do.
+/// Checks a matrix. The error is a pair of problem and remedy.
 fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
     const SYMMETRIC: &str = "the matrix is symmetric: entries i, j and j, i are equal";
     if !matrix.iter().flatten().all(|entry| entry.is_finite()) {
@@ -273,7 +287,7 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
         }
     }
     const ENERGY: &str = "a bearing takes up energy in every motion, so no eigenvalue of its matrix is negative; look at the signs of entries off the diagonal";
-    // In units in which every freedom is as stiff as every other.
+    // Scale the DOFs to equal stiffness.
     let scaled = |i: usize, j: usize| {
         let (value, scale) = (matrix[i][j], size[i] * size[j]);
         if value == 0.0 { 0.0 } else { value / scale }

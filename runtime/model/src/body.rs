@@ -10,26 +10,26 @@ use std::sync::Arc;
 /// A deformable body on a moving frame.
 #[derive(Clone)]
 pub struct Body {
-    /// What results and messages call it.
+    /// Name in results and messages.
     pub name: String,
-    /// How it is modelled. Bodies that share one share its structure.
+    /// Model of the body. Bodies with the same prototype share a structure.
     pub prototype: Arc<dyn Prototype>,
-    /// Where its frame is meant to be; deviations of free components are measured from there.
+    /// Prescribed motion of the frame; the origin of the deviations of free components.
     pub motion: Arc<dyn Motion>,
-    /// Turns the structure in its frame, rad: the phase at which a gear was mounted.
+    /// Rotation of the structure in its frame, rad: the phase in which a gear is mounted.
     pub phase: f64,
-    /// Freedoms of the frame that are not held, in the order of [`FREEDOMS`].
+    /// Unconstrained DOFs of the frame, in the order of [`FREEDOMS`].
     pub free: [bool; 6],
-    /// What acts on the frame from outside.
+    /// External load on the frame.
     pub load: Arc<dyn Load>,
-    /// What hits the frame besides; ramps of the load leave it as it is.
+    /// Additional impulses on the frame. Load ramps do not scale them.
     pub blows: Vec<Blow>,
-    /// Masses on the frame beside the body's own.
+    /// Masses on the frame in addition to the body's own.
     pub added: Inertia,
 }
 
 impl Body {
-    /// A body that is held on its frame and not loaded.
+    /// Creates a fixed, unloaded body.
     pub fn new(
         name: impl Into<String>,
         prototype: Arc<dyn Prototype>,
@@ -47,7 +47,8 @@ impl Body {
         }
     }
 
-    /// The body with these components of its frame free: there contact and load are in equilibrium.
+    /// Makes these components of the frame free: contact, bearing and external forces are in
+    /// equilibrium along them.
     pub fn free_in(mut self, components: &[Component]) -> Body {
         for component in components {
             self.free[*component as usize] = true;
@@ -55,25 +56,26 @@ impl Body {
         self
     }
 
-    /// The body with masses on its frame beside its own.
+    /// Adds masses to the frame.
     pub fn with_added(mut self, inertia: Inertia) -> Body {
         self.added = self.added + inertia;
         self
     }
 
-    /// All that it weighs.
+    /// Returns the total inertia of the body.
     pub fn inertia(&self) -> Inertia {
         self.prototype.inertia() + self.added
     }
 
-    /// What acts on the frame from outside at a time (s), if so large a part of the load is on it.
+    /// Returns the external load on the frame at a time (s), with the load scaled by `part`.
+    /// Impulses are not scaled.
     pub fn acted_on(&self, time: f64, part: f64) -> Wrench {
         let load = self.load.at(time);
         let load = if part == 1.0 { load } else { part * load };
         self.blows.iter().fold(load, |sum, blow| sum + blow.at(time))
     }
 
-    /// The body under a load: a [`Wrench`] or a closure of time, see [`Load`].
+    /// Applies a load: a [`Wrench`] or a closure of time, see [`Load`].
     pub fn loaded(mut self, load: impl Load + 'static) -> Body {
         self.load = Arc::new(load);
         self

@@ -1,4 +1,5 @@
-//! The structures of a planned scene: taken from the cache or built side by side, each once.
+//! Builds the structures of a planned scene in parallel, each once, or takes them from the
+//! structure cache.
 
 use crate::body::Body;
 use crate::fidelity::StructureOptions;
@@ -13,16 +14,17 @@ use calyx_structure::{AnyStructure, BodyModes};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Where the structures of an analysis came from.
+/// Provenance of the structures of an analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StructureCounts {
-    /// Condensed anew.
+    /// Number of structures that were built.
     pub built: usize,
-    /// Taken from a cache, in memory or on disk, or from another thread that was building it.
+    /// Number of structures from a cache, in memory or on disk, or from a parallel build in another
+    /// thread.
     pub reused: usize,
 }
 
-/// A structure that bodies of the scene need.
+/// Structure that bodies of the scene require.
 struct Wanted<'s> {
     prototype: &'s dyn Prototype,
     options: StructureOptions,
@@ -42,7 +44,7 @@ impl Wanted<'_> {
         })
     }
 
-    /// What was kept on disk, made whole again; `None` if the bytes are of something else.
+    /// Restores a structure from the bytes of the disk cache; `None` if they do not describe one.
     fn restore(&self, bytes: &[u8]) -> Option<AnyStructure> {
         if self.solid {
             self.prototype.restore_solid(&self.options, bytes).map(AnyStructure::from)
@@ -51,16 +53,19 @@ impl Wanted<'_> {
         }
     }
 
-    /// Whether this is of the kind that is wanted: a prototype that gives both kinds one key is not to be trusted with it.
+    /// Returns whether a structure has the required dimension. A prototype may wrongly give plane
+    /// and three-dimensional structures the same key.
     fn takes(&self, structure: &AnyStructure) -> bool {
         matches!(structure, AnyStructure::Solid(_)) == self.solid
     }
 }
 
-/// One per body; `None` for a body the plan left out. All are of one kind.
+/// Structures by body, all plane or all three-dimensional; `None` for bodies that the plan leaves
+/// out.
 pub type Structures = Vec<Option<AnyStructure>>;
 
-/// The structure of every body that the plan models, and how many were built for it.
+/// Returns the structure of every body that the plan models, and the number of structures that were
+/// built.
 pub fn build_structures(
     scene: &Mechanism,
     plan: &Plan,
@@ -71,7 +76,7 @@ pub fn build_structures(
     for ((number, body), planned) in numbers.iter().zip(&scene.bodies).zip(&plan.bodies) {
         let Some(number) = *number else { continue };
         match wanted.get_mut(number) {
-            // One that needs stresses serves all that share it.
+            // A structure is built with stresses if any body that shares it needs them.
             Some(Wanted { options, .. }) => options.stresses |= planned.options.stresses,
             None => wanted.push(Wanted {
                 prototype: body.prototype.as_ref(),
@@ -95,9 +100,9 @@ pub fn build_structures(
     Ok((bodies.map(of_body).collect::<Result<_, _>>()?, counts))
 }
 
-/// A structure to be built here, with the duty to hand it to others if it has a key.
+/// Structure to build in this thread, with the obligation to publish it if it has a key.
 type Build<'c> = (usize, Option<Claim<'c>>);
-/// By number of what is wanted, and whether it was condensed anew.
+/// Number of the required structure, the structure, and whether it was built rather than restored.
 type Built = (usize, AnyStructure, bool);
 
 fn obtain(
@@ -106,7 +111,8 @@ fn obtain(
 ) -> Result<(Vec<AnyStructure>, StructureCounts), EngineError> {
     let mut structures: Structures = vec![None; wanted.len()];
     let mut counts = StructureCounts::default();
-    // A thread of a pool must not wait for another one's build; see `OperatorCache::structure`.
+    // A thread of the pool must not wait for a build of another thread; see
+    // `OperatorCache::structure`.
     let may_wait = rayon::current_thread_index().is_none();
     while structures.iter().any(Option::is_none) {
         let mut builds: Vec<Build<'_>> = Vec::new();
@@ -136,9 +142,9 @@ fn obtain(
             structures[number] = Some(structure);
             *if anew { &mut counts.built } else { &mut counts.reused } += 1;
         }
-        // Nobody waits for a structure of another thread's with one of its own unbuilt, so no two wait for each other.
+        // No deadlock: a thread waits for others only after it has built its own structures.
         for (number, cache, key, flight) in waits {
-            // Should the other build fail, the next round builds it here.
+            // If the other build fails, the next round builds the structure here.
             if let Some(structure) =
                 cache.wait(key, &flight, &resources.interrupt)?.and_then(Operator::structure)
                 && wanted[number].takes(&structure)
@@ -151,7 +157,8 @@ fn obtain(
     Ok((structures.into_iter().flatten().collect(), counts))
 }
 
-/// Takes from the disk or builds, side by side. Of several errors the first in order is reported.
+/// Restores structures from disk or builds them, in parallel. If several fail, the first error in
+/// order is returned.
 fn build(
     wanted: &[Wanted<'_>],
     builds: Vec<Build<'_>>,
@@ -168,7 +175,7 @@ fn build(
         if let Some(claim) = claim {
             claim.fulfil(&structure.clone().into());
         }
-        // Nobody waits for the disk.
+        // No thread waits for the disk.
         if anew
             && let Some((store, key)) = on_disk
             && let Some(content) = structure.stored()
@@ -183,7 +190,8 @@ fn build(
 }
 
 impl Resources {
-    /// The modes of a body up to a frequency (rad/s), from the cache if they are kept there; `None` of a body that has none.
+    /// Returns the modes of a body up to a frequency (rad/s), from the cache if possible; `None`
+    /// for a body without modes.
     ///
     /// # Errors
     /// Those of [`Prototype::modes`] and of the interrupt.

@@ -1,6 +1,7 @@
-//! Cylinders and flat platens as bodies: the simplest partners of a contact, and those whose contact is known in closed form.
+//! Cylinders and flat platens as bodies: simple contact partners with closed-form solutions.
 //!
-//! Both are prisms across the plane; a [`Disc`] deforms, a [`Platen`] does not. Neither repeats: every chart has tooth 0.
+//! Both are prisms, extruded normal to the plane. A [`Disc`] is elastic, a [`Platen`] is rigid.
+//! Neither has teeth: every chart has tooth 0.
 //!
 //! ```
 //! use calyx_runtime::disc::{Disc, Facing, Platen};
@@ -10,7 +11,7 @@
 //! use calyx_runtime::scene::{Body, Component, Scene, SurfacePair};
 //! use std::sync::Arc;
 //!
-//! // A roller of 40 mm that a plate presses down on another.
+//! // A roller of 40 mm diameter between two plates, loaded by the upper one.
 //! let roller = Arc::new(Disc::new(0.02, 0.01, Material::STEEL));
 //! let platen = |facing| Arc::new(Platen::new(0.04, 0.01, facing));
 //! let mut scene = Scene::default();
@@ -43,32 +44,32 @@ use calyx_structure::{
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::sync::Arc;
 
-/// A solid elastic cylinder with its axis through the body's origin, in plane strain.
+/// Solid elastic cylinder with its axis through the body's origin, in plane strain.
 ///
-/// It is free in its frame: loads that are not in equilibrium with each other are balanced by forces distributed like its
-/// inertia, so that it may be held by its frame, by contacts, or by some of both.
+/// It is unconstrained in its frame: loads that are not in equilibrium are balanced by forces
+/// distributed like its inertia. Hence its frame, contacts, or both can support it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disc {
-    /// m
+    /// Radius, m.
     pub radius: f64,
-    /// m
+    /// Face width, m.
     pub face_width: f64,
-    /// What it is made of.
+    /// Material.
     pub material: Material,
 }
 
-/// A rigid flat plate with the middle of its surface at the body's origin.
+/// Rigid flat plate with the middle of its surface at the body's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Platen {
-    /// Of the surface, m.
+    /// Length of the surface, m.
     pub length: f64,
-    /// m
+    /// Face width, m.
     pub face_width: f64,
-    /// Which way the surface looks in the body's frame.
+    /// Direction of the surface's outward normal in the body's frame.
     pub facing: Facing,
 }
 
-/// The side of a platen that its material is not on.
+/// Outward normal of a platen's surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
     /// Along +y.
@@ -77,30 +78,30 @@ pub enum Facing {
     Down,
 }
 
-/// Elements along each quarter of the rim, and from the core to it, of the default mesh.
+/// Number of elements along each quarter of the rim, and from the core to it, of the default mesh.
 const DIVISIONS: f64 = 12.0;
 /// Names of the chains of edges along the surfaces of a disc.
 const QUARTERS: [&str; 2] = ["top", "bottom"];
 
 impl Disc {
-    /// The quarter of the surface about the +y direction of the body's frame.
+    /// Quarter of the surface around the +y direction of the body's frame.
     pub const TOP: u32 = 0;
-    /// The quarter about the -y direction.
+    /// Quarter of the surface around the -y direction.
     pub const BOTTOM: u32 = 1;
 
-    /// A cylinder by radius (m), face width (m) and material. Sizes that are not positive are refused when its structure is
-    /// built.
+    /// Creates a cylinder from radius (m), face width (m) and material. Building the structure
+    /// rejects sizes that are not positive.
     pub const fn new(radius: f64, face_width: f64, material: Material) -> Disc {
         Disc { radius, face_width, material }
     }
 
-    /// The curves of its surfaces.
+    /// Returns the profiles of its surfaces.
     fn quarters(&self) -> [Arc<dyn Profile>; 2] {
         [FRAC_PI_2, -FRAC_PI_2]
             .map(|middle| Arc::new(Quarter { radius: self.radius, middle }) as Arc<dyn Profile>)
     }
 
-    /// A core with bulging sides, and a block between each of them and the rim.
+    /// Meshes a core with curved sides, and a block between each side and the rim.
     fn mesh(&self, divisions: usize, order: ElementOrder) -> Result<PlaneMesh, MeshError> {
         let core = 0.5 * self.radius;
         let on_circle = |radius: f64, angle: f64| [radius * angle.cos(), radius * angle.sin()];
@@ -136,7 +137,7 @@ impl Disc {
     }
 }
 
-/// A mesh with its material, its surfaces, and how these are looked at.
+/// Model with its surfaces and the options of the near field.
 type Model = (PlaneModel, [SurfaceSource; 2], SplitOptions);
 
 impl Disc {
@@ -249,10 +250,10 @@ fn unmeshed(what: &str) -> EngineError {
 }
 
 impl Platen {
-    /// Its only surface.
+    /// Index of its only surface.
     pub const SURFACE: u32 = 0;
 
-    /// A plate by the length of its surface (m), face width (m) and side.
+    /// Creates a plate from the length of its surface (m), face width (m) and direction.
     pub const fn new(length: f64, face_width: f64, facing: Facing) -> Platen {
         Platen { length, face_width, facing }
     }
@@ -281,7 +282,7 @@ impl Prototype for Platen {
     }
 }
 
-/// A quarter of a circle about the origin, its middle at polar angle `middle`.
+/// Quarter of a circle about the origin, centred at polar angle `middle`.
 struct Quarter {
     radius: f64,
     middle: f64,
@@ -303,7 +304,7 @@ impl Profile for Quarter {
     }
 }
 
-/// A straight line whose middle is the origin, looking along +y (`up` 1) or -y (-1).
+/// Straight line centred at the origin, facing +y (`up` 1) or -y (-1).
 struct Straight {
     length: f64,
     up: f64,

@@ -1,38 +1,43 @@
-//! How bodies are modelled, and how finely: the ladder of levels, the meshes in space, and the knobs of a discretisation.
+//! Fidelity levels of body models, mesh templates of three-dimensional models, and discretization
+//! options.
+//!
+//! See `docs/theory/fidelity.md`.
 
 use calyx_numerics::error::EngineError;
 use std::iter;
 
-/// How bodies are modelled: the ladder from cheap to exact.
+/// Model of the bodies, from cheap to exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fidelity {
-    /// Bodies that do not deform, where they touch as the load vanishes: tooth contact analysis. In the plane if the scene lies in one, else
-    /// in space.
+    /// Rigid bodies in contact as the load vanishes: tooth contact analysis (TCA). Plane if the
+    /// scene is plane, else three-dimensional.
     Rigid,
-    /// Teeth and what carries them in closed forms, with the near field that all levels have. In the plane if the scene lies in one, else in space.
+    /// Closed-form models of teeth and gear bodies, with the near field that all levels share.
+    /// Plane if the scene is plane, else three-dimensional.
     Analytic,
     /// Plane finite elements with the semi-analytic near field.
     Plane,
-    /// Finite elements in space with the semi-analytic near field, on meshes of this kind.
+    /// Three-dimensional finite elements with the semi-analytic near field, on meshes of this
+    /// template.
     Solid(Template),
 }
 
-/// Meshes in space by name.
+/// Templates of three-dimensional meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Template {
-    /// For loads, deflections and stresses of usual gears.
+    /// Default, for loads, deflections and stresses of common gears.
     #[default]
     Medium,
-    /// Finer in the fillets.
+    /// Finer mesh in the fillets.
     FineRoot,
-    /// Finer everywhere.
+    /// Finer mesh everywhere.
     Finest,
-    /// For rims not much thicker than the teeth are high, or thinner.
+    /// For thin rims, up to about the tooth height.
     ThinRim,
 }
 
 impl Template {
-    /// Its name, which is that of the fidelity.
+    /// Returns the name, which is also that of the fidelity.
     pub fn name(self) -> &'static str {
         match self {
             Template::Medium => "medium",
@@ -44,7 +49,7 @@ impl Template {
 }
 
 impl Fidelity {
-    /// From cheap to exact.
+    /// All levels, from cheap to exact.
     pub const ALL: [Fidelity; 7] = [
         Fidelity::Rigid,
         Fidelity::Analytic,
@@ -55,7 +60,7 @@ impl Fidelity {
         Fidelity::Solid(Template::Finest),
     ];
 
-    /// The one that sees more.
+    /// Returns the next more exact level.
     pub fn above(self) -> Option<Fidelity> {
         match self {
             Fidelity::Rigid => Some(Fidelity::Analytic),
@@ -69,17 +74,17 @@ impl Fidelity {
         }
     }
 
-    /// All that see more, from cheap to exact.
+    /// Returns all more exact levels, from cheap to exact.
     pub fn all_above(self) -> impl Iterator<Item = Fidelity> {
         iter::successors(self.above(), |fidelity| fidelity.above())
     }
 
-    /// A fidelity by its name.
+    /// Returns the fidelity of this name.
     pub fn named(name: &str) -> Option<Fidelity> {
         Fidelity::ALL.into_iter().find(|fidelity| fidelity.name() == name)
     }
 
-    /// Its name.
+    /// Returns the name.
     pub fn name(self) -> &'static str {
         match self {
             Fidelity::Rigid => "rigid",
@@ -89,7 +94,7 @@ impl Fidelity {
         }
     }
 
-    /// What bodies are made of.
+    /// Returns the kind of structure of this level.
     pub fn body_model(self) -> BodyModel {
         match self {
             Fidelity::Rigid => BodyModel::Rigid,
@@ -98,7 +103,7 @@ impl Fidelity {
         }
     }
 
-    /// The most that an observable may need.
+    /// Returns the most that an observable may require at this level.
     pub fn gives(self) -> Needs {
         match self {
             Fidelity::Rigid => Needs::Motions,
@@ -108,38 +113,40 @@ impl Fidelity {
     }
 }
 
-/// What a structure is made of.
+/// Kind of a structure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum BodyModel {
-    /// Nothing that deforms.
+    /// Rigid body.
     Rigid,
-    /// Closed forms.
+    /// Closed-form compliance.
     Analytic,
-    /// Finite elements.
+    /// Finite element model.
     #[default]
     Elements,
 }
 
-/// Knobs of a structure's discretisation.
+/// Options of the discretization of a structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StructureOptions {
-    /// Multiplies the number of elements along every direction of the mesh; 1 is the default mesh.
+    /// Factor on the number of elements along every direction of the mesh; 1 is the default mesh.
     pub refinement: f64,
-    /// Order of displacement interpolation in the section, 1 to 3.
+    /// Order of the displacement interpolation in the section, 1 to 3.
     pub order: usize,
-    /// What it is made of; without elements all that is said of meshes is idle.
+    /// Kind of structure. Without finite elements the mesh options have no effect.
     pub model: BodyModel,
-    /// The mesh of a body in space; a plane one has no use for it and for the next two.
+    /// Template of a three-dimensional mesh. Plane models ignore it and the next two options.
     pub template: Template,
-    /// Elements along the face, 1 to 64; `None` takes the template's.
+    /// Number of elements along the face, 1 to 64; `None` uses that of the template.
     pub face_elements: Option<usize>,
-    /// Order of displacement interpolation along the face, 1 to 8; `None` takes the template's.
+    /// Order of the displacement interpolation along the face, 1 to 8; `None` uses that of the
+    /// template.
     pub axial_order: Option<usize>,
-    /// Multiplies the matching depth of near and far field; 1 is the default.
+    /// Factor on the matching depth of near and far field; 1 is the default.
     pub matching_depth: f64,
-    /// Recover stresses (costs one map per structure).
+    /// Enables stress recovery, which costs one map per structure.
     pub stresses: bool,
-    /// Surfaces run up to their nominal ends, without the rounding of edges: contact is confined to them.
+    /// Makes surfaces end sharply at their nominal ends, without rounded edges; contact is confined
+    /// to them.
     pub sharp_edges: bool,
 }
 
@@ -160,11 +167,11 @@ impl Default for StructureOptions {
 }
 
 impl StructureOptions {
-    /// Whether a mesh can be made by them.
+    /// Checks whether these options define a mesh.
     ///
     /// # Errors
-    /// E0675: the order is not 1 to 3, or the refinement is not positive. E0691: nor are elements along the face 1 to 64, or their
-    /// order 1 to 8.
+    /// E0675: the order is not 1 to 3, or the refinement is not positive. E0691: the number of
+    /// elements along the face is not 1 to 64, or their order is not 1 to 8.
     pub fn check(&self) -> Result<(), EngineError> {
         if !((1..=3).contains(&self.order) && self.refinement.is_finite() && self.refinement > 0.0) {
             return Err(EngineError::new(
@@ -193,21 +200,21 @@ impl StructureOptions {
     }
 }
 
-/// What of bodies an observable needs to be modelled: each of these has the ones before it.
+/// Model requirements of an observable; each level includes the ones before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Needs {
-    /// Where bodies and surfaces are, and where they touch.
+    /// Positions of bodies and surfaces, and contact points.
     Motions,
-    /// With which forces bodies press on each other, which follow from how they deform.
+    /// Contact forces, which depend on the deformation of bodies.
     Forces,
-    /// The largest stress in the fillet of a loaded tooth.
+    /// Largest stress in the fillet of a loaded tooth.
     RootStress,
     /// Stresses everywhere on the fillets.
     Stresses,
 }
 
 impl Needs {
-    /// In words.
+    /// Returns a description.
     pub fn name(self) -> &'static str {
         match self {
             Needs::Motions => "motions",

@@ -10,17 +10,17 @@ use crate::plan::Plan;
 use calyx_numerics::error::EngineError;
 use faer::MatRef;
 
-/// The bodies of a planned scene whose lugs bear by contact, by index.
+/// Returns the bodies of a planned scene with spline teeth with clearance, by index.
 pub fn lug_contacts(scene: &Mechanism, plan: &Plan) -> Vec<(usize, LugContact)> {
     let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate();
     let elastic = bodies.filter(|(_, (_, plan))| plan.is_elastic());
     elastic.filter_map(|(index, (body, _))| Some((index, body.prototype.lug_contact()?))).collect()
 }
 
-/// [`LugContact::arms`] of a body at a time (s).
+/// Returns [`LugContact::arms`] of a body at a time (s).
 ///
 /// # Errors
-/// As [`pose`].
+/// Those of [`pose`].
 pub fn arms_at(
     scene: &Mechanism,
     body: usize,
@@ -33,10 +33,11 @@ pub fn arms_at(
     Ok(contact.arms(stands.angle + body.phase, off))
 }
 
-/// Adds the flanks of a body's lugs at a time (s) to what bears on the freedoms besides teeth, `between` as of [`LugContact::compliance`].
+/// Appends the flanks of a body's spline teeth at a time (s) to the gap equations of bearings;
+/// `between` as in [`LugContact::compliance`].
 ///
 /// # Errors
-/// As [`pose`].
+/// Those of [`pose`].
 pub fn add_flanks(
     springs: &mut Springs,
     scene: &Mechanism,

@@ -7,28 +7,28 @@ use crate::plan::Plan;
 use calyx_contact::solid::Pose;
 use calyx_numerics::error::{EngineError, Subject};
 
-/// Where a body's frame is meant to be at a time.
+/// Returns the prescribed pose of a body's frame at a time in a plane model.
 ///
 /// # Errors
-/// The frame is not a number there, or tilted; the error is about that body.
+/// The frame is NaN or tilted; the error names the body.
 pub fn pose(scene: &Mechanism, body: usize, time: f64) -> Result<PlanePose, EngineError> {
     PlanePose::of(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
 }
 
-/// The same in space, where frames may tilt.
+/// Returns the prescribed pose in three dimensions, where frames may tilt.
 ///
 /// # Errors
-/// The frame is not a number there; the error is about that body.
+/// The frame is NaN; the error names the body.
 pub fn solid_pose(scene: &Mechanism, body: usize, time: f64) -> Result<Pose, EngineError> {
     pose_in_space(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
 }
 
-/// The ground axes swung with a body's axis; not numbers where its motion is none.
+/// Returns the ground axes under the minimal rotation to a body's axis; NaN if its motion is NaN.
 pub fn axes(scene: &Mechanism, body: usize, time: f64) -> [[f64; 3]; 3] {
     solid_pose(scene, body, time).map_or([[f64::NAN; 3]; 3], |pose| Stance::of(&pose).axes)
 }
 
-/// Free components of the bodies that are modelled, in order.
+/// Returns the free components of the modelled bodies, in order.
 pub fn number_freedoms(scene: &Mechanism, plan: &Plan) -> Vec<Freedom> {
     let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().filter(|(_, (_, plan))| !plan.left_out);
     bodies
@@ -52,7 +52,7 @@ pub fn loads_on(
     let mut loads = Vec::with_capacity(freedoms.len());
     let mut latest: Option<(usize, [f64; 6])> = None;
     for freedom in freedoms {
-        // A load is asked once a position, however many components of its body are free.
+        // Evaluate a load once per position, however many components of its body are free.
         let along = match latest {
             Some((body, along)) if body == freedom.body => along,
             _ => {

@@ -1,26 +1,26 @@
 //! Rigid-body degrees of freedom of the frames of bodies.
 
-/// The six freedoms of a frame, in the order of their indices: names of [`Component`].
+/// Names of the six DOFs of a frame, in the order of [`Component`].
 pub const FREEDOMS: [&str; 6] = ["u_x", "u_y", "u_z", "theta_x", "theta_y", "theta_z"];
 
-/// A component of a frame's motion along and about the ground axes, in the order of [`FREEDOMS`].
+/// Component of the motion of a frame along or about the ground axes, in the order of [`FREEDOMS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Component {
     /// Displacement along x.
     Ux,
     /// Displacement along y.
     Uy,
-    /// Displacement along z, across a plane model.
+    /// Displacement along z, normal to a plane model.
     Uz,
-    /// Turn about x.
+    /// Rotation about x.
     ThetaX,
-    /// Turn about y.
+    /// Rotation about y.
     ThetaY,
-    /// Turn about z, in the plane of a plane model.
+    /// Rotation about z, the in-plane rotation of a plane model.
     ThetaZ,
 }
 
-/// A free component of a body's frame.
+/// DOF: a free component of a body's frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Freedom {
     /// Index of the body in the scene.

@@ -1,28 +1,28 @@
-//! External loads on bodies: constant, any function of time, or blows.
+//! External loads on bodies: constants, functions of time, and impulses.
 
 use std::f64::consts::PI;
 use std::ops::{Add, Mul};
 
-/// A force on a body's axle ([`crate::motion::axle`]: the origin of its frame, unless the body sits off its shaft, as a gear with runout does)
-/// and a moment about it, along ground axes.
+/// Force on a body's axis of rotation ([`crate::motion::axle`]: the origin of its frame, unless the
+/// body is eccentric, like a gear with runout) and moment about it, along ground axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
-    /// N
+    /// Force, N.
     pub force: [f64; 3],
-    /// N m
+    /// Moment, N m.
     pub moment: [f64; 3],
 }
 
 impl Wrench {
-    /// No load at all.
+    /// No load.
     pub const NONE: Wrench = Wrench { force: [0.0; 3], moment: [0.0; 3] };
 
-    /// A force on the axle, N.
+    /// Creates a force on the axis, N.
     pub const fn of_force(force: [f64; 3]) -> Wrench {
         Wrench { force, ..Wrench::NONE }
     }
 
-    /// A moment, N m.
+    /// Creates a moment, N m.
     pub const fn of_moment(moment: [f64; 3]) -> Wrench {
         Wrench { moment, ..Wrench::NONE }
     }
@@ -44,7 +44,7 @@ impl Add for Wrench {
     }
 }
 
-/// So many times as large.
+/// Scales a load.
 impl Mul<Wrench> for f64 {
     type Output = Wrench;
 
@@ -53,15 +53,15 @@ impl Mul<Wrench> for f64 {
     }
 }
 
-/// The square of a half wave of a sine over its duration, which in the end has passed on a momentum: to steps of which a whole number of at
-/// least two fill the duration, exactly.
+/// Impulse: the square of a sine half-wave over its duration with a given total momentum. Time
+/// steps integrate it exactly if the duration is an integer number of at least two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blow {
-    /// When it begins, s.
+    /// Start, s.
     pub at: f64,
-    /// How long it takes, s.
+    /// Duration, s.
     pub duration: f64,
-    /// What it passes on: N s and N m s.
+    /// Momentum, N s and N m s.
     pub momentum: Wrench,
 }
 
@@ -75,12 +75,12 @@ impl Load for Blow {
     }
 }
 
-/// What acts on a body from outside, at any time.
+/// External load on a body at any time.
 ///
-/// A [`Wrench`] is a constant load; a closure from time (s) to a wrench is one that changes. It is asked once for each
-/// position that is analysed, on the thread that solves it, and should give the same for the same time: results are kept and
-/// resumed on that understanding. A load may be zero and may change its sign. One that is not a number ends the analysis with
-/// `E0723`.
+/// A [`Wrench`] is a constant load; a closure from time (s) to a wrench is a varying one. It is
+/// evaluated once for each analysed position, on the thread that solves it. It must return the same
+/// value for the same time, because results are stored and resumed. A load may be zero and may
+/// change its sign. A NaN load ends the analysis with `E0723`.
 ///
 /// ```
 /// use calyx_runtime::load::{Load, Wrench};
@@ -88,10 +88,10 @@ impl Load for Blow {
 /// assert_eq!(shaking.at(0.0), Wrench::of_moment([0.0, 0.0, 100.0]));
 /// ```
 pub trait Load: Send + Sync {
-    /// The load at `time`, s.
+    /// Returns the load at `time`, s.
     fn at(&self, time: f64) -> Wrench;
 
-    /// Whether it is the same at all times, for those who describe a scene.
+    /// Returns whether the load is constant, for descriptions of a scene.
     fn is_constant(&self) -> bool {
         false
     }

@@ -12,36 +12,38 @@
 use calyx_structure::Lugs;
 use faer::MatRef;
 
-/// The lugs of a body that bear by contact.
+/// Spline teeth with clearance of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LugContact {
-    /// Which they are; each flank gives way by their tangential compliance.
+    /// Spline teeth; each flank has their tangential compliance.
     pub lugs: Lugs,
-    /// By how much spaces are wider than lugs, along the circle of the bore, m: half of it is at either flank of a lug in the middle.
+    /// Clearance: space width minus tooth thickness along the circle of the bore, m. Half of it is
+    /// on either flank of a centred tooth.
     pub clearance: f64,
-    /// Of the bore, m.
+    /// Radius of the bore, m.
     pub radius: f64,
 }
 
-/// The sense in which a lug closes the gap of each of its flanks, counter-clockwise first.
+/// Sense in which a spline tooth closes the gap of each of its flanks, counter-clockwise first.
 pub const SENSES: [f64; 2] = [1.0, -1.0];
 
 impl LugContact {
-    /// How many gap equations they are: two a lug, one after the other.
+    /// Returns the number of gap equations: two per spline tooth, one after the other.
     pub fn flanks(&self) -> usize {
         SENSES.len() * usize::from(self.lugs.count)
     }
 
-    /// Lug and sense of every flank.
+    /// Returns spline tooth and sense of every flank.
     fn senses(&self) -> impl Iterator<Item = (u16, f64)> {
         (0..self.lugs.count).flat_map(|lug| SENSES.map(|sense| (lug, sense)))
     }
 
-    /// Growth of the gap of each flank by a displacement of the body along x and along y and by its turn about its axle, and so the force
-    /// and the moment on the body by a unit of force on the flank. The body's teeth stand turned by `angle`, the middle of its bore `off` from
-    /// its axle (m), both along ground axes.
+    /// Returns the derivatives of the gap of each flank by a displacement of the body along x and y
+    /// and by its rotation about its axis; these are also the force and the moment on the body per
+    /// unit of force on the flank. `angle` is the rotation of the body's teeth, `off` the position
+    /// of the centre of its bore relative to its axis (m), both along ground axes.
     pub fn arms(&self, angle: f64, [x, y]: [f64; 2]) -> Vec<[f64; 3]> {
-        // An even displacement across, in the mean over an arc around.
+        // Mean of a uniform transverse displacement over an arc.
         let half = 0.5 * self.lugs.width;
         let chord = if half == 0.0 { 1.0 } else { half.sin() / half };
         self.senses()
@@ -53,19 +55,21 @@ impl LugContact {
             .collect()
     }
 
-    /// The forces of lugs on the body, counter-clockwise, by those on their flanks.
+    /// Returns the forces of the spline teeth on the body, counter-clockwise, from those on their
+    /// flanks.
     pub fn around(&self, flanks: &[f64]) -> Vec<f64> {
         let pair = |pair: &[f64]| pair.iter().zip(SENSES).map(|(force, sense)| -sense * force).sum();
         flanks.chunks(SENSES.len()).map(pair).collect()
     }
 
-    /// What a row by lugs of displacements, counter-clockwise, is by flanks: the growth of their gaps, and so of others' by their forces.
+    /// Transforms a row of displacements by spline tooth, counter-clockwise, to flanks: the growth
+    /// of their gaps.
     pub fn by_flanks<'a>(&'a self, of_lug: impl Fn(usize) -> f64 + 'a) -> impl Iterator<Item = f64> + 'a {
         self.senses().map(move |(lug, sense)| -sense * of_lug(usize::from(lug)))
     }
 
-    /// Growth of gaps by forces on flanks, row-major. `between` are displacements of lugs by forces on them, none on a body that does not give
-    /// way.
+    /// Returns the compliance matrix of the flanks, row-major. `between` contains the displacements
+    /// at spline teeth under forces on them; `None` for a rigid body.
     pub fn compliance(&self, between: Option<MatRef<'_, f64>>) -> Vec<f64> {
         let flanks: Vec<(usize, f64)> = self.senses().map(|(lug, sense)| (usize::from(lug), sense)).collect();
         let entry = |(row, &(lug, sense)): (usize, &(usize, f64))| {

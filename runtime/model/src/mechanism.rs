@@ -27,14 +27,14 @@ impl Mechanism {
     /// Adds a bearing.
     ///
     /// # Errors
-    /// As [`Bearing::check`].
+    /// Those of [`Bearing::check`].
     pub fn add_bearing(&mut self, bearing: Bearing) -> Result<BearingId, EngineError> {
         bearing.check(&self.bodies, &self.bearings)?;
         self.bearings.push(bearing);
         Ok(BearingId(self.bearings.len() - 1))
     }
 
-    /// Adds a pair of surfaces that may touch.
+    /// Adds a pair of surfaces that may come into contact.
     pub fn add_pair(&mut self, pair: SurfacePair) -> PairId {
         self.pairs.push(pair);
         PairId(self.pairs.len() - 1)

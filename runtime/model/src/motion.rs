@@ -1,4 +1,6 @@
-//! Where bodies are meant to be: the kinematic trajectory that the deflections are measured from.
+//! Prescribed motions of bodies: the kinematic trajectories from which deflections are measured.
+//!
+//! See `docs/theory/kinematics.md`.
 
 use calyx_abi::math;
 use calyx_contact::solid::Pose;
@@ -6,31 +8,32 @@ use calyx_numerics::error::EngineError;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A prescribed motion. `frame` takes ground coordinates into the body's frame: `x' = R x + t`.
+/// Prescribed motion of a body. `frame` maps ground coordinates to those of the body's frame: `x' =
+/// R x + t`.
 pub trait Motion: Send + Sync {
-    /// Rotation row by row (9), then translation (3), at `time` seconds.
+    /// Rotation row by row (9), then translation (3), at `time` (s).
     fn frame(&self, time: f64) -> [f64; 12];
 
-    /// Rate of `frame`, per second.
+    /// First time derivative of `frame`, per second.
     fn rate(&self, time: f64) -> [f64; 12];
 
-    /// Second derivative of `frame`, per second squared: what dynamics needs.
+    /// Second time derivative of `frame`, per second squared; used by transient analyses.
     fn acceleration(&self, time: f64) -> [f64; 12];
 }
 
-/// Turning steadily about an axis parallel to e3 through a fixed point: the motion of most gear bodies.
+/// Rotation at constant speed about a fixed axis parallel to e3: the motion of most gear bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyRotation {
-    /// Where the axis meets the plane, m.
+    /// Intersection of the axis with the plane, m.
     pub origin: [f64; 2],
     /// Angle at time 0, rad.
     pub start: f64,
-    /// rad/s, counter-clockwise.
+    /// Angular velocity, rad/s, counter-clockwise.
     pub speed: f64,
 }
 
 impl SteadyRotation {
-    /// Standing still, unturned, with the frame's origin at a point (m).
+    /// Creates a body at rest, without rotation, with the origin of its frame at a point (m).
     pub const fn at_rest(origin: [f64; 2]) -> SteadyRotation {
         SteadyRotation { origin, start: 0.0, speed: 0.0 }
     }
@@ -52,31 +55,31 @@ impl Motion for SteadyRotation {
 
     fn acceleration(&self, time: f64) -> [f64; 12] {
         let mut turning = self.frame(time).map(|entry| -entry * self.speed * self.speed);
-        // The axis rests.
+        // The axis is fixed.
         turning[8] = 0.0;
         turning
     }
 }
 
-/// A motion that is put elsewhere as a whole: with its axis tilted, say.
+/// Motion under a constant rigid displacement, for example with a tilted axis.
 pub struct Placed {
-    /// What is put elsewhere.
+    /// Motion before the displacement.
     pub motion: Arc<dyn Motion>,
-    /// Where to.
+    /// Rigid displacement.
     pub pose: Pose,
 }
 
 impl Placed {
-    /// Of a motion that is turned by `rotation` (a matrix, row by row) about a point (m).
+    /// Rotates a motion by `rotation` (a matrix, row by row) about a point (m).
     pub fn turned_about(motion: Arc<dyn Motion>, rotation: [[f64; 3]; 3], point: [f64; 3]) -> Placed {
         let turned = Pose { rotation, origin: [0.0; 3] }.point(point);
         Placed { motion, pose: Pose { rotation, origin: [0, 1, 2].map(|k| point[k] - turned[k]) } }
     }
 
-    /// A frame, or its rate, as it is there: the place is constant, so both change in the same way.
+    /// Displaces a frame or its rate. The displacement is constant, so both transform equally.
     fn put(&self, f: [f64; 12]) -> [f64; 12] {
         let Pose { rotation: q, origin } = self.pose;
-        // Ground is brought back to where the motion was told: x' = R Q^T (x - p) + t.
+        // Map ground back to the original position of the motion: x' = R Q^T (x - p) + t.
         let r: [f64; 9] = std::array::from_fn(|k| {
             let (row, column) = (k / 3, k % 3);
             (0..3).map(|j| f[3 * row + j] * q[column][j]).sum()
@@ -102,17 +105,19 @@ impl Motion for Placed {
     }
 }
 
-/// Velocity of the point of a moving body that is at a point in ground coordinates (m) at a time (s), m/s.
+/// Returns the velocity at a time (s) of the material point of a moving body at a point in ground
+/// coordinates (m), m/s.
 pub fn point_velocity(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f64; 3] {
     let (f, r) = (motion.frame(time), motion.rate(time));
-    // A point that stays in the body has x' = R x + t at rest, so its velocity is -R^T (dR/dt x + dt/dt).
+    // A material point has constant x' = R x + t, so its velocity is -R^T (dR/dt x + dt/dt).
     let seen: [f64; 3] = std::array::from_fn(|row| {
         r[9 + row] + (0..3).map(|column| r[3 * row + column] * point[column]).sum::<f64>()
     });
     std::array::from_fn(|axis| -(0..3).map(|row| f[3 * row + axis] * seen[row]).sum::<f64>())
 }
 
-/// Acceleration of the point of a moving body that is at a point in ground coordinates (m) at a time (s), m/s².
+/// Returns the acceleration at a time (s) of the material point of a moving body at a point in
+/// ground coordinates (m), m/s².
 pub fn point_acceleration(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f64; 3] {
     let (f, r, a) = (motion.frame(time), motion.rate(time), motion.acceleration(time));
     let velocity = point_velocity(motion, time, point);
@@ -124,10 +129,10 @@ pub fn point_acceleration(motion: &dyn Motion, time: f64, point: [f64; 3]) -> [f
     std::array::from_fn(|axis| -(0..3).map(|row| f[3 * row + axis] * seen[row]).sum::<f64>())
 }
 
-/// Rate of a motion's angular velocity along ground axes, rad/s².
+/// Returns the angular acceleration of a motion along the ground axes, rad/s².
 pub fn angular_acceleration(motion: &dyn Motion, time: f64) -> [f64; 3] {
     let (f, r, a) = (motion.frame(time), motion.rate(time), motion.acceleration(time));
-    // The rate of what `angular_velocity` reads off.
+    // Derivative of the expression in `angular_velocity`.
     let entry = |row: usize, column: usize| -> f64 {
         let of = |k: usize| a[3 * k + row] * f[3 * k + column] + r[3 * k + row] * r[3 * k + column];
         (0..3).map(of).sum()
@@ -135,43 +140,43 @@ pub fn angular_acceleration(motion: &dyn Motion, time: f64) -> [f64; 3] {
     [entry(2, 1), entry(0, 2), entry(1, 0)]
 }
 
-/// A pose in the plane: a body turned by `angle` with its origin at `origin`.
+/// Plane pose: a body rotated by `angle` with its origin at `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanePose {
-    /// m
+    /// Origin, m.
     pub origin: [f64; 2],
-    /// rad, counter-clockwise.
+    /// Angle, rad, counter-clockwise.
     pub angle: f64,
 }
 
 impl PlanePose {
-    /// The pose of `motion` at `time`, if its axis is parallel to e3.
+    /// Returns the pose of `motion` at `time`, if its axis is parallel to e3.
     pub fn of(motion: &dyn Motion, time: f64) -> Result<PlanePose, EngineError> {
         let f = finite_frame(motion, time)?;
         let tilt = (f[8] - 1.0).abs() + f[2].abs() + f[5].abs() + f[6].abs() + f[7].abs();
         if tilt > 1e-9 {
             return Err(out_of_plane());
         }
-        // x' = R x + t: the origin is where x' = 0, so x = -R^T t.
+        // x' = R x + t: the origin is at x' = 0, so x = -R^T t.
         let origin = [-(f[0] * f[9] + f[3] * f[10]), -(f[1] * f[9] + f[4] * f[10])];
         Ok(PlanePose { origin, angle: f[1].atan2(f[0]) })
     }
 
-    /// Where a point of the body is, by its coordinates in the body, m.
+    /// Returns the position of a point given in the coordinates of the body, m.
     pub fn point(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
         let (sine, cosine) = self.angle.sin_cos();
         [self.origin[0] + (cosine * x - sine * y), self.origin[1] + (sine * x + cosine * y)]
     }
 }
 
-/// Whether a plane model can have a body that moves like this: its axis is parallel to e3, and stays so.
+/// Checks that a plane model supports the motion: its axis is, and remains, parallel to e3.
 ///
 /// # Errors
-/// E0610: it does not; E0710: the frame is not a number at time 0.
+/// E0610: the axis is not parallel; E0710: the frame is NaN at time 0.
 pub fn check_in_plane(motion: &dyn Motion) -> Result<(), EngineError> {
     PlanePose::of(motion, 0.0)?;
-    // A frame that is upright at time 0 may tilt later. Row and column of e3 in the rotation: its rate is perpendicular to it, so
-    // these four hold all tilting.
+    // A frame that is upright at time 0 may tilt later. The rate of the row and the column of e3 in
+    // the rotation is perpendicular to e3, so these four entries contain all tilting.
     let rate = motion.rate(0.0);
     let fastest = rate[..9].iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
     match [2, 5, 6, 7].iter().any(|&entry| rate[entry].abs() > 1e-9 * fastest) {
@@ -202,58 +207,62 @@ fn finite_frame(motion: &dyn Motion, time: f64) -> Result<[f64; 12], EngineError
     .blame("frame"))
 }
 
-/// Where `motion` puts a body at `time`: the way from the body's coordinates to those of ground.
+/// Returns the pose of a body under `motion` at `time`: the map from body to ground coordinates.
 ///
 /// # Errors
-/// E0710: the frame is not a number.
+/// E0710: the frame is NaN.
 pub fn pose_in_space(motion: &dyn Motion, time: f64) -> Result<Pose, EngineError> {
     let f = finite_frame(motion, time)?;
-    // x' = R x + t: x = R^T x' - R^T t.
+    // x' = R x + t gives x = R^T x' - R^T t.
     let rotation = [[f[0], f[3], f[6]], [f[1], f[4], f[7]], [f[2], f[5], f[8]]];
     let origin = rotation.map(|row| -(row[0] * f[9] + row[1] * f[10] + row[2] * f[11]));
     Ok(Pose { rotation, origin })
 }
 
-/// How a body stands in space: the direction of its axis, and how far it is turned about it.
+/// Orientation of a body in three dimensions: the direction of its axis and its angle of rotation
+/// about it.
 ///
-/// Its turn and the axes along which its freedoms count are told apart from its tilt in one way: the ground axes are swung with the
-/// body's axis, the shortest way from e3, and the body is turned from there. So the turn of a gear on a tilted shaft, or of one
-/// that wobbles on a straight one, grows exactly as the shaft turns.
+/// Rotation and tilt are separated uniquely: the ground axes are rotated with the body's axis by
+/// the minimal rotation from e3, and the angle is measured from there. So the angle of a gear on a
+/// tilted shaft, or of a wobbling gear on a straight shaft, grows exactly with the rotation of the
+/// shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stance {
-    /// The ground axes swung with the body's axis, which is the last of them: unit vectors.
+    /// Ground axes after the minimal rotation that maps e3 to the body's axis, which is the last of
+    /// them: unit vectors.
     pub axes: [[f64; 3]; 3],
-    /// Turn about the last of them, rad.
+    /// Angle of rotation about the last axis, rad.
     pub angle: f64,
 }
 
 impl Stance {
-    /// Of a body that stands at a pose.
+    /// Returns the orientation of a body in a pose.
     pub fn of(pose: &Pose) -> Stance {
         let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = pose.rotation;
         Stance { axes: swung([xz, yz, zz]), angle: (yx - xy).atan2(xx + yy) }
     }
 
-    /// The body's axis.
+    /// Returns the body's axis.
     pub fn axis(&self) -> [f64; 3] {
         self.axes[2]
     }
 
-    /// Angle of the axis to e3, rad.
+    /// Returns the angle between the axis and e3, rad.
     pub fn tilt(&self) -> f64 {
         let [x, y, z] = self.axis();
         x.hypot(y).atan2(z)
     }
 }
 
-/// The ground axes turned together, the shortest way, so that e3 becomes `axis` (unit vector).
+/// Rotates the ground axes by the minimal rotation that maps e3 to `axis` (unit vector).
 pub fn swung([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     let by = (1.0 + z).recip();
     let mixed = -x * y * by;
     [[1.0 - x * x * by, mixed, -x], [mixed, 1.0 - y * y * by, -y], [x, y, z]]
 }
 
-/// A pose moved along and turned about its body's own axes ([`Stance::axes`]), by as much as its freedoms say: m and rad.
+/// Displaces and rotates a pose along and about the axes of its body ([`Stance::axes`]) by the
+/// values of its DOFs, m and rad.
 pub fn moved_by(pose: &Pose, by: [f64; 6]) -> Pose {
     let axes = Stance::of(pose).axes;
     let along =
@@ -261,7 +270,7 @@ pub fn moved_by(pose: &Pose, by: [f64; 6]) -> Pose {
     let [ux, uy, uz, tx, ty, tz] = by;
     let shift = along([ux, uy, uz]);
     let origin = [0, 1, 2].map(|k: usize| pose.origin[k] + shift[k]);
-    // Its own turn first, whole; then the small tilt, which carries its axis along.
+    // Apply the rotation about the body's axis first, then the small tilt, which moves the axis.
     let turned = pose.turned_first(tz);
     let lean = tx.hypot(ty);
     if lean == 0.0 {
@@ -283,30 +292,33 @@ pub fn moved_by(pose: &Pose, by: [f64; 6]) -> Pose {
     Pose { rotation: [0, 1, 2].map(|row: usize| columns.map(|column| column[row])), origin }
 }
 
-/// Angular velocity of a motion along ground axes, rad/s.
+/// Returns the angular velocity of a motion along the ground axes, rad/s.
 pub fn angular_velocity(motion: &dyn Motion, time: f64) -> [f64; 3] {
     let (f, r) = (motion.frame(time), motion.rate(time));
-    // With x' = R x the velocity field is -R^T dR/dt x; its antisymmetric matrix holds the angular velocity.
+    // With x' = R x the velocity field is -R^T dR/dt x; its antisymmetric matrix contains the
+    // angular velocity.
     let entry =
         |row: usize, column: usize| -> f64 { (0..3).map(|k| r[3 * k + row] * f[3 * k + column]).sum() };
     [entry(2, 1), entry(0, 2), entry(1, 0)]
 }
 
-/// Parts of a turn after which an axis is looked for again, to see whether it rests.
+/// Fractions of a revolution after which the axis is computed again, to test whether it is fixed.
 const LATER: [f64; 2] = [0.13, 0.38];
-/// What is left of an axis's place by rounding, m, and beside the places of frames.
+/// Tolerances of the position of an axis for rounding: absolute, m, and relative to the positions
+/// of frames.
 const NOWHERE: [f64; 2] = [1e-12, 1e-9];
 
-/// Where the axle is on which a body turns, in the body's coordinates, m: of a gear that sits off its shaft, the point of the shaft's axis
-/// beside the frame's origin; else the origin. An axis that rests, in the body as on ground, is an axle; so is that of a planet's pin, which
-/// rests in the body and goes round in a circle.
+/// Returns the position of the axis of rotation in the coordinates of the body, m: for an eccentric
+/// gear, the point of the shaft's axis next to the origin of its frame; otherwise the origin. An
+/// axis counts if it is fixed in the body and on ground, or if it is a planet's pin, which is fixed
+/// in the body and moves on a circle.
 pub fn axle(motion: &dyn Motion) -> [f64; 3] {
-    // In the body and on ground, at a time.
+    // Axis in body and in ground coordinates, at a time.
     let axis = |time: f64| -> Option<([f64; 3], [f64; 3])> {
         let pose = pose_in_space(motion, time).ok()?;
         let [wx, wy, wz] = angular_velocity(motion, time);
         let [vx, vy, vz] = point_velocity(motion, time, pose.origin);
-        // Nothing moves at p from the origin where v + w x p = 0.
+        // The velocity vanishes at p from the origin where v + w x p = 0.
         let square = wx * wx + wy * wy + wz * wz;
         let p = [wy * vz - wz * vy, wz * vx - wx * vz, wx * vy - wy * vx].map(|part| part / square);
         let size = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
@@ -329,11 +341,12 @@ pub fn axle(motion: &dyn Motion) -> [f64; 3] {
     found.map(|(own, _)| own).or_else(|| pin(motion)).unwrap_or_default()
 }
 
-/// Where the pin is on which a planet turns that sits off it, in the body's coordinates, m; `None` of a body that does not go round steadily, or
-/// sits on its pin.
+/// Returns the position of the pin of an eccentric planet in the coordinates of the body, m; `None`
+/// for a body that does not orbit steadily or is centred on its pin.
 ///
-/// As a complex number the origin of such a body is at `c + a z^k + b w^k` after `k` equal times, `w` the body's turn in one of them and
-/// `z` its carrier's: `b` is where the origin sits from the pin.
+/// As a complex number the origin of such a body is at `c + a z^k + b w^k` after `k` equal time
+/// intervals, with the rotations `w` of the body and `z` of its carrier in one interval; `b` is the
+/// offset of the origin from the pin.
 fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
     let minus = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a - c, b - d];
     let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];
@@ -352,7 +365,7 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
     let place =
         |k: u8| pose_in_space(motion, f64::from(k) * step).map(|pose| [pose.origin[0], pose.origin[1]]).ok();
     let places = [place(0)?, place(1)?, place(2)?, place(3)?, place(4)?];
-    // What rests drops out of the differences, and then what turns with the body.
+    // Differences eliminate the constant term, then the term that rotates with the body.
     let moved = [0, 1, 2, 3].map(|k: usize| minus(places[k + 1], places[k]));
     let round = [0, 1, 2].map(|k: usize| minus(moved[k + 1], times(turn, moved[k])));
     let carrier = over(round[1], round[0]);
@@ -366,11 +379,12 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
         .then(|| [0, 1, 2].map(|k: usize| -(pose.rotation[0][k] * off[0] + pose.rotation[1][k] * off[1])))
 }
 
-/// Rate of a body's [`Stance::angle`], rad/s.
+/// Returns the rate of a body's [`Stance::angle`], rad/s.
 pub fn turning_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
     let [x, y, z] = Stance::of(&pose_in_space(motion, time)?).axis();
     let [along_x, along_y, along_z] = angular_velocity(motion, time);
-    // Of a steady axis all of it; of one that goes around e3 as fast as the body turns, too.
+    // Complete for a fixed axis, and for one that precesses about e3 at the speed of the body's
+    // rotation.
     Ok((along_x * x + along_y * y + along_z * (1.0 + z)) / (1.0 + z))
 }
 
@@ -389,7 +403,7 @@ mod tests {
         assert!((turning_speed(&motion, 0.1).unwrap() + 2.0).abs() < 1e-14);
     }
 
-    /// A frame turned about x by `tilt`, before or after it turns about z by `angle`.
+    /// Frame that is tilted about x by `tilt`, before or after it is rotated about z by `angle`.
     struct Leaning {
         tilt: f64,
         speed: f64,
@@ -399,7 +413,7 @@ mod tests {
     impl Motion for Leaning {
         fn frame(&self, time: f64) -> [f64; 12] {
             let ((s, c), (st, ct)) = ((self.speed * time).sin_cos(), self.tilt.sin_cos());
-            // Ground to body: turn after tilt, or tilt after turn.
+            // Ground to body: rotation after tilt, or tilt after rotation.
             let r = if self.wobbles {
                 [c, s, 0.0, -ct * s, ct * c, st, st * s, -st * c, ct]
             } else {
@@ -440,7 +454,8 @@ mod tests {
     fn a_motion_put_elsewhere_moves_as_it_did_there() {
         let still = SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 };
         let rotation = swung([0.6 * 0.05_f64.sin(), 0.8 * 0.05_f64.sin(), 0.05_f64.cos()]);
-        // Rows of `swung` are images of axes: the matrix that takes them there is its transpose.
+        // The rows of `swung` are images of axes, so the matrix that maps the axes is its
+        // transpose.
         let rotation: [[f64; 3]; 3] = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| rotation[j][i]));
         let placed = Placed::turned_about(Arc::new(still), rotation, [0.1, 0.2, 0.3]);
         let (at, there) = (pose_in_space(&still, 0.7).unwrap(), pose_in_space(&placed, 0.7).unwrap());
@@ -453,7 +468,8 @@ mod tests {
         assert!((0..3).all(|k| (found[k] - velocity[k]).abs() < 1e-14), "{found:?} {velocity:?}");
     }
 
-    /// Turning with its origin at `by` (m) from the axis, which itself goes round ground's at `orbit`.
+    /// Rotation with the origin at a distance `by` (m) from the axis, which orbits the ground axis
+    /// at `orbit`.
     struct Around {
         by: f64,
         orbit: f64,
@@ -483,10 +499,10 @@ mod tests {
     fn an_axle_is_where_a_body_rests_on_ground() {
         let [x, y, z] = axle(&Around { by: 2e-3, orbit: 0.0 });
         assert!((x + 2e-3).abs() < 1e-9 && y.abs() < 1e-9 && z.abs() < 1e-9, "{x} {y} {z}");
-        // On its own axis; on a planet's, which goes round; and standing still.
+        // A body on its own axis, a planet, which orbits, and a body at rest.
         assert_eq!(axle(&SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 }), [0.0; 3]);
         assert_eq!(axle(&Around { by: 0.0, orbit: 0.05 }), [0.0; 3]);
-        // A planet off its pin by two millimetres.
+        // A planet with an eccentricity of two millimetres.
         let [x, y, z] = axle(&Around { by: 2e-3, orbit: 0.05 });
         assert!((x + 2e-3).abs() < 1e-12 && y.abs() < 1e-12 && z == 0.0, "{x} {y} {z}");
         assert_eq!(axle(&SteadyRotation::at_rest([0.3, -0.2])), [0.0; 3]);
@@ -494,7 +510,7 @@ mod tests {
 
     #[test]
     fn axes_swing_no_further_than_their_z() {
-        // The shortest way leaves the direction about which it turns where it is.
+        // The minimal rotation does not change the direction of its own axis.
         let axis = [0.03_f64.sin() * 0.6, 0.03_f64.sin() * 0.8, 0.03_f64.cos()];
         let [x, y, _] = swung(axis);
         let across: [f64; 3] = std::array::from_fn(|k| 0.8 * x[k] - 0.6 * y[k]);
@@ -506,7 +522,7 @@ mod tests {
     fn points_of_a_turning_body_move_about_its_axis() {
         let motion = SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 };
         let [x, y, z] = point_velocity(&motion, 0.7, [1.3, 0.3, 5.0]);
-        // Speed times the arm, turned by a right angle.
+        // Angular velocity times the arm, rotated by a right angle.
         assert!((x - 2.0 * 0.5).abs() < 1e-14 && (y + 2.0).abs() < 1e-14 && z == 0.0, "{x} {y} {z}");
     }
 

@@ -5,63 +5,63 @@ use calyx_abi::{Kernel, Repr, SymbolicValue};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// Where on a body something was found.
+/// Point on a body at which a maximum occurs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
-    /// Its name.
+    /// Name of the body.
     pub body: String,
-    /// Counted counter-clockwise from 0.
+    /// Number of the tooth, counter-clockwise from 0.
     pub tooth: u32,
-    /// rad; absent where there is no involute.
+    /// Roll angle, rad; `None` if the profile has no involute there.
     pub roll_angle: Option<f64>,
-    /// m
+    /// Radius, m.
     pub radius: f64,
-    /// Along the axis from the middle of the face, m; absent in a plane model.
+    /// Axial coordinate from the middle of the face, m; `None` in a plane model.
     pub axial: Option<f64>,
 }
 
-/// The value of an observable at a position, and where it arose if it is a maximum over places.
+/// Value of an observable at a position, with its location if it is a maximum over points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Observed {
-    /// SI
+    /// Value in SI units.
     pub value: f64,
-    /// The least of the values that `value` is the largest of, where an observable tells of a range: of the same place of
-    /// several teeth, say.
+    /// Smallest of the values of which `value` is the largest, if the observable is a range, such
+    /// as the stress at the same point of several teeth.
     pub least: Option<f64>,
-    /// Of a maximum over places.
+    /// Location of a maximum.
     pub place: Option<Place>,
 }
 
 impl Observed {
-    /// A value that has no place.
+    /// Creates a value without a location.
     pub const fn number(value: f64) -> Observed {
         Observed { value, least: None, place: None }
     }
 }
 
-/// A wanted output: a kernel over time, params and observables.
+/// Requested output: a kernel over time, parameters and observables.
 #[derive(Clone)]
 pub struct OutputRequest {
-    /// As results call it.
+    /// Name in results.
     pub name: String,
-    /// What is evaluated.
+    /// Expression that is evaluated.
     pub value: Arc<SymbolicValue>,
-    /// The kernel's param inputs.
+    /// Parameter inputs of the kernel.
     pub params: Arc<[f64]>,
 }
 
 impl OutputRequest {
-    /// The output that is an observable of the scene and nothing more.
+    /// Creates the output that equals an observable of the scene.
     pub fn observing(name: impl Into<String>, observable: ObservableId) -> OutputRequest {
         let observed = vec![observable.0 as f64];
         let value = SymbolicValue::new(0, Repr::Number, Arc::new(Itself), observed, vec![0], Vec::new());
         OutputRequest { name: name.into(), value: Arc::new(value), params: Arc::from([]) }
     }
 
-    /// The output's value at `time` s, given the value of every observable of the scene.
+    /// Evaluates the output at `time` (s) from the values of all observables of the scene.
     pub fn evaluate(&self, time: f64, observed: &[Observed]) -> Observed {
         let seen = |index: usize| observed.get(index).map_or(f64::NAN, |seen| seen.value);
-        // An output made of one observable keeps that one's place.
+        // An output that depends on one observable keeps the location of that observable.
         let place = match self.value.observables.as_slice() {
             [at] => observed.get(self.value.captured[*at] as usize).and_then(|seen| seen.place.clone()),
             _ => None,
@@ -73,24 +73,24 @@ impl OutputRequest {
         Observed { value: self.at(time, &seen), least, place }
     }
 
-    /// The value at `time` s for these values of observables, by their indices.
+    /// Evaluates the output at `time` (s) from values of observables by index.
     pub fn at(&self, time: f64, observed: &dyn Fn(usize) -> f64) -> f64 {
         let outputs = self.value.evaluate(time, &self.params, observed).unwrap_or_default();
         outputs.first().copied().unwrap_or(f64::NAN)
     }
 
-    /// Whether it depends on an observable that is like this.
+    /// Returns whether the output depends on an observable that satisfies `like`.
     pub fn observes(&self, like: impl Fn(usize) -> bool) -> bool {
         self.value.observes().into_iter().any(like)
     }
 }
 
-/// The kernel whose value is what it captured.
+/// Kernel that returns its observable.
 struct Itself;
 
 impl Kernel for Itself {
     fn eval(&self, inputs: &[f64], outputs: &mut [f64]) {
-        // Time comes first.
+        // Input 0 is the time.
         outputs[0] = inputs[1];
     }
 

@@ -1,56 +1,61 @@
-//! Surfaces that may touch: how contact between them is discretised, and what makes two of them a gear mesh.
+//! Surface pairs: surfaces that may come into contact, their contact grids and their gear mesh
+//! data.
 
 use crate::ids::{BodyId, PairId};
 use std::f64::consts::TAU;
 
-/// Two surfaces that may touch: surface `surfaces[0]` of every tooth of the first body and `surfaces[1]` of the second.
+/// Two surfaces that may come into contact: surface `surfaces[0]` of every tooth of the first body
+/// and `surfaces[1]` of every tooth of the second.
 #[derive(Clone)]
 pub struct SurfacePair {
     /// The two bodies.
     pub bodies: [BodyId; 2],
     /// Index of the surface of each, as its [`Structure`](calyx_structure::Structure) counts them.
     pub surfaces: [u32; 2],
-    /// How contact between them is discretised.
+    /// Discretization of the contact.
     pub grid: GridOptions,
-    /// Coefficient of friction: beside its pressure a surface that slides carries this part of it, against the sliding of the prescribed
-    /// motions.
+    /// Coefficient of friction: a sliding surface carries a traction of this fraction of its
+    /// pressure, opposite to the sliding velocity of the prescribed motions.
     pub friction: f64,
-    /// Present when the two bodies are gears in mesh.
+    /// Gear mesh data, if the two bodies are gears in mesh.
     pub mesh: Option<GearMesh>,
-    /// Of the surfaces on the back sides of teeth, the pair of those that drive: both are one mesh, with one transmission error.
+    /// Pair of the drive flanks, if this pair consists of the coast flanks. Both belong to one mesh
+    /// with one transmission error.
     pub front: Option<PairId>,
 }
 
 impl SurfacePair {
-    /// Two surfaces that are no gears', with the default grid and without friction.
+    /// Creates a pair of surfaces that are not gear flanks, with the default grid and without
+    /// friction.
     pub fn new(bodies: [BodyId; 2], surfaces: [u32; 2]) -> SurfacePair {
         SurfacePair { bodies, surfaces, grid: GridOptions::default(), friction: 0.0, mesh: None, front: None }
     }
 }
 
-/// The contact grid of a surface pair.
+/// Options of the contact grid of a surface pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOptions {
-    /// M: a grid has 2M + 1 cells across before refinement at edges; `None` takes what suits the fidelity, see
-    /// [`GridOptions::half_cells_in_space`].
+    /// M: a grid has 2M + 1 cells across the contact line before refinement at edges. `None` uses
+    /// the default of the fidelity, see [`GridOptions::half_cells_in_space`].
     pub half_cells: Option<usize>,
-    /// N: in space a grid has 2N + 1 slices along the face.
+    /// N: a three-dimensional grid has 2N + 1 slices along the face.
     pub half_slices: usize,
-    /// Total width, m; `None` takes it from the Hertz half-width under the full load.
+    /// Total width, m. `None` derives it from the Hertzian half-width under the full load.
     pub width: Option<f64>,
-    /// Search for contact on rounded edges and beyond the nominal path of contact. Otherwise surfaces end sharply at
-    /// their nominal ends, and gear teeth touch on the nominal path only, even where a relief would let them touch a
-    /// little before and after.
+    /// Enables contact on rounded edges and outside the nominal path of contact. If false, surfaces
+    /// end sharply at their nominal ends, and gear teeth touch only on the nominal path, even where
+    /// tip relief would extend the contact slightly beyond it.
     pub edges: bool,
 }
 
 impl GridOptions {
-    /// M in the plane, where a cell costs little.
+    /// Returns M of plane models, where a cell is cheap.
     pub fn half_cells_in_plane(&self) -> usize {
         self.half_cells.unwrap_or(24)
     }
 
-    /// M in space, where every cell is there once for each slice: peaks of pressure are right to a few thousandths by it.
+    /// Returns M of three-dimensional models, where each slice has its own cells. The relative
+    /// error of peak pressures is a few thousandths.
     pub fn half_cells_in_space(&self) -> usize {
         self.half_cells.unwrap_or(10)
     }
@@ -62,60 +67,66 @@ impl Default for GridOptions {
     }
 }
 
-/// What makes a surface pair a gear mesh: enough to speak of transmission error and of its cycle.
+/// Gear mesh data of a surface pair, sufficient for the transmission error and the mesh cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearMesh {
     /// Numbers of teeth.
     pub teeth: [u32; 2],
-    /// m.
+    /// Base radii, m.
     pub base_radii: [f64; 2],
-    /// +1 if the first body pushes counter-clockwise, -1 if clockwise.
+    /// +1 if the first body drives counter-clockwise, -1 if it drives clockwise.
     pub drive_sense: f64,
-    /// +1 external, -1 internal: a positive turn of the first body turns the second by `-sign`.
+    /// +1 for external, -1 for internal meshes: a positive rotation of the first body rotates the
+    /// second by `-sign`.
     pub sign: f64,
-    /// Teeth of the pair that enters contact at the start of the cycle.
+    /// Teeth of the pair that enters contact at the start of the mesh cycle.
     pub entering: [u32; 2],
-    /// Time at which it does, s.
+    /// Start of the mesh cycle, s.
     pub start: f64,
-    /// Time of one pitch, s.
+    /// Duration of the mesh cycle (one pitch), s.
     pub period: f64,
-    /// The characteristic points of the path of contact, in order of time.
+    /// Characteristic points of the path of contact, in order of time.
     pub characteristic: Vec<CharacteristicPoint>,
-    /// Roll angle of the entering pair's first tooth at the start and at the end of the cycle, rad.
+    /// Roll angles of the first gear's tooth of the entering pair at the start and at the end of
+    /// the cycle, rad.
     pub roll: [f64; 2],
-    /// The nominal path of contact: least and greatest roll angle of the first gear, rad.
+    /// Nominal path of contact: least and greatest roll angle of the first gear, rad.
     pub path: [f64; 2],
-    /// Roll angle of the first gear's tooth 0, were it in contact, where that gear's angle is zero and the line of centres is where it is
-    /// at time 0, rad.
+    /// Roll angle of the contact on tooth 0 of the first gear (extrapolated if out of contact) at
+    /// gear angle 0 and with the line of centres in its position at time 0, rad.
     pub roll_at_zero: f64,
-    /// How fast the line of centres turns at time 0, rad/s: of a planet, with its carrier. 0 where both axes rest.
+    /// Angular velocity of the line of centres at time 0, rad/s: for a planet, that of the carrier.
+    /// Zero if both axes are fixed.
     pub orbit: f64,
-    /// How far the second gear would have to turn, from where it is meant to be, for rigid teeth to touch, rad. Of a mesh that phased a gear
-    /// there is none; one that closes a loop may stand off by what axes are out of place and teeth too thin.
+    /// Rotation of the second gear from its prescribed position that brings rigid teeth into
+    /// contact, rad. Zero for a mesh that determined the phase of a gear. A mesh that closes a loop
+    /// may have a separation due to misplaced axes and thin teeth.
     pub stand_off: f64,
 }
 
 impl GearMesh {
-    /// Whether a tooth of the first gear, whose body stands at `angle` (with its phase, less what the line of centres has turned since time
-    /// 0), is on the nominal path of contact.
+    /// Returns whether a tooth of the first gear is on the nominal path of contact. `angle` is the
+    /// angle of the gear's body, including its phase, minus the rotation of the line of centres
+    /// since time 0.
     pub fn on_path(&self, tooth: u32, angle: f64) -> bool {
         let turned = angle + TAU * f64::from(tooth) / f64::from(self.teeth[0]);
         let roll = self.roll_at_zero + self.drive_sense * turned;
-        // Of all whole turns, the one that brings the tooth nearest to the middle of the path.
+        // Choose the whole revolution that brings the tooth nearest to the middle of the path.
         let middle = 0.5 * (self.path[0] + self.path[1]);
         let roll = roll - TAU * ((roll - middle) / TAU).round();
         (self.path[0]..=self.path[1]).contains(&roll)
     }
 }
 
-/// A point of the path of contact where a pair of teeth enters or leaves, so that the load jumps on rigid teeth.
+/// Point of the path of contact where a tooth pair enters or leaves contact. The load on rigid
+/// teeth jumps there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CharacteristicPoint {
-    /// `SAP` and `EAP`, start and end of active profile; `LPSTC` and `HPSTC`, lowest and highest point of single-tooth
-    /// contact.
+    /// `SAP` and `EAP`: start and end of active profile; `LPSTC` and `HPSTC`: lowest and highest
+    /// point of single tooth contact.
     pub name: &'static str,
-    /// s from the start of the cycle.
+    /// Time since the start of the mesh cycle, s.
     pub time: f64,
-    /// Whether the position of interest is just after the jump, or just before it.
+    /// True if the position of interest is just after the jump, false if it is just before.
     pub after: bool,
 }

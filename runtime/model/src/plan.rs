@@ -1,4 +1,5 @@
-//! What will be modelled, and why: the scene, less what no observable depends on.
+//! Plan of an analysis: the modelled part of the scene, the models of its bodies, and the reasons.
+//! Parts that no observable depends on are left out.
 
 use crate::bearing::Bearing;
 use crate::body::Body;
@@ -16,61 +17,62 @@ use calyx_numerics::error::{EngineError, Subject};
 use calyx_structure::cache::Key;
 use std::sync::Arc;
 
-/// The decision of how a scene is analysed. Nothing has been solved yet.
+/// Decisions on the analysis of a scene, before anything is solved.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// How bodies are modelled.
+    /// Fidelity level of the bodies.
     pub fidelity: Fidelity,
-    /// Whether bodies are in space, and not a section of them in the plane.
+    /// True if the model is three-dimensional, false if it is a plane section.
     pub in_space: bool,
-    /// Outputs that have no value, as this fidelity has not what they need.
+    /// Outputs without a value, because they require more than this fidelity provides.
     pub refused: Vec<Refused>,
-    /// One per body of the scene, in order.
+    /// Plan of each body, in the order of the scene.
     pub bodies: Vec<BodyPlan>,
-    /// One per bearing of the scene, in order.
+    /// Plan of each bearing, in the order of the scene.
     pub bearings: Vec<BearingPlan>,
-    /// Inputs that this fidelity cannot see.
+    /// Inputs that this fidelity ignores.
     pub ignored: Vec<Ignored>,
 }
 
-/// What an analysis without rates leaves out of a bearing.
+/// Bearing input that a quasi-static analysis ignores.
 const DAMPING: &str = "damping";
 
-/// How a body is modelled.
+/// Plan of a body.
 #[derive(Clone, Debug)]
 pub struct BodyPlan {
-    /// As the scene calls it.
+    /// Name in the scene.
     pub name: String,
-    /// How its structure is discretised.
+    /// Discretization of its structure.
     pub options: StructureOptions,
-    /// Why the body is modelled the way it is, or left out.
+    /// Reason for the model of the body, or for leaving it out.
     pub reason: &'static str,
-    /// No output depends on the body: it takes no part.
+    /// True if no output depends on the body; it is not modelled.
     pub left_out: bool,
-    /// No surface pair touches the body: it is a frame that bearings hold, and its structure is not instantiated.
+    /// True if the body is in no surface pair: it is a frame on bearings, and its structure is not
+    /// built.
     pub rigid: bool,
 }
 
 impl BodyPlan {
-    /// Whether it has a structure.
+    /// Returns whether the body has a structure.
     pub fn is_elastic(&self) -> bool {
         !self.left_out && !self.rigid
     }
 }
 
-/// An output that the chosen fidelity has no value of.
+/// Output without a value at the chosen fidelity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused {
-    /// By its index.
+    /// Index of the output.
     pub output: usize,
-    /// As results call it.
+    /// Name in results.
     pub name: String,
-    /// What it needs.
+    /// Requirements of the output.
     pub needs: Needs,
 }
 
 impl Refused {
-    /// What is told of it.
+    /// Returns the error that reports this output.
     pub fn error(&self, fidelity: Fidelity) -> EngineError {
         EngineError::new(
             "E0780",
@@ -85,7 +87,7 @@ impl Refused {
         .about(Subject::Output(self.output))
     }
 
-    /// Of these outputs those that need more than a fidelity gives.
+    /// Returns those of the outputs that require more than a fidelity provides.
     pub fn of(scene: &dyn Examined, outputs: &[OutputRequest], fidelity: Fidelity) -> Vec<Refused> {
         let targets = scene.targets();
         let needs = |observable: usize| targets.get(observable).map(|target| target.needs);
@@ -98,23 +100,24 @@ impl Refused {
     }
 }
 
-/// How a bearing is modelled.
+/// Plan of a bearing.
 #[derive(Clone, Debug)]
 pub struct BearingPlan {
-    /// As the scene calls it.
+    /// Name in the scene.
     pub name: String,
-    /// Why the bearing is modelled, or left out.
+    /// Reason for modelling the bearing, or for leaving it out.
     pub reason: &'static str,
-    /// Nothing depends on what it bears.
+    /// True if no output depends on the bearing; it is not modelled.
     pub left_out: bool,
 }
 
 impl Plan {
-    /// Plans the equilibrium of a scene at a fidelity with the given discretisation (its `stresses` and `sharp_edges` are decided here): what
-    /// no load passes through on its way to what an observable looks at is left out.
+    /// Plans the equilibrium of a scene at a fidelity with the given discretization; the plan sets
+    /// `stresses` and `sharp_edges` itself. Bodies and bearings outside the load paths of the
+    /// observables are left out.
     ///
     /// # Errors
-    /// What the scene asks for and the fidelity cannot have.
+    /// The scene requires something that the fidelity does not support.
     pub fn new(
         scene: &dyn Examined,
         fidelity: Fidelity,
@@ -125,10 +128,11 @@ impl Plan {
         Plan::of((mechanism, &targets), path, fidelity, options)
     }
 
-    /// The same with everything that touches, looked at or not.
+    /// Plans like [`Plan::new`], but keeps all bodies in surface pairs, whether observables depend
+    /// on them or not.
     ///
     /// # Errors
-    /// As [`Plan::new`].
+    /// Those of [`Plan::new`].
     pub fn whole(
         scene: &dyn Examined,
         fidelity: Fidelity,
@@ -162,7 +166,7 @@ impl Plan {
             let sharp_edges = pairs_of(id).all(|pair| !pair.grid.edges);
             if !untouched {
                 ignored.extend(body.prototype.ignored(fidelity));
-                // What a section does not show, where something else keeps the scene in the plane.
+                // Report what a section cannot represent if something else keeps the scene plane.
                 if !in_space && fidelity != Fidelity::Plane && body.prototype.needs_space() {
                     ignored.extend(body.prototype.ignored(Fidelity::Plane));
                 }
@@ -211,10 +215,10 @@ impl Plan {
         Ok(Plan { fidelity, in_space, refused: Vec::new(), bodies, bearings, ignored })
     }
 
-    /// The plan of an analysis that is to yield these outputs.
+    /// Restricts the plan to an analysis with these outputs.
     ///
     /// # Errors
-    /// E0780: the fidelity has a value of none of them.
+    /// E0780: the fidelity provides none of the outputs.
     pub fn yielding(mut self, scene: &dyn Examined, outputs: &[OutputRequest]) -> Result<Plan, EngineError> {
         self.refused = Refused::of(scene, outputs, self.fidelity);
         match self.refused.first().filter(|_| self.refused.len() == outputs.len()) {
@@ -223,10 +227,10 @@ impl Plan {
         }
     }
 
-    /// The plan of an analysis in time, which sees rates, and inertia of what bears no load.
+    /// Plans a transient analysis, which includes rates, and the inertia of bodies without load.
     ///
     /// # Errors
-    /// As [`Plan::new`].
+    /// Those of [`Plan::new`].
     pub fn in_time(
         scene: &dyn Examined,
         fidelity: Fidelity,
@@ -237,7 +241,7 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The plan of an analysis that sees modes of bodies up to a natural frequency (Hz), or none up to 0.
+    /// Adds the modes of bodies up to a natural frequency (Hz); 0 adds none.
     pub fn vibrating(mut self, scene: &Mechanism, highest: f64) -> Plan {
         let modelled =
             scene.bodies.iter().zip(&self.bodies).filter(|(_, plan)| highest > 0.0 && plan.is_elastic());
@@ -254,13 +258,13 @@ impl Plan {
         self
     }
 
-    /// Indices of the bearings that are modelled.
+    /// Returns the indices of the modelled bearings.
     pub fn modelled_bearings(&self) -> Vec<usize> {
         (0..self.bearings.len()).filter(|&bearing| !self.bearings[bearing].left_out).collect()
     }
 
-    /// Which structure each body has, counted from 0; `None` for a body that is left out or rigid. Bodies whose structures would be
-    /// equal share one.
+    /// Returns the number of each body's structure, counted from 0; `None` for a body that is left
+    /// out or rigid. Bodies with equal structures share one.
     pub fn structures(&self, scene: &Mechanism) -> Vec<Option<usize>> {
         let mut known: Vec<Identity> = Vec::new();
         let planned = scene.bodies.iter().zip(&self.bodies);
@@ -277,7 +281,8 @@ impl Plan {
     }
 }
 
-/// What tells structures apart, stresses aside: one that has them serves those that need none.
+/// Identity of a structure, without regard to stresses: a structure with stresses also serves
+/// bodies that need none.
 #[derive(PartialEq)]
 enum Identity {
     Content(Key),
@@ -298,9 +303,10 @@ impl Identity {
     }
 }
 
-/// Whether a scene is analysed in space: where the fidelity leaves it open, if a section does not show all of it.
+/// Returns whether a scene is modelled in three dimensions. If the fidelity permits both, this is
+/// so if a section cannot represent the scene.
 ///
-/// Lugs with clearance are contact in the plane, and stay there.
+/// Spline teeth with clearance are modelled as plane contact, so such scenes remain plane.
 fn lies_in_space(scene: &Mechanism, fidelity: Fidelity) -> bool {
     let leaves_plane = |body: &Body| {
         body.prototype.needs_space()
@@ -317,12 +323,13 @@ fn lies_in_space(scene: &Mechanism, fidelity: Fidelity) -> bool {
     }
 }
 
-/// Bodies that pairs of surfaces touch.
+/// Returns the bodies in surface pairs.
 fn touching(scene: &Mechanism) -> impl Iterator<Item = BodyId> {
     scene.pairs.iter().flat_map(|pair| pair.bodies)
 }
 
-/// Bodies that an observable names. One that nothing touches and no bearing holds rests where its frame says, and is none.
+/// Returns the bodies that an observable names. Bodies without contact and bearings are excluded,
+/// because they stay at their prescribed position.
 fn named_by(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
     let moves = |body: &BodyId| {
         let borne = scene.bearings.iter().flat_map(Bearing::bodies).any(|other| other == *body);
@@ -337,19 +344,21 @@ fn named_by(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
         .collect()
 }
 
-/// Bodies that an observable looks at: all that touch, if it names none.
+/// Returns the bodies that an observable depends on: all bodies in surface pairs if it names none.
 pub fn looks_at(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
     let named = named_by(scene, target);
     if target.is_everything() { named.into_iter().chain(touching(scene)).collect() } else { named }
 }
 
-/// Bodies that the scene's observables name.
+/// Returns the bodies that the observables of the scene name.
 fn looked_at(scene: &Mechanism, targets: &[Target]) -> impl Iterator<Item = BodyId> {
     targets.iter().flat_map(|target| named_by(scene, target))
 }
 
-/// Which bodies take part in what observables look at: those that touch or that bearings connect, from one to the next. All that touch, if
-/// nothing is looked at, or nothing that touches, or something as a whole, as vibrations are.
+/// Returns which bodies lie on the load paths of the observables: those connected to observed
+/// bodies by surface pairs or bearings, transitively. Includes all bodies in surface pairs if
+/// nothing is observed, no observed body is in contact, or an observable concerns the whole system,
+/// such as vibrations.
 fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bool> {
     let whole = targets.is_empty() || modes_table || targets.iter().any(Target::is_everything);
     let everything = || held_together(scene, looked_at(scene, targets).chain(touching(scene)));
@@ -357,12 +366,13 @@ fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bo
         return everything();
     }
     let path = held_together(scene, looked_at(scene, targets));
-    // An equilibrium is one of contact: what only bearings hold goes along with what touches.
+    // The equilibrium is one of contact: a body on bearings alone takes part only together with
+    // bodies in contact.
     let touches = touching(scene).any(|body| path.get(body.0) == Some(&true));
     if touches { path } else { everything() }
 }
 
-/// These bodies, what touches them, and what bearings connect with them.
+/// Returns these bodies and all that surface pairs or bearings connect to them.
 fn held_together(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> Vec<bool> {
     let mut wanted = vec![false; scene.bodies.len()];
     let mut more: Vec<BodyId> = bodies.collect();
@@ -394,7 +404,7 @@ fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> Be
     }
 }
 
-/// What of a bearing an analysis cannot see.
+/// Returns the inputs of a bearing that the analysis ignores.
 fn unseen_of(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
     let mut unseen = Vec::new();
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
@@ -415,7 +425,7 @@ fn unseen_of(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
     unseen
 }
 
-/// A plane model has no forces across the plane, so nothing could hold such a freedom.
+/// Rejects free out-of-plane components in a plane model, which has no forces to resist them.
 fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineError> {
     match [2, 3, 4].into_iter().find(|&freedom| free[freedom]) {
         Some(freedom) => Err(EngineError::new(
@@ -431,7 +441,9 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
     }
 }
 
-/// Lugs with clearance carry a body that its frame lets go, and are contact in the plane; how a ring gives between lugs that bear has no closed form.
+/// Rejects spline teeth with clearance where they are not supported: in three-dimensional models,
+/// in analytic models (no closed-form compliance of the ring), and on a body whose rotation is
+/// constrained.
 fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) -> Result<(), EngineError> {
     if fidelity == Fidelity::Analytic {
         return Err(EngineError::new(
@@ -462,8 +474,9 @@ fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) 
     Ok(())
 }
 
-/// The width of each body in the plane, m. Loads that go from one body to the next are spread over one width, the smallest of those that touch;
-/// where nothing touches, of all. What is left out of a plan changes no width, for it is left out with all that loads it.
+/// Returns the width of each body in a plane model, m. Loads pass between bodies, so connected
+/// bodies share one width, the smallest of those in contact, or of all if none is in contact.
+/// Leaving a part out does not change a width, because everything that loads it is left out too.
 pub fn face_widths(scene: &Mechanism) -> Vec<f64> {
     let touching: Vec<BodyId> = touching(scene).collect();
     let narrowest = |among: &dyn Fn(&BodyId) -> bool| {
@@ -485,7 +498,7 @@ pub fn face_widths(scene: &Mechanism) -> Vec<f64> {
     widths.into_iter().map(|width| width.unwrap_or(all)).collect()
 }
 
-/// What of a body's width a plane model does not see.
+/// Returns the face widths that a plane model ignores.
 fn unequal_widths(scene: &Mechanism, bodies: &[BodyPlan]) -> Vec<Ignored> {
     let modelled = scene.bodies.iter().zip(bodies).zip(face_widths(scene));
     let wider = modelled.filter(|((body, plan), width)| {
@@ -501,7 +514,7 @@ fn unequal_widths(scene: &Mechanism, bodies: &[BodyPlan]) -> Vec<Ignored> {
     told.collect()
 }
 
-/// What of loads, frames and gauges stands out of the plane of a plane model.
+/// Returns the out-of-plane components of loads, frames and probes that a plane model ignores.
 fn out_of_plane(scene: &Mechanism, targets: &[Target], bodies: &[BodyPlan]) -> Vec<Ignored> {
     let ignored = |input: &str, reason: String| Ignored { input: input.into(), reason };
     let mut found = Vec::new();
@@ -552,7 +565,7 @@ fn out_of_plane(scene: &Mechanism, targets: &[Target], bodies: &[BodyPlan]) -> V
     found
 }
 
-/// A length in mm, to the digits that a conversion of units leaves right.
+/// Rounds a length in mm to the digits that are exact after a conversion of units.
 fn rounded_mm(length: f64) -> f64 {
     (length * 1e9).round() / 1e6
 }

@@ -1,4 +1,4 @@
-//! What a body is made of, as whoever describes it implements it: its structure, modes and inertia, each made when it is asked for.
+//! Interface of a body model: its structure, modes and inertia, each built on request.
 
 use crate::fidelity::{Fidelity, StructureOptions};
 use crate::lug_contact::LugContact;
@@ -11,47 +11,50 @@ use calyx_structure::{BodyModes, Drawable, MeshedBody, Structure, StructureSize}
 use std::any::Any;
 use std::sync::Arc;
 
-/// How a body is to be modelled; makes its [`Structure`] when the plan says so.
+/// Model of a body; builds its [`Structure`] when the plan requires one.
 ///
-/// A type, not a view: whoever knows what a body is made of finds it again by [`std::any::Any`].
+/// Implementations can be downcast through [`std::any::Any`].
 pub trait Prototype: Any + Send + Sync {
-    /// Whether the body can be modelled so, in the plane or in three dimensions: what
-    /// [`Prototype::build`] or [`Prototype::build_solid`] would reject after a look at the data.
-    /// The plan asks this before anything is built, whatever a cache holds.
+    /// Checks whether the body can be modelled as plane or as three-dimensional, without building:
+    /// returns the errors of [`Prototype::build`] or [`Prototype::build_solid`] that follow from
+    /// the data alone. The plan calls this before anything is built, regardless of the cache.
     ///
     /// # Errors
-    /// What building would fail with.
+    /// Those of building.
     fn check(&self, _options: &StructureOptions, _in_space: bool) -> Result<(), EngineError> {
         Ok(())
     }
 
-    /// Builds the elastic structure (the costly part). Equal prototypes with equal options give equal structures.
+    /// Builds the elastic structure, the expensive part. Equal prototypes with equal options give
+    /// equal structures.
     ///
     /// # Errors
-    /// The structure cannot be built, or the interrupt's: it is asked wherever the work comes in batches.
+    /// The structure cannot be built. Also those of the interrupt, which is polled between batches
+    /// of work.
     fn build(
         &self,
         options: &StructureOptions,
         interrupt: &Interrupt,
     ) -> Result<Arc<dyn Structure>, EngineError>;
 
-    /// Everything that the structure depends on: prototypes of one key share a structure, within a scene and, with a cache,
-    /// from analysis to analysis. Without a key every prototype has its own.
+    /// Returns a key of everything that the structure depends on. Prototypes with equal keys share
+    /// a structure within a scene and, through the cache, between analyses. A prototype without a
+    /// key has its own structure.
     fn key(&self, _options: &StructureOptions) -> Option<Key> {
         None
     }
 
-    /// The structure whose [`Structure::stored`] gave these bytes, built by a prototype of the same key; `None` if it cannot be made of
-    /// them.
+    /// Restores a structure from the bytes of [`Structure::stored`], built by a prototype of the
+    /// same key; `None` if this is impossible.
     fn restore(&self, _options: &StructureOptions, _stored: &[u8]) -> Option<Arc<dyn Structure>> {
         None
     }
 
-    /// The structure of this very body, made of one that [`Prototype::build`] gave it or another of the same key. It takes little
-    /// time: what is shared has been condensed.
+    /// Derives the structure of this body from one built by [`Prototype::build`] of this prototype
+    /// or another with the same key. This is cheap, because the shared part is already condensed.
     ///
     /// # Errors
-    /// The body's own shape cannot be had.
+    /// The shape of this body cannot be derived.
     fn shape(
         &self,
         shared: Arc<dyn Structure>,
@@ -60,11 +63,12 @@ pub trait Prototype: Any + Send + Sync {
         Ok(shared)
     }
 
-    /// The body's modes of vibration in the plane at natural frequencies up to `highest`, rad/s: all of them. Without any the body
-    /// vibrates as a rigid one.
+    /// Computes all plane vibration modes of the body with natural frequencies up to `highest`,
+    /// rad/s. Without modes the body vibrates as a rigid one.
     ///
     /// # Errors
-    /// E0758: some cannot be found. E0759: lugs hold the body. Else as [`Prototype::build`].
+    /// E0758: some modes cannot be found. E0759: spline teeth constrain the body. Otherwise those
+    /// of [`Prototype::build`].
     fn modes(
         &self,
         _options: &StructureOptions,
@@ -74,30 +78,34 @@ pub trait Prototype: Any + Send + Sync {
         Ok(None)
     }
 
-    /// Why an elastic body that might have modes has none, if that is so: it vibrates as a rigid one, and the plan says so.
+    /// Returns the reason why an elastic body has no modes, if so. The body vibrates as a rigid
+    /// one, and the plan states the reason.
     fn without_modes(&self) -> Option<&'static str> {
         None
     }
 
-    /// What the body weighs, in its frame; nothing unless somebody says so.
+    /// Returns the inertia of the body in its frame; zero by default.
     fn inertia(&self) -> Inertia {
         Inertia::default()
     }
 
-    /// Everything that the modes depend on, as [`Prototype::key`] of the structure; none of a body that has none.
+    /// Returns a key of everything that the modes depend on, like [`Prototype::key`] of the
+    /// structure; `None` for a body without modes.
     fn modes_key(&self, _options: &StructureOptions, _highest: f64) -> Option<Key> {
         None
     }
 
-    /// The modes that were kept on disk as these bytes, found by a prototype of the same key; `None` if they cannot be made of them.
+    /// Restores modes from the bytes of the disk cache, computed by a prototype of the same key;
+    /// `None` if this is impossible.
     fn restore_modes(&self, _options: &StructureOptions, _stored: &[u8]) -> Option<Arc<BodyModes>> {
         None
     }
 
-    /// The modes of this very body, made of those that [`Prototype::modes`] gave it or another of the same key, as [`Prototype::shape`].
+    /// Derives the modes of this body from those of [`Prototype::modes`] of a prototype with the
+    /// same key, like [`Prototype::shape`].
     ///
     /// # Errors
-    /// The body's own shape cannot be had.
+    /// The shape of this body cannot be derived.
     fn shape_modes(
         &self,
         shared: Arc<BodyModes>,
@@ -106,11 +114,12 @@ pub trait Prototype: Any + Send + Sync {
         Ok(shared)
     }
 
-    /// Builds the elastic structure in space, of the mesh template that the options name. Equal prototypes with equal options give
-    /// equal structures.
+    /// Builds the three-dimensional elastic structure on the mesh template of the options. Equal
+    /// prototypes with equal options give equal structures.
     ///
     /// # Errors
-    /// E0690: the body has no model in space, which is so unless this is implemented. Else as [`Prototype::build`].
+    /// E0690: the body has no three-dimensional model; this is the default. Otherwise those of
+    /// [`Prototype::build`].
     fn build_solid(
         &self,
         _options: &StructureOptions,
@@ -119,13 +128,13 @@ pub trait Prototype: Any + Send + Sync {
         Err(no_model_in_space())
     }
 
-    /// As [`Prototype::key`], of the structure in space. A kind of structure is the plane's or one in space, so the keys of both never
-    /// meet.
+    /// Returns the key of the three-dimensional structure, like [`Prototype::key`]. Keys contain
+    /// the kind of structure, so those of plane and three-dimensional structures differ.
     fn solid_key(&self, _options: &StructureOptions) -> Option<Key> {
         None
     }
 
-    /// As [`Prototype::restore`], in space.
+    /// Restores a three-dimensional structure, like [`Prototype::restore`].
     fn restore_solid(&self, _options: &StructureOptions, _stored: &[u8]) -> Option<Arc<dyn SolidStructure>> {
         None
     }
@@ -143,11 +152,12 @@ pub trait Prototype: Any + Send + Sync {
         Ok(shared)
     }
 
-    /// The finite elements of the structure that [`Prototype::build`], or in space [`Prototype::build_solid`], condenses, to show the body
-    /// deformed. Equal prototypes with equal options give equal ones.
+    /// Builds the finite element mesh of the structure of [`Prototype::build`] or
+    /// [`Prototype::build_solid`], to display the deformed body. Equal prototypes with equal
+    /// options give equal meshes.
     ///
     /// # Errors
-    /// As [`Prototype::build`].
+    /// Those of [`Prototype::build`].
     fn meshed(
         &self,
         _options: &StructureOptions,
@@ -157,11 +167,11 @@ pub trait Prototype: Any + Send + Sync {
         Ok(Drawable::Not("is of a kind that pictures do not have"))
     }
 
-    /// The mesh of this very body, made of one that [`Prototype::meshed`] gave it or another of the same key, as [`Prototype::shape`]
-    /// and [`Prototype::shape_solid`].
+    /// Derives the mesh of this body from that of [`Prototype::meshed`] of a prototype with the
+    /// same key, like [`Prototype::shape`] and [`Prototype::shape_solid`].
     ///
     /// # Errors
-    /// The body's own shape cannot be had.
+    /// The shape of this body cannot be derived.
     fn shape_meshed(
         &self,
         shared: Arc<MeshedBody>,
@@ -171,25 +181,24 @@ pub trait Prototype: Any + Send + Sync {
         Ok(shared)
     }
 
-    /// How large the structure's equations are that [`Prototype::build`] or [`Prototype::build_solid`] would condense, from the mesh alone;
-    /// `None` if there are none, or no mesh can be made.
+    /// Returns the numbers of equations that [`Prototype::build`] or [`Prototype::build_solid`]
+    /// would condense, from the mesh alone; `None` if there are none or the body cannot be meshed.
     fn size(&self, _fidelity: Fidelity, _options: &StructureOptions) -> Option<StructureSize> {
         None
     }
 
-    /// Radius of the circle about the body's origin that encloses it, m.
+    /// Radius of the enclosing circle about the origin of the body, m.
     fn enclosing_radius(&self) -> f64;
 
-    /// Angle of contact along an involute from its root, rad, for a point at this radius (m); `None` if there is no
-    /// involute there.
+    /// Returns the roll angle at this radius (m), rad; `None` if the profile has no involute there.
     fn roll_angle(&self, _radius: f64) -> Option<f64> {
         None
     }
 
-    /// m.
+    /// Face width, m.
     fn face_width(&self) -> f64;
 
-    /// Angle by which tooth `tooth` stands off its nominal place, rad, counter-clockwise.
+    /// Returns the pitch deviation of a tooth as an angle, rad, counter-clockwise.
     fn pitch_error(&self, _tooth: u32) -> f64 {
         0.0
     }
@@ -200,27 +209,28 @@ pub trait Prototype: Any + Send + Sync {
         None
     }
 
-    /// Whether a section in the plane does not show what it is, so that a scene with it lies in space unless the fidelity is of the plane.
+    /// Returns whether a plane section cannot represent the body. A scene with such a body is
+    /// modelled in three dimensions unless the fidelity is plane.
     fn needs_space(&self) -> bool {
         false
     }
 
-    /// Inputs that a model of this fidelity cannot see, and why.
+    /// Returns inputs that a model of this fidelity ignores, with reasons.
     fn ignored(&self, _fidelity: Fidelity) -> Vec<Ignored> {
         Vec::new()
     }
 }
 
-/// The refusal of bodies that have only a plane model.
+/// Returns the error for bodies that have only a plane model.
 pub fn no_model_in_space() -> EngineError {
     EngineError::new("E0690", "a body of this kind has no model in three dimensions", "")
 }
 
-/// An input that the chosen fidelity cannot see.
+/// Input that the chosen fidelity ignores.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Ignored {
-    /// Its name.
+    /// Name of the input.
     pub input: String,
-    /// Why it is not seen.
+    /// Reason.
     pub reason: String,
 }

@@ -1,27 +1,28 @@
-//! What an analysis uses and no result depends on.
+//! Resources of an analysis, on which no result depends.
 
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::OperatorCache;
 use std::sync::Arc;
 
-/// Threads, kept structures and an interrupt. By default: rayon's global threads, nothing kept, never interrupted.
+/// Threads, structure cache and interrupt. By default: rayon's global threads, no cache, no
+/// interrupt.
 #[derive(Clone, Debug, Default)]
 pub struct Resources {
-    /// Asked at every checkpoint whether to go on.
+    /// Callback at every checkpoint.
     pub interrupt: Interrupt,
-    /// Where structures come from and go to.
+    /// Structure cache.
     pub cache: Option<Arc<OperatorCache>>,
-    /// Threads for everything that is done side by side. Results have the same bits whatever their number.
+    /// Thread pool for parallel work. Results are bitwise equal for any number of threads.
     pub pool: Option<Arc<rayon::ThreadPool>>,
 }
 
 impl Resources {
-    /// How many threads there are.
+    /// Returns the number of threads.
     pub fn threads(&self) -> usize {
         self.pool.as_ref().map_or_else(rayon::current_num_threads, |pool| pool.current_num_threads())
     }
 
-    /// Does `work` on the pool.
+    /// Runs `work` on the pool.
     pub fn install<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         match &self.pool {
             Some(pool) => pool.install(work),

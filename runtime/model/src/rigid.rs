@@ -1,4 +1,4 @@
-//! Bodies without surfaces, such as carriers, shafts and housings: a frame that bearings hold and loads act on.
+//! Bodies without surfaces, such as carriers, shafts and housings: frames with bearings and loads.
 
 use crate::fidelity::StructureOptions;
 use crate::prototype::Prototype;
@@ -7,11 +7,12 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Structure;
 use std::sync::Arc;
 
-/// A rigid body that touches nothing. The plan never asks for its structure, for it has none.
+/// Rigid body without contact. It has no structure, and the plan never requests one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RigidBody;
 
-/// At which turns of a rigid body are compared with its shifts where a free motion is named, m: the size of machines.
+/// Radius at which rotations of a rigid body are compared with displacements when a free motion is
+/// named, m: a typical size of machines.
 const RADIUS: f64 = 0.1;
 
 impl Prototype for RigidBody {

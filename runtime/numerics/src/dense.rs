@@ -1,7 +1,7 @@
-//! Dense matrices: what condensation and the joining of sectors are made of.
+//! Dense matrix operations for condensation and for joining sectors.
 //!
-//! Large operations are cut into pieces that are worked on side by side. How they are cut depends on their sizes alone, and each
-//! piece is sequential, so that results have the same bits at any number of threads.
+//! Large operations are divided into pieces that run in parallel. The division depends only on the
+//! sizes, and each piece is sequential, so results are bitwise equal for any number of threads.
 
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -14,20 +14,20 @@ use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 
-/// Multiplications of a piece that is not cut further: a millisecond.
+/// Number of multiplications of a piece that is not divided further: about a millisecond.
 const GRAIN: usize = 1 << 24;
-/// Rows or columns of a piece that is not cut further.
+/// Number of rows or columns of a piece that is not divided further.
 const NARROW: usize = 96;
-/// Size of a matrix that is decomposed in one piece.
+/// Size of a matrix that is factorized in one piece.
 const WHOLE: usize = 256;
 
-/// Where to cut a length in two: pieces begin where vectors of the processor do.
+/// Returns the point of division of a length, aligned to the vectors of the processor.
 fn half(length: usize) -> usize {
     (length / 2).next_multiple_of(16)
 }
 
-/// The lower Cholesky factor of a symmetric positive definite matrix, of which the lower triangle is read.
-/// `None` if it is not numerically positive definite.
+/// Computes the lower Cholesky factor of a symmetric positive definite matrix from its lower
+/// triangle. `None` if the matrix is not numerically positive definite.
 pub fn cholesky(mut matrix: Mat<f64>) -> Option<Mat<f64>> {
     if !cholesky_in_place(matrix.as_mut()) {
         return None;
@@ -38,7 +38,8 @@ pub fn cholesky(mut matrix: Mat<f64>) -> Option<Mat<f64>> {
     Some(matrix)
 }
 
-/// As [`cholesky`], in place of the lower triangle; what is above it means nothing. Says whether the matrix was positive definite.
+/// Computes [`cholesky`] in place of the lower triangle; the upper triangle is undefined
+/// afterwards. Returns whether the matrix was positive definite.
 #[must_use]
 pub fn cholesky_in_place(matrix: MatMut<'_, f64>) -> bool {
     let size = matrix.nrows();
@@ -58,7 +59,7 @@ pub fn cholesky_in_place(matrix: MatMut<'_, f64>) -> bool {
     cholesky_in_place(last)
 }
 
-/// `B L^-T` in place of `B`.
+/// Computes `B L^-T` in place of `B`.
 pub fn divide_by_factor(right: MatMut<'_, f64>, lower: MatRef<'_, f64>) {
     half_solve_in_place(lower, right.transpose_mut());
 }
@@ -72,14 +73,14 @@ fn half_solve_in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
     rayon::join(|| half_solve_in_place(lower, one), || half_solve_in_place(lower, other));
 }
 
-/// `L^-1 B`, half of a solution: `B^T A^-1 B` is then a product of it with its own transpose, symmetric and
-/// non-negative whatever the rounding.
+/// Computes `L^-1 B`, half of a solution: `B^T A^-1 B` is then a product of the result with its own
+/// transpose, symmetric and non-negative regardless of rounding.
 pub fn half_solve(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
     half_solve_in_place(lower, right.as_mut());
     right
 }
 
-/// `L^-T B`, the other half.
+/// Computes `L^-T B`, the other half.
 pub fn other_half_solve(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
     fn in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
         let columns = right.ncols();
@@ -93,12 +94,12 @@ pub fn other_half_solve(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64>
     right
 }
 
-/// `A^-1 B` from the factor of `A`.
+/// Computes `A^-1 B` from the factor of `A`.
 pub fn solve(lower: MatRef<'_, f64>, right: Mat<f64>) -> Mat<f64> {
     other_half_solve(lower, half_solve(lower, right))
 }
 
-/// `target += scale * A B`.
+/// Computes `target += scale * A B`.
 pub fn add_product(target: MatMut<'_, f64>, scale: f64, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
     let (rows, columns) = (target.nrows(), target.ncols());
     if rows.max(columns) <= NARROW || rows * columns * a.ncols() <= GRAIN {
@@ -114,7 +115,7 @@ pub fn add_product(target: MatMut<'_, f64>, scale: f64, a: MatRef<'_, f64>, b: M
     }
 }
 
-/// `target += scale * A B` of a square target's lower triangle alone.
+/// Computes `target += scale * A B` for the lower triangle of a square target.
 pub fn add_product_lower(target: MatMut<'_, f64>, scale: f64, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
     let size = target.nrows();
     if size <= NARROW || size * size * a.ncols() <= GRAIN {
@@ -135,14 +136,15 @@ pub fn add_product_lower(target: MatMut<'_, f64>, scale: f64, a: MatRef<'_, f64>
     );
 }
 
-/// `A B`.
+/// Computes `A B`.
 pub fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
     let mut result = Mat::zeros(a.nrows(), b.ncols());
     add_product(result.as_mut(), 1.0, a, b);
     result
 }
 
-/// Eigenvalues of a symmetric matrix, ascending, and unit eigenvectors; its lower triangle is read. `None` if it is not of numbers.
+/// Returns eigenvalues of a symmetric matrix, ascending, and unit eigenvectors from its lower
+/// triangle. `None` if an entry is not finite.
 pub fn symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let size = matrix.nrows();
     let params: Spec<SelfAdjointEvdParams, f64> = Spec::default();

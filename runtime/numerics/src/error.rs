@@ -1,49 +1,50 @@
-//! Why the engine could not do what was asked: a code, a plain sentence, what to do, and what is to blame.
+//! Errors of the engine: code, message, remedy and the part of the scene concerned.
 
 use thiserror::Error;
 
-/// A refusal. `code` is stable (`E06..` the model cannot be built, `E07..` it could not be solved).
+/// Error of the engine. `code` is stable (`E06..`: the model cannot be built, `E07..`: it could not
+/// be solved).
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{message}")]
 pub struct EngineError {
-    /// Stable, such as `E0714`; `calyx explain` has a page for it.
+    /// Stable code, such as `E0714`; `calyx explain` has a page for it.
     pub code: &'static str,
-    /// One plain sentence.
+    /// Message: one sentence.
     pub message: String,
-    /// What to do about it; empty if nothing can be said.
+    /// Remedy; empty if there is none.
     pub help: String,
-    /// Name of the argument to blame, as the library declares it.
+    /// Name of the argument at fault, as declared in the library.
     pub argument: Option<&'static str>,
-    /// What of the scene it is about, so that whoever built the scene finds the place in the source.
+    /// Part of the scene at fault, from which the caller finds the source location.
     pub subject: Option<Subject>,
 }
 
-/// A part of the scene or of what was asked for, by its index.
+/// Part of the scene or of the request, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// A body of the scene.
+    /// Body of the scene.
     Body(usize),
-    /// What a body of the scene is made of: its gear.
+    /// Prototype of a body: its gear.
     Prototype(usize),
-    /// A bearing of the scene.
+    /// Bearing of the scene.
     Bearing(usize),
-    /// An output that was asked for.
+    /// Requested output.
     Output(usize),
 }
 
 impl EngineError {
-    /// A refusal by its code, its sentence and its remedy.
+    /// Creates an error from its code, message and remedy.
     pub fn new(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Self {
         EngineError { code, message: message.into(), help: help.into(), argument: None, subject: None }
     }
 
-    /// Names the argument to blame.
+    /// Names the argument at fault.
     pub fn blame(mut self, argument: &'static str) -> Self {
         self.argument = Some(argument);
         self
     }
 
-    /// Names the part of the scene it is about.
+    /// Names the part of the scene at fault.
     pub fn about(mut self, subject: Subject) -> Self {
         self.subject = Some(subject);
         self

@@ -1,4 +1,4 @@
-//! How whoever started an analysis ends it before its time: a question that is asked at every checkpoint.
+//! Cancellation of a running analysis by its caller: a callback at every checkpoint.
 
 use crate::error::EngineError;
 use std::fmt;
@@ -7,16 +7,17 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 type Question = dyn Fn(Wanted) -> Result<(), EngineError> + Send + Sync;
 
-/// Memory that is asked for.
+/// Request for memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
-    /// What is to be taken next, bytes; most checkpoints know of nothing.
+    /// Memory of the next allocation, bytes; 0 at checkpoints without an allocation.
     pub bytes: u64,
-    /// What was promised to others who still hold it, bytes, whether they have taken it or not.
+    /// Memory that is reserved for others, allocated or not, bytes.
     pub promised: u64,
 }
 
-/// Memory that was promised; it is given back when this is dropped, so it is kept beside what it is for.
+/// Reservation of memory. Dropping it releases the memory, so its owner keeps it together with the
+/// allocation.
 #[derive(Debug, Default)]
 #[must_use = "dropped at once, it is promised to another before it is taken"]
 pub struct Room {
@@ -25,12 +26,12 @@ pub struct Room {
 }
 
 impl Room {
-    /// How much it is.
+    /// Returns the size of the reservation.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }
 
-    /// Gives back what is beyond so many bytes: more is not taken after all.
+    /// Reduces the reservation to a number of bytes.
     pub fn shrink_to(&mut self, bytes: u64) {
         self.promised.fetch_sub(self.bytes.saturating_sub(bytes), Ordering::Relaxed);
         self.bytes = self.bytes.min(bytes);
@@ -64,50 +65,50 @@ impl Drop for Room {
 #[derive(Clone, Default)]
 pub struct Interrupt {
     question: Option<Arc<Question>>,
-    /// The largest number of bytes asked for, those promised to others among them.
+    /// Largest number of bytes requested, including reservations of others.
     most: Arc<AtomicU64>,
-    /// Bytes that somebody holds.
+    /// Reserved bytes.
     promised: Arc<AtomicU64>,
 }
 
 impl Interrupt {
-    /// An interrupt that asks a question: an error ends the work with it.
+    /// Creates an interrupt from a callback; its error ends the work.
     pub fn new(question: impl Fn() -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
         Self::counting(move |_| question())
     }
 
-    /// The same of a question that is told how many bytes are to be taken next.
+    /// Creates an interrupt from a callback that receives the requests for memory.
     pub fn counting(question: impl Fn(Wanted) -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
         Self { question: Some(Arc::new(question)), ..Self::default() }
     }
 
-    /// Lets everything run to its end.
+    /// Creates an interrupt that never ends the work.
     pub fn never() -> Self {
         Self::default()
     }
 
-    /// A checkpoint.
+    /// Checkpoint.
     ///
     /// # Errors
-    /// The error to end with.
+    /// The error of the callback.
     pub fn check(&self) -> Result<(), EngineError> {
         self.room_for(0).map(drop)
     }
 
-    /// A checkpoint before so many bytes are taken, which are the caller's as long as it keeps what this returns.
+    /// Checkpoint before an allocation of `bytes`, which are reserved until the result is dropped.
     ///
     /// # Errors
-    /// The error to end with.
+    /// The error of the callback.
     pub fn room_for(&self, bytes: u64) -> Result<Room, EngineError> {
         let promised = self.promised.fetch_add(bytes, Ordering::Relaxed);
-        // Whoever is refused gives it back.
+        // A refused request is released.
         let room = Room { promised: self.promised.clone(), bytes };
         self.most.fetch_max(promised + bytes, Ordering::Relaxed);
         let wanted = Wanted { bytes, promised };
         self.question.as_ref().map_or(Ok(()), |question| question(wanted)).map(|()| room)
     }
 
-    /// The most bytes that were asked for at once, by all threads together.
+    /// Returns the largest number of bytes requested at a time by all threads together.
     pub fn most_asked(&self) -> u64 {
         self.most.load(Ordering::Relaxed)
     }
@@ -123,7 +124,7 @@ impl fmt::Debug for Interrupt {
 mod tests {
     use super::*;
 
-    /// Two gears side by side are not promised the same memory, and who is done gives it back.
+    /// Two parallel computations cannot reserve the same memory, and a finished one releases it.
     #[test]
     fn what_is_promised_to_one_is_not_promised_to_another() {
         let full = || EngineError::new("E0707", "it is too much", "");
@@ -133,7 +134,7 @@ mod tests {
             );
         let first = interrupt.room_for(60).expect("there is room");
         assert_eq!(interrupt.room_for(60).map(drop).map_err(|error| error.code), Err("E0707"));
-        // The refusal holds nothing.
+        // A refused request reserves nothing.
         let second = interrupt.clone().room_for(40).expect("there is room");
         assert_eq!(interrupt.most_asked(), 120);
         interrupt.check().expect("it takes nothing");

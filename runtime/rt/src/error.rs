@@ -69,7 +69,7 @@ impl Error {
         }
     }
 
-    /// What to do about it; empty if nothing can be said.
+    /// Remedy; empty if there is none.
     pub fn help(&self) -> &str {
         match self {
             Error::Given(refused) => &refused.help,

@@ -14,7 +14,7 @@ use calyx_abi::{Context, Repr, Slot, stack};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refused {
     pub message: String,
-    /// What to do about it; empty if nothing can be said.
+    /// Remedy; empty if there is none.
     pub help: String,
     /// Where it was given, if in a file.
     pub origin: Option<Origin>,

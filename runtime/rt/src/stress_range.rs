@@ -26,9 +26,9 @@ pub struct Seen {
     pub point: usize,
     /// Distance along the profile from the end of the flank towards the root, m.
     pub depth: f64,
-    /// m
+    /// Radius, m.
     pub radius: f64,
-    /// Along the axis from the middle of the face, m; absent in a plane model.
+    /// Axial coordinate from the middle of the face, m; `None` in a plane model.
     pub axial: Option<f64>,
     /// The largest of the largest principal stresses, Pa.
     pub largest: f64,

@@ -1,8 +1,11 @@
-//! Whether frames and contacts hold what is free to move: known before anything is solved, and said in the words of the
-//! model.
+//! Restraint check: rejects scenes in which a free motion meets no resistance, before anything is
+//! solved.
 //!
-//! However many teeth touch, the contacts of an involute mesh press along one line. So each mesh holds one combination of
-//! freedoms, in one sense, and whether they can balance the load is a small problem of its own.
+//! The contact forces of an involute mesh act along one line, regardless of the number of teeth in
+//! contact. Each mesh therefore constrains one combination of DOFs in one sense. Whether these
+//! constraints can balance the load is a small contact problem of its own.
+//!
+//! See `docs/theory/equilibrium.md`.
 
 use calyx_contact::problem::{ContactError, FreeMotion};
 use calyx_contact::rest::{Rest, rest};
@@ -18,12 +21,13 @@ use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::interrupt::Interrupt;
 use std::f64::consts::PI;
 
-/// Checks that nominal contact holds every free motion of the planned bodies under the loads of a time (s), that of the first
-/// position to solve.
+/// Checks that nominal contact resists every free motion of the planned bodies under the loads at a
+/// time (s), that of the first position to solve.
 ///
 /// # Errors
-/// What solving that position would end in: E0714 if a load drives a body away, E0715 if nothing holds a motion, E0723 if a load
-/// is not a number. Also the interrupt's: of many bodies this takes long.
+/// Those that solving this position would return: E0714 if a load drives a body away, E0715 if
+/// nothing resists a motion, E0723 if a load is NaN. Also those of the interrupt, because the check
+/// of many bodies takes long.
 pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -> Result<(), EngineError> {
     let freedoms = number_freedoms(scene, plan);
     if freedoms.is_empty() {
@@ -41,19 +45,21 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
         *load += own;
     }
     let rest = rest(&springs.stiffness, &load);
-    // Along the axis and across it teeth hold by where along the face they touch: only solving shows that.
+    // Resistance of teeth against axial and out-of-plane motion depends on the distribution of
+    // contact along the face, which only the solution shows.
     let out_of_plane = |free: &Vec<f64>| {
         freedoms.iter().zip(free).any(|(freedom, part)| (2..5).contains(&freedom.component) && *part != 0.0)
     };
     if plan.in_space && rest.free.iter().any(out_of_plane) {
         return Ok(());
     }
-    // Clearances are used up, and what is behind them holds as teeth do.
+    // Count stops of bearings as closed: behind their clearances they resist like teeth.
     let mut arms = springs.arms;
     let mut contacts = springs.gaps.len();
     let taking_part = |pair: &&SurfacePair| pair.bodies.iter().all(|body| !plan.bodies[body.0].left_out);
     for pair in scene.pairs.iter().filter(taking_part) {
-        // Surfaces that are no gears' have no nominal contact: only solving shows what they hold.
+        // Surfaces that are not gear flanks have no nominal contact; only the solution shows their
+        // resistance.
         let Some(row) = nominal_arms(scene, pair, &freedoms, time)? else { return Ok(()) };
         arms.extend(row);
         contacts += 1;
@@ -68,12 +74,12 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
             | ContactError::Unconstrained(_)
             | ContactError::Interrupted(_)),
         ) => Err(explain(scene, &freedoms, &error)),
-        // Anything else depends on where the teeth are.
+        // Any other result depends on the positions of the teeth.
         _ => Ok(()),
     }
 }
 
-/// Work that a unit of force along the line of action does on each freedom, at a time (s).
+/// Returns the work of a unit force along the line of action on each DOF, at a time (s).
 fn nominal_arms(
     scene: &Mechanism,
     pair: &SurfacePair,
@@ -90,8 +96,9 @@ fn nominal_arms(
     if !(0.0..=1.0).contains(&cosine) {
         return Ok(None);
     }
-    // A gear that pushes counter-clockwise presses its mate onwards at a right angle to the line of centres, less the
-    // pressure angle outwards. Inside of a ring the teeth touch on the side away from its axis.
+    // A gear that drives counter-clockwise pushes its mate at a right angle to the line of centres,
+    // inclined outwards by the pressure angle. In an internal mesh the teeth touch on the side of
+    // the planet away from the ring's axis.
     let sense = mesh.drive_sense;
     let contact = across[1].atan2(across[0]) + if mesh.sign < 0.0 { PI } else { 0.0 };
     let angle = contact + sense * cosine.asin();
@@ -111,11 +118,12 @@ fn nominal_arms(
     Ok(Some(freedoms.iter().map(arm).collect()))
 }
 
-/// The load whose limit is taken where there is none: meshes driven as their surfaces were chosen.
+/// Returns the load direction of the rigid-body limit of an unloaded system: the drive direction of
+/// the meshes.
 pub fn drive_direction(scene: &Mechanism, freedoms: &[Freedom]) -> Vec<f64> {
     let mut direction = vec![0.0; freedoms.len()];
     for pair in &scene.pairs {
-        // Back sides drive no mesh.
+        // Coast flanks do not drive a mesh.
         let Some(mesh) = pair.mesh.as_ref().filter(|_| pair.front.is_none()) else { continue };
         for (side, sign) in [(0, 1.0), (1, mesh.sign)] {
             let turn = Freedom { body: pair.bodies[side].0, component: 5 };
@@ -127,10 +135,10 @@ pub fn drive_direction(scene: &Mechanism, freedoms: &[Freedom]) -> Vec<f64> {
     direction
 }
 
-/// A freedom that moves less than this part of the one that moves most is not named.
+/// DOFs with less than this fraction of the largest motion are not named in messages.
 const TAKES_PART: f64 = 1e-3;
 
-/// A failure of the contact solver in the words of the model.
+/// Converts an error of the contact solver into terms of the model.
 pub fn explain(scene: &Mechanism, freedoms: &[Freedom], error: &ContactError) -> EngineError {
     let named = |motion: &FreeMotion| motion_name(scene, freedoms, &motion.motion);
     let about = |error: EngineError, motion: &FreeMotion| match freedoms.get(motion.freedom) {
@@ -176,9 +184,9 @@ pub fn explain(scene: &Mechanism, freedoms: &[Freedom], error: &ContactError) ->
     }
 }
 
-/// A motion as people call it: every freedom that takes part, with its sense.
+/// Describes a motion in words: every DOF that takes part, with its sense.
 fn motion_name(scene: &Mechanism, freedoms: &[Freedom], motion: &[f64]) -> String {
-    // Turns compared with shifts by what they move on the rim.
+    // Compare rotations with displacements by the displacement at the rim.
     let size = |at: usize| {
         let Freedom { body, component } = freedoms[at];
         let radius = scene.bodies[body].prototype.enclosing_radius();

@@ -1,9 +1,13 @@
-//! Modal coordinates of bodies in a contact problem: eliminated, for each of them is a spring and a mass of its own.
+//! Modal coordinates of bodies in a contact problem. Each is an independent spring and mass, so
+//! they are eliminated.
 //!
-//! A modal coordinate q opens the gap of a cell by the inward displacement of the surface, C_q. It obeys `d y + S' y_r = g + C_q' p`, with d
-//! the diagonal of the step's matrix and S what couples it to the rigid freedoms by mass. So the cells see the compliance `C_q d^-1 C_q'` in
-//! place of the part `C_q omega^-2 C_q'` that statics gives these modes, and what modes leave out stays as statics has it: that is the
-//! residual flexibility.
+//! A modal coordinate q changes the gap of a cell by the inward displacement of the surface, C_q.
+//! It satisfies `d y + S' y_r = g + C_q' p`, with the diagonal d of the step's effective matrix and
+//! the mass coupling S to the rigid-body DOFs. So the compliance of the cells contains `C_q d^-1
+//! C_q'` in place of the static part `C_q omega^-2 C_q'` of these modes. The static compliance of
+//! the omitted modes, the residual flexibility, is unchanged.
+//!
+//! See `docs/theory/dynamics.md`.
 
 use calyx_contact::grid::Cell;
 use calyx_contact::problem::ContactProblem;
@@ -18,19 +22,19 @@ use faer::{Accum, Mat, MatMut, MatRef, Par};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Modes of all bodies, and where each body's coordinates begin among those of all.
+/// Modes of all bodies, and the index of each body's first coordinate.
 #[derive(Clone, Default)]
 pub struct Modes {
-    /// By body.
+    /// Modes by body.
     pub of: Vec<Option<Arc<BodyModes>>>,
-    /// By body.
+    /// Index of the first coordinate by body.
     first: Vec<usize>,
     /// Squares of all natural frequencies, (rad/s)².
     pub squares: Vec<f64>,
 }
 
 impl Modes {
-    /// In the order of the bodies.
+    /// Combines modes in the order of the bodies.
     pub fn new(of: Vec<Option<Arc<BodyModes>>>) -> Modes {
         let (mut first, mut squares) = (Vec::new(), Vec::new());
         for modes in &of {
@@ -41,7 +45,8 @@ impl Modes {
         Modes { of, first, squares }
     }
 
-    /// Of all bodies that are modelled as elastic and can have them, up to a natural frequency, Hz; none at all up to 0.
+    /// Computes the modes of all elastic bodies that support them, up to a natural frequency, Hz;
+    /// none for 0.
     ///
     /// # Errors
     /// Those of [`check_modes`] and [`Resources::modes`].
@@ -64,17 +69,18 @@ impl Modes {
         Ok(Modes::new(of.collect::<Result<_, _>>()?))
     }
 
-    /// How many coordinates there are.
+    /// Returns the number of coordinates.
     pub fn count(&self) -> usize {
         self.squares.len()
     }
 
-    /// The modes of a body and where its coordinates begin.
+    /// Returns the modes of a body and the index of its first coordinate.
     pub fn of_body(&self, body: usize) -> Option<(&BodyModes, usize)> {
         Some((self.of.get(body)?.as_deref()?, self.first[body]))
     }
 
-    /// Adds how the coordinates of the bodies on both sides of a patch grow the gaps of its cells, which begin at a row of `arms`.
+    /// Adds the derivatives of the gaps of a patch's cells by the coordinates of its bodies,
+    /// starting at a row of `arms`.
     pub fn add_arms(&self, arms: &mut Mat<f64>, row: usize, sides: [(usize, Chart); 2], cells: &[Cell]) {
         for (side, (body, chart)) in sides.into_iter().enumerate() {
             let Some((own, from)) = self.of_body(body) else { continue };
@@ -85,10 +91,11 @@ impl Modes {
     }
 }
 
-/// That there may be modes of bodies up to this natural frequency, Hz.
+/// Checks whether modes of bodies up to this natural frequency, Hz, are supported.
 ///
 /// # Errors
-/// E0764: it is negative, or no number. E0771: the model is in space. E0782: its bodies have no meshes.
+/// E0764: it is negative or NaN. E0771: the model is three-dimensional. E0782: its bodies have no
+/// meshes.
 pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> {
     let (code, message, help) = match fidelity {
         _ if !(highest.is_finite() && highest >= 0.0) => (
@@ -114,22 +121,23 @@ pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> 
     Err(EngineError::new(code, message, help).blame("highest_frequency"))
 }
 
-/// What a step, or a position in equilibrium, makes of the modal coordinates.
+/// Terms of the modal coordinates in a time step or an equilibrium.
 pub struct Elastic<'a> {
-    /// Of the bodies.
+    /// Modes of the bodies.
     pub modes: &'a Modes,
-    /// d, by coordinate.
+    /// d, diagonal by coordinate.
     pub stiffness: Vec<f64>,
-    /// S, freedoms by coordinates, row-major.
+    /// S, DOFs by coordinates, row-major.
     pub coupling: Vec<f64>,
-    /// g, by coordinate.
+    /// g, load by coordinate.
     pub load: Vec<f64>,
-    /// Coordinates where gaps are counted from.
+    /// Coordinates at the origin of the gaps.
     pub start: Vec<f64>,
 }
 
 impl Elastic<'_> {
-    /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates. Bearing stops have no part in them.
+    /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates. Bearing
+    /// stops are not coupled to them.
     pub fn eliminate(&self, problem: &mut ContactProblem, arms: &Mat<f64>) {
         let (n, m, count) = (problem.cells(), problem.freedoms(), self.modes.count());
         let given: Vec<f64> = self.load.iter().zip(&self.stiffness).map(|(g, d)| g / d).collect();
@@ -140,7 +148,7 @@ impl Elastic<'_> {
         product(more.as_mut(), weighted.as_ref(), arms.transpose());
         for row in 0..cells {
             for column in 0..cells {
-                // Of both sums the same one, so that symmetry is kept to the bit.
+                // Use the same of both entries, so that the matrix is exactly symmetric.
                 problem.compliance[row * n + column] += more[(row.max(column), row.min(column))];
             }
             let at = |k: usize| arms[(row, k)] * (self.start[k] + given[k]);
@@ -164,7 +172,8 @@ impl Elastic<'_> {
         }
     }
 
-    /// The coordinates, from `start` on, by the forces on the cells and the motion of the freedoms.
+    /// Returns the coordinates relative to `start`, from the forces on the cells and the motion of
+    /// the DOFs.
     pub fn recover(&self, arms: &Mat<f64>, forces: &[f64], motion: &[f64]) -> Vec<f64> {
         let count = self.modes.count();
         let of = |k: usize| {
@@ -176,7 +185,7 @@ impl Elastic<'_> {
     }
 }
 
-/// `out = a b`, on one thread: its bits do not depend on their number.
+/// Computes `out = a b` on one thread: the bits do not depend on the number of threads.
 fn product(out: MatMut<'_, f64>, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
     matmul(out, Accum::Replace, a, b, 1.0, Par::Seq);
 }

@@ -1,7 +1,11 @@
-//! One position in equilibrium, or a step in time: teeth that may touch are found, grids laid, the contact problem solved.
+//! Solution of one position in equilibrium, or of one time step: search for contact, grids, contact
+//! problem.
 //!
-//! All of this is the same in the plane and in space, and stands in [`places`] and [`cells`]; what has a dimension (where bodies are, how
-//! surfaces approach, what grids and compliances are made of) is behind [`space::Space`], once in [`plane`] and once in [`solid`].
+//! The procedure is common to plane and three-dimensional models, in [`places`] and [`cells`]. The
+//! dimension-dependent part (positions of bodies, closest approach, grids and compliances) is
+//! behind the trait [`space::Space`], implemented in [`plane`] and [`solid`].
+//!
+//! See `docs/theory/equilibrium.md`.
 
 mod cells;
 mod drag;
@@ -25,46 +29,49 @@ use plane::Plane;
 use solid::Solid;
 use std::sync::{Arc, OnceLock};
 
-/// A solved position. Keeps the contact problem and its active cells, from which sensitivities follow.
+/// Solved position. Contains the contact problem and its active set, which provide sensitivities.
 #[derive(Clone, Debug)]
 pub struct StepResult {
-    /// s
+    /// Time, s.
     pub time: f64,
-    /// Pairs of teeth that touch or may.
+    /// Contact patches of tooth pairs, loaded or not.
     pub patches: Vec<Patch>,
-    /// Deviation of every freedom from its prescribed motion, m or rad.
+    /// Deviation of every DOF from its prescribed motion, m or rad.
     pub motion: Vec<f64>,
-    /// The part of it after which contact was laid out: nothing, unless teeth may touch on both sides with backlash between, or the
-    /// load carries bodies off the grids that would lie where their frames are without load.
+    /// Part of the deviation at which the contact grid was created. It is zero unless teeth may
+    /// touch on both flanks with backlash, or the load displaces bodies beyond the grids of their
+    /// unloaded position.
     pub start: Vec<f64>,
-    /// What was solved; with modal coordinates the problem that statics has of the same cells.
+    /// Contact problem; with modal coordinates the static problem of the same cells.
     pub problem: ContactProblem,
-    /// Cells that carry load, by index in the problem.
+    /// Active set: indices of the loaded cells.
     pub active: Vec<usize>,
-    /// Modal coordinates of the bodies, body after body; empty where no modes are asked for.
+    /// Modal coordinates, body by body; empty without modes.
     pub modal: Vec<f64>,
-    /// Rates of the freedoms and of the modal coordinates, per second; empty in equilibrium.
+    /// Rates of the DOFs and of the modal coordinates, per second; empty in equilibrium.
     pub velocity: Vec<f64>,
     /// What acts on the frame of each body beside contact, bearings and its whole load, in the order of [`calyx_model::freedom::FREEDOMS`]: inertia, and
     /// the part of the load that a step leaves out; N and N m. Empty in equilibrium.
     pub beside: Vec<[f64; 6]>,
-    /// The free vibrations about it once somebody has asked for them, see [`crate::observe::Equilibrium::vibrations`].
+    /// Free vibrations about the position, computed on request, see
+    /// [`crate::observe::Equilibrium::vibrations`].
     pub vibrations: OnceLock<Option<Arc<Vibrations>>>,
-    /// Forces on the stops of bearings, whose gaps stand behind those of the patches, and behind them on the flanks of lugs: N, of a plane
-    /// model N per metre of face width.
+    /// Forces on the stops of bearings, whose gap equations follow those of the patches, and then
+    /// on the flanks of spline teeth: N, in a plane model N per metre of face width.
     pub stops: Vec<f64>,
     /// How well it is solved.
     pub certificate: Certificate,
-    /// What should be known about the position, in sentences.
+    /// Warnings about the position, in sentences.
     pub warnings: Vec<String>,
 }
 impl System<'_> {
-    /// Brings the scene into equilibrium at a time (s).
+    /// Solves the equilibrium of the scene at a time (s).
     ///
-    /// What was solved before makes no difference, not in a bit.
+    /// The result does not depend on earlier solutions, bit for bit.
     ///
     /// # Errors
-    /// A load is not a number, nothing holds it, the problem is degenerate, or the interrupt's.
+    /// A load is NaN, the load meets no resistance, the problem is degenerate, or those of the
+    /// interrupt.
     pub fn solve(&self, time: f64) -> Result<StepResult, EngineError> {
         if self.rigid {
             return self.touch(time);
@@ -73,15 +80,15 @@ impl System<'_> {
         self.solve_under(time, &load, &load, None)
     }
 
-    /// The scene at a time (s) where its surfaces touch as the load vanishes.
+    /// Computes the rigid-body limit at a time (s): surfaces touch as the load vanishes.
     ///
     /// # Errors
-    /// As [`System::solve`].
+    /// Those of [`System::solve`].
     pub fn touch(&self, time: f64) -> Result<StepResult, EngineError> {
         self.solve_under(time, &vec![0.0; self.freedoms.len()], &self.load_at(time)?, None)
     }
 
-    /// Under a load, which may be the limit of one in a direction.
+    /// Solves under a load, or in the limit of a load along a direction.
     pub fn solve_under(
         &self,
         time: f64,
@@ -92,8 +99,8 @@ impl System<'_> {
         self.equilibrium(time, load, direction, elastic, None)
     }
 
-    /// The equilibrium in which a motion in time begins: `sizing` is the load that grids are sized for, as those of its steps, for `load` has inertia in it,
-    /// and may have nothing else.
+    /// Solves the initial equilibrium of a transient analysis. `sizing` is the load for the sizes
+    /// of grids, as for its steps, because `load` includes inertia and may include nothing else.
     pub fn begin(
         &self,
         time: f64,
@@ -125,8 +132,10 @@ impl System<'_> {
         }
     }
 
-    /// The end of a step in time (s) that begins where bodies are off their prescribed motions by `start`: `springs` holds the step's matrix and the stops
-    /// as seen from there, `load` what moves the freedoms from there. Its motion is counted from the prescribed one.
+    /// Solves the end of a time step (s) that starts with the deviations `start` from the
+    /// prescribed motions. `springs` contains the matrix of the step and the stops relative to the
+    /// start, `load` the forces on the DOFs there. The resulting motion is relative to the
+    /// prescribed one.
     pub fn step(
         &self,
         time: f64,

@@ -1,4 +1,5 @@
-//! The planned scene, built: structures condensed, freedoms numbered, loads gathered. What every position starts from.
+//! System of a planned scene: condensed structures, numbered DOFs and loads. All positions share
+//! it.
 
 use crate::modal::Modes;
 use calyx_contact::solid::Pose;
@@ -24,10 +25,10 @@ use std::sync::{Arc, OnceLock};
 
 pub use calyx_model::freedom::Freedom;
 
-/// A pair of teeth of a surface pair.
+/// Surface pair and a pair of its teeth.
 pub type Teeth = (usize, [u32; 2]);
 
-/// Everything that positions share.
+/// Data that all positions share.
 pub struct System<'s> {
     /// What is simulated.
     pub scene: &'s Mechanism,
@@ -35,28 +36,30 @@ pub struct System<'s> {
     pub bodies: Bodies,
     /// Free components of the frames of bodies, in the order of the unknowns.
     pub freedoms: Vec<Freedom>,
-    /// Of every body, see [`axle`].
+    /// Axis positions by body, see [`axle`].
     axles: Vec<[f64; 3]>,
-    /// Direction of the line of centres of every pair at time 0, rad, where it turns.
+    /// Direction of the line of centres of every pair at time 0, rad, if it rotates.
     lines: Vec<Option<f64>>,
-    /// Those that the plan models, by index in the scene.
+    /// Modelled bearings, by index in the scene.
     pub bearings: Vec<usize>,
-    /// Of bodies that rest on lugs by contact, by their index.
+    /// Spline teeth with clearance, by the index of the body that they support.
     pub lugs: Vec<(usize, LugContact)>,
-    /// Asked at every checkpoint whether to go on.
+    /// Callback at every checkpoint.
     pub interrupt: Interrupt,
-    /// Bodies do not deform, and touch as the load vanishes.
+    /// True for rigid bodies, which touch as the load vanishes.
     pub rigid: bool,
-    /// In which bodies vibrate, in time or about an equilibrium; none unless an analysis asks for them ([`System::vibrating`]).
+    /// Modes of bodies, in transient analyses or vibrations about an equilibrium; empty unless
+    /// requested ([`System::vibrating`]).
     pub modes: Modes,
     structure_counts: StructureCounts,
-    /// Of every body about its axle, where somebody asks: those of gears take their meshes.
+    /// Inertias of all bodies about their axes of rotation, computed on request, because those of
+    /// gears require their meshes.
     inertias: OnceLock<Vec<Inertia>>,
-    /// Bodies that the plan left out.
+    /// True for bodies that the plan leaves out.
     pub left_out: Vec<bool>,
 }
 
-/// The bodies of a scene as they are modelled, in order; `None` for a body the plan left out.
+/// Models of the bodies of a scene, in order; `None` for a body that the plan leaves out.
 #[derive(Clone)]
 pub enum Bodies {
     /// Plane strain, per metre of face width.
@@ -66,7 +69,7 @@ pub enum Bodies {
 }
 
 impl Bodies {
-    /// With their structures, which are of the kind that the plan asked for.
+    /// Adds the structures, which must be of the kind that the plan requires.
     fn with(self, structures: Structures) -> Bodies {
         match self {
             Bodies::Plane(bodies) => {
@@ -93,39 +96,40 @@ impl Bodies {
     }
 }
 
-/// Bodies in a section.
+/// Bodies of a plane model.
 #[derive(Clone)]
 pub struct PlaneBodies {
     /// Elastic behaviour by body; `None` of a body that has no structure.
     pub structures: Vec<Option<Arc<dyn Structure>>>,
-    /// Width over which the plane quantities of each body are spread, m.
+    /// Width of each body in the plane model, m.
     face_widths: Vec<f64>,
-    /// Poses at time 0, from which kinematic angles are counted.
+    /// Poses at time 0, the origin of kinematic angles.
     initial: Vec<PlanePose>,
 }
 
-/// Bodies in space.
+/// Bodies of a three-dimensional model.
 #[derive(Clone)]
 pub struct SolidBodies {
     /// Elastic behaviour by body; `None` of a body that has no structure.
     pub structures: Vec<Option<Arc<dyn SolidStructure>>>,
-    /// Turned so far at time 0, rad.
+    /// Rotation angles at time 0, rad.
     initial: Vec<f64>,
 }
 
 impl<'s> System<'s> {
-    /// Builds what the plan asks for, without a cache and to the end.
+    /// Builds the planned system, without a cache and without an interrupt.
     ///
     /// # Errors
-    /// As [`System::with`].
+    /// Those of [`System::with`].
     pub fn new(scene: &'s Mechanism, plan: &Plan) -> Result<Self, EngineError> {
         Self::with(scene, plan, &Resources::default())
     }
 
-    /// Builds what the plan asks for. Bodies whose structures would be equal share one.
+    /// Builds the planned system. Bodies with equal structures share one.
     ///
     /// # Errors
-    /// Nothing touches anything, a frame is unusable, a structure cannot be built, or the interrupt's.
+    /// No surface pair is in contact, a frame is invalid, a structure cannot be built, or those of
+    /// the interrupt.
     pub fn with(scene: &'s Mechanism, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
         let freedoms = number_freedoms(scene, plan);
         if !plan.bodies.iter().any(BodyPlan::is_elastic) {
@@ -136,7 +140,7 @@ impl<'s> System<'s> {
             ));
         }
         let all = 0..scene.bodies.len();
-        // Frames are looked at before what takes long.
+        // Check the frames before the expensive work.
         let bodies = match plan.in_space {
             false => {
                 let initial = all.map(|body| pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
@@ -179,10 +183,12 @@ impl<'s> System<'s> {
         Ok(system)
     }
 
-    /// The same system with the modes of its bodies up to a natural frequency (Hz), which vibrations about an equilibrium see; none up to 0.
+    /// Adds the modes of the bodies up to a natural frequency (Hz), for vibrations about an
+    /// equilibrium; 0 adds none.
     ///
     /// # Errors
-    /// E0764: there is no such frequency. E0771: the system is in space. Those of [`Resources::modes`].
+    /// E0764: the frequency is invalid. E0771: the system is three-dimensional. Those of
+    /// [`Resources::modes`].
     pub fn vibrating(
         mut self,
         plan: &Plan,
@@ -193,7 +199,8 @@ impl<'s> System<'s> {
         Ok(self)
     }
 
-    /// The same structures and modes in a scene that differs in nothing that they depend on, as contact grids.
+    /// Returns a system with the same structures and modes for a scene that differs only in data
+    /// that they do not depend on, such as contact grids.
     pub fn on<'t>(&self, scene: &'t Mechanism) -> System<'t> {
         System {
             scene,
@@ -212,7 +219,7 @@ impl<'s> System<'s> {
         }
     }
 
-    /// The inertias of all bodies about their axles.
+    /// Returns the inertias of all bodies about their axes of rotation.
     pub fn inertias(&self) -> &[Inertia] {
         self.inertias.get_or_init(|| {
             let bodies = self.scene.bodies.iter().enumerate();
@@ -220,13 +227,14 @@ impl<'s> System<'s> {
         })
     }
 
-    /// How many structures were built for this system, and how many there were already.
+    /// Returns the numbers of structures that were built and reused for this system.
     pub fn structure_counts(&self) -> StructureCounts {
         self.structure_counts
     }
 
-    /// What forces of the contact problem on a body, by its index, are per: the width of a plane model's face, m; 1 in space. Bodies that touch or
-    /// that a bearing connects have one.
+    /// Returns the width to which contact forces on a body refer, by the body's index: the face
+    /// width of a plane model, m; 1 in three dimensions. Bodies connected by contact or bearings
+    /// have equal widths.
     pub fn width(&self, body: usize) -> f64 {
         match &self.bodies {
             Bodies::Plane(bodies) => bodies.face_widths[body],
@@ -234,18 +242,19 @@ impl<'s> System<'s> {
         }
     }
 
-    /// External generalised forces on the freedoms at a time, per [`System::width`].
+    /// Returns the external generalized forces on the DOFs at a time, per [`System::width`].
     pub fn load_at(&self, time: f64) -> Result<Vec<f64>, EngineError> {
         self.load_in_part(time, 1.0)
     }
 
-    /// The same with a part of the loads, and all blows.
+    /// Returns the external forces with the loads scaled by `part` and all impulses unscaled.
     pub fn load_in_part(&self, time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
         let loads = loads_on(self.scene, &self.freedoms, time, part)?;
         Ok(loads.iter().zip(&self.freedoms).map(|(load, on)| load / self.width(on.body)).collect())
     }
 
-    /// What bearings, and lugs by contact, do to the freedoms at a time, per [`System::width`].
+    /// Returns stiffness and forces of bearings and of spline teeth with clearance at a time, per
+    /// [`System::width`].
     pub fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
         let mut springs = {
             let Mechanism { bodies, bearings, .. } = self.scene;
@@ -262,23 +271,23 @@ impl<'s> System<'s> {
         Ok(springs)
     }
 
-    /// How many gap equations the stops of bearings are; those of lugs follow on them.
+    /// Returns the number of gap equations of bearing stops; those of spline teeth follow them.
     pub fn stops(&self) -> usize {
         self.bearings.iter().map(|&bearing| self.scene.bearings[bearing].walls()).sum()
     }
 
-    /// How many the flanks of lugs are.
+    /// Returns the number of gap equations of spline tooth flanks.
     pub fn flanks(&self) -> usize {
         self.lugs.iter().map(|(_, contact)| contact.flanks()).sum()
     }
 
-    /// Angle by which a tooth stands off its nominal place, rad.
+    /// Returns the pitch deviation of a tooth as an angle, rad.
     pub fn pitch_error(&self, body: usize, tooth: u32) -> f64 {
         self.scene.bodies[body].prototype.pitch_error(tooth)
     }
 
-    /// Angle by which a body is meant to have turned about its own axis since time 0, rad, up to whole turns; not a number where its
-    /// motion is none.
+    /// Returns the prescribed rotation of a body about its own axis since time 0, rad, modulo whole
+    /// revolutions; NaN if the motion is NaN.
     pub fn turned(&self, body: usize, time: f64) -> f64 {
         match &self.bodies {
             Bodies::Plane(bodies) => {
@@ -289,20 +298,22 @@ impl<'s> System<'s> {
         }
     }
 
-    /// Direction from the axle of a pair's first body to that of its second, as they are meant to be, rad.
+    /// Returns the prescribed direction from the axis of a pair's first body to that of its second,
+    /// rad.
     fn line_of_centres(&self, pair: &SurfacePair, time: f64) -> f64 {
         let [first, second] = pair.bodies.map(|body| self.origin(body.0, time));
         (second[1] - first[1]).atan2(second[0] - first[0])
     }
 
-    /// Angle by which a pair's line of centres has turned since time 0, rad, up to whole turns; 0 of gears whose axes rest.
+    /// Returns the rotation of a pair's line of centres since time 0, rad, modulo whole
+    /// revolutions; 0 for gears on fixed axes.
     pub fn line_turned(&self, pair: usize, time: f64) -> f64 {
         let since = |start| self.line_of_centres(&self.scene.pairs[pair], time) - start;
         self.lines[pair].map_or(0.0, since)
     }
 
-    /// Velocity, at a point in ground coordinates (m), of the frame that goes along with a pair's line of centres, m/s: nothing where axes
-    /// rest. What gears do in a mesh they do against it.
+    /// Returns the velocity, at a point in ground coordinates (m), of the frame that rotates with a
+    /// pair's line of centres, m/s: zero for fixed axes. Mesh motions are relative to this frame.
     pub fn line_velocity(&self, pair: usize, time: f64, [x, y, _]: [f64; 3]) -> [f64; 3] {
         let SurfacePair { bodies: [first, second], .. } = self.scene.pairs[pair];
         if self.lines[pair].is_none() {
@@ -331,7 +342,8 @@ impl<'s> System<'s> {
         by
     }
 
-    /// The directions along and about which a body's freedoms count: those of the ground, swung with the body's axis.
+    /// Returns the directions of a body's DOFs: the ground axes under the minimal rotation to the
+    /// body's axis.
     pub fn axes(&self, body: usize, time: f64) -> [[f64; 3]; 3] {
         match &self.bodies {
             Bodies::Plane(_) => Pose::IDENTITY.rotation,
@@ -339,13 +351,14 @@ impl<'s> System<'s> {
         }
     }
 
-    /// Where a body's axle goes through it, in the body's coordinates, m, see [`axle`].
+    /// Returns the position of a body's axis of rotation in the body's coordinates, m, see
+    /// [`axle`].
     pub fn axle(&self, body: usize) -> [f64; 3] {
         self.axles[body]
     }
 
-    /// Where a body's axle is meant to be, about which it is free to turn: the origin of its frame, unless it sits off its shaft; m; not a
-    /// number where its motion is none.
+    /// Returns the prescribed position of a body's axis of rotation, m: the origin of its frame
+    /// unless the body is eccentric; NaN if its motion is NaN.
     pub fn origin(&self, body: usize, time: f64) -> [f64; 3] {
         let axle = self.axle(body);
         match &self.bodies {
@@ -359,17 +372,19 @@ impl<'s> System<'s> {
         }
     }
 
-    /// The same, where bodies are off their prescribed motions by `moved`, m or rad by freedom.
+    /// Returns the position of the axis of rotation with the deviations `moved` from the prescribed
+    /// motions, m or rad by DOF.
     pub fn origin_moved(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
         let (origin, shift) = (self.origin(body, time), self.shift(body, time, moved));
         [0, 1, 2].map(|k: usize| origin[k] + shift[k])
     }
 
-    /// Where a body's frame is at a time, off its prescribed motion by `moved`: turned on its axle first, whole, then tilted about one axis,
-    /// which is exact for turns of any size.
+    /// Returns the pose of a body's frame at a time with the deviations `moved` from the prescribed
+    /// motion: rotated about its own axis first, then tilted about one axis, which is exact for
+    /// rotations of any size.
     ///
     /// # Errors
-    /// As [`solid_pose`].
+    /// Those of [`solid_pose`].
     pub fn pose_moved(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
         let pose = solid_pose(self.scene, body, time)?;
         let by = self.moved(body, moved);
@@ -381,15 +396,16 @@ impl<'s> System<'s> {
         Ok(Pose { origin: moved.point(axle.map(|part| -part)), ..moved })
     }
 
-    /// How far `moved` is of a body's axle, along ground axes, m.
+    /// Returns the displacement of a body's axis in `moved`, along ground axes, m.
     fn shift(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
         let [x, y, z, ..] = self.moved(body, moved);
         let axes = self.axes(body, time);
         [0, 1, 2].map(|k: usize| x * axes[0][k] + y * axes[1][k] + z * axes[2][k])
     }
 
-    /// Velocity of the point of a body that is at a point in ground coordinates (m), m/s: the prescribed motion's, about an axis that is
-    /// where the body's origin is, off that motion by `moved`.
+    /// Returns the velocity of the material point of a body at a point in ground coordinates (m),
+    /// m/s: the prescribed motion about an axis through the body's displaced origin, with the
+    /// deviations `moved`.
     pub fn velocity(&self, body: usize, time: f64, moved: &[f64], point: [f64; 3]) -> [f64; 3] {
         let shift = self.shift(body, time, moved);
         let point = [0, 1, 2].map(|k: usize| point[k] - shift[k]);

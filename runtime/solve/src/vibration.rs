@@ -1,11 +1,14 @@
-//! Natural vibrations of a scene about an equilibrium: its bodies on bearings and on the contact that carries load now, as rigid ones or
-//! with their own modes.
+//! Natural vibrations of a scene about an equilibrium: bodies on bearings and on the active contact
+//! cells, rigid or with their own modes.
 //!
-//! A small motion of the freedoms x and of the modal coordinates q finds the stiffness `K = diag(K_bearings, omega²) + C' A^-1 C`. C are the arms of
-//! the cells and stops that carry load, which stay in contact, and A is their compliance less what the modes answer, `sum phi phi' / omega²`: together
-//! they give as in statics. What resists is the inertia of the bodies, with `phi' M r` between modes and frames. So frequencies
-//! are those at one position: as teeth enter and leave, stiffness and frequencies change with them. What turning does
-//! (gyroscopic terms) and damping are left out.
+//! For small motions of the DOFs x and modal coordinates q the stiffness is `K = diag(K_bearings,
+//! omega²) + C' A^-1 C`. C contains the arms of the cells and stops that carry load and remain in
+//! contact. A is their compliance minus that of the modes, `sum phi phi' / omega²`, so that both
+//! together have the static compliance. The mass matrix contains the inertia of the bodies, with
+//! `phi' M r` between modes and frames. The frequencies are those at one position: stiffness and
+//! frequencies change as teeth enter and leave contact. Gyroscopic terms and damping are neglected.
+//!
+//! See `docs/theory/modes.md`.
 
 use crate::integration::{check_inertia, coupling};
 use crate::step::{PatchGrid, StepResult};
@@ -24,7 +27,8 @@ use nalgebra::DMatrix;
 use std::sync::Arc;
 
 impl System<'_> {
-    /// Mass matrix of the freedoms at a time (s), of rigid bodies about their axles.
+    /// Returns the mass matrix of the DOFs at a time (s), of rigid bodies about their axes of
+    /// rotation.
     pub fn mass_matrix(&self, time: f64) -> DMatrix<f64> {
         let freedoms = &self.freedoms;
         let mut mass = DMatrix::zeros(freedoms.len(), freedoms.len());
@@ -45,7 +49,7 @@ impl System<'_> {
         mass
     }
 
-    /// An inertia in a body's axes, along those of the ground.
+    /// Rotates an inertia from a body's axes to those of the ground.
     fn inertia_on_ground(&self, body: usize, time: f64, inertia: &Inertia) -> Inertia {
         let Ok(pose) = solid_pose(self.scene, body, time) else {
             return Inertia { mass: f64::NAN, ..*inertia };
@@ -61,7 +65,8 @@ impl System<'_> {
     }
 }
 
-/// Of two components of one frame: of displacements and turns along and about its axes.
+/// Returns the entry for two components of one frame: displacements and rotations along and about
+/// its axes.
 fn entry(inertia: &Inertia, axes: &[[f64; 3]; 3], one: usize, other: usize) -> f64 {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let cross = |a: [f64; 3], b: [f64; 3]| {
@@ -79,7 +84,8 @@ fn entry(inertia: &Inertia, axes: &[[f64; 3]; 3], one: usize, other: usize) -> f
 }
 
 impl System<'_> {
-    /// Growth of the gaps of all cells of a solved position by the modal coordinates of the bodies.
+    /// Returns the derivatives of the gaps of all cells of a solved position by the modal
+    /// coordinates.
     fn modal_arms(&self, step: &StepResult) -> Mat<f64> {
         let cells = step.patches.iter().map(|patch| patch.forces.len()).sum();
         let mut arms = Mat::zeros(cells, self.modes.count());
@@ -98,7 +104,7 @@ impl System<'_> {
         arms
     }
 
-    /// Mass matrix of all coordinates at a time (s).
+    /// Returns the mass matrix of all coordinates at a time (s).
     fn whole_mass(&self, time: f64) -> Option<Mat<f64>> {
         let (own, widths) = (self.mass_matrix(time), self.coordinate_widths());
         let (m, count) = (own.nrows(), self.modes.count());
@@ -118,7 +124,8 @@ impl System<'_> {
         Some(Mat::from_fn(m + count, m + count, entry))
     }
 
-    /// What forces on each coordinate are per, m: on freedoms, then on modal coordinates. Coordinates that have to do with each other have one.
+    /// Returns the width to which forces on each coordinate refer, m: DOFs, then modal coordinates.
+    /// Coupled coordinates have equal widths.
     fn coordinate_widths(&self) -> Vec<f64> {
         let mut widths: Vec<f64> = self.freedoms.iter().map(|freedom| self.width(freedom.body)).collect();
         for body in 0..self.scene.bodies.len() {
@@ -130,12 +137,13 @@ impl System<'_> {
 }
 
 impl System<'_> {
-    /// The free vibrations about the equilibrium; `None` if a freedom has no inertia or nothing vibrates. They are found once a position.
+    /// Returns the free vibrations about the equilibrium, computed once per position; `None` if a
+    /// DOF has no inertia or nothing vibrates.
     pub fn vibrations(&self, step: &StepResult) -> Option<Arc<Vibrations>> {
         step.vibrations.get_or_init(|| self.find_vibrations(step).map(Arc::new)).clone()
     }
 
-    /// Stiffness between coordinates, per width of the model.
+    /// Returns the stiffness matrix, per width of the model.
     fn stiffness_about(&self, step: &StepResult) -> Option<Mat<f64>> {
         let (problem, active, modes) = (&step.problem, &step.active, &self.modes);
         let (n, m, count) = (problem.cells(), self.freedoms.len(), modes.count());
@@ -152,7 +160,7 @@ impl System<'_> {
             return Some(stiffness);
         }
         let own = self.modal_arms(step);
-        // Stops of bearings come behind the cells.
+        // Stops of bearings follow the cells.
         let modal = |cell: usize, k: usize| if cell < own.nrows() { own[(cell, k)] } else { 0.0 };
         let mut residual =
             Mat::from_fn(active.len(), active.len(), |i, j| problem.compliance[active[i] * n + active[j]]);
@@ -172,7 +180,7 @@ impl System<'_> {
     fn find_vibrations(&self, step: &StepResult) -> Option<Vibrations> {
         let (mass, stiffness) = (self.whole_mass(step.time)?, self.stiffness_about(step)?);
         let (size, widths) = (mass.nrows(), self.coordinate_widths());
-        // Every coordinate in a unit in which its own inertia is 1: metres and radians are alike then.
+        // Scale each coordinate to unit inertia, so that metres and radians are comparable.
         let scale: Vec<f64> = (0..size).map(|k| mass[(k, k)].sqrt().recip()).collect();
         if size == 0 || !scale.iter().all(|scale| scale.is_finite()) {
             return None;
@@ -195,10 +203,11 @@ impl System<'_> {
     }
 }
 
-/// That a system whose vibrations are asked for has inertia where it is free, and as many modes as are asked for.
+/// Checks that a system whose vibrations are requested has inertia along its DOFs, and enough
+/// modes.
 ///
 /// # Errors
-/// E0762: a free freedom has no inertia. E0770: there are fewer modes.
+/// E0762: a free DOF has no inertia. E0770: there are fewer modes than requested.
 pub fn check_vibrations(system: &System<'_>, examined: &dyn Examined) -> Result<(), EngineError> {
     let modes = examined.targets().iter().any(|target| target.mode.is_some());
     if !modes && !examined.examines_modes() {
@@ -208,7 +217,7 @@ pub fn check_vibrations(system: &System<'_>, examined: &dyn Examined) -> Result<
     check_mode_count(examined, system.freedoms.len() + system.modes.count())
 }
 
-/// That a scene with so many modes has all that are asked for.
+/// Checks that a scene with this number of modes has all that are requested.
 ///
 /// # Errors
 /// E0770: there are fewer.

@@ -1,9 +1,12 @@
-//! Structures, and modes of bodies, kept by what they are made of, for analyses to come: condensing one takes far longer than a position, and
-//! most of what people vary (loads, speeds, misalignment, pitch errors) leaves it as it is.
+//! Structure cache: structures and body modes by content. Condensation takes far longer than a
+//! position, and most variations (loads, speeds, misalignment, pitch deviations) do not change the
+//! structure.
 //!
-//! A cache is shared by threads. Two that ask for one structure at the same time build it once; whose build fails or is
-//! interrupted leaves nothing behind, and whoever waited for it builds it then. With a [`Store`] structures are kept on disk too, for
-//! other processes and for runs to come.
+//! Threads share a cache. Two threads that request one structure at the same time build it once. A
+//! failed or interrupted build leaves no trace, and a waiting thread builds the structure instead.
+//! With a [`Store`] structures are also stored on disk, for other processes and later runs.
+//!
+//! See `docs/theory/runs.md`.
 
 mod store;
 
@@ -20,21 +23,21 @@ use std::time::Duration;
 
 /// Fingerprints of the source that makes structures: no structure of an earlier method is taken for one of this.
 const SOURCES: [&str; 3] = [env!("CALYX_SOURCE"), calyx_fe::SOURCE, calyx_numerics::SOURCE];
-/// How long a thread that waits for another one's build leaves its own interrupt unasked.
+/// Interval at which a thread that waits for another build polls its own interrupt.
 const PATIENCE: Duration = Duration::from_millis(10);
 
-/// What a structure depends on, as a hash (SHA-256) of all of it.
+/// SHA-256 hash of everything that a structure depends on.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Key([u8; 32]);
 
 impl Key {
-    /// Begins the key of a kind of structure; nothing else may have this name.
+    /// Starts the key of a kind of structure. The name must be unique.
     pub fn of(kind: &str) -> KeyWriter {
         let begun = KeyWriter(Sha256::new()).text(env!("CARGO_PKG_VERSION"));
         SOURCES.iter().fold(begun, |key, source| key.text(source)).text(kind)
     }
 
-    /// The hash.
+    /// Returns the hash.
     pub fn bytes(&self) -> &[u8; 32] {
         &self.0
     }
@@ -46,39 +49,39 @@ impl fmt::Debug for Key {
     }
 }
 
-/// Writes into a [`Key`] all that a structure depends on. Values carry their kind and length, so that different sequences of
-/// values are different keys.
+/// Writer of everything that a structure depends on into a [`Key`]. Values carry their type and
+/// length, so different sequences of values give different keys.
 #[derive(Clone)]
 pub struct KeyWriter(Sha256);
 
 impl KeyWriter {
-    /// Numbers that differ in a bit differ.
+    /// Writes a number; numbers that differ in any bit give different keys.
     pub fn number(self, number: f64) -> Self {
         self.part(b'n', &number.to_bits().to_le_bytes())
     }
 
-    /// Their count, and each of them.
+    /// Writes the length and the numbers.
     pub fn numbers(self, numbers: &[f64]) -> Self {
         let begun = self.part(b's', &(numbers.len() as u64).to_le_bytes());
         numbers.iter().fold(begun, |key, &number| key.number(number))
     }
 
-    /// A whole number.
+    /// Writes an integer.
     pub fn count(self, count: u64) -> Self {
         self.part(b'c', &count.to_le_bytes())
     }
 
-    /// A truth value.
+    /// Writes a Boolean.
     pub fn flag(self, flag: bool) -> Self {
         self.part(b'f', &[u8::from(flag)])
     }
 
-    /// A text.
+    /// Writes a string.
     pub fn text(self, text: &str) -> Self {
         self.part(b't', &(text.len() as u64).to_le_bytes()).part(b'u', text.as_bytes())
     }
 
-    /// The key of all that was written.
+    /// Returns the key of everything written.
     pub fn finish(self) -> Key {
         Key(self.0.finalize().into())
     }
@@ -135,32 +138,32 @@ impl From<Option<Arc<BodyModes>>> for Operator {
     }
 }
 
-/// How often a cache was asked, and what it holds.
+/// Statistics of a cache.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CacheCounts {
-    /// Structures that somebody got without building them.
+    /// Number of requests that needed no build.
     pub hits: u64,
-    /// Builds that were begun.
+    /// Number of builds started.
     pub misses: u64,
-    /// Structures it holds.
+    /// Number of structures in memory.
     pub structures: usize,
-    /// What they take, in bytes.
+    /// Their size, bytes.
     pub bytes: usize,
 }
 
-/// Structures by content, up to a number of bytes; what was used least recently goes first.
+/// Structures by content, up to a number of bytes. The least recently used are evicted first.
 pub struct OperatorCache {
     limit: usize,
     store: Option<Store>,
     state: Mutex<State>,
-    /// A build has ended, one way or the other.
+    /// Signals the end of a build, successful or not.
     ended: Condvar,
 }
 
 #[derive(Default)]
 struct State {
     slots: HashMap<Key, Slot>,
-    /// Of the structures that are kept.
+    /// Total size of the cached structures.
     bytes: usize,
     clock: u64,
     hits: u64,
@@ -172,39 +175,42 @@ enum Slot {
     Built { operator: Operator, bytes: usize, used: u64 },
 }
 
-/// A build under way, through which those who wait for it get the structure even if the cache cannot keep it.
+/// Build in progress. Waiting threads receive the structure through it even if the cache cannot
+/// store it.
 pub struct Flight(OnceLock<Operator>);
 
-/// What a cache answers to somebody who needs a structure.
+/// Answer of a cache to a request.
 pub enum Answer<'c> {
     /// The cache has it.
     Ready(Operator),
-    /// Nobody has it: the asker is to build it.
+    /// Not available: the caller must build it.
     Yours(Claim<'c>),
-    /// Somebody else is building it.
+    /// Another thread is building it.
     Elsewhere(Arc<Flight>),
 }
 
 impl OperatorCache {
-    /// A cache that keeps at most `limit` bytes. Structures in use are kept by those who use them, and not counted.
+    /// Creates a cache of at most `limit` bytes. Structures in use are owned by their users and not
+    /// counted.
     pub fn new(limit: usize) -> Self {
         Self { limit, store: None, state: Mutex::default(), ended: Condvar::new() }
     }
 
-    /// Keeps what analyses build on disk too, and takes from there what is not in memory.
+    /// Adds a disk store for structures that are not in memory.
     pub fn with_store(self, store: Store) -> Self {
         Self { store: Some(store), ..self }
     }
 
-    /// Where structures are kept on disk.
+    /// Returns the disk store.
     pub fn store(&self) -> Option<&Store> {
         self.store.as_ref()
     }
 
-    /// The structure of this key: a kept one, else built here, or waited for if another thread is building it.
+    /// Returns the structure of this key: a cached one, one built here, or one that another thread
+    /// is building.
     ///
-    /// A thread of a rayon pool does not wait: while it builds something itself it may be given other work of the pool in
-    /// between, and two such would wait for each other for ever. It builds what another one is building, too.
+    /// A thread of a rayon pool does not wait. While it builds, it may receive other work of the
+    /// pool, and two such threads could deadlock. It builds the structure redundantly instead.
     ///
     /// # Errors
     /// Those of `build` and of the interrupt.
@@ -217,7 +223,7 @@ impl OperatorCache {
         self.operator(key, interrupt, Operator::structure, |_| build())
     }
 
-    /// The modes of this key, likewise. Who builds them may hold the claim to them.
+    /// Returns the modes of this key in the same way. The builder may own the claim to them.
     pub fn modes(
         &self,
         key: Key,
@@ -227,7 +233,7 @@ impl OperatorCache {
         self.operator(key, interrupt, Operator::modes, build)
     }
 
-    /// What was kept under a key that something of another kind has is not taken.
+    /// Does not return an item stored under the same key with another type.
     fn operator<T: Clone + Into<Operator>>(
         &self,
         key: Key,
@@ -253,14 +259,14 @@ impl OperatorCache {
         }
     }
 
-    /// How often it was asked, and what it holds.
+    /// Returns the statistics.
     pub fn counts(&self) -> CacheCounts {
         let state = self.lock();
         let built = state.slots.values().filter(|slot| matches!(slot, Slot::Built { .. }));
         CacheCounts { hits: state.hits, misses: state.misses, structures: built.count(), bytes: state.bytes }
     }
 
-    /// Without waiting.
+    /// Answers a request without waiting.
     pub fn ask(&self, key: Key) -> Answer<'_> {
         let mut state = self.lock();
         state.clock += 1;
@@ -282,7 +288,8 @@ impl OperatorCache {
         }
     }
 
-    /// What another thread's build comes to; `None` if it failed. Not for threads of a rayon pool.
+    /// Waits for the result of another thread's build; `None` if it failed. Not for threads of a
+    /// rayon pool.
     pub fn wait(
         &self,
         key: Key,
@@ -306,7 +313,8 @@ impl OperatorCache {
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
-        // Every change of the state is complete before anything in it could panic.
+        // A poisoned lock is harmless: every change of the state is complete before anything can
+        // panic.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -317,7 +325,7 @@ impl fmt::Debug for OperatorCache {
     }
 }
 
-/// The duty to build a structure. Dropped unfulfilled, it leaves no trace.
+/// Obligation to build a structure. Dropping it unfulfilled leaves no trace.
 pub struct Claim<'c> {
     cache: &'c OperatorCache,
     key: Key,
@@ -325,17 +333,18 @@ pub struct Claim<'c> {
 }
 
 impl<'c> Claim<'c> {
-    /// Where the structure is kept on disk, and under which key.
+    /// Returns the disk store and the key of the structure.
     pub fn on_disk(&self) -> Option<(&'c Store, Key)> {
         self.cache.store.as_ref().map(|store| (store, self.key))
     }
 
-    /// Hands the structure to all who wait for it, and keeps it if it fits.
+    /// Passes the structure to all waiting threads, and stores it if it fits.
     pub fn fulfil(self, operator: &Operator) {
         let bytes = operator.bytes();
         let mut gone = Vec::new();
         let mut state = self.cache.lock();
-        // Set under the lock: a waiter that finds neither this nor the slot knows that the build has failed.
+        // Set under the lock: a waiter that finds neither this nor the slot can conclude that the
+        // build has failed.
         let _ = self.flight.0.set(operator.clone());
         if bytes <= self.cache.limit {
             state.clock += 1;
@@ -345,7 +354,8 @@ impl<'c> Claim<'c> {
             gone = state.shrink(self.cache.limit);
         }
         drop(state);
-        // What goes is freed while nobody waits for the lock; the claim, dropped, wakes those who wait.
+        // Evicted structures are freed outside the lock. Dropping the claim wakes the waiting
+        // threads.
         drop(gone);
     }
 }
@@ -362,7 +372,7 @@ impl Drop for Claim<'_> {
 }
 
 impl State {
-    /// Takes out what was used least recently until the rest fits.
+    /// Evicts the least recently used items until the rest fits.
     fn shrink(&mut self, limit: usize) -> Vec<Slot> {
         let mut gone = Vec::new();
         while self.bytes > limit {

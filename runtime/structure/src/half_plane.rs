@@ -1,30 +1,32 @@
-//! The elastic half-plane: the part of a surface's compliance that is singular, in closed form.
+//! Elastic half-plane: closed form of the singular part of the Green's function of a surface.
 //!
-//! A normal line force of 1 N/m on the surface at distance x lowers it by `G(x) = -2 / (pi E') ln(|x| / L)`
-//! (Johnson, Contact Mechanics, eq. 2.18 with 2.19); `L` fixes the free constant of the plane problem. Cells carry
-//! uniform pressure, and a displacement is observed as its average over a cell: load and observer are treated alike,
-//! so the compliance between two cells is symmetric whatever their widths.
+//! A normal line force of 1 N/m on the surface lowers it at distance x by `G(x) = -2 / (pi E')
+//! ln(|x| / L)` (Johnson, Contact Mechanics, eq. 2.18 with 2.19); `L` sets the free constant of the
+//! plane problem. Cells carry uniform pressure, and displacements are averages over a cell, so the
+//! compliance between two cells is symmetric for any widths.
 
 use std::f64::consts::PI;
 
-/// Beyond this many half-widths (sum of both cells) between centres the closed form, a difference of large terms,
-/// gives way to its series, which by then converges by a factor 36 a term.
+/// Distance of the centres, in sums of the half-widths, beyond which a series replaces the closed
+/// form, which is a difference of large terms. At this distance the series converges by a factor of
+/// 36 per term.
 const SERIES_FROM: f64 = 6.0;
 
 /// Surface stiffness and reference length of one body, as [`calyx_structure::Structure`] gives them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfPlane {
-    /// E' in Pa; infinite for a rigid body.
+    /// E', Pa; infinite for a rigid body.
     pub surface_modulus: f64,
-    /// L in m.
+    /// L, m.
     pub reference_length: f64,
 }
 
 impl HalfPlane {
-    /// Average normal displacement of the cell `observe` (its ends, m, in either order) for a force of 1 N/m spread
-    /// uniformly over the cell `load`, in m/(N/m). Bit for bit the same with the cells exchanged.
+    /// Returns the average normal displacement of the cell `observe` (its ends, m, in either order)
+    /// under a force of 1 N/m distributed uniformly over the cell `load`, m/(N/m). Exchanging the
+    /// cells gives the same bits.
     ///
-    /// Relative accuracy is some 1e-15 times the ratio of the cells' widths where they are near each other.
+    /// The relative accuracy for neighbouring cells is about 1e-15 times the ratio of their widths.
     pub fn cell_compliance(&self, observe: [f64; 2], load: [f64; 2]) -> f64 {
         if self.surface_modulus.is_infinite() {
             return 0.0;
@@ -33,23 +35,24 @@ impl HalfPlane {
     }
 }
 
-/// Average of ln|x - y| for x and y running over two intervals.
+/// Returns the average of ln|x - y| for x and y in two intervals.
 ///
-/// With `F'' = ln|x|` it is the second difference of F over the intervals' ends; far away, the moments of
-/// the sum of two uniform variables give the series of `ln D + E[ln(1 + u/D)]`.
+/// With `F'' = ln|x|` it is the second difference of F over the ends of the intervals. Far away,
+/// the moments of the sum of two uniform variables give the series of `ln D + E[ln(1 + u/D)]`.
 fn mean_log_distance(first: [f64; 2], second: [f64; 2]) -> f64 {
     let half = |cell: [f64; 2]| 0.5 * (cell[1] - cell[0]).abs();
     let distance = (0.5 * (first[0] + first[1]) - 0.5 * (second[0] + second[1])).abs();
     mean_log_apart(distance, half(first), half(second))
 }
 
-/// The same by the distance of the intervals' centres and their half-widths.
+/// Returns the average of ln|x - y| from the distance of the centres and the half-widths.
 pub fn mean_log_apart(distance: f64, a: f64, b: f64) -> f64 {
     let reach = a + b;
     if distance > SERIES_FROM * reach {
         return distance.ln() + far_series(a / distance, b / distance);
     }
-    // Lengths in units of the largest argument: F stays of order one and its logarithm is split off exactly.
+    // Lengths in units of the largest argument: F is of order one, and its logarithm is separated
+    // exactly.
     let unit = distance + reach;
     let (d, sum, difference) = (distance / unit, reach / unit, (a - b).abs() / unit);
     let corners = (second_integral_of_log(1.0) - second_integral_of_log(d + difference))
@@ -57,15 +60,15 @@ pub fn mean_log_apart(distance: f64, a: f64, b: f64) -> f64 {
     unit.ln() + corners / (4.0 * (a / unit) * (b / unit))
 }
 
-/// F with F'' = ln|x|.
+/// Second integral of the logarithm: F with F'' = ln|x|.
 fn second_integral_of_log(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x * x * (0.5 * x.abs().ln() - 0.75) }
 }
 
-/// E[ln(1 + u)] for u the sum of variables uniform over ±a and ±b, a + b <= 1 / SERIES_FROM: the sum over even n
-/// of -E[u^n] / n. With X = a + b and Y = a - b the moments are
-/// `2 (X^(n+2) - Y^(n+2)) / ((X² - Y²) (n+1) (n+2))`, and the quotient of powers is a sum of positive terms
-/// `X^(n-2j) Y^(2j)` that follows from the one before, so cells of very different widths lose no digits.
+/// Returns E[ln(1 + u)] for the sum u of variables uniform over ±a and ±b, a + b <= 1 /
+/// SERIES_FROM: the sum over even n of -E[u^n] / n. With X = a + b and Y = a - b the moments are `2
+/// (X^(n+2) - Y^(n+2)) / ((X² - Y²) (n+1) (n+2))`. The quotient of powers is a sum of positive
+/// terms `X^(n-2j) Y^(2j)` with a recurrence, so cells of very different widths lose no digits.
 fn far_series(a: f64, b: f64) -> f64 {
     let (x_squared, y_squared) = ((a + b) * (a + b), (a - b) * (a - b));
     let (mut quotient, mut x_power, mut y_power) = (1.0, 1.0, 1.0);
@@ -81,10 +84,11 @@ fn far_series(a: f64, b: f64) -> f64 {
     series
 }
 
-/// Stresses `[sigma_x, sigma_z, tau_xz]` (tension positive, z into the body) at `(x, z)`, z > 0, under a uniform
-/// pressure `pressure` on the strip |x| < `half_width` (Johnson, eq. 2.23 with figure 2.6).
+/// Returns the stresses `[sigma_x, sigma_z, tau_xz]` (tension positive, z into the body) at `(x,
+/// z)`, z > 0, under a uniform `pressure` on the strip |x| < `half_width` (Johnson, eq. 2.23 with
+/// figure 2.6).
 pub fn strip_stress(pressure: f64, half_width: f64, x: f64, z: f64) -> [f64; 3] {
-    // Angles of the strip's ends seen from the point, from the downward normal.
+    // Angles of the strip's ends seen from the point, from the inward normal.
     let (from_left, from_right) = (((x + half_width) / z).atan(), ((x - half_width) / z).atan());
     let spread = from_left - from_right;
     let sines = (2.0 * from_left).sin() - (2.0 * from_right).sin();
@@ -97,7 +101,8 @@ pub fn strip_stress(pressure: f64, half_width: f64, x: f64, z: f64) -> [f64; 3] 
 mod tests {
     use super::*;
 
-    /// Rows x, z, sigma_x, sigma_z, tau_xz at pressure 1000 over half-width 1, by Johnson's eq. 2.23.
+    /// Rows x, z, sigma_x, sigma_z, tau_xz for pressure 1000 and half-width 1, by Johnson's eq.
+    /// 2.23.
     const STRESSES: [[f64; 5]; 6] = [
         [0.0, 0.5, -450.184855752101, -959.480673646166, 0.0],
         [0.0, 1.0, -181.690113816209, -818.309886183791, 0.0],
@@ -107,7 +112,8 @@ mod tests {
         [3.0, 0.2, -31.4632916924075, -0.183240656346937, -2.35779279166285],
     ];
 
-    /// Rows x, displacement less that at x = 0, of the same strip on E = 3e7, nu = 0.3, by Johnson's eq. 2.30a.
+    /// Rows x, displacement minus that at x = 0, of the same strip for E = 3e7, nu = 0.3, by
+    /// Johnson's eq. 2.30a.
     const DISPLACEMENTS: [[f64; 2]; 4] = [
         [0.5, -5.05217006498971e-06],
         [1.0, -2.67704528185217e-05],
@@ -127,11 +133,12 @@ mod tests {
 
     #[test]
     fn displacement_of_a_strip() {
-        // A very narrow observing cell sees the displacement at a point.
+        // A very narrow cell observes the displacement at a point.
         let body = HalfPlane { surface_modulus: 3e7 / (1.0 - 0.09), reference_length: 0.7 };
         let at = |x: f64| 2000.0 * body.cell_compliance([x - 1e-4, x + 1e-4], [-1.0, 1.0]);
         for [x, expected] in DISPLACEMENTS {
-            // At the strip's end the slope is infinite: averaging over h costs h ln h.
+            // The slope is infinite at the end of the strip, so averaging over h has an error of h
+            // ln h.
             let tolerance = if x == 1.0 { 1e-4 } else { 1e-7 };
             assert!((at(x) - at(0.0) - expected).abs() < tolerance * expected.abs(), "at {x}");
         }
@@ -147,7 +154,7 @@ mod tests {
                 assert_eq!(body.cell_compliance(a, b).to_bits(), body.cell_compliance(b, a).to_bits());
             }
         }
-        // Both forms are exact, so they agree on either side of the switch; a wrong series term would show.
+        // Both forms are exact, so they must agree on either side of the switch.
         for (a, b) in [(0.5, 0.5), (0.5, 0.05), (0.5, 0.002)] {
             let at = |d: f64| mean_log_distance([-a, a], [d - b, d + b]);
             let switch = SERIES_FROM * (a + b);
@@ -159,7 +166,8 @@ mod tests {
 
     #[test]
     fn agrees_with_quadrature() {
-        // Separate cells: a 4 x 4 Gauss product rule on sixteenths of the cells is exact to rounding.
+        // Separate cells: a 4 x 4 Gauss product rule on sixteenths of the cells is exact to
+        // rounding.
         let node = [
             -0.861_136_311_594_052_6,
             -0.339_981_043_584_856_3,

@@ -1,37 +1,37 @@
-//! Plane surface profiles: the true curves that contact sees, independent of any mesh.
+//! Plane surface profiles: exact curves for contact, independent of any mesh.
 
-/// A point of a profile with its differential geometry.
+/// Point of a profile with its differential geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoint {
-    /// In the coordinates of whatever owns the profile (a tooth, a disc), metres.
+    /// Position in the coordinates of the profile's owner (a tooth, a disc), m.
     pub position: [f64; 2],
-    /// Unit tangent, towards growing arc length.
+    /// Unit tangent, towards increasing arc length.
     pub tangent: [f64; 2],
     /// Unit normal, out of the material.
     pub normal: [f64; 2],
-    /// Positive where the material is convex, 1/m.
+    /// Curvature, positive where the material is convex, 1/m.
     pub curvature: f64,
 }
 
-/// A curve on the boundary of a body, by arc length `s` in `0 ..= length()` metres.
+/// Curve on the boundary of a body, by arc length `s` in `0 ..= length()` metres.
 ///
-/// It is continuous with a continuous normal; its curvature may jump at [`Profile::breaks`].
-/// It may be evaluated a little beyond its ends, where it continues smoothly.
+/// The curve has a continuous normal; its curvature may jump at [`Profile::breaks`]. It may be
+/// evaluated slightly beyond its ends, where it continues smoothly.
 pub trait Profile: Send + Sync {
-    /// m
+    /// Returns the length, m.
     fn length(&self) -> f64;
 
-    /// The point at an arc length, m.
+    /// Returns the point at an arc length, m.
     fn at(&self, s: f64) -> ProfilePoint;
 
-    /// Arc lengths, ascending and inside the curve, at which its curvature jumps
-    /// (start of a relief, start of the rounding of an edge).
+    /// Returns the arc lengths, ascending and inside the curve, at which the curvature jumps (start
+    /// of a relief, start of a rounded edge).
     fn breaks(&self) -> &[f64] {
         &[]
     }
 
-    /// From this arc length on, the profile belongs to a rounded edge: pressures there are edge pressures.
-    /// `None` if it has no edge.
+    /// Returns the arc length from which the profile belongs to a rounded edge: pressures there are
+    /// edge pressures. `None` without an edge.
     fn edge_from(&self) -> Option<f64> {
         None
     }

@@ -1,9 +1,11 @@
-//! Sine and cosine against values of 400 digits, the symmetries, and equality of bits at every width.
+//! Tests of sine and cosine against values of 400 digits, symmetries, and bitwise equality at every
+//! width.
 
 use super::{LIMIT, columns, ordinary, sincos, sincos_columns};
 
-/// Angle; sine and what is missing to the exact sine; the same for the cosine. Bits of doubles. Among the angles:
-/// doubles closest to multiples of pi/4 and pi/2, and some far outside the reduction in three parts.
+/// Angle; sine and the difference to the exact sine; the same for the cosine. Bits of doubles.
+/// Among the angles are the doubles closest to multiples of pi/4 and pi/2, and some far outside the
+/// range of the reduction.
 #[rustfmt::skip]
 const EXACT: [[u64; 5]; 69] = [
     [0x3e152e6b43e54e9c, 0x3e152e6b43e54e9c, 0xba38bf5016cc9b33, 0x3ff0000000000000, 0xbc2c0a603dcf7219],
@@ -77,13 +79,14 @@ const EXACT: [[u64; 5]; 69] = [
     [0x41291e728cec5382, 0x3da0d154a92b4b58, 0x3a401116f1af5776, 0x3ff0000000000000, 0xbb41ad5c07da1904],
 ];
 
-/// Distance of two positive numbers, the second in two parts, in units in the last place of the second.
+/// Difference of two positive numbers, the second in two parts, in units in the last place of the
+/// second.
 fn error(value: f64, exact: f64, rest: f64) -> f64 {
     let unit = f64::from_bits(exact.abs().to_bits() + 1) - exact.abs();
     ((value - exact) - rest).abs() / unit
 }
 
-/// Angles of all magnitudes, evenly spread in the logarithm, of both signs; the same every time.
+/// Reproducible angles of all magnitudes, uniform in the logarithm, of both signs.
 fn angles(count: usize) -> impl Iterator<Item = f64> {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     (0..count).map(move |_| {
@@ -110,7 +113,7 @@ fn errors_stay_below_one_unit_in_the_last_place() {
         let [angle, sine, sine_rest, cosine, cosine_rest] = row.map(f64::from_bits);
         let (s, c) = sincos(angle);
         let errors = error(s, sine, sine_rest).max(error(c, cosine, cosine_rest));
-        // Beyond the limit it is libm's error, which is below one unit.
+        // Beyond the limit the error is that of libm, below one unit.
         let bound = if angle <= LIMIT { 0.8 } else { 1.0 };
         assert!(errors <= bound, "{angle}: {errors}");
         worst = worst.max(errors);
@@ -118,7 +121,7 @@ fn errors_stay_below_one_unit_in_the_last_place() {
     assert!(worst > 0.4, "the table is too easy: {worst}");
 }
 
-/// A unit in the last place from `libm`, itself within one, over all magnitudes.
+/// Within one unit in the last place of `libm`, itself within one, over all magnitudes.
 #[test]
 fn no_angle_is_far_from_a_second_implementation() {
     for angle in angles(200_000) {
@@ -166,7 +169,7 @@ fn every_width_has_the_same_bits() {
         #[cfg(target_arch = "x86_64")]
         ("four lanes", |a, s, c| {
             if is_x86_feature_detected!("avx2") {
-                // SAFETY: the machine has these instructions.
+                // SAFETY: the machine reports these instructions.
                 unsafe { super::four_lanes(a, s, c) }
             } else {
                 columns(a, s, c);
@@ -174,7 +177,7 @@ fn every_width_has_the_same_bits() {
         }),
     ];
     for (name, compute) in widths {
-        // Many lengths, so that loops have remainders; runs with and without an exception.
+        // Many lengths, so that loops have remainders; with and without exceptional angles.
         for length in [0, 1, 2, 3, 7, 8, 9, 31, 240, angles.len()] {
             for (chunk, expected) in
                 angles.chunks(length.max(1)).zip(expected.chunks(length.max(1))).take(200)

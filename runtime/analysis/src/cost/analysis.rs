@@ -1,4 +1,4 @@
-//! The cost of a whole analysis: structures, positions, and the estimates of their errors.
+//! Cost of a whole analysis: structures, positions and error estimates.
 
 use super::{Cost, Rates, positions, structure};
 use crate::estimate::{Estimates, Sibling, siblings_of};
@@ -10,35 +10,35 @@ use calyx_model::plan::Plan;
 use calyx_numerics::error::EngineError;
 use calyx_structure::StructureSize;
 
-/// An analysis whose cost is predicted.
+/// Analysis whose cost is predicted.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
-    /// What is analysed.
+    /// Scene of the analysis.
     pub scene: &'a Scene,
-    /// What its results are.
+    /// Outputs of the analysis.
     pub outputs: &'a [OutputRequest],
-    /// How bodies are modelled.
+    /// Fidelity level of the bodies.
     pub fidelity: Fidelity,
-    /// How finely.
+    /// Discretization of the structures.
     pub structure: StructureOptions,
-    /// Contact problems: positions, or steps in time.
+    /// Number of contact problems: positions or time steps.
     pub positions: usize,
-    /// Whether these follow a motion in time, one after the other.
+    /// True for a transient analysis, whose steps are solved one after the other.
     pub in_time: bool,
-    /// Which errors are estimated.
+    /// Errors to be estimated.
     pub estimates: Estimates,
 }
 
-/// The costs of the parts of an analysis.
+/// Costs of the parts of an analysis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AnalysisCost {
-    /// Each structure, with the names of the bodies that share it.
+    /// Cost of each structure, with the names of the bodies that share it.
     pub structures: Vec<(Vec<String>, Cost)>,
-    /// All positions, or steps in time.
+    /// Cost of all positions or time steps.
     pub positions: Cost,
-    /// How many there are.
+    /// Number of positions or time steps.
     pub count: usize,
-    /// What the estimates of errors take, structures of other meshes included.
+    /// Cost of the error estimates, including structures of other meshes.
     pub errors: Cost,
 }
 
@@ -49,31 +49,31 @@ impl AnalysisCost {
         structures + self.positions.time + self.errors.time
     }
 
-    /// The most memory taken at once, bytes: structures are condensed side by side, and positions
-    /// solved beside all that is kept.
+    /// Returns the peak memory, bytes. Structures are condensed in parallel, and positions are
+    /// solved with all structures in memory.
     pub fn memory(&self) -> f64 {
         let structures = self.structures.iter().map(|(_, cost)| cost.memory).sum();
         self.positions.memory.max(structures).max(self.errors.memory)
     }
 }
 
-/// Part of the cost of the steps of a motion in time that their estimates take: the motion is
-/// followed once more in steps twice as long, and on other grids and meshes for a part of it.
+/// Cost of the error estimates of a transient analysis relative to that of its steps: the motion is
+/// repeated with steps of twice the length, and partly on other grids and meshes.
 const OF_STEPS: f64 = 0.75;
 
 impl Task<'_> {
-    /// The cost on a machine of known rates, structures condensed anew.
+    /// Predicts the cost on a machine of given rates, without cached structures.
     ///
     /// # Errors
-    /// As [`Plan::new`]: the scene cannot be modelled so.
+    /// Those of [`Plan::new`]: the scene cannot be modelled at this fidelity.
     pub fn cost(&self, rates: &Rates) -> Result<AnalysisCost, EngineError> {
         self.cost_with(&mut Meshes::default(), rates)
     }
 
-    /// As [`Task::cost`], for a scene some of whose meshes have been counted already.
+    /// Predicts the cost like [`Task::cost`] and reuses counts of meshes.
     ///
     /// # Errors
-    /// As [`Task::cost`].
+    /// Those of [`Task::cost`].
     pub fn cost_with(&self, meshes: &mut Meshes, rates: &Rates) -> Result<AnalysisCost, EngineError> {
         let Task { scene, fidelity, structure: options, in_time, .. } = *self;
         let Part { structures, twisted, in_space } = self.condensed(fidelity, options, meshes, rates)?;
@@ -97,7 +97,7 @@ impl Task<'_> {
                     let Part { structures, twisted, in_space } = part;
                     let memory = structures.iter().map(|(_, cost)| cost.memory).sum();
                     let time = structures.iter().map(|(_, cost)| cost.time).sum();
-                    // The structures of the analysis are there already.
+                    // The structures of the analysis are available.
                     if sibling.condensed {
                         add(Cost { time, memory });
                     }
@@ -108,8 +108,8 @@ impl Task<'_> {
         Ok(AnalysisCost { structures, positions: own, count: self.positions, errors })
     }
 
-    /// Structures of a sibling, and its fidelity: the first of those that the scene can be modelled
-    /// with. A sibling that cannot be solved costs nothing.
+    /// Returns the structures of a perturbed solve and its fidelity: the first of those that
+    /// support the scene. A perturbed solve that fails costs nothing.
     fn of_sibling(
         &self,
         sibling: &Sibling,
@@ -118,7 +118,8 @@ impl Task<'_> {
         rates: &Rates,
     ) -> Option<(Part, Fidelity)> {
         sibling.models.iter().find_map(|&(fidelity, structure)| {
-            // Closed forms in space are compared with elements in space.
+            // Three-dimensional closed-form models are compared with three-dimensional finite
+            // elements.
             if fidelity == Fidelity::Plane && self.fidelity != Fidelity::Plane && in_space {
                 return None;
             }
@@ -126,7 +127,7 @@ impl Task<'_> {
         })
     }
 
-    /// The structures of the scene at a fidelity.
+    /// Returns the structures of the scene at a fidelity.
     fn condensed(
         &self,
         fidelity: Fidelity,
@@ -153,8 +154,8 @@ impl Task<'_> {
     }
 }
 
-/// Sizes of the structures of a scene by fidelity and mesh, which are counted once: they take the
-/// making of a mesh. They do not depend on contact grids.
+/// Sizes of the structures of a scene by fidelity and mesh. Each is counted once, because this
+/// requires meshing. They do not depend on contact grids.
 #[derive(Default)]
 pub struct Meshes(Vec<Mesh>);
 
@@ -171,21 +172,22 @@ struct Part {
     in_space: bool,
 }
 
-/// Each structure of a plan with the names of the bodies that share it, and its size.
+/// Returns each structure of a plan with its size and the names of the bodies that share it.
 fn sizes(scene: &Scene, plan: &Plan) -> Vec<(Vec<String>, StructureSize)> {
     let numbers = plan.structures(scene);
     let count = numbers.iter().flatten().max().map_or(0, |last| last + 1);
     let of = |number: usize| {
         let bodies = || (0..scene.bodies.len()).filter(|&body| numbers.get(body) == Some(&Some(number)));
         let size = |body: usize| scene.bodies[body].prototype.size(plan.fidelity, &plan.bodies[body].options);
-        // Of bodies that share one, the one with stresses decides.
+        // Among bodies that share a structure, one with stresses determines the size.
         let largest = bodies().filter_map(size).max_by_key(|size| size.stresses)?;
         Some((bodies().map(|body| scene.bodies[body].name.clone()).collect(), largest))
     };
     (0..count).filter_map(of).collect()
 }
 
-/// Contact pressures of a position, on grids of the scene or of half their cells in every direction.
+/// Returns the number of contact cells of a position, on the grids of the scene or with half their
+/// cells in every direction.
 fn cells_in_contact(scene: &Scene, fidelity: Fidelity, in_space: bool, coarse: bool) -> usize {
     let halved = |count: usize| if coarse { count.div_ceil(2) } else { count };
     let cells = |half: usize| 2 * halved(half) + 1;
@@ -202,7 +204,7 @@ fn cells_in_contact(scene: &Scene, fidelity: Fidelity, in_space: bool, coarse: b
     scene.pairs.iter().map(of).sum()
 }
 
-/// The most pairs of teeth in contact at a time: the next whole number above the contact ratio.
+/// Returns the largest number of tooth pairs in contact: the contact ratio rounded up.
 fn pairs_of_teeth(mesh: &GearMesh) -> usize {
     let [pitch, path] = [mesh.roll, mesh.path].map(|[from, to]| (to - from).abs());
     if pitch > 0.0 { (path / pitch).ceil().clamp(1.0, f64::from(mesh.teeth[0])) as usize } else { 1 }

@@ -1,4 +1,4 @@
-//! A dynamic analysis from its start through all steps, row by row.
+//! Transient analysis from its start through all time steps, row by row.
 
 mod evidence;
 
@@ -30,10 +30,11 @@ use calyx_structure::cache::OperatorCache;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Bytes of the structures that are kept for siblings, where nobody else keeps them.
+/// Size of the structure cache for perturbed solves, bytes, if there is no other cache.
 const KEPT: usize = 1 << 30;
 
-/// A history under way: an iterator over the rows that are kept, in order. After an error it is at its end.
+/// Transient analysis in progress: an iterator over the recorded rows, in order. After an error it
+/// ends.
 pub struct History<'s> {
     scene: &'s Scene,
     outputs: &'s [OutputRequest],
@@ -42,33 +43,34 @@ pub struct History<'s> {
     plan: Plan,
     timing: Timing,
     system: System<'s>,
-    /// Of the bodies, about their axles.
+    /// Inertias of the bodies about their axes of rotation.
     inertias: Vec<Inertia>,
     positions: Vec<Position>,
     steps: Vec<Step>,
-    /// Steps taken.
+    /// Number of steps taken.
     taken: usize,
     state: State,
-    /// What contact did to all coordinates there, per width of the model.
+    /// Contact forces on all coordinates in this state, per width of the model.
     contact: Vec<f64>,
-    /// The load that contact grids are sized for.
+    /// Load for the sizes of contact grids.
     sizing: Vec<f64>,
     solved: Vec<Solved>,
     current: Option<StepResult>,
     failed: bool,
-    /// As it was asked for, without rows of earlier runs.
+    /// Requested options, without rows of earlier runs.
     analysis: AnalysisOptions,
-    /// By output: magnitude up to which it may be nothing but rounding, of a sibling.
+    /// For a perturbed solve: magnitude up to which an output may consist of rounding, by output.
     rounding: Option<Vec<f64>>,
     /// Time spent on steps.
     solving: Duration,
 }
 
 impl<'s> History<'s> {
-    /// Plans the analysis, builds the structures and finds the modes.
+    /// Plans the analysis, builds the structures and computes the modes.
     ///
     /// # Errors
-    /// E0761 to E0764, E0767: the scene or what is asked cannot be analysed in time; those of [`crate::analysis::Planned`]; the interrupt's.
+    /// E0761 to E0764, E0767: transient analysis does not support the scene or the options; those
+    /// of [`crate::analysis::Planned`]; those of the interrupt.
     pub fn new(
         scene: &'s Scene,
         outputs: &'s [OutputRequest],
@@ -123,7 +125,7 @@ impl<'s> History<'s> {
         Ok(history)
     }
 
-    /// Behind rows that an earlier run kept, in the state that the last of them left.
+    /// Resumes after the rows of an earlier run, in the state of the last one.
     fn go_on_behind(&mut self, solved: Vec<Solved>) -> Result<(), EngineError> {
         let Some(last) = solved.last() else { return Ok(()) };
         let count = self.state.displacement.len();
@@ -139,37 +141,37 @@ impl<'s> History<'s> {
         Ok(())
     }
 
-    /// What is modelled, and why.
+    /// Returns the plan.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
 
-    /// How many modal coordinates there are.
+    /// Returns the number of modal coordinates.
     pub fn modal_coordinates(&self) -> usize {
         self.system.modes.count()
     }
 
-    /// The state at the end of the step taken last.
+    /// Returns the state at the end of the last step.
     pub fn state(&self) -> &State {
         &self.state
     }
 
-    /// Rows there will be.
+    /// Returns the number of all rows.
     pub fn rows(&self) -> usize {
         self.positions.len()
     }
 
-    /// Rows kept so far.
+    /// Returns the rows so far.
     pub fn solved(&self) -> &[Solved] {
         &self.solved
     }
 
-    /// The end of the last kept step as observables see it.
+    /// Returns the end of the last recorded step in the form that observables use.
     pub fn equilibrium(&self) -> Option<Equilibrium<'_>> {
         Some(Equilibrium::new(&self.system, self.current.as_ref()?))
     }
 
-    /// The next row.
+    /// Computes the next row.
     fn advance(&mut self) -> Result<(), EngineError> {
         let (mut passed, mut warnings) = (Certificate::default(), Vec::new());
         let step = match self.solved.len() {
@@ -178,7 +180,7 @@ impl<'s> History<'s> {
                 self.resources.interrupt.check()?;
                 let Some(next) = self.steps.get(self.taken).copied() else { return Ok(()) };
                 let Taken { mut result, state, contact } = self.step(&next, &self.state)?;
-                // What was wrong in steps of which no row is kept is told with the next one that is.
+                // Residuals of steps without a row are reported with the next row.
                 passed = passed.worst(&result.certificate);
                 for warning in std::mem::take(&mut result.warnings) {
                     if !warnings.contains(&warning) {
@@ -206,7 +208,7 @@ impl<'s> History<'s> {
         Ok(())
     }
 
-    /// The start, and the state there.
+    /// Computes the start and its state.
     fn begin(&mut self) -> Result<StepResult, EngineError> {
         let (time, system) = (self.options.from, &self.system);
         let part = self.options.ranges.first().map_or(1.0, |range| range.load_at(0.0));
@@ -233,7 +235,7 @@ impl<'s> History<'s> {
                 let at = Step { time, length: 0.0, load: part, kept: true };
                 let state = State::at_rest([step.motion.as_slice(), &step.modal].concat());
                 step.velocity = state.velocity.clone();
-                // It is at rest by what statics knows of.
+                // The static solution has no velocity relative to the prescribed motion.
                 let nothing = matrices.following(system, &state.velocity, &state.velocity);
                 step.beside = self.beside(&matrices, &at, &nothing, &state);
                 let rest = Effective {
@@ -248,7 +250,7 @@ impl<'s> History<'s> {
                 Ok(step)
             }
             Start::Frames => {
-                // The accelerations it begins with are those of a step that is over at once.
+                // The initial accelerations are those of a step of negligible length.
                 let at_once = 1e-6 * self.steps.first().map_or(1.0, |step| step.length);
                 let step = Step { time, length: at_once, load: part, kept: true };
                 let Taken { mut result, state, contact } = self.step(&step, &self.state)?;
@@ -261,7 +263,7 @@ impl<'s> History<'s> {
         }
     }
 
-    /// A step from a state: what it ends in, and the state there.
+    /// Takes a step from a state; returns the result and the new state.
     fn step(&self, step: &Step, state: &State) -> Result<Taken, EngineError> {
         let (h, scheme, system) = (step.length, self.options.scheme, &self.system);
         let (m, count) = (system.freedoms.len(), system.modes.count());
@@ -273,7 +275,7 @@ impl<'s> History<'s> {
         let [by_mass, by_stiffness] = self.options.rayleigh;
         let (x, v) = (&predicted.displacement, &predicted.velocity);
 
-        // Freedoms: M y'' + (C + a M + b K) y' + K y.
+        // DOFs: M y'' + (C + a M + b K) y' + K y.
         let mut matrix = vec![0.0; m * m];
         let mut load = system.load_in_part(step.time, step.load)?;
         for i in 0..m {
@@ -288,7 +290,7 @@ impl<'s> History<'s> {
                 load[i] -= by_mass * matrices.coupling[i * count + k] * v[m + k];
             }
         }
-        // Modal coordinates, of unit mass.
+        // Modal coordinates, with unit modal mass.
         let mut stiffness = vec![0.0; count];
         load.extend(&matrices.modal_load);
         for k in 0..count {
@@ -303,7 +305,8 @@ impl<'s> History<'s> {
         let coupled = of_mass + of_damping * by_mass;
         let coupling: Vec<f64> = matrices.coupling.iter().map(|entry| coupled * entry).collect();
 
-        // Terms that would make the matrix unsymmetric, where the step would end if contact did what it did before.
+        // Terms that would make the matrix unsymmetric, from the solution with the contact forces
+        // of the previous step.
         let effective = Effective { matrix: &matrix, coupling: &coupling, stiffness: &stiffness };
         let following = |y: &[f64]| {
             let rates: Vec<f64> = y.iter().map(|y| of_damping * y).collect();
@@ -339,7 +342,8 @@ impl<'s> History<'s> {
         result.modal = state.displacement[m..].to_vec();
         result.velocity = state.velocity.clone();
         result.beside = self.beside(&matrices, step, &following, &state);
-        // Damping in proportion to the stiffness of bearings, which these do not tell of themselves.
+        // Add the damping proportional to the stiffness of bearings, which the bearings do not
+        // report themselves.
         for (i, freedom) in system.freedoms.iter().enumerate() {
             let row = &springs.stiffness[i * m..(i + 1) * m];
             let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
@@ -347,14 +351,14 @@ impl<'s> History<'s> {
                 system.width(freedom.body) * by_stiffness * rate;
         }
         result.warnings.extend(fast);
-        // Observables see the springs of the scene and not the matrix of a step.
+        // Observables use the springs of the scene, not the matrix of a step.
         result.problem.stiffness = springs.stiffness;
         Ok(Taken { result, state, contact })
     }
 
-    /// What acts on each body beside contact, bearings and its whole load.
+    /// Returns the forces on each body besides contact, bearings and its whole load.
     fn beside(&self, matrices: &Matrices, step: &Step, following: &Forces, state: &State) -> Vec<[f64; 6]> {
-        // Damping in proportion to mass acts as an acceleration by the rate.
+        // Mass-proportional damping acts like an acceleration proportional to the rate.
         let [by_mass, _] = self.options.rayleigh;
         let rates = state.acceleration.iter().zip(&state.velocity);
         let resisted: Vec<f64> = rates.map(|(a, v)| a + by_mass * v).collect();
@@ -368,17 +372,18 @@ impl<'s> History<'s> {
         all
     }
 
-    /// The table of modes about the start, which is had once more for it: a run that goes on has not seen it.
+    /// Computes the table of modes about the start. It computes the start again, because a resumed
+    /// run has not solved it.
     fn first_modes(&mut self) -> Option<ModesTable> {
         let request = self.scene.modes_table.as_ref()?;
         let first = self.begin().ok()?;
         Equilibrium::new(&self.system, &first).modes_table(request)
     }
 
-    /// Sums up, and estimates errors if they are asked for.
+    /// Computes the summaries, and estimates errors if requested.
     ///
     /// # Errors
-    /// The interrupt's.
+    /// Those of the interrupt.
     pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
@@ -407,11 +412,11 @@ impl<'s> History<'s> {
     }
 }
 
-/// A step, and what it ends in.
+/// Step with its result.
 struct Taken {
     result: StepResult,
     state: State,
-    /// What contact does to all coordinates, per width of the model.
+    /// Contact forces on all coordinates, per width of the model.
     contact: Vec<f64>,
 }
 
@@ -439,7 +444,7 @@ impl Iterator for History<'_> {
     }
 }
 
-/// A dynamic analysis from beginning to end, watched.
+/// Runs a transient analysis from planning to results and reports its events to an observer.
 ///
 /// # Errors
 /// Those of [`History::new`] and of its steps, and of the observer.

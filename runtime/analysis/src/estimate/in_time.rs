@@ -1,9 +1,12 @@
-//! The same motion in time once more: in steps twice and four times as long, and in the former with one knob more turned.
+//! Error estimates of transient analyses: the motion is repeated with steps of two and four times
+//! the length, and with the former and one more setting changed.
 //!
-//! Motions are not compared step by step: after a blow two that are a little apart in time differ by much at any one time, and by little in what
-//! results tell. So their statistics are compared. Longer steps tell the error of shorter ones only if these converge, which the third run shows: by
-//! how much differences grow from one doubling of the step to the next is the order at which they do, and Richardson's extrapolation by that order the
-//! error. Where differences do not grow, steps are too long to tell anything, and nothing is estimated.
+//! Motions are not compared step by step: after an impact, two motions with a small shift in time
+//! differ much at each time but little in the results. Therefore statistics are compared. Longer
+//! steps determine the error only if the steps converge, which the third run shows. The growth of
+//! the differences from one doubling of the step to the next gives the order of convergence, and
+//! Richardson extrapolation of this order gives the error. If the differences do not grow, the
+//! steps are too long, and nothing is estimated.
 
 use super::siblings::{OF_GRID, OtherMesh, coarser_grids};
 use super::{Ends, Estimates, Evidence, Found, Part, Statistics, ends, is_stress};
@@ -14,16 +17,17 @@ use calyx_model::observed::OutputRequest;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 
-/// What the difference from steps twice as long is multiplied by at most and at least, of an error of the first order and of the second: by Richardson's
-/// extrapolation, of differences that grow by `g` from one doubling to the next, `1 / (g - 1)`.
+/// Largest and smallest factor on the difference from steps of twice the length, for errors of
+/// first and second order: by Richardson extrapolation, for differences that grow by `g` per
+/// doubling, `1 / (g - 1)`.
 const OF_ORDERS: [f64; 2] = [1.0, 1.0 / 3.0];
-/// Differences below this part of the largest magnitude are none.
+/// Differences below this fraction of the largest magnitude count as zero.
 const NOTHING: f64 = 1e-3;
 
-/// The rows of a scene at a fidelity, on structures of some fineness.
+/// Computes the rows of a scene at a fidelity with a structure discretization.
 type Turned<'a> = dyn Fn(&Scene, Fidelity, StructureOptions) -> Result<Vec<StepRow>, EngineError> + 'a;
 
-/// A motion in time that is done.
+/// Finished transient analysis.
 pub(crate) struct Moved<'a> {
     pub scene: &'a Scene,
     pub fidelity: Fidelity,
@@ -31,19 +35,19 @@ pub(crate) struct Moved<'a> {
     pub outputs: &'a [OutputRequest],
     pub interrupt: &'a Interrupt,
     pub rows: &'a [StepRow],
-    /// Whether the scheme is of the second order.
+    /// True if the scheme is of second order.
     pub second_order: bool,
-    /// Its rows in steps twice and four times as long, or why there are none.
+    /// Rows with steps of two and four times the length, or the reason why there are none.
     pub longer: Result<[Vec<StepRow>; 2], String>,
-    /// The same of another scene or structure.
+    /// Computes the rows of another scene or structure with steps of twice the length.
     pub turned: &'a Turned<'a>,
 }
 
 impl Moved<'_> {
-    /// What its siblings tell.
+    /// Runs the perturbed solves.
     ///
     /// # Errors
-    /// The interrupt's. A sibling that fails otherwise leaves its part unestimated.
+    /// Those of the interrupt. A perturbed solve that fails otherwise leaves its part unestimated.
     pub(crate) fn siblings(self, estimates: Estimates) -> Result<Evidence, EngineError> {
         let mut evidence = Evidence::default();
         let shared = match &self.longer {
@@ -100,7 +104,8 @@ impl Moved<'_> {
         Ok(evidence)
     }
 
-    /// What the difference from steps twice as long is multiplied by, if steps of this length converge.
+    /// Returns the factor on the difference from steps of twice the length, if steps of this length
+    /// converge.
     fn factor(&self, [longer, longest]: &[Vec<StepRow>; 2]) -> Result<f64, String> {
         let off = |one: &[StepRow], other: &[StepRow]| {
             let (one, other) = at_same_times(one, other);
@@ -118,7 +123,8 @@ impl Moved<'_> {
         of_growth(near, far, self.second_order, NOTHING * self.outputs.len() as f64)
     }
 
-    /// The motion in longer steps with knobs turned, or why there is none.
+    /// Computes the motion in longer steps with settings changed, or returns the reason why there
+    /// is none.
     fn moved(
         &self,
         scene: &Scene,
@@ -134,7 +140,7 @@ impl Moved<'_> {
         }
     }
 
-    /// The error in a part, from rows with and without its knob turned.
+    /// Computes a part of the error from rows with and without its setting changed.
     fn found(
         &self,
         part: Part,
@@ -159,8 +165,8 @@ impl Moved<'_> {
     }
 }
 
-/// The factor on a difference, by how large it is and the one at the next doubling of the step; one up to `nothing` is none, and says nothing of its
-/// order.
+/// Returns the factor on a difference from its size and that at the next doubling of the step. A
+/// difference up to `nothing` counts as zero and has no order.
 fn of_growth(near: f64, far: f64, second_order: bool, nothing: f64) -> Result<f64, String> {
     let least = OF_ORDERS[usize::from(second_order)];
     if near <= nothing {
@@ -175,7 +181,7 @@ fn of_growth(near: f64, far: f64, second_order: bool, nothing: f64) -> Result<f6
     }
 }
 
-/// The rows of either that the other one has as well.
+/// Returns the rows of either analysis at times that the other has as well.
 fn at_same_times(one: &[StepRow], other: &[StepRow]) -> (Vec<StepRow>, Vec<StepRow>) {
     let mut both = (Vec::new(), Vec::new());
     let mut rest = other.iter().peekable();
@@ -190,7 +196,7 @@ fn at_same_times(one: &[StepRow], other: &[StepRow]) -> (Vec<StepRow>, Vec<StepR
     both
 }
 
-/// The part of the time that each row stands for.
+/// Returns the fraction of the time that each row represents.
 fn weights(rows: &[StepRow]) -> Vec<f64> {
     if rows.len() < 2 {
         return vec![1.0; rows.len()];
@@ -203,7 +209,7 @@ fn weights(rows: &[StepRow]) -> Vec<f64> {
         .collect()
 }
 
-/// By how much the statistics of two motions at the same times differ.
+/// Returns the differences of the statistics of two motions at the same times.
 fn differences(weights: &[f64], own: &[Ends], other: &[Ends]) -> Statistics {
     if !own.iter().chain(other).all(|end| (end.value + end.low + end.high).is_finite()) {
         return Statistics::NONE;
@@ -221,7 +227,8 @@ fn differences(weights: &[f64], own: &[Ends], other: &[Ends]) -> Statistics {
 mod tests {
     use super::*;
 
-    /// Differences of an error `step^order` at steps 1, 2 and 4 give it back; beyond the orders of schemes the nearest of them counts.
+    /// Differences of an error `step^order` at steps 1, 2 and 4 reproduce it; outside the orders of
+    /// the schemes the nearest order is used.
     #[test]
     fn the_order_that_is_seen_tells_the_error() {
         for order in [1.0_f64, 1.3, 1.7, 2.0] {
@@ -233,7 +240,7 @@ mod tests {
         assert_eq!(of_growth(1.0, 4.0, false, 0.0), Ok(1.0));
         assert_eq!(of_growth(1.0, 1.1, true, 0.0), Ok(1.0));
         assert!(of_growth(1.0, 0.9, true, 0.0).is_err());
-        // No difference has no order.
+        // A zero difference has no order.
         assert_eq!(of_growth(1e-6, 1e-7, true, 1e-3), Ok(1.0 / 3.0));
     }
 }

@@ -1,22 +1,26 @@
-//! Values that are nothing but rounding: what stays of sums whose terms cancel, as the turn of a body that symmetry holds.
+//! Rounding errors of outputs: residues of sums whose terms cancel, such as the rotation of a body
+//! that symmetry prevents.
 //!
-//! Such a value differs from one sibling to the next by as much as it is large, and an error of so many hundredths of it says nothing. How small
-//! it has to be follows from the scene: places and angles are known to some roundings of where bodies are and of how far they have turned, and
-//! forces balance to some roundings of the loads. Stresses, pressures and stiffnesses are no such sums; of these nothing is taken for rounding.
+//! Such a value differs between perturbed solves by its own size, so a relative error is
+//! meaningless. The threshold follows from the scene: positions and angles are accurate to some
+//! roundings of the bodies' positions and rotations, and forces balance to some roundings of the
+//! loads. Stresses, pressures and stiffnesses are not such sums and are never treated as rounding.
 
 use crate::observe::Quantity;
 use crate::scene::Scene;
 use calyx_model::observed::{Observed, OutputRequest};
 
-/// Roundings that places and angles are known to: some hundreds of operations lie between a frame and what is solved there.
+/// Relative accuracy of positions and angles: some hundreds of operations lie between a frame and
+/// the solution.
 const OF_PLACES: f64 = 1e3 * f64::EPSILON;
-/// Part of the loads that forces balance to where structures share them out: what a flank's place is known to by how far it gives.
+/// Fraction of the loads to which forces balance where structures distribute them: the accuracy of
+/// a flank's position relative to its deflection.
 const OF_LOADS: f64 = 1e-10;
 
-/// Natural sizes of a scene, SI.
+/// Scales of a scene, SI.
 #[derive(Clone, Copy, Debug)]
 struct Sizes {
-    /// How far out the outermost body reaches.
+    /// Largest outer radius of a body.
     length: f64,
     force: f64,
     moment: f64,
@@ -32,7 +36,7 @@ impl Sizes {
             let load = body.acted_on(time, 1.0);
             let [force, moment] = [load.force, load.moment].map(norm);
             sizes.length = sizes.length.max(norm([x, y, z]) + radius);
-            // A moment is borne by forces at most as far out as the body reaches.
+            // Forces that balance a moment act at most at the outer radius of the body.
             let borne = if radius > 0.0 { moment / radius } else { 0.0 };
             sizes.force = sizes.force.max(force + borne);
             sizes.moment = sizes.moment.max(force * radius + moment);
@@ -40,7 +44,7 @@ impl Sizes {
         sizes
     }
 
-    /// Magnitude up to which a quantity may be nothing but rounding.
+    /// Returns the magnitude up to which a quantity may consist of rounding.
     fn rounding(&self, quantity: Quantity) -> f64 {
         match quantity.unit {
             "m" => OF_PLACES * self.length,
@@ -52,8 +56,8 @@ impl Sizes {
     }
 }
 
-/// Magnitude up to which each output may be nothing but rounding at a time (s), near these values of the scene's observables: what it changes by if
-/// each of them changes by its rounding.
+/// Returns the magnitude up to which each output may consist of rounding at a time (s), near these
+/// values of the scene's observables: its change if each observable changes by its rounding.
 pub(crate) fn of_outputs(
     scene: &Scene,
     outputs: &[OutputRequest],

@@ -20,38 +20,41 @@ use calyx_model::position::Position;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Named positions nearer to each other than this part of a cycle stand on both sides of a place where loads of rigid teeth jump.
+/// Distance of named positions, as a fraction of a cycle, below which they lie on both sides of a
+/// jump of the loads of rigid teeth.
 const BESIDE: f64 = 1e-5;
-/// They do jump if an output changes there by more than this part of its peak to peak: those of elastic teeth do not.
+/// An output jumps there if its change exceeds this fraction of its peak-to-peak value; outputs of
+/// elastic teeth do not.
 const JUMP: f64 = 0.01;
-/// Positions nearer to each other than this part of the interval that they are continued into do not make a parabola: what little they differ by would
-/// be carried too far.
+/// Least distance of positions for a parabola, relative to the interval of the extrapolation:
+/// smaller distances amplify small differences too much.
 const APART: f64 = 0.3;
-/// Intervals shorter than this part of an average one of the analysis are not divided.
+/// Intervals shorter than this fraction of the analysis's average are not divided.
 const SHORTEST: f64 = 0.02;
 /// Part of an interval with a name at one end at which it is divided, from that end. No interval is
 /// divided closer to an end.
 const BESIDE_NAMES: f64 = 0.25;
-/// How much of what is hidden in an interval an extreme may gain by it, of peak to peak, while intervals are chosen.
+/// Fraction of an interval's miss distance that is added to its extreme while intervals are
+/// selected, relative to peak-to-peak.
 const HIDDEN: f64 = 0.25;
 /// Estimated error of the mean over an interval, in what continuations miss at its ends.
 const MISSED_MEAN: f64 = 0.15;
 /// Rises below this part of peak to peak divide no interval.
 const RISING: f64 = 1e-3;
-/// Outputs that change by no more than this part of their magnitude choose no intervals.
+/// Outputs that vary by at most this fraction of their magnitude select no intervals.
 const CHANGING: f64 = 1e-3;
 
-/// Where the positions are.
+/// Positions of a curve.
 pub(crate) struct Course {
-    /// Ascending: parts of a mesh cycle, or s.
+    /// Ascending positions: fractions of a mesh cycle, or time, s.
     at: Vec<f64>,
-    /// Of a closed course: a cycle.
+    /// Period of a closed curve: one cycle.
     period: f64,
-    /// Whether a position and the next one are at one place.
+    /// True if a position and the next one lie on both sides of a point.
     beside: Vec<bool>,
-    /// Whether nothing is continued from a position to the next: the output jumps there.
+    /// True if there is no extrapolation from a position to the next, because the output jumps.
     breaks: Vec<bool>,
-    /// Whether a position has a name.
+    /// True if a position has a name.
     named: Vec<bool>,
 }
 
@@ -60,14 +63,15 @@ pub(crate) struct Course {
 struct Look {
     /// Root mean square of the rise above a level.
     rise: f64,
-    /// By how much the better continuation misses the position at its other end.
+    /// Miss distance of the better extrapolation at the opposite end.
     missed: f64,
     /// Expected location of a kink, as a part of the interval.
     kink: Option<f64>,
 }
 
 impl Course {
-    /// The course of an output, if one is given; `None` of rows that do not go anywhere.
+    /// Creates the curve, with the jumps of an output if given; `None` if the positions of the rows
+    /// do not advance.
     pub(crate) fn of(rows: &[StepRow], output: Option<usize>) -> Option<Course> {
         let positions = || rows.iter().map(|row| &row.position);
         let cyclic = positions().any(|position| position.cycle != 0.0);
@@ -94,13 +98,14 @@ impl Course {
         Some(course)
     }
 
-    /// Of a position counted on round the cycle.
+    /// Returns the position of an index that continues around the cycle.
     fn place(&self, index: isize) -> f64 {
         let count = self.at.len() as isize;
         self.at[index.rem_euclid(count) as usize] + self.period * index.div_euclid(count) as f64
     }
 
-    /// Positions from one on, away from the interval behind it (`step` is their direction), that make a parabola over an interval so long.
+    /// Returns positions from one on, away from the interval behind it (`step` is their direction),
+    /// that define a parabola over an interval of this length.
     fn stencil(&self, from: isize, step: isize, length: f64, closed: bool) -> Vec<isize> {
         let count = self.at.len() as isize;
         let apart = APART * length;
@@ -122,7 +127,7 @@ impl Course {
         stencil
     }
 
-    /// The length of an interval, on average.
+    /// Returns the average length of an interval.
     pub(crate) fn average(&self) -> f64 {
         self.span(false) / (self.at.len() - 1) as f64
     }
@@ -131,19 +136,21 @@ impl Course {
         if closed { self.period } else { self.at[self.at.len() - 1] - self.at[0] }
     }
 
-    /// Intervals between neighbours of which something is to be known, by the position they begin with.
+    /// Returns the intervals between neighbours that are evaluated, by their first position.
     fn intervals(&self, closed: bool) -> impl Iterator<Item = isize> + '_ {
         let count = self.at.len() as isize;
         (0..if closed { count } else { count - 1 }).filter(|&interval| !self.beside[interval as usize])
     }
 
-    /// What continues a course into an interval from the left and from the right, and which of them by itself.
+    /// Returns the stencils of the extrapolation into an interval from the left and from the right,
+    /// and which of them are sufficient on their own.
     fn stencils(&self, interval: isize, closed: bool) -> ([Vec<isize>; 2], [bool; 2]) {
         let length = self.place(interval + 1) - self.place(interval);
         let mut stencils =
             [self.stencil(interval, -1, length, closed), self.stencil(interval + 1, 1, length, closed)];
         let alone = [0, 1].map(|side: usize| stencils[side].len() > 1);
-        // A single position beside a jump or an end continues nothing: it is met from the other side.
+        // A single position next to a jump or an end defines no extrapolation; the other side
+        // provides it.
         let nearest = [0, 1].map(|side: usize| stencils[side].iter().take(2).copied().collect::<Vec<_>>());
         for side in 0..2 {
             if !alone[side] {
@@ -175,7 +182,8 @@ impl Course {
         Look { rise: continued.largest(level).rise, missed, kink: continued.kink() }
     }
 
-    /// How far above the largest value at the positions it may be between them.
+    /// Returns the excess of the estimated maximum between positions over the largest value at the
+    /// positions.
     fn above(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
@@ -184,7 +192,7 @@ impl Course {
         self.intervals(closed).map(largest).fold(most, f64::max)
     }
 
-    /// The area below the chords from position to position.
+    /// Returns the area below the chords between positions.
     fn chords(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
@@ -192,7 +200,7 @@ impl Course {
         all.map(|i| 0.5 * (of(i) + of(i + 1)) * (self.place(i + 1) - self.place(i))).sum()
     }
 
-    /// The area between chords and continuations.
+    /// Returns the area between chords and extrapolations.
     fn area(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
@@ -203,7 +211,7 @@ impl Course {
         self.intervals(closed).map(above_chord).sum()
     }
 
-    /// The area that continuations may miss: in some intervals it is above them and in others below.
+    /// Returns the area that extrapolations may miss; its sign varies between intervals.
     fn missed_area(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
@@ -218,8 +226,8 @@ impl Course {
         self.intervals(closed).map(|interval| missed(interval).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// How far what lies between positions is from what they say themselves. `known` is the course of the positions and of others between
-    /// them, with its values.
+    /// Estimates the errors of the statistics due to the variation between positions. `known` is
+    /// the curve of the positions and of others between them, with its values.
     pub(crate) fn errors(&self, ends: &[Ends], known: (&Course, &[Ends]), closed: bool) -> Statistics {
         let beyond = |of: &dyn Fn(&Ends) -> f64| {
             let most = ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
@@ -243,7 +251,7 @@ fn missed(continued: &Continuations, alone: [bool; 2]) -> f64 {
     if missed.is_finite() { missed } else { 0.0 }
 }
 
-/// An output as far as it is known.
+/// Output with its known values.
 pub(crate) struct Known<'a> {
     pub course: &'a Course,
     pub ends: Vec<Ends>,
@@ -336,7 +344,7 @@ pub(crate) fn divided(rows: &[StepRow], Promising { interval, kink }: Promising)
         (None, [false, true]) => 1.0 - BESIDE_NAMES,
         _ => 0.5,
     };
-    // By what the next one is later: a row, or the first one of the next cycle.
+    // Increment to the next row, or to the first one of the next cycle.
     let later = |of: fn(&Position) -> f64| match rows.get(interval + 1) {
         Some(next) => of(&next.position) - of(one),
         None => (of(last) - of(first)) / (last.cycle - first.cycle) * (first.cycle + 1.0 - last.cycle),

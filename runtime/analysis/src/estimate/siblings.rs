@@ -1,4 +1,4 @@
-//! The same positions with one knob turned.
+//! Perturbed solves of quasi-static analyses: the same positions with one setting changed.
 
 use super::sampling::{Course, Known, divided, most_promising};
 use super::{Ends, Estimates, Evidence, Found, Part, Statistics, ends, is_stress, rounding, within};
@@ -17,43 +17,51 @@ use calyx_solve::system::System;
 use rayon::prelude::*;
 use std::f64::consts::SQRT_2;
 
-/// Elements of a sibling's mesh in the plane along every direction to those of the run.
+/// Ratio of the elements along every direction in the plane mesh of a perturbed solve to those of
+/// the analysis.
 const COARSER: f64 = 0.45;
-/// Meshes in the plane up to this refinement are judged by one with so many times the elements along every direction, and of this order at least.
+/// Plane meshes up to this refinement are compared with one with this ratio of elements along every
+/// direction, and at least of this order.
 const COARSE: f64 = 0.5;
 const FINER: f64 = 2.0;
 const FINER_ORDER: usize = 3;
-/// What the difference from a finer mesh is multiplied by: of so much finer a mesh little is left.
+/// Factor on the difference from a finer mesh, whose own error is small.
 const OF_FINER_MESH: f64 = 1.1;
-/// Order of displacements along the face of a sibling whose model leaves it open: one less than templates have.
+/// Order of displacements along the face in a perturbed solve whose model does not prescribe it:
+/// one less than that of the templates.
 const AXIAL_ORDER: usize = 2;
-/// What the difference from the coarser mesh is multiplied by, of deflections and forces and of stresses: in the plane, where
-/// elements of order three would have less by theory (corners, and elements that come in whole numbers, make it so much).
+/// Factor on the difference from the coarser mesh, for deflections and forces, and for stresses, in
+/// plane models. The theoretical value for elements of order three is smaller; corners and integer
+/// numbers of elements increase it.
 const OF_MESH: [f64; 2] = [0.5, 0.2];
-/// The same in space by the elements' order, from 2 on, where the sibling's is one less: linear elements are worth so little that a tenth of the
-/// difference from them is the error of quadratic ones, while stresses of quadratic and of cubic elements come near each other by chance.
+/// Factors in three dimensions by the order of the elements, from 2 on, with one order less in the
+/// perturbed solve. Linear elements are so inaccurate that a tenth of the difference from them is
+/// the error of quadratic ones, while stresses of quadratic and cubic elements are close by
+/// coincidence.
 const OF_ORDER: [[f64; 2]; 2] = [[0.15, 0.08], [0.4, 1.9]];
-/// The same of contact grids with half as many cells.
+/// Factor for contact grids with half as many cells.
 pub(super) const OF_GRID: f64 = 0.4;
-/// Positions that are solved again, at least; where there are many, a part of them.
+/// Minimum number of positions that are solved again; of many positions, a fraction.
 pub(super) const SAMPLES: usize = 8;
 pub(super) const PART_OF_POSITIONS: usize = 4;
-/// Of them spread over all positions, for means.
+/// Number of these spread over all positions, for means.
 pub(super) const SPREAD: usize = 4;
-/// Values within this part of peak to peak from an extreme might be it.
+/// Values within this fraction of peak-to-peak from an extreme may be the extreme.
 const NEAR: f64 = 0.05;
-/// An extreme is not better known than this part of what is usual for all samples: that errors of either sign cancel where it is, is chance.
+/// Lower bound of the error of an extreme relative to the usual error of all samples, because
+/// cancellation at the extreme is a coincidence.
 const USUAL: f64 = 0.5;
-/// Errors at both extremes, or all over the positions, cancel to no less than this part of them in peak to peak and in the mean, as far as is known.
+/// Lower bound of the errors of peak-to-peak and mean relative to the errors at both extremes or
+/// over all positions, because the degree of cancellation is unknown.
 const OF_SUMS: f64 = 0.2;
-/// For so many positions one between two is solved besides. Few positions are solved again all of them, twice on grids of half the cells, each of which
-/// takes a quarter of the time or less: so estimates take no more than about the run itself. Structures are not counted: they may be kept from an
-/// earlier run.
+/// Number of positions per additional position between two. Few positions are all solved again,
+/// twice on grids of half the cells, each at a quarter of the time or less. So the estimates take
+/// at most about the time of the analysis, without structures, which may be cached.
 pub(super) const BETWEEN: usize = 2;
-/// In so many rounds, each of which knows what the ones before have found.
+/// Number of rounds of division; each uses the results of the previous ones.
 const ROUNDS: usize = 4;
 
-/// A quasi-static analysis that is done.
+/// Finished quasi-static analysis.
 pub(crate) struct Judged<'a, 's> {
     pub scene: &'a Scene,
     pub system: &'a System<'s>,
@@ -66,10 +74,10 @@ pub(crate) struct Judged<'a, 's> {
     pub rows: &'a [StepRow],
 }
 
-/// What siblings tell of an analysis.
+/// Runs the perturbed solves of an analysis.
 ///
 /// # Errors
-/// The interrupt's. A sibling that fails otherwise leaves its part unestimated.
+/// Those of the interrupt. A perturbed solve that fails otherwise leaves its part unestimated.
 pub(crate) fn quasi_static_siblings(
     judged: &Judged<'_, '_>,
     estimates: Estimates,
@@ -86,7 +94,7 @@ pub(crate) fn quasi_static_siblings(
         .collect();
     let scene = judged.scene;
 
-    // Both meshes are compared on the coarse grid, which costs least.
+    // Both meshes are compared on the coarse grid, which is the cheapest.
     let coarse = coarser_grids(scene, judged.plan.in_space);
     let on_coarse = match &coarse {
         Some(coarse) => judged.solve(&judged.system.on(coarse), judged.plan, &judged.at(&samples)),
@@ -107,7 +115,7 @@ pub(crate) fn quasi_static_siblings(
 
     let of_mesh = |output: usize| other.factor(is_stress(&judged.outputs[output], &scene.observables));
     let mut found = Vec::new();
-    // Levels without a mesh have none to be wrong, and rigid bodies no pressure.
+    // Levels without a mesh have no mesh error, and rigid bodies have no pressure.
     if let Some(meshed) = meshed {
         found.push(judged.found(Part::Discretization, &samples, meshed, base, of_mesh));
     }
@@ -122,9 +130,9 @@ pub(crate) fn quasi_static_siblings(
     Ok(Evidence { found, rows: judged.with_some_between()?, rounding })
 }
 
-/// The refinement of a level above that is compared with a mesh of this refinement. In three
-/// dimensions twice as many elements along every direction are eight times as many in all, so a
-/// refinement of a plane mesh is not applied there.
+/// Returns the refinement of the next fidelity level for the comparison with a mesh of this
+/// refinement. In three dimensions twice as many elements along every direction are eight times as
+/// many in total, so the refinement of a plane mesh is not applied there.
 pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) -> f64 {
     match (own, above) {
         (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => refinement,
@@ -132,20 +140,20 @@ pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) 
     }
 }
 
-/// Why there is no sibling.
+/// Reason why there is no perturbed solve.
 enum Failed {
-    /// The run is to end.
+    /// The analysis is interrupted.
     Ended(EngineError),
     Because(String),
 }
 
-/// By output, and by sample.
+/// Values by output and by sample.
 type Values = Vec<Vec<Ends>>;
 
-/// Positions that were solved besides.
+/// Positions that were solved in addition.
 struct Besides {
     rows: Vec<StepRow>,
-    /// By output: magnitude up to which it may be nothing but rounding.
+    /// Magnitude up to which an output may consist of rounding, by output.
     rounding: Vec<f64>,
 }
 
@@ -164,7 +172,7 @@ fn part_of<T>(values: Result<T, Failed>) -> Result<Result<T, String>, EngineErro
 }
 
 impl Judged<'_, '_> {
-    /// Whether an error is the sibling's own, or of whoever ends the run.
+    /// Distinguishes an error of the perturbed solve from an interrupt.
     fn failed(&self, error: EngineError) -> Failed {
         match self.resources.interrupt.check() {
             Err(ended) => Failed::Ended(ended),
@@ -172,7 +180,7 @@ impl Judged<'_, '_> {
         }
     }
 
-    /// The samples, on structures of another kind or fineness.
+    /// Solves the samples with another model or mesh.
     fn sibling(
         &self,
         scene: &Scene,
@@ -193,10 +201,12 @@ impl Judged<'_, '_> {
         Ok(self.solve(&system, &plan, &self.at(samples))?.values(self.outputs.len()))
     }
 
-    /// The samples at the next level that the scene can be had at, or why there is none.
+    /// Solves the samples at the next level that supports the scene, or returns the reason why
+    /// there is none.
     fn level_above(&self, samples: &[usize]) -> Result<Result<Values, String>, EngineError> {
         let own = self.plan.fidelity;
-        // What closed forms leave out in space, elements in space have.
+        // The model error of three-dimensional closed-form models shows in three-dimensional finite
+        // elements.
         let in_space = own == Fidelity::Analytic && self.plan.in_space;
         let mut refused = None;
         for fidelity in own.all_above().filter(|above| !in_space || matches!(above, Fidelity::Solid(_))) {
@@ -224,7 +234,7 @@ impl Judged<'_, '_> {
         };
         let all = || positions.par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
         let solved = self.resources.install(all).map_err(|error| self.failed(error))?;
-        // An observable that was interrupted has no value.
+        // An interrupted observable has no value.
         self.resources.interrupt.check().map_err(Failed::Ended)?;
         let mut besides = Besides { rows: Vec::new(), rounding: vec![0.0; self.outputs.len()] };
         for (row, rounding) in solved {
@@ -234,7 +244,8 @@ impl Judged<'_, '_> {
         Ok(besides)
     }
 
-    /// All rows, and some between them where extremes may be: intervals are divided, and again what this leaves of them.
+    /// Returns all rows, and some between them where extremes may lie: intervals are divided
+    /// repeatedly.
     fn with_some_between(&self) -> Result<Vec<StepRow>, EngineError> {
         let Some(average) = Course::of(self.rows, None).map(|course| course.average()) else {
             return Ok(self.rows.to_vec());
@@ -266,7 +277,8 @@ impl Judged<'_, '_> {
         Ok(all)
     }
 
-    /// Of the samples those that stand for what is around them: beside a jump one stands for itself.
+    /// Returns the samples that represent their neighbourhood; a sample next to a jump represents
+    /// only itself.
     fn between(&self, samples: &[usize]) -> Vec<usize> {
         let all = 0..samples.len();
         let unnamed: Vec<usize> =
@@ -274,7 +286,7 @@ impl Judged<'_, '_> {
         if unnamed.is_empty() { all.collect() } else { unnamed }
     }
 
-    /// The error in a part, from samples with and without its knob turned.
+    /// Computes a part of the error from samples with and without its setting changed.
     fn found(
         &self,
         part: Part,
@@ -292,16 +304,17 @@ impl Judged<'_, '_> {
     }
 }
 
-/// A mesh to compare with.
+/// Mesh for a comparison.
 pub(super) struct OtherMesh {
     pub(super) structure: StructureOptions,
-    /// Of deflections and forces, and of stresses: what the difference is multiplied by.
+    /// Factors on the difference: deflections and forces, and stresses.
     factors: [f64; 2],
 }
 
 impl OtherMesh {
-    /// One that is worth less: in the plane of fewer elements, in space of elements of a lower order, for meshes there have as few elements as
-    /// they can. A plane mesh that is coarse itself would leave too few elements to tell anything; a finer one costs little.
+    /// Creates a less accurate mesh: in plane models with fewer elements, in three dimensions with
+    /// elements of a lower order, because meshes there have few elements already. A coarse plane
+    /// mesh would have too few elements; it is compared with a finer one, which is cheap.
     pub(super) fn than(fidelity: Fidelity, structure: StructureOptions) -> OtherMesh {
         match fidelity {
             Fidelity::Solid(_) if structure.order > 1 => {
@@ -325,13 +338,14 @@ impl OtherMesh {
         }
     }
 
-    /// What the difference of an output is multiplied by, which is a stress or not.
+    /// Returns the factor on the difference of an output, depending on whether it is a stress.
     pub(super) fn factor(&self, is_stress: bool) -> f64 {
         self.factors[usize::from(is_stress)]
     }
 }
 
-/// The scene with half as many cells across and along every patch; `None` where there is nothing to halve.
+/// Returns the scene with half as many cells across and along every patch; `None` if no number can
+/// be halved.
 pub(super) fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
     let half = |count: usize| if count > 1 { Some(count.div_ceil(2)) } else { None };
     let mut coarse = scene.clone();
@@ -348,7 +362,8 @@ pub(super) fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
     Some(coarse)
 }
 
-/// The rows that siblings solve again: some spread over all of them, and the extremes of the outputs.
+/// Returns the rows that perturbed solves repeat: some spread over all rows, and the extremes of
+/// the outputs.
 fn samples(rows: &[StepRow], outputs: usize) -> Vec<usize> {
     let most = SAMPLES.max(rows.len().div_ceil(PART_OF_POSITIONS)).min(rows.len());
     let mut chosen: Vec<usize> = (0..SPREAD).map(|k| (2 * k + 1) * rows.len() / (2 * SPREAD)).collect();
@@ -374,7 +389,7 @@ fn samples(rows: &[StepRow], outputs: usize) -> Vec<usize> {
     samples
 }
 
-/// By how much statistics over `rows` differ between two ways to solve samples of them.
+/// Returns the differences of the statistics over `rows` between two solutions of samples.
 fn differences(
     rows: &[Ends],
     samples: &[usize],
@@ -382,14 +397,15 @@ fn differences(
     one: &[Ends],
     other: &[Ends],
 ) -> Statistics {
-    // `max` passes over what is no number.
+    // `max` ignores NaN.
     let values = rows.iter().chain(one).chain(other);
     if !values.into_iter().all(|end| (end.value + end.low + end.high).is_finite()) {
         return Statistics::NONE;
     }
     let most = rows.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
     let least = rows.iter().map(|end| end.low).fold(f64::INFINITY, f64::min);
-    // Samples that might be the extreme; of one that is not sampled, those whose values come nearest.
+    // Samples that may be the extreme; if the extreme is not sampled, those with the nearest
+    // values.
     let near = |off: &dyn Fn(&Ends) -> f64| {
         let offs: Vec<f64> = samples.iter().map(|&row| off(&rows[row])).collect();
         let nearest = offs.iter().copied().fold(f64::INFINITY, f64::min);
@@ -405,18 +421,18 @@ fn differences(
     };
     let all = || 0..samples.len();
     let middle = all().map(high).sum::<f64>() / samples.len() as f64;
-    // Of the difference of two samples.
+    // Usual error of the difference of two samples.
     let usual_apart = USUAL * SQRT_2 * rms(&mut all().map(|sample| high(sample) - middle));
     let apart = at_most.iter().flat_map(|&most| at_least.iter().map(move |&least| (most, least)));
     let min = rms(&mut at_least.iter().map(|&sample| low(sample))).max(USUAL * rms(&mut all().map(low)));
     let max = rms(&mut at_most.iter().map(|&sample| high(sample))).max(USUAL * rms(&mut all().map(high)));
     let peak_to_peak = rms(&mut apart.map(|(most, least)| high(most) - low(least))).max(usual_apart);
-    // A single position has no peak to peak.
+    // A single position has no peak-to-peak value.
     let of_both = if rows.len() > 1 { OF_SUMS * min.max(max) } else { 0.0 };
     let value = |sample: usize| one[sample].value - other[sample].value;
     let mut mean = 0.0;
     for row in 0..rows.len() {
-        // Each row is like the sample nearest to it.
+        // Each row has the error of the nearest sample.
         let nearest =
             between.iter().copied().min_by_key(|&sample| samples[sample].abs_diff(row)).unwrap_or(0);
         mean += value(nearest) / rows.len() as f64;

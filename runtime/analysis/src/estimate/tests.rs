@@ -1,4 +1,4 @@
-//! What lies between positions, against functions whose extremes and means are known; sums of parts.
+//! Tests of sampling errors against functions with known extremes and means, and of sums of parts.
 
 use super::*;
 use calyx_model::observed::Observed;
@@ -6,7 +6,7 @@ use calyx_model::position::Position;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-/// Rows of one output at parts of a cycle, some of them named.
+/// Rows of one output at fractions of a cycle, some of them named.
 fn rows(at: &[(f64, &'static str)], value: impl Fn(f64) -> f64) -> Vec<StepRow> {
     let row = |&(cycle, name): &(f64, &'static str)| StepRow {
         position: Position { time: 1.0 + 2.0 * cycle, cycle, roll: 0.3 + cycle, name: Cow::Borrowed(name) },
@@ -20,7 +20,8 @@ fn uniform(count: usize) -> Vec<(f64, &'static str)> {
     (0..count).map(|k| (k as f64 / count as f64, "")).collect()
 }
 
-/// The estimate over a closed cycle, and the true errors of the largest value and of the mean.
+/// Returns the estimate over a closed cycle, and the true errors of the largest value and of the
+/// mean.
 fn estimated_and_true(
     at: &[(f64, &'static str)],
     largest: f64,
@@ -50,7 +51,7 @@ fn a_smooth_extreme_between_positions_is_seen() {
         let fine = (0..100_000).map(|k| wave(k as f64 / 1e5));
         let largest = fine.fold(f64::NEG_INFINITY, f64::max);
         let (errors, [of_max, _]) = estimated_and_true(&uniform(count), largest, 3.0, wave);
-        // The parabola is not quite the curve.
+        // The parabola differs slightly from the curve.
         let room = 4.0 / (count * count) as f64;
         assert!(errors.max < 2.5 * of_max + room, "{count}: {} for {of_max}", errors.max);
         assert!(errors.max > 0.4 * of_max - room, "{count}: {} for {of_max}", errors.max);
@@ -69,7 +70,8 @@ fn an_extreme_where_slopes_jump_is_seen() {
     }
 }
 
-/// What positions say of a course, and what they do with so many more, each in the most promising interval: of the truth beyond the former.
+/// Estimate from the positions, and with `more` positions in the most promising intervals, relative
+/// to the true excess over the positions.
 fn measured(at: &[(f64, &'static str)], more: usize, course: impl Fn(f64) -> f64 + Copy) -> [f64; 2] {
     let found = rows(at, course);
     let largest = (0..100_000).map(|k| course(k as f64 / 1e5)).fold(f64::NEG_INFINITY, f64::max);
@@ -90,8 +92,8 @@ fn measured(at: &[(f64, &'static str)], more: usize, course: impl Fn(f64) -> f64
         .map(|errors| errors.max / (largest - most))
 }
 
-/// Load is taken up inside an interval and goes over into something flat before the next position: continuations see little of it, positions inside the
-/// interval do.
+/// Load is taken up inside an interval and levels off before the next position: extrapolation shows
+/// little of it, positions inside the interval do.
 #[test]
 fn what_begins_and_ends_between_positions_is_measured() {
     let taken_up = |x: f64| ((x - 0.31) / 0.01).max(0.0);
@@ -151,7 +153,8 @@ fn a_minimum_where_the_most_stressed_tooth_changes_is_measured() {
     }
 }
 
-/// Close behind a position with a name a pair takes up load, and what others bear falls as quickly: the middle of the interval is far too late for it.
+/// A tooth pair takes up load just after a named position, and others lose it as quickly: the
+/// middle of the interval is far too late.
 #[test]
 fn what_happens_close_to_a_name_is_measured() {
     for width in [0.01, 0.02, 0.03] {
@@ -168,7 +171,7 @@ fn what_happens_close_to_a_name_is_measured() {
     }
 }
 
-/// Behind the last position a closed course goes on with the next cycle's first.
+/// A closed curve continues after the last position with the first of the next cycle.
 #[test]
 fn a_cycle_is_halved_round_its_end() {
     let found = rows(&uniform(4), |_| 1.0);
@@ -177,7 +180,8 @@ fn a_cycle_is_halved_round_its_end() {
     assert!((middle.roll - 1.175).abs() < 1e-15);
 }
 
-/// Elastic teeth do not jump where those of rigid ones would: a maximum close behind such a pair of positions is seen from both sides.
+/// Elastic teeth do not jump where rigid ones would: a maximum just after such a pair of positions
+/// shows from both sides.
 #[test]
 fn what_follows_two_positions_at_one_place_is_seen() {
     for part in [0.02, 0.1, 0.2] {
@@ -193,13 +197,14 @@ fn what_follows_two_positions_at_one_place_is_seen() {
 
 #[test]
 fn jumps_that_positions_enclose_are_no_error() {
-    // It falls from 2 to 1 at 0.3 and back at 0.7: positions stand on both sides of either.
+    // The output falls from 2 to 1 at 0.3 and back at 0.7, with positions on both sides of each
+    // jump.
     let mut at = uniform(10);
     at.retain(|(cycle, _)| ![0.3, 0.7].contains(cycle));
     at.extend([(0.3 - 1e-6, "A"), (0.3 + 1e-6, "B"), (0.7 - 1e-6, "C"), (0.7 + 1e-6, "D")]);
     at.sort_by(|a, b| a.0.total_cmp(&b.0));
     let step = |x: f64| if (0.3..0.7).contains(&x) { 1.0 } else { 2.0 } + 0.1 * x;
-    // Not closed: at the end of the cycle it has risen by 0.1.
+    // Open curve: it has risen by 0.1 at the end of the cycle.
     let rows = rows(&at, step);
     let course = Course::of(&rows, Some(0)).expect("it goes somewhere");
     let values = ends(&rows, 0);
@@ -211,7 +216,7 @@ fn jumps_that_positions_enclose_are_no_error() {
 fn the_mean_of_a_kinked_course_is_seen() {
     for part in [0.0, 0.15, 0.5, 0.85] {
         let kink = (3.0 + part) / 16.0;
-        // A rectified wave, whose mean is 2 / pi.
+        // A rectified sine wave with mean 2 / pi.
         let wave = |x: f64| (0.5 * TAU * (x - kink)).sin().abs();
         let (errors, [_, of_mean]) = estimated_and_true(&uniform(16), 1.0, 2.0 / std::f64::consts::PI, wave);
         let effectivity = errors.mean / of_mean;
@@ -242,7 +247,7 @@ fn parts_add_up_but_for_the_mesh_which_the_level_above_sees_too() {
     assert_eq!(estimate.total, all(3.75));
 }
 
-/// A value is rounding if its error is: one that should be nothing and may be something keeps its error.
+/// A value counts as rounding only if its error does too.
 #[test]
 fn rounding_has_no_part_that_is_wrong_and_hides_no_error() {
     let of = |value: f64, error: f64| {

@@ -1,33 +1,35 @@
-//! What bearings bear, and how far they give.
+//! Observables of bearings: forces, moments, deflections and tilts.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
 use calyx_model::bearing::Placed;
 use calyx_model::ids::{BearingId, BodyId};
 use calyx_model::observed::Observed;
 
-/// A bearing in equilibrium.
+/// Bearing in equilibrium.
 pub struct Borne {
-    /// How far the first race has moved against the second: m along, and rad about, the bearing's axes.
+    /// Deflection: motion of the first race relative to the second, m along and rad about the
+    /// bearing's axes.
     pub deflection: [f64; 6],
-    /// What holds the first race, and pushes the second one the other way: force (N) and moment about the bearing's origin (N m),
-    /// along the bearing's axes.
+    /// Force (N) and moment about the bearing's origin (N m) on the first race, along the bearing's
+    /// axes. The opposite acts on the second race.
     pub push: [f64; 6],
     placed: Placed,
 }
 
-/// Along which line a force, a moment or a motion of a bearing is told.
+/// Direction of a reported force, moment or motion of a bearing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Direction {
-    /// An axis of the ground, 0 to 2.
+    /// Ground axis, 0 to 2.
     Ground(usize),
-    /// The bearing's axis.
+    /// Axis of the bearing.
     Axial,
-    /// All that is square to the bearing's axis, by its size.
+    /// Magnitude of the components normal to the bearing's axis.
     Radial,
 }
 
 impl Borne {
-    /// What it does to one of the bodies it connects: force (N) and moment about the body's axle (N m), along ground axes.
+    /// Returns the force (N) and the moment about the body's axis of rotation (N m) of the bearing
+    /// on a connected body, along ground axes.
     pub fn wrench_on(&self, body: BodyId) -> [f64; 6] {
         self.placed.wrench_on(body, self.push)
     }
@@ -42,7 +44,8 @@ impl Borne {
 }
 
 impl Equilibrium<'_> {
-    /// What a bearing of the scene bears; `None` if the scene has no such bearing, or its races have parted.
+    /// Evaluates a bearing of the scene; `None` if the scene has no such bearing, or its races have
+    /// separated.
     pub fn bearing(self, bearing: BearingId) -> Option<Borne> {
         let system = self.system;
         let own = system.scene.bearings.get(bearing.0)?;
@@ -67,7 +70,8 @@ impl Equilibrium<'_> {
         Some(Borne { deflection, push, placed })
     }
 
-    /// What all bearings of a body do to its frame, as [`Borne::wrench_on`].
+    /// Returns the sum of the forces and moments of all bearings on a body, as in
+    /// [`Borne::wrench_on`].
     pub fn bearings_on(self, body: BodyId) -> [f64; 6] {
         let mut total = [0.0; 6];
         for (index, bearing) in self.system.scene.bearings.iter().enumerate() {
@@ -84,7 +88,7 @@ impl Equilibrium<'_> {
     }
 }
 
-/// Which three of six numbers along and about a bearing's axes.
+/// Returns the three rotational (`about`) or translational of six components.
 fn half(numbers: [f64; 6], about: bool) -> [f64; 3] {
     let from = if about { 3 } else { 0 };
     std::array::from_fn(|k| numbers[from + k])
@@ -94,7 +98,7 @@ fn observed(at: &Equilibrium<'_>, bearing: BearingId, of: impl Fn(&Borne) -> f64
     Observed::number(at.bearing(bearing).map_or(f64::NAN, |borne| of(&borne)))
 }
 
-/// The force with which a bearing holds the body of its first race. N.
+/// Force of a bearing on the body of its first race, N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BearingForce(pub BearingId, pub Direction);
 
@@ -112,7 +116,7 @@ impl Observable for BearingForce {
     }
 }
 
-/// The moment with which a bearing holds the body of its first race, about the bearing's origin. N m.
+/// Moment of a bearing on the body of its first race, about the bearing's origin, N m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BearingMoment(pub BearingId, pub Direction);
 
@@ -130,7 +134,7 @@ impl Observable for BearingMoment {
     }
 }
 
-/// How far the first race has moved against the second. m.
+/// Displacement of the first race relative to the second, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BearingDeflection(pub BearingId, pub Direction);
 
@@ -152,7 +156,7 @@ impl Observable for BearingDeflection {
     }
 }
 
-/// How far the first race has turned against the second. rad.
+/// Rotation of the first race relative to the second, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BearingTilt(pub BearingId, pub Direction);
 

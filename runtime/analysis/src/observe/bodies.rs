@@ -1,4 +1,4 @@
-//! What bodies feel: the forces of contact on them, what holds them, and how far they give.
+//! Observables of bodies: contact forces, support reactions, displacements and loaded radii.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
 use calyx_model::ids::BodyId;
@@ -30,13 +30,13 @@ impl Equilibrium<'_> {
         let load = [fx, fy, fz, mx, my, mz];
         let (bearings, lugs) = (self.bearings_on(body), self.lugs_on(body));
         let beside = self.step.beside.get(body.0).copied().unwrap_or_default();
-        // Not -(a + b): nothing that holds against nothing is 0, not -0.
+        // Subtract from 0.0, not -(a + b): the result of no forces is 0, not -0.
         let all = |k: usize| 0.0 - contact[k] - load[k] - bearings[k] - lugs[k] - beside[k];
         std::array::from_fn(all)
     }
 }
 
-/// The force with which a body is held besides by bearings, along an axis of the ground (0 to 2). N.
+/// Support reaction force on a body, in addition to bearings, along a ground axis (0 to 2), N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportForce(pub BodyId, pub usize);
 
@@ -54,7 +54,8 @@ impl Observable for SupportForce {
     }
 }
 
-/// The moment with which a body is held besides by bearings, about its axle and along an axis of the ground (0 to 2). N m.
+/// Support reaction moment on a body, in addition to bearings, about its axis of rotation and along
+/// a ground axis (0 to 2), N m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportMoment(pub BodyId, pub usize);
 
@@ -72,7 +73,7 @@ impl Observable for SupportMoment {
     }
 }
 
-/// How far a body's frame is from where its motion puts it, along an axis of the ground (0 to 2). m.
+/// Displacement of a body's frame from its prescribed position, along a ground axis (0 to 2), m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Displacement(pub BodyId, pub usize);
 
@@ -94,7 +95,7 @@ impl Observable for Displacement {
     }
 }
 
-/// How far a body's frame is turned from where its motion puts it, about an axis of the ground (0 to 2). rad.
+/// Rotation of a body's frame from its prescribed orientation, about a ground axis (0 to 2), rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation(pub BodyId, pub usize);
 
@@ -116,7 +117,7 @@ impl Observable for Rotation {
     }
 }
 
-/// The normal forces on one tooth of a body, added up. N.
+/// Sum of the normal forces on one tooth of a body, N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToothLoad(pub BodyId, pub u32);
 
@@ -135,7 +136,7 @@ impl Observable for ToothLoad {
     }
 }
 
-/// The smallest radius at which a body carries load; 0 without load. m.
+/// Smallest radius of loaded contact on a body, m; 0 without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowestContact(pub BodyId);
 
@@ -157,7 +158,7 @@ impl Observable for LowestContact {
     }
 }
 
-/// The largest radius at which a body carries load; 0 without load. m.
+/// Largest radius of loaded contact on a body, m; 0 without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HighestContact(pub BodyId);
 
@@ -179,7 +180,7 @@ impl Observable for HighestContact {
     }
 }
 
-/// The loaded place of a body whose radius lies beyond that of all others.
+/// Returns the loaded point of a body with the extreme radius.
 fn loaded_end(at: &Equilibrium<'_>, body: BodyId, beyond: impl Fn(f64, f64) -> bool) -> Observed {
     let places = at.contacts_on(body).flat_map(|(contact, side)| contact.loaded(side));
     let end: Option<Place> =

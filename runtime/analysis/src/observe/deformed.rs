@@ -1,8 +1,10 @@
-//! The meshes of elastic bodies at a solved position: where they stand, how they are deformed and what stresses them.
+//! Deformed meshes of elastic bodies at a solved position: position, elastic displacements and
+//! stresses.
 //!
-//! Displacements are elastic only, relative to the body's frame; the frame stands where contact was laid out, as pressures and stresses
-//! of [`super::Fields`] do. A body that vibrates is shown as the forces on it would deform it at rest, and no body by its friction, which contact
-//! takes no notice of either.
+//! Displacements are elastic, relative to the body's frame. The frame has the position at which the
+//! contact grid was created, as for the pressures and stresses of [`super::Fields`]. A vibrating
+//! body is shown with the quasi-static deformation under its forces. Deformation due to friction is
+//! neglected, as in the contact problem.
 
 use super::Equilibrium;
 use calyx_model::fidelity::StructureOptions;
@@ -18,52 +20,52 @@ use calyx_structure::{BodyLoads, DeformedSector, Drawable, MeshedBody};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The mesh of an elastic body, in ground coordinates.
+/// Mesh of an elastic body, in ground coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyField {
-    /// Its name.
+    /// Name of the body.
     pub body: String,
-    /// In the order of the scene, from 0.
+    /// Index of the body in the scene, from 0.
     pub number: usize,
-    /// In the plane all around, in space around the loaded ones.
+    /// Sectors: all of them in a plane model, those around the loaded teeth in three dimensions.
     pub sectors: Vec<SectorField>,
 }
 
-/// The mesh of a tooth and its sector of the rim, in ground coordinates.
+/// Mesh of a tooth and its sector of the rim, in ground coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectorField {
-    /// Counted counter-clockwise from 0.
+    /// Number of the tooth, counter-clockwise from 0.
     pub tooth: u32,
-    /// Without deformation, m; of a plane model with z = 0.
+    /// Undeformed points, m; z = 0 in a plane model.
     pub points: Vec<[f64; 3]>,
-    /// Corners of each cell among the points: of a plane model four, counter-clockwise; in space eight, the first four round a face, then their
-    /// opposites.
+    /// Corners of each cell as indices of points. Plane cells have four, counter-clockwise.
+    /// Three-dimensional cells have eight: the first four around a face, then the opposite four.
     pub cells: Vec<Vec<usize>>,
     /// Elastic displacement of each point relative to the body's frame, m.
     pub displacements: Vec<[f64; 3]>,
-    /// xx, yy, zz, yz, zx, xy at each point, Pa.
+    /// Stresses xx, yy, zz, yz, zx, xy at each point, Pa.
     pub stresses: Vec<[f64; 6]>,
 }
 
-/// The meshes of the bodies of a scene that have one, decomposed.
+/// Factorized meshes of the bodies of a scene that have one.
 pub(crate) struct MeshedBodies {
     bodies: Vec<Option<Arc<MeshedBody>>>,
-    /// Names of the others, with the reason.
+    /// Names of the bodies without a mesh, with the reason.
     pub without: Vec<(String, &'static str)>,
     interrupt: Interrupt,
 }
 
 impl MeshedBodies {
-    /// Of all bodies that the plan models; those that share a structure share a mesh.
+    /// Creates the meshes of all bodies of the plan; bodies that share a structure share a mesh.
     ///
     /// # Errors
-    /// A mesh cannot be made, or the interrupt's.
+    /// A body cannot be meshed, or those of the interrupt.
     pub fn new(scene: &Mechanism, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
         let mut shared: BTreeMap<usize, Drawable> = BTreeMap::new();
         let (mut bodies, mut without) = (Vec::new(), Vec::new());
         for (index, number) in plan.structures(scene).into_iter().enumerate() {
             let body = &scene.bodies[index];
-            // Fillets have no part in it.
+            // Stress recovery in fillets is not needed here.
             let options = StructureOptions { stresses: false, ..plan.bodies[index].options };
             let about = |error: EngineError| error.about(Subject::Body(index));
             let mesh = match number {
@@ -95,10 +97,10 @@ impl MeshedBodies {
 }
 
 impl Equilibrium<'_> {
-    /// The bodies that have meshes, deformed.
+    /// Returns the deformed meshes of the bodies.
     ///
     /// # Errors
-    /// A frame is not a number, memory runs out, or the interrupt's.
+    /// A frame is NaN, memory is exhausted, or those of the interrupt.
     pub(crate) fn deformed(self, meshed: &MeshedBodies) -> Result<Vec<BodyField>, EngineError> {
         let mut fields = Vec::new();
         for (index, mesh) in meshed.bodies.iter().enumerate() {

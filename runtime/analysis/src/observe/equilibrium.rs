@@ -1,4 +1,5 @@
-//! A scene in equilibrium as observables see it: contacts, loads and motions in newtons and metres, in the plane as in space.
+//! Equilibrium of a scene as observables access it: contacts, loads and motions in newtons and
+//! metres, for plane and three-dimensional models.
 
 use calyx_contact::pressure::Peak;
 use calyx_contact::solid::{self, Grid, slice_peaks_in};
@@ -14,7 +15,7 @@ use calyx_structure::solid::SpotLoad;
 use calyx_structure::{Chart, SurfaceLoad};
 use std::ops::Range;
 
-/// A scene at a solved position.
+/// Scene at a solved position.
 #[derive(Clone, Copy)]
 pub struct Equilibrium<'a> {
     pub(crate) system: &'a System<'a>,
@@ -22,12 +23,12 @@ pub struct Equilibrium<'a> {
 }
 
 impl<'a> Equilibrium<'a> {
-    /// A position that this system has solved.
+    /// Creates the view of a position that this system has solved.
     pub fn new(system: &'a System<'a>, step: &'a StepResult) -> Self {
         Equilibrium { system, step }
     }
 
-    /// What is solved.
+    /// Returns the scene.
     pub fn scene(&self) -> &'a Mechanism {
         self.system.scene
     }
@@ -37,40 +38,41 @@ impl<'a> Equilibrium<'a> {
         self.step.time
     }
 
-    /// What makes a pair of surfaces a gear mesh, and its bodies; `None` of any other pair.
+    /// Returns the gear mesh data of a surface pair, and its bodies; `None` for any other pair.
     pub fn mesh(&self, pair: PairId) -> Option<(&'a GearMesh, [BodyId; 2])> {
         let pair = self.system.scene.pairs.get(pair.0)?;
         Some((pair.mesh.as_ref()?, pair.bodies))
     }
 
-    /// The pair of a mesh's driving sides: of a pair of back sides the other one, of any other pair itself.
+    /// Returns the pair of the drive flanks of a mesh: for a pair of coast flanks the other one,
+    /// for any other pair itself.
     pub fn front(&self, pair: PairId) -> PairId {
         self.system.scene.pairs.get(pair.0).and_then(|pair| pair.front).unwrap_or(pair)
     }
 
-    /// The patches of a whole mesh, on both sides of its teeth.
+    /// Returns the contact patches of a whole mesh, on both flanks of its teeth.
     pub fn mesh_contacts(self, pair: PairId) -> impl Iterator<Item = Contact<'a>> {
         let front = self.front(pair);
         self.all_contacts().filter(move |contact| self.front(contact.pair()) == front)
     }
 
-    /// The patches in which surfaces of a pair touch or may.
+    /// Returns the contact patches of a pair, including those without load.
     pub fn contacts(self, pair: PairId) -> impl Iterator<Item = Contact<'a>> {
         self.all_contacts().filter(move |contact| contact.pair() == pair)
     }
 
-    /// The patches of all pairs.
+    /// Returns the contact patches of all pairs.
     pub fn all_contacts(self) -> impl Iterator<Item = Contact<'a>> {
         self.step.patches.iter().map(move |patch| Contact { at: self, patch })
     }
 
-    /// The patches on a body, each with the body's side of it.
+    /// Returns the contact patches on a body, each with the body's side.
     pub fn contacts_on(self, body: BodyId) -> impl Iterator<Item = (Contact<'a>, usize)> {
         let sides = move |contact: &Contact<'a>| contact.bodies().iter().position(|other| *other == body);
         self.all_contacts().filter_map(move |contact| Some((contact, sides(&contact)?)))
     }
 
-    /// The normal force that presses the surfaces of a pair together, over all its patches, N.
+    /// Returns the sum of the normal forces of a pair over all its patches, N.
     pub fn force(self, pair: PairId) -> f64 {
         self.contacts(pair).map(|contact| contact.force()).sum()
     }
@@ -82,31 +84,32 @@ impl<'a> Equilibrium<'a> {
         at.map_or(0.0, |at| self.step.motion[at])
     }
 
-    /// Where a body's axle was when contact was laid out, m: where it is meant to be, but for backlash it has gone
-    /// through and for where the load carries it.
+    /// Returns the position of a body's axis of rotation when the contact grid was created, m: the
+    /// prescribed position, corrected for closed backlash and large motions under load.
     pub fn origin(&self, body: BodyId) -> [f64; 3] {
         self.system.origin_moved(body.0, self.time(), &self.step.start)
     }
 
-    /// Velocity of the point of a body that is at a point in ground coordinates (m), by the body's prescribed motion where contact was laid
-    /// out, m/s.
+    /// Returns the velocity of the material point of a body at a point in ground coordinates (m),
+    /// m/s: by the body's prescribed motion at the position where the contact grid was created.
     pub fn velocity(&self, body: BodyId, point: [f64; 3]) -> [f64; 3] {
         self.system.velocity(body.0, self.time(), &self.step.start, point)
     }
 
-    /// A place on a body of a plane model, by its tooth and the point in the body's coordinates (m).
+    /// Returns the location on a body of a plane model, from its tooth and the point in the body's
+    /// coordinates (m).
     pub(crate) fn place(&self, body: BodyId, tooth: u32, [x, y]: [f64; 2]) -> Place {
         let (body, radius) = (&self.system.scene.bodies[body.0], x.hypot(y));
         let roll_angle = body.prototype.roll_angle(radius);
         Place { body: body.name.clone(), tooth, roll_angle, radius, axial: None }
     }
 
-    /// The same of a body in space, whose face has its middle at z = 0.
+    /// Returns the location on a body of a three-dimensional model, with mid-face at z = 0.
     pub(crate) fn solid_place(&self, body: BodyId, tooth: u32, [x, y, z]: [f64; 3]) -> Place {
         Place { axial: Some(z), ..self.place(body, tooth, [x, y]) }
     }
 
-    /// The cell forces on a body in space, on its own surfaces.
+    /// Returns the cell forces on a body of a three-dimensional model, on its own surfaces.
     pub(crate) fn spot_loads(self, body: BodyId) -> Vec<SpotLoad> {
         let mut loads = Vec::new();
         for (Contact { patch, .. }, side) in self.contacts_on(body) {
@@ -118,7 +121,7 @@ impl<'a> Equilibrium<'a> {
         loads
     }
 
-    /// The cell forces on a body of a plane model, on its own surfaces.
+    /// Returns the cell forces on a body of a plane model, on its own surfaces.
     pub(crate) fn surface_loads(self, body: BodyId) -> Vec<SurfaceLoad> {
         let mut loads = Vec::new();
         for (Contact { patch, .. }, side) in self.contacts_on(body) {
@@ -130,64 +133,65 @@ impl<'a> Equilibrium<'a> {
     }
 }
 
-/// A patch in which two surfaces touch or may.
+/// Contact patch of two surfaces, loaded or not.
 #[derive(Clone, Copy)]
 pub struct Contact<'a> {
     pub(super) at: Equilibrium<'a>,
     pub(super) patch: &'a Patch,
 }
 
-/// A piece of a patch along the line of contact, over its whole width across. A plane model has one, as wide as the face.
+/// Slice: part of a patch along the contact line, over its whole width across. A plane model has
+/// one, as wide as the face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slice {
-    /// Length along the line of contact, m.
+    /// Length along the contact line, m.
     pub length: f64,
-    /// N
+    /// Normal force, N.
     pub force: f64,
     /// The largest across it in the flank zone, Pa; see [`Zone`].
     pub pressure: f64,
     /// The same in the edge zone, Pa; 0 where none of that is loaded.
     pub edge_pressure: f64,
-    /// Where it lies in ground coordinates, m.
+    /// Location in ground coordinates, m.
     pub point: [f64; 3],
-    /// Where it lies on either body.
+    /// Locations on both bodies.
     pub places: [Option<Place>; 2],
 }
 
 impl Slice {
-    /// N/m
+    /// Returns the line load, N/m.
     pub fn line_load(&self) -> f64 {
         self.force / self.length
     }
 }
 
 impl Contact<'_> {
-    /// Its pair of surfaces.
+    /// Returns the surface pair.
     pub fn pair(&self) -> PairId {
         PairId(self.patch.pair)
     }
 
-    /// One of each body.
+    /// Returns the two bodies.
     pub fn bodies(&self) -> [BodyId; 2] {
         self.at.system.scene.pairs[self.patch.pair].bodies
     }
 
-    /// One of each body.
+    /// Returns the tooth of each body.
     pub fn teeth(&self) -> [u32; 2] {
         self.patch.teeth
     }
 
-    /// What its forces are per, m; 1 in space.
+    /// Returns the width to which the forces refer, m; 1 in three dimensions.
     pub(super) fn width(&self) -> f64 {
         self.at.system.width(self.bodies()[0].0)
     }
 
-    /// The force that presses the two surfaces together, N.
+    /// Returns the normal force, N.
     pub fn force(&self) -> f64 {
         self.width() * self.patch.force()
     }
 
-    /// Common normal of the surfaces in ground coordinates, out of the first body.
+    /// Returns the common normal of the surfaces in ground coordinates, out of the first body.
     pub fn normal(&self) -> [f64; 3] {
         match &self.patch.grid {
             PatchGrid::Plane { frame, .. } => [frame.normal[0], frame.normal[1], 0.0],
@@ -202,14 +206,15 @@ impl Contact<'_> {
         self.patch.wrench(side, origin, self.width())
     }
 
-    /// The moment that the patch puts on the body on one of its sides, about the body's own axis, N m.
+    /// Returns the moment of the patch on the body of a side about the body's own axis, N m.
     pub fn torque(&self, side: usize) -> f64 {
         let [.., x, y, z] = self.wrench(side);
         let axis = self.at.system.axes(self.bodies()[side].0, self.at.time())[2];
         x * axis[0] + y * axis[1] + z * axis[2]
     }
 
-    /// The pieces of the patch along the line of contact, those without load among them; none where nothing is pressed.
+    /// Returns the slices of the patch along the contact line, including those without load; none
+    /// if there is no pressure.
     pub fn slices(&self) -> Vec<Slice> {
         match &self.patch.grid {
             PatchGrid::Plane { frame, .. } => {
@@ -238,7 +243,8 @@ impl Contact<'_> {
         }
     }
 
-    /// Length of the line of contact, m: of its pieces, and of what lies beyond them without load. The width of a plane model.
+    /// Returns the length of the contact line, m, including unloaded parts beyond the slices; the
+    /// width in a plane model.
     pub fn line_length(&self) -> f64 {
         let beyond = match &self.patch.grid {
             PatchGrid::Plane { .. } => 0.0,
@@ -253,7 +259,7 @@ impl Contact<'_> {
         let force = |cell: usize| self.patch.forces[cell];
         let largest = cells.clone().max_by(|&a, &b| force(a).total_cmp(&force(b)).then(b.cmp(&a)))?;
         let total: f64 = cells.clone().map(force).sum();
-        // At the ends of a face cells are cut to it; what carries load says how long a slice is.
+        // Side faces cut cells at the ends; the loaded cell determines the length of a slice.
         let length = |cell: usize| grid.cells[cell].size[1];
         let length = match total > 0.0 {
             true => cells.clone().map(|cell| force(cell) * length(cell)).sum::<f64>() / total,
@@ -271,7 +277,8 @@ impl Contact<'_> {
         Some((pressure, self.place(side, cell)))
     }
 
-    /// Points at which the patch slides, and where each is on the first body: where its slices carry load, or where rigid surfaces touch.
+    /// Returns points at which the patch slides, with their locations on the first body: loaded
+    /// slices, or contact points of rigid surfaces.
     pub(super) fn sliding_points(&self) -> Vec<([f64; 3], Option<Place>)> {
         if self.at.system.rigid {
             return vec![(self.touching_point(), self.touching_place(0))];
@@ -280,8 +287,8 @@ impl Contact<'_> {
         loaded.map(|Slice { point, places: [first, _], .. }| (point, first)).collect()
     }
 
-    /// Places of the loaded cells on the body of one of its sides, with the pressure there, Pa. Rigid surfaces have one place, without
-    /// pressure.
+    /// Returns the locations of the loaded cells on the body of a side, with their pressures, Pa.
+    /// Rigid surfaces have one location, without pressure.
     pub fn loaded(&self, side: usize) -> Vec<(Place, f64)> {
         if self.at.system.rigid {
             return self.touching_place(side).map(|place| (place, 0.0)).into_iter().collect();
@@ -291,8 +298,9 @@ impl Contact<'_> {
         loaded.filter_map(|(cell, pressure)| Some((self.place(side, cell)?, pressure))).collect()
     }
 
-    /// Velocity with which the first body's surface slides over the second's at a point of the patch (ground coordinates, m),
-    /// m/s. By the prescribed motions: deflections change with time too, by parts of a thousand of it.
+    /// Returns the sliding velocity of the first body's surface relative to the second's at a point
+    /// of the patch (ground coordinates, m), m/s. It follows from the prescribed motions. The rates
+    /// of deflections are neglected, which are smaller by a factor of about a thousand.
     pub fn sliding(&self, point: [f64; 3]) -> [f64; 3] {
         let [first, second] = self.bodies().map(|body| self.at.velocity(body, point));
         let relative = [0, 1, 2].map(|axis| first[axis] - second[axis]);
@@ -301,12 +309,12 @@ impl Contact<'_> {
         [0, 1, 2].map(|axis| relative[axis] - closing * normal[axis])
     }
 
-    /// Whether load presses its surfaces together, or they touch as it vanishes, being rigid.
+    /// Returns whether the surfaces are pressed together, or touch in the rigid-body limit.
     pub fn touches(&self) -> bool {
         self.at.system.rigid || self.force() > 0.0
     }
 
-    /// Where surfaces that touch without being pressed do so, on the body of one of its sides.
+    /// Returns the location, on the body of a side, at which rigid surfaces touch.
     fn touching_place(&self, side: usize) -> Option<Place> {
         let body = self.bodies()[side];
         let (point, origin) = (self.touching_point(), self.at.origin(body));
@@ -327,7 +335,7 @@ impl Contact<'_> {
         }
     }
 
-    /// Where a cell lies on one of its two surfaces.
+    /// Returns the location of a cell on one of its two surfaces.
     pub(super) fn place(&self, side: usize, cell: usize) -> Option<Place> {
         let (body, surface, tooth) = (self.bodies()[side], self.patch.surfaces[side], self.patch.teeth[side]);
         match (&self.at.system.bodies, &self.patch.grid) {

@@ -1,4 +1,5 @@
-//! What tables and pictures show of a solved position: pressure cell by cell, load along lines of contact, stress along fillets.
+//! Fields of a solved position for tables and VTU files: pressures by cell, line loads along
+//! contact lines, stresses along fillets.
 
 use super::deformed::{BodyField, MeshedBodies};
 use super::stress::{RootStress, around_contact};
@@ -8,42 +9,43 @@ use calyx_model::observed::Place;
 use calyx_numerics::error::EngineError;
 use calyx_solve::step::PatchGrid;
 
-/// The fields of a solved position.
+/// Fields of a solved position.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fields {
-    /// Patches in which surfaces touch or may, in the order of the solution.
+    /// Contact patches, loaded or not, in the order of the solution.
     pub contacts: Vec<ContactField>,
-    /// Fillets of loaded teeth and their neighbours, body by body, where stress is recovered.
+    /// Fillets of loaded teeth and their neighbours, body by body, if stresses are recovered.
     pub fillets: Vec<FilletField>,
     /// Meshes of elastic bodies, where somebody wants them ([`crate::options::AnalysisOptions::bodies`]).
     pub bodies: Vec<BodyField>,
-    /// Bodies that are to be seen and have no mesh, with the reason, in words that follow the name.
+    /// Bodies without a mesh, with the reason, phrased to follow the name.
     pub without_mesh: Vec<(String, &'static str)>,
 }
 
-/// A patch.
+/// Contact patch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactField {
     /// Names of the two bodies.
     pub bodies: [String; 2],
-    /// One of each body.
+    /// Tooth of each body.
     pub teeth: [u32; 2],
-    /// Of the sides of teeth that are behind those which drive.
+    /// True for coast flanks.
     pub back: bool,
-    /// All of them, those without load too.
+    /// All cells, including those without load.
     pub cells: Vec<PressedCell>,
-    /// Pieces along the line of contact.
+    /// Slices along the contact line.
     pub slices: Vec<Slice>,
 }
 
-/// A cell of a patch.
+/// Cell of a contact patch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PressedCell {
-    /// In ground coordinates, in order round the cell, m. A plane model's cell reaches over its whole face.
+    /// Corners in ground coordinates, in order around the cell, m. A plane model's cell extends
+    /// over the whole face.
     pub corners: [[f64; 3]; 4],
-    /// Of its middle on either body.
+    /// Locations of its centre on both bodies.
     pub places: [Place; 2],
-    /// Pa
+    /// Pressure, Pa.
     pub pressure: f64,
 }
 
@@ -52,31 +54,32 @@ pub struct PressedCell {
 pub struct FilletField {
     /// Name of the body.
     pub body: String,
-    /// Counted counter-clockwise from 0.
+    /// Number of the tooth, counter-clockwise from 0.
     pub tooth: u32,
     /// The flank that it lies beside, as [`calyx_structure::Chart::surface`] counts them.
     pub flank: u32,
-    /// Along the profile, section by section along the face; a plane model has one section.
+    /// Stresses along the profile, by section along the face; a plane model has one section.
     pub sections: Vec<Vec<FilletStress>>,
 }
 
-/// A stress on a fillet.
+/// Stress at a point of a fillet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilletStress {
-    /// In ground coordinates, m.
+    /// Point in ground coordinates, m.
     pub point: [f64; 3],
-    /// On the body.
+    /// Location on the body.
     pub place: Place,
     /// Distance along the profile from the end of the flank towards the root, m.
     pub depth: f64,
-    /// Along the profile, along the face, and in shear, Pa; of a plane model only the first is known, and the others are 0.
+    /// Stress along the profile, along the face, and shear stress, Pa. A plane model provides only
+    /// the first; the others are 0.
     pub components: [f64; 3],
     /// Largest and smallest principal stress, Pa.
     pub principal: [f64; 2],
 }
 
 impl Equilibrium<'_> {
-    /// Everything that tables show of the position, and pictures but for the meshes of bodies.
+    /// Returns all fields except the meshes of bodies.
     pub fn fields(self) -> Fields {
         let bodies = 0..self.system.scene.bodies.len();
         Fields {
@@ -86,7 +89,7 @@ impl Equilibrium<'_> {
         }
     }
 
-    /// The same with the meshes of bodies, if there are any.
+    /// Returns all fields, including the meshes of bodies if available.
     ///
     /// # Errors
     /// Those of [`Equilibrium::deformed`].
@@ -104,8 +107,8 @@ impl Equilibrium<'_> {
             return Vec::new();
         };
         let pose = frame.turned_first(scene.bodies[body.0].phase);
-        // Sections of one fillet in order along the face, each along the profile: by coordinates on the fillet, which rounding does not
-        // tell apart.
+        // Order the sections of one fillet along the face, each along the profile, by coordinates
+        // on the fillet, with a tolerance for rounding.
         let key = |stress: &RootStress| (stress.place.tooth, stress.surface);
         let chart = |stress: &RootStress| [stress.chart[1], stress.chart[0]];
         stresses.sort_by(|a, b| {
@@ -150,7 +153,7 @@ impl Contact<'_> {
         }
     }
 
-    /// The corners of every cell, in ground coordinates.
+    /// Returns the corners of every cell, in ground coordinates.
     fn corners(&self) -> Vec<[[f64; 3]; 4]> {
         match &self.patch.grid {
             PatchGrid::Plane { frame, cells, .. } => {

@@ -1,8 +1,8 @@
-//! Strain gauges in fillets: what one glued to a place, in a direction and over a length, would read.
+//! Strain gauges in fillets: readings at a location, in a direction and over a gauge length.
 //!
-//! Stress is recovered on a grid of places, so many along the profile by so many along the face, that is known with the structure. Between
-//! them the components are cubics through the nearest places, which recovered stress follows to well below what the mesh leaves of it. A gauge
-//! of some length reads the mean along its line, as its foil does.
+//! Stress is recovered on a grid of points along the profile and along the face. Between them the
+//! components are interpolated by cubics through the nearest points; the error of this is well
+//! below that of the mesh. A gauge of finite length reads the mean along its line.
 
 use super::stress::{FilletSide, Fillets, RootStress, Teeth, stresses};
 use super::{Equilibrium, Observable, Quantity};
@@ -11,44 +11,49 @@ use calyx_fe::quadrature::gauss_legendre;
 use calyx_model::ids::BodyId;
 use calyx_model::observed::{Observed, Place};
 
-/// Places along a gauge at which its line is read.
+/// Number of points along a gauge at which stress is evaluated.
 const PLACES: usize = 8;
 
-/// A strain gauge in the fillets of a body.
+/// Strain gauge in the fillets of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gauge {
-    /// Whose fillets.
+    /// Body of the fillets.
     pub body: BodyId,
-    /// Of its middle: along the profile from the end of the flank towards the root, and along the axis from mid-face, m. A plane model
-    /// is the same all along the axis.
+    /// Location of the gauge's centre: along the profile from the end of the flank towards the
+    /// root, and along the axis from mid-face, m. The axial coordinate has no effect in a plane
+    /// model.
     pub place: [f64; 2],
-    /// In the surface, from the profile (rootwards) towards the positive axis, rad.
+    /// Direction in the surface, from the profile (towards the root) to the positive axis, rad.
     pub direction: f64,
-    /// Over which it averages, m; 0 reads a point.
+    /// Gauge length over which it averages, m; 0 for a point.
     pub length: f64,
-    /// On which side of the tooth: of [`FilletSide::Both`] and of a planet's loaded flanks it reads two fillets, and tells the larger value.
+    /// Side of the tooth. For [`FilletSide::Both`] and for the loaded flanks of a planet it reads
+    /// two fillets and returns the larger value.
     pub side: FilletSide,
-    /// On which tooth; of `None`, on all of them: the loaded teeth and two neighbours on either side are what one tooth goes through.
+    /// Tooth of the gauge; `None` reads all teeth: the loaded teeth and two neighbours on either
+    /// side cover the passage of one tooth.
     pub tooth: Option<u32>,
-    /// Of the body: makes strain of stress, and the stress across a plane model's section.
+    /// Material of the body, which determines the strain, and the out-of-plane stress of a plane
+    /// model.
     pub material: Material,
 }
 
-/// What is read off a gauge.
+/// Quantity read from a gauge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// Lengthening along its direction over its length.
+    /// Strain along its direction, averaged over its length.
     Strain,
     /// Normal stress along its direction, Pa.
     Stress,
-    /// The largest principal stress in the surface, whatever its direction, Pa.
+    /// Largest principal stress in the surface, Pa.
     LargestPrincipal,
-    /// The smallest one, Pa.
+    /// Smallest principal stress in the surface, Pa.
     SmallestPrincipal,
 }
 
-/// A reading of a gauge: of all teeth the largest, with the least beside it. Over a mesh cycle these are the ends of what each tooth goes
-/// through as it passes the mesh. While nothing is loaded, of all teeth of a body that vibrates in its modes; 0 of one that has none.
+/// Reading of a gauge: the largest value over all teeth, together with the smallest. Over a mesh
+/// cycle these bound the time history of each tooth. Without load, all teeth of a body with modes
+/// are read; a body without modes reads 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaugeReading(pub Gauge, pub Reading);
 
@@ -99,12 +104,13 @@ impl Observable for GaugeReading {
 }
 
 impl Gauge {
-    /// The components of stress over the gauge on one fillet: along the profile, along the face and in shear, Pa.
+    /// Returns the mean stress components over the gauge on one fillet: along the profile, along
+    /// the face and shear, Pa.
     fn mean(&self, grid: &Grid<'_>) -> [f64; 3] {
         let components = |place: [f64; 2]| {
             let [along, across, shear] = grid.at(place, |stress| stress.components);
             match grid.in_plane() {
-                // Nothing lengthens across the section.
+                // Plane strain: the strain normal to the section vanishes.
                 true => [along, self.material.poissons_ratio * along, 0.0],
                 false => [along, across, shear],
             }
@@ -123,7 +129,8 @@ impl Gauge {
 }
 
 impl Reading {
-    /// Of stress components along the profile, along the face and in shear, Pa.
+    /// Evaluates a reading from the stress components along the profile, along the face and shear,
+    /// Pa.
     fn of(self, [along, across, shear]: [f64; 3], gauge: &Gauge) -> f64 {
         let (sine, cosine) = gauge.direction.sin_cos();
         let sheared = 2.0 * shear * sine * cosine;
@@ -140,15 +147,16 @@ impl Reading {
     }
 }
 
-/// The places of a fillet at which stress is recovered: so many along the profile by so many along the face.
+/// Grid of points of a fillet at which stress is recovered, along the profile and along the face.
 struct Grid<'a> {
     stresses: &'a [RootStress],
-    /// Along the profile and along the axis, ascending, m.
+    /// Coordinates along the profile and along the axis, ascending, m.
     nodes: [Vec<f64>; 2],
 }
 
 impl<'a> Grid<'a> {
-    /// `None` if they are no such grid; each place of the profile has its places along the face together.
+    /// Creates the grid; `None` if the points do not form one. Points with the same profile
+    /// coordinate must be contiguous.
     fn of(stresses: &'a [RootStress]) -> Option<Self> {
         let [first, _] = stresses.first()?.chart;
         let face: Vec<f64> = stresses
@@ -160,12 +168,12 @@ impl<'a> Grid<'a> {
         (profile.len() * face.len() == stresses.len()).then_some(Grid { stresses, nodes: [profile, face] })
     }
 
-    /// Whether it is of a plane model, which has one section.
+    /// Returns whether the grid belongs to a plane model, which has one section.
     fn in_plane(&self) -> bool {
         self.nodes[1].len() == 1
     }
 
-    /// What stands at the places, at one between them.
+    /// Interpolates values of the points.
     fn at(&self, place: [f64; 2], value: impl Fn(&RootStress) -> [f64; 3]) -> [f64; 3] {
         let [profile, face] = [0, 1].map(|axis| weights(&self.nodes[axis], place[axis]));
         let width = self.nodes[1].len();
@@ -179,7 +187,8 @@ impl<'a> Grid<'a> {
         sum
     }
 
-    /// By how much both coordinates grow per length in a direction of the surface. A helix leans against the axis and is longer than it.
+    /// Returns the derivatives of both coordinates by length in a direction of the surface. A helix
+    /// is inclined to the axis and longer than its axial extent.
     fn step(&self, place: [f64; 2], direction: f64) -> [f64; 2] {
         let (sine, cosine) = direction.sin_cos();
         if self.in_plane() {
@@ -205,7 +214,8 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// Weights of nodes in the value at `x`: of the cubic through the four nearest ones, or of what fewer there are.
+/// Returns the interpolation weights of nodes at `x`: of the cubic through the four nearest, or of
+/// a lower degree with fewer.
 fn weights(nodes: &[f64], x: f64) -> Vec<(usize, f64)> {
     let count = nodes.len().min(4);
     let after = nodes.partition_point(|node| *node < x);
@@ -239,7 +249,7 @@ mod tests {
     const RADIUS: f64 = 0.05;
     const TWIST: f64 = 8.0;
 
-    /// A circular fillet that winds by a twist, with stresses that are given.
+    /// Circular fillet with a twist and prescribed stresses.
     fn fillet(twist: f64, components: impl Fn([f64; 2]) -> [f64; 3]) -> Vec<RootStress> {
         let places =
             (0..24).flat_map(|i| (0..13).map(move |j| [1e-4 * f64::from(i), 2e-3 * f64::from(j - 6)]));
@@ -254,7 +264,7 @@ mod tests {
         places.map(stress).collect()
     }
 
-    /// What a structure recovers, as observables see it.
+    /// Converts a recovered stress to the form that observables use.
     fn seen(stress: SurfaceStress) -> RootStress {
         let SurfaceStress { tooth, surface, place: chart, position, components } = stress;
         let place =
@@ -287,7 +297,7 @@ mod tests {
 
     #[test]
     fn readings_are_those_of_a_strained_surface() {
-        // Pulled by 100 MPa at 20 degrees from the profile, and by 40 MPa across that.
+        // Tension of 100 MPa at 20 degrees from the profile, and 40 MPa across it.
         let turned = 20.0_f64.to_radians();
         let (sine, cosine) = turned.sin_cos();
         let components = [
@@ -306,7 +316,8 @@ mod tests {
         }
     }
 
-    /// A slender bar held at its foot and pressed near its end: the stress on its side is the bending moment by the section's resistance.
+    /// A slender clamped bar with a load near its free end: the stress on its side is the bending
+    /// moment divided by the section modulus.
     #[test]
     fn a_tooth_like_a_cantilever_is_stressed_by_the_moment_of_its_load() {
         let (height, length, foot) = (10e-3, 100e-3, 60e-3);
@@ -369,7 +380,8 @@ mod tests {
             for (direction, part, strain) in
                 [(0.0, 1.0, 1.0), (FRAC_PI_2, 0.0, -ratio), (FRAC_PI_4, 0.5, 0.5 * (1.0 - ratio))]
             {
-                // The load shears a section, too: of two gauges that lean to either side the mean does not see it.
+                // The load also causes shear; the mean of two gauges inclined to either side
+                // eliminates it.
                 let read = |reading: Reading| {
                     let leaning = [direction, -direction].map(|direction| {
                         let gauge = Gauge { place: [s, z], length: 3e-3, ..gauge(direction) };
@@ -396,7 +408,7 @@ mod tests {
                 ElasticSolid::ring(&model, &ring_source(TEETH), &surfaces, &options, &Interrupt::never());
             let chart = Chart { tooth: 3, surface: 0 };
             let structure = structure.expect("a ring");
-            // More at one end of the face than at the other.
+            // Load concentrated at one end of the face.
             let [[_, length], _] = structure.surface(0).range();
             let rule = gauss_legendre(16).into_iter();
             let load = |(z, weight)| SpotLoad {
@@ -427,7 +439,8 @@ mod tests {
 
     #[test]
     fn gauges_run_along_the_surface() {
-        // On a screw a step along the axis goes round as well: across the profile it is longer than its axial part.
+        // On a helix a step along the axis also has a circumferential part, so across the profile
+        // it is longer than its axial part.
         let stresses = fillet(TWIST, |_| [0.0; 3]);
         let grid = Grid::of(&stresses).expect("a grid");
         for direction in [0.0, 0.4, 1.2, -0.7, FRAC_PI_2] {
@@ -441,7 +454,7 @@ mod tests {
             let apart = [0, 1, 2].map(|i| b[i] - a[i]);
             let found = apart.iter().map(|part| part * part).sum::<f64>().sqrt();
             assert!((found / length - 1.0).abs() < 2e-4, "{direction}: {found}");
-            // The cylinder unrolled: its profile runs round, its face along the axis.
+            // Unrolled cylinder: the profile is circumferential, the face axial.
             assert!((apart[2] / length - direction.sin()).abs() < 2e-4, "{direction}: {apart:?}");
         }
     }

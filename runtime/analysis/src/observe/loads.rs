@@ -1,4 +1,4 @@
-//! How the load of a mesh is shared: among pairs of teeth, and along the lines on which they touch.
+//! Observables of load sharing: between tooth pairs, and along contact lines.
 
 use super::{Contact, Equilibrium, Needs, Observable, Quantity, Slice};
 use calyx_model::ids::PairId;
@@ -6,7 +6,7 @@ use calyx_model::observed::Observed;
 use calyx_model::pairs::GearMesh;
 use std::ops::Add;
 
-/// Part of the load on the pair of teeth that enters at the start of the cycle.
+/// Load share of the pair of teeth that enters contact at the start of the mesh cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadShare(pub PairId);
 
@@ -28,7 +28,7 @@ impl Observable for LoadShare {
     }
 }
 
-/// The normal force of a mesh, over all pairs of its teeth, on the sides of the pair of surfaces. N.
+/// Sum of the normal forces of a mesh over all tooth pairs, on the flanks of the surface pair, N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshForce(pub PairId);
 
@@ -46,8 +46,8 @@ impl Observable for MeshForce {
     }
 }
 
-/// The normal force on a pair of teeth: that which enters at the start of the cycle (0), one that enters later (1, 2, ...) or has
-/// entered before (-1, -2, ...). N.
+/// Normal force on a tooth pair: that which enters contact at the start of the mesh cycle (0), one
+/// that enters later (1, 2, ...) or has entered before (-1, -2, ...), N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairLoad(pub PairId, pub i32);
 
@@ -65,7 +65,7 @@ impl Observable for PairLoad {
     }
 }
 
-/// The patches of a pair of teeth of a mesh, counted as by [`PairLoad`].
+/// Returns the contact patches of a tooth pair of a mesh, numbered as by [`PairLoad`].
 pub(super) fn pairs_teeth<'a>(
     at: &Equilibrium<'a>,
     pair: PairId,
@@ -75,18 +75,19 @@ pub(super) fn pairs_teeth<'a>(
     at.contacts(pair).filter(move |contact| Some(contact.teeth()) == teeth)
 }
 
-/// The teeth of the pair that enters `count` pitches after the first.
+/// Returns the teeth of the pair that enters `count` pitches after the first.
 fn teeth_of(mesh: &GearMesh, count: i32) -> [u32; 2] {
     let [first, second] = mesh.entering;
-    // The roll angle grows from the start to the end of a cycle where the first gear moves as it pushes; the tooth that follows
-    // lies behind, as seen in its motion.
+    // The roll angle grows over a mesh cycle if the first gear rotates in its drive sense. The
+    // following tooth is behind in the sense of rotation.
     let behind = -f64::from(count) * mesh.drive_sense * (mesh.roll[1] - mesh.roll[0]).signum();
     let tooth =
         |tooth: u32, step: f64, teeth: u32| (f64::from(tooth) + step).rem_euclid(f64::from(teeth)) as u32;
     [tooth(first, behind, mesh.teeth[0]), tooth(second, -mesh.sign * behind, mesh.teeth[1])]
 }
 
-/// How many pairs of teeth carry load; its mean over a mesh cycle is the contact ratio under load.
+/// Number of tooth pairs that carry load; its mean over a mesh cycle is the contact ratio under
+/// load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairsInContact(pub PairId);
 
@@ -112,7 +113,7 @@ impl Observable for PairsInContact {
     }
 }
 
-/// The largest force by length of the line of contact. N/m.
+/// Largest line load: force per length of contact line, N/m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxLineLoad(pub PairId);
 
@@ -136,8 +137,9 @@ impl Observable for MaxLineLoad {
     }
 }
 
-/// `K_Hbeta`: the largest by the mean force by length along the line of contact of the pair that carries most; 1 in a plane model, where
-/// the load is even along the face, and without load.
+/// Face load factor `K_Hbeta`: the largest line load divided by the mean along the contact line of
+/// the most loaded pair; 1 without load and in a plane model, where the load is uniform along the
+/// face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceLoadFactor(pub PairId);
 
@@ -156,7 +158,7 @@ impl Observable for FaceLoadFactor {
     }
 }
 
-/// The part of the line of contact that carries load, on the pair that carries most; 1 in a plane model, 0 without load.
+/// Loaded fraction of the contact line of the most loaded pair; 1 in a plane model, 0 without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadedFace(pub PairId);
 
@@ -178,13 +180,14 @@ impl Observable for LoadedFace {
     }
 }
 
-/// The patch with the largest force; `None` without load.
+/// Returns the patch with the largest force; `None` without load.
 fn most_loaded<'a>(at: &Equilibrium<'a>, pair: PairId) -> Option<Contact<'a>> {
     let loaded = at.contacts(pair).filter(|contact| contact.force() > 0.0);
     loaded.max_by(|a, b| a.force().total_cmp(&b.force()))
 }
 
-/// Largest by mean line load of the slices of one line of contact of some length, m.
+/// Returns the largest line load divided by the mean, for the slices of a contact line of some
+/// length, m.
 fn face_load_factor(slices: &[Slice], length: f64) -> f64 {
     let force: f64 = slices.iter().map(|slice| slice.force).sum();
     let largest = slices.iter().map(Slice::line_load).fold(0.0, f64::max);
@@ -195,13 +198,13 @@ fn face_load_factor(slices: &[Slice], length: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Springs side by side on a face, pressed on by a straight edge at an angle: the loads of their slices.
+    /// Parallel springs on a face, loaded by a straight misaligned edge: the loads of their slices.
     fn misaligned(stiffness: f64, slope: f64, face: f64, force: f64) -> Vec<Slice> {
         const COUNT: usize = 4000;
         let length = face / COUNT as f64;
         let along = |index: usize| (index as f64 + 0.5) * length - 0.5 * face;
         let load = |middle: f64| move |index| (stiffness * (middle + slope * along(index))).max(0.0) * length;
-        // The edge sinks until the springs bear the force.
+        // Bisect the approach until the springs balance the force.
         let (mut high, mut low) = (2.0 * face, -2.0 * face);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
@@ -219,8 +222,9 @@ mod tests {
         (0..COUNT).map(load(low)).map(slice).collect()
     }
 
-    /// With springs of stiffness c by length, an angle f and a face b: K_Hbeta = 1 + c f b² / 2F as long as the whole face carries, and
-    /// the root of 2 c f b² / F beyond, from 2 on (ISO 6336-1 by the mean load F/b and the misalignment f b).
+    /// With stiffness c per length, misalignment f and face width b: K_Hbeta = 1 + c f b² / 2F
+    /// while the whole face carries load, and the root of 2 c f b² / F beyond, from 2 on (ISO
+    /// 6336-1 with the mean load F/b and the misalignment f b).
     #[test]
     fn a_misaligned_uniform_stiffness_has_its_face_load_factor_in_closed_form() {
         let (stiffness, face, force) = (14e9, 0.02, 5000.0);

@@ -1,4 +1,5 @@
-//! What the lugs of a body do to it: those that hold it as part of its structure, and those with clearance, which bear by contact.
+//! Observables of spline teeth: those that are part of a structure's support, and those with
+//! clearance, which are in contact.
 
 use super::{Equilibrium, Observable, Quantity};
 use calyx_model::flanks::arms_at;
@@ -9,13 +10,14 @@ use calyx_solve::system::Bodies;
 use calyx_structure::LugForce;
 
 impl Equilibrium<'_> {
-    /// The lugs by which a body rests by contact, with the forces on their flanks, in the unit of the problem's.
+    /// Returns the spline teeth with clearance that support a body, with the forces on their flanks
+    /// in the unit of the contact problem.
     fn lugs_by_contact(&self, body: BodyId) -> Option<(&LugContact, &[f64])> {
         let mut first = self.system.stops();
         for (index, contact) in &self.system.lugs {
             let flanks = first..first + contact.flanks();
             if *index == body.0 {
-                // Where nothing is pressed there are none.
+                // Without contact forces there are none.
                 return Some((contact, self.step.stops.get(flanks).unwrap_or_default()));
             }
             first = flanks.end;
@@ -23,12 +25,15 @@ impl Equilibrium<'_> {
         None
     }
 
-    /// The forces of these lugs on the body, counter-clockwise, in the unit of the problem's; none of a body without such lugs.
+    /// Returns the forces of these spline teeth on the body, counter-clockwise, in the unit of the
+    /// contact problem; empty for a body without spline teeth.
     pub(super) fn loose_lug_forces(&self, body: BodyId) -> Vec<f64> {
         self.lugs_by_contact(body).map_or_else(Vec::new, |(contact, flanks)| contact.around(flanks))
     }
 
-    /// What these lugs do to the body's frame, as [`Equilibrium::contact_force`] counts it: force (N) and moment about the body's axle (N m).
+    /// Returns the forces of these spline teeth on the body's frame, as in
+    /// [`Equilibrium::contact_force`]: force (N) and moment about the body's axis of rotation (N
+    /// m).
     pub fn lugs_on(self, body: BodyId) -> [f64; 6] {
         let mut total = [0.0; 6];
         let Some((contact, flanks)) = self.lugs_by_contact(body) else { return total };
@@ -44,15 +49,16 @@ impl Equilibrium<'_> {
     }
 }
 
-/// The force of one of the lugs that hold a body on it, N: around, counter-clockwise, or outwards; 0 of a body without such a lug. Of lugs
-/// without clearance it is the contact of teeth that they bear, not the inertia nor what acts on the frame.
+/// Force of one spline tooth on the body that it supports, N: circumferential, counter-clockwise,
+/// or radial, outwards; 0 for a body without it. Spline teeth without clearance carry only tooth
+/// contact forces, neither inertia nor loads on the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LugLoad {
-    /// Which body.
+    /// Body that the spline tooth supports.
     pub body: BodyId,
-    /// Which lug, from the first one on counter-clockwise.
+    /// Number of the spline tooth, counter-clockwise from 0.
     pub lug: u32,
-    /// Outwards instead of around.
+    /// Selects the radial component instead of the circumferential one.
     pub radial: bool,
 }
 

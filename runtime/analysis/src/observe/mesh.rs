@@ -1,4 +1,6 @@
-//! How a gear mesh passes on motion and load.
+//! Observables of a gear mesh: transmission error and mesh stiffness.
+//!
+//! See `docs/theory/equilibrium.md`.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
 use calyx_model::freedom::Freedom;
@@ -9,8 +11,9 @@ use std::f64::consts::PI;
 
 const THETA_Z: usize = 5;
 
-/// Lag of the second gear behind the driving sides of the first one's teeth: `sense (theta_1 N1/N2 + sign theta_2)`, angles counted from rigid
-/// unmodified contact and against the line of centres, which turns with the frames of gears whose axes move. rad.
+/// Transmission error: lag of the second gear behind the drive flanks of the first gear, `sense
+/// (theta_1 N1/N2 + sign theta_2)`, rad. Angles are measured from rigid unmodified contact and
+/// relative to the line of centres, which rotates if the axes move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransmissionError(pub PairId);
 
@@ -31,7 +34,8 @@ impl Observable for TransmissionError {
         let line = at.system.line_turned(at.front(self.0).0, at.time());
         let turned = |body: BodyId| at.system.turned(body.0, at.time()) - line;
         let kinematic = turned(first) * ratio + mesh.sign * turned(second);
-        // Angles are known up to whole turns, and a mesh repeats with every tooth of the second gear.
+        // Angles are determined modulo whole revolutions, and a mesh repeats with every tooth of
+        // the second gear.
         let pitch = 2.0 * PI / f64::from(mesh.teeth[1]);
         let kinematic = kinematic - (kinematic / pitch).round() * pitch;
         let deflection = at.deviation(first, THETA_Z) * ratio + mesh.sign * at.deviation(second, THETA_Z);
@@ -43,7 +47,8 @@ impl Observable for TransmissionError {
     }
 }
 
-/// The transmission error that the same position has as the load vanishes: of rigid teeth with their modifications and errors. rad.
+/// Transmission error at the same position as the load vanishes: that of rigid teeth with their
+/// modifications and deviations, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnloadedTransmissionError(pub PairId);
 
@@ -66,8 +71,8 @@ impl Observable for UnloadedTransmissionError {
     }
 }
 
-/// Secant stiffness: the force along the line of action by how far the load has moved the mesh along it from where its teeth
-/// touch without load. Zero without load. N/m.
+/// Secant stiffness: the force along the line of action divided by the displacement of the mesh
+/// along it from unloaded contact, N/m. Zero without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SecantStiffness(pub PairId);
 
@@ -82,7 +87,7 @@ impl Observable for SecantStiffness {
         let force = moment.abs() / mesh.base_radii[0];
         let moved =
             TransmissionError(self.0).value(at).value - UnloadedTransmissionError(self.0).value(at).value;
-        // Teeth that press with their back sides move the other way.
+        // Contact on coast flanks reverses the sign.
         Observed::number(if force > 0.0 { force / (moved * mesh.base_radii[1]).abs() } else { 0.0 })
     }
 
@@ -91,11 +96,12 @@ impl Observable for SecantStiffness {
     }
 }
 
-/// Tangent stiffness: the inverse of how far the mesh gives along the line of action for a small added force, with
-/// the cells that carry load now. Zero without load. N/m.
+/// Mesh stiffness (tangent stiffness): inverse of the displacement along the line of action per
+/// added force, with the present active set, N/m. Zero without load.
 ///
-/// Of two gears that are in no other mesh, bearings give too. Otherwise, as of a planet, the force would go on to other meshes: there it is the
-/// stiffness of these teeth alone, under a small turn of one gear with all other forces as they are.
+/// For two gears without another mesh, the compliance of bearings is included. Otherwise, as for a
+/// planet, the force would pass on to other meshes. Then it is the stiffness of these teeth alone,
+/// for a small rotation of one gear with all other forces unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshStiffness(pub PairId);
 
@@ -119,14 +125,14 @@ impl Observable for MeshStiffness {
         let arms = DMatrix::from_fn(active.len(), m, |i, k| step.problem.arms[active[i] * m + k]);
         let Some(factor) = compliance.cholesky() else { return Observed::number(f64::NAN) };
         let teeth = arms.transpose() * factor.solve(&arms);
-        // Work done by a unit force along the line of action on each freedom.
+        // Work of a unit force along the line of action on each DOF.
         let along = DVector::from_fn(m, |k, _| match freedoms[k] {
             Freedom { body, component: THETA_Z } if body == first.0 => mesh.base_radii[0],
             Freedom { body, component: THETA_Z } if body == second.0 => mesh.sign * mesh.base_radii[1],
             _ => 0.0,
         });
         if !alone {
-            // Turns of one gear alone, by as much along the line of action.
+            // Rotation of one gear alone with the same displacement along the line of action.
             let turned = (0..m).find(|&k| along[k] != 0.0);
             return Observed::number(
                 turned.map_or(0.0, |k| at.system.width(first.0) * teeth[(k, k)] / along[k].powi(2)),
@@ -143,7 +149,7 @@ impl Observable for MeshStiffness {
 }
 
 impl Equilibrium<'_> {
-    /// Whether the two bodies of a mesh are in no other one.
+    /// Returns whether the two bodies of a mesh have no other mesh.
     fn is_alone(&self, pair: PairId) -> bool {
         let front = self.front(pair);
         let Some((_, bodies)) = self.mesh(front) else { return true };
@@ -154,7 +160,7 @@ impl Equilibrium<'_> {
         !others.into_iter().any(shares)
     }
 
-    /// Cells of a mesh that carry load, on both sides of its teeth, by index in the problem.
+    /// Returns the indices of the loaded cells of a mesh, on both flanks of its teeth.
     fn active_cells(&self, pair: PairId) -> Vec<usize> {
         let front = self.front(pair);
         let mut cells = Vec::new();

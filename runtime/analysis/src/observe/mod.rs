@@ -1,8 +1,10 @@
-//! What can be read off a solved position: one small item an observable.
+//! Observables: quantities that are evaluated at a solved position, one small type each.
 //!
-//! An observable says what it is ([`Quantity`]) and finds its value in a scene in [`Equilibrium`], which shows patches, loads
-//! and motions in newtons and metres whatever the model is made of. Who embeds the engine writes observables of their own in the
-//! same way.
+//! An observable describes itself ([`Quantity`]) and evaluates a scene in [`Equilibrium`], which
+//! provides patches, loads and motions in newtons and metres for every kind of model. Programs that
+//! embed the engine can implement their own observables in the same way.
+//!
+//! See `docs/theory/observables.md`.
 
 mod bearings;
 mod bodies;
@@ -52,74 +54,78 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// What an observable measures.
+/// Description of an observable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    /// As the library of gears calls it.
+    /// Name in the gear library.
     pub name: &'static str,
-    /// Of its value, in SI; `1` for pure numbers.
+    /// SI unit of the value; `1` for dimensionless quantities.
     pub unit: &'static str,
-    /// How it goes on from one mesh cycle to the next.
+    /// Behaviour from one mesh cycle to the next.
     pub course: Course,
 }
 
-/// How an observable goes on from one mesh cycle to the next, which says how it is summed up over one.
+/// Behaviour of an observable from one mesh cycle to the next; it determines the statistics over a
+/// cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
-    /// Where the teeth of a gear are alike, every cycle has the same values: it has a mean over the closed cycle, and harmonics.
+    /// Repeats in every cycle if all teeth of a gear are equal: has a mean over the closed cycle,
+    /// and harmonics.
     Repeats,
-    /// It follows one tooth or pair of teeth, which have gone on when the cycle ends.
+    /// Follows one tooth or tooth pair, which has moved on at the end of the cycle.
     Passes,
 }
 
 impl Quantity {
-    /// A quantity that every mesh cycle repeats.
+    /// Creates the description of a quantity that repeats in every mesh cycle.
     pub const fn repeating(name: &'static str, unit: &'static str) -> Quantity {
         Quantity { name, unit, course: Course::Repeats }
     }
 
-    /// A quantity of one tooth or pair of teeth.
+    /// Creates the description of a quantity of one tooth or tooth pair.
     pub const fn passing(name: &'static str, unit: &'static str) -> Quantity {
         Quantity { name, unit, course: Course::Passes }
     }
 }
 
-/// A quantity of a solved position.
+/// Quantity of a solved position.
 ///
-/// Two that are equal are observed once.
+/// Equal observables are evaluated once.
 pub trait Observable: Comparable + Debug + Send + Sync {
-    /// What it measures.
+    /// Describes the observable.
     fn quantity(&self) -> Quantity;
 
-    /// Its value at a solved position.
+    /// Evaluates the observable at a solved position.
     fn value(&self, at: &Equilibrium<'_>) -> Observed;
 
-    /// What it needs of bodies: of less it has no value.
+    /// Returns its model requirements; without them it has no value.
     fn needs(&self) -> Needs {
         if self.stresses_of().is_some() { Needs::Stresses } else { Needs::Forces }
     }
 
-    /// The body whose stresses it needs: recovering them is planned for.
+    /// Returns the body whose stresses it needs; the plan provides stress recovery for it.
     fn stresses_of(&self) -> Option<BodyId> {
         None
     }
 
-    /// The body whose frame it looks at, whether or not the body touches anything.
+    /// Returns the body whose frame it depends on, with or without contact.
     fn frame_of(&self) -> Option<BodyId> {
         None
     }
 
-    /// The mode that it tells of, from 0: vibrations need inertia, and have so many modes.
+    /// Returns the index of its mode, from 0: vibrations need inertia and a sufficient number of
+    /// modes.
     fn mode(&self) -> Option<usize> {
         None
     }
 
-    /// The bearing it looks at.
+    /// Returns the bearing that it depends on.
     fn bearing_of(&self) -> Option<BearingId> {
         None
     }
 
-    /// The mesh it looks at. An observable that names neither mesh nor bearing nor body is taken to look at the whole scene.
+    /// Returns the mesh that it depends on. An observable without mesh, bearing and body depends on
+    /// the whole scene.
     fn pair_of(&self) -> Option<PairId> {
         None
     }
@@ -143,12 +149,13 @@ pub trait Observable: Comparable + Debug + Send + Sync {
     }
 }
 
-/// Equality of things whose type is not known; everything that can be compared and copied about has it.
+/// Equality of values of unknown type; implemented for all types with equality and a static
+/// lifetime.
 pub trait Comparable: Any {
-    /// Whether the other one is of the same type and equal.
+    /// Returns whether the other value has the same type and is equal.
     fn equals(&self, other: &dyn Any) -> bool;
 
-    /// Itself, to be compared with.
+    /// Returns the value for a comparison.
     fn as_any(&self) -> &dyn Any;
 }
 
@@ -164,7 +171,8 @@ impl<T: Any + PartialEq> Comparable for T {
 
 /// Reads observables off the positions that a system has solved.
 pub trait Observe {
-    /// The value of an observable at a solved position; none (not a number) if the plan left out something that it looks at.
+    /// Evaluates an observable at a solved position; NaN if the plan leaves out a part that it
+    /// depends on.
     fn value(&self, step: &StepResult, observable: &dyn Observable) -> Observed;
 
     /// The values of observables at a solved position; none (not a number) of those that need what the fidelity does not have.

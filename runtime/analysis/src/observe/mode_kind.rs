@@ -1,9 +1,13 @@
-//! What a mode of a planetary set is, and the table of all modes of a scene.
+//! Types of the modes of a planetary gear set, and the table of all modes of a scene.
 //!
-//! Where planets are equal and equally spaced, every mode of rigid bodies is one of three kinds (J. Lin and R. G. Parker, J. Vib. Acoust. 121(3),
-//! 1999): central members turn and all planets do the same; or they move sideways, and planets do as the sine and the cosine of their places
-//! say; or they rest, and what planets do adds up to nothing. So a motion is split by these patterns: each has a part of its kinetic energy, and
-//! together they have all of it. Teeth that are not in phase, and bodies that deform, mix the kinds a little.
+//! If planets are equal and equally spaced, every mode of rigid bodies has one of three types (J.
+//! Lin and R. G. Parker, J. Vib. Acoust. 121(3), 1999). Rotational: central members rotate, and all
+//! planets move alike. Translational: central members translate, and planets move with the sine and
+//! cosine of their positions. Planet modes: central members are at rest, and the motions of the
+//! planets add up to zero. A motion is projected on these patterns; the fractions of kinetic energy
+//! in them add up to one. Mesh phases and elastic bodies mix the types slightly.
+//!
+//! See `docs/theory/modes.md`.
 
 use super::{Equilibrium, Observable, Quantity};
 use calyx_model::ids::BodyId;
@@ -11,23 +15,23 @@ use calyx_model::observed::Observed;
 use calyx_solve::vibrations::Vibrations;
 use std::f64::consts::TAU;
 
-/// What a mode of a planetary set is.
+/// Type of a mode of a planetary gear set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKind {
-    /// None of the others: planets differ, or do not stand symmetrically.
+    /// None of the others: planets differ or are not symmetrically placed.
     Mixed = 0,
-    /// Central members turn, and do not move sideways.
+    /// Central members rotate and do not translate.
     Rotational = 1,
-    /// Central members move sideways, and do not turn.
+    /// Central members translate and do not rotate.
     Translational = 2,
-    /// Central members rest.
+    /// Central members are at rest.
     Planet = 3,
-    /// Bodies vibrate against their frames.
+    /// Bodies vibrate relative to their frames.
     Elastic = 4,
 }
 
 impl ModeKind {
-    /// In a word.
+    /// Returns the name.
     pub fn name(self) -> &'static str {
         match self {
             ModeKind::Mixed => "mixed",
@@ -39,37 +43,38 @@ impl ModeKind {
     }
 }
 
-/// Planets, and the body around whose axle they stand. All other bodies are central members.
+/// Planets, and the body around whose axis they are placed. All other bodies are central members.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanetSet {
-    /// In the middle.
+    /// Central body.
     pub around: BodyId,
-    /// Three or more of one kind.
+    /// Three or more equal planets.
     pub planets: Vec<BodyId>,
 }
 
-/// Energy in elastic motion from which on a mode is one of bodies that deform.
+/// Fraction of kinetic energy in elastic motion from which a mode is elastic.
 const ELASTIC: f64 = 0.5;
-/// Part of the energy of frames that makes a mode one of a kind.
+/// Fraction of the energy of frames from which a mode has a type.
 const OF_A_KIND: f64 = 0.9;
-/// What a pattern has beside those before it, squared, by planets: less is nothing of its own, as of two planets.
+/// Squared norm of the new part of a pattern, per planet, below which the pattern depends on those
+/// before it, as for two planets.
 const OF_ITS_OWN: f64 = 1e-6;
 
-/// Parts of a mode's kinetic energy by its patterns; they add up to 1.
+/// Fractions of a mode's kinetic energy by pattern; they add up to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KindShares {
-    /// Central members turn, planets do alike.
+    /// Central members rotate, planets move alike.
     pub rotational: f64,
-    /// Central members move sideways, planets with the sine and the cosine of their places.
+    /// Central members translate, planets move with the sine and cosine of their positions.
     pub translational: f64,
-    /// What else planets do.
+    /// Other motion of the planets.
     pub planet: f64,
-    /// Bodies against their frames.
+    /// Motion of bodies relative to their frames.
     pub elastic: f64,
 }
 
 impl KindShares {
-    /// The kind that has enough of it.
+    /// Returns the type with a sufficient fraction.
     pub fn kind(&self) -> ModeKind {
         let frames = self.rotational + self.translational + self.planet;
         let of = |part: f64| part >= OF_A_KIND * frames;
@@ -84,7 +89,7 @@ impl KindShares {
 }
 
 impl Equilibrium<'_> {
-    /// How a mode, one of those that there are, is made up of the patterns of a planetary set.
+    /// Computes the fractions of a mode in the patterns of a planetary gear set.
     pub fn kind_shares(self, all: &Vibrations, mode: usize, set: &PlanetSet) -> KindShares {
         let freedoms = &self.system.freedoms;
         let energies = all.energies(mode);
@@ -98,7 +103,8 @@ impl Equilibrium<'_> {
                 }
             }
         }
-        // Motions of the planets outwards, around and about their axles, by the roots of their inertia.
+        // Motions of the planets in radial and circumferential direction and about their axes,
+        // scaled by the roots of their inertia.
         let centre = self.origin(set.around);
         let places = set.planets.iter().map(|&planet| {
             let place = self.origin(planet);
@@ -135,7 +141,8 @@ impl Equilibrium<'_> {
     }
 }
 
-/// By planets: all alike, by the cosine and by the sine of their places; of unit length and at right angles to those before, or nothing.
+/// Returns the patterns over the planets: constant, cosine and sine of their positions;
+/// orthonormalized, or zero.
 fn patterns(places: &[f64]) -> [Vec<f64>; 3] {
     let mut found = [vec![1.0; places.len()], Vec::new(), Vec::new()];
     found[1] = places.iter().map(|place| place.cos()).collect();
@@ -154,12 +161,12 @@ fn patterns(places: &[f64]) -> [Vec<f64>; 3] {
     found
 }
 
-/// What a mode of a planetary set is: the number of its [`ModeKind`].
+/// Type of a mode of a planetary gear set: the number of its [`ModeKind`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct KindOfMode {
-    /// From the lowest frequency up, from 0.
+    /// Index of the mode, from the lowest frequency, from 0.
     pub mode: usize,
-    /// Whose.
+    /// Planetary gear set.
     pub set: PlanetSet,
 }
 
@@ -179,45 +186,45 @@ impl Observable for KindOfMode {
     }
 }
 
-/// That a table of the modes is wanted.
+/// Request for a table of the modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModesRequest {
-    /// How many, from the lowest up; `None` for all.
+    /// Number of modes, from the lowest; `None` for all.
     pub count: Option<usize>,
-    /// Whose kinds they are told apart by.
+    /// Planetary gear set for the classification.
     pub set: Option<PlanetSet>,
 }
 
-/// The modes of a scene at a position.
+/// Modes of a scene at a position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModesTable {
-    /// Of the position, s.
+    /// Time of the position, s.
     pub time: f64,
-    /// Names of those that take part.
+    /// Names of the bodies of the table.
     pub bodies: Vec<String>,
-    /// From the lowest frequency up.
+    /// Modes from the lowest frequency.
     pub modes: Vec<ModeRow>,
 }
 
-/// A mode of a table.
+/// Mode of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModeRow {
-    /// Hz.
+    /// Frequency, Hz.
     pub frequency: f64,
-    /// Of a planetary set.
+    /// Type, for a planetary gear set.
     pub kind: Option<ModeKind>,
-    /// What frames move sideways has this part of the kinetic energy.
+    /// Fraction of kinetic energy in the translation of frames.
     pub translation: f64,
-    /// What they turn has this one.
+    /// Fraction of kinetic energy in the rotation of frames.
     pub rotation: f64,
-    /// What bodies vibrate against their frames has this one.
+    /// Fraction of kinetic energy in vibrations of bodies relative to their frames.
     pub elastic: f64,
-    /// What each body has of it, in the order of [`ModesTable::bodies`].
+    /// Fraction of kinetic energy of each body, in the order of [`ModesTable::bodies`].
     pub bodies: Vec<f64>,
 }
 
 impl Equilibrium<'_> {
-    /// The table that is wanted; `None` if nothing vibrates.
+    /// Computes the requested table; `None` if nothing vibrates.
     pub fn modes_table(self, request: &ModesRequest) -> Option<ModesTable> {
         let all = self.vibrations()?;
         let (freedoms, modes) = (&self.system.freedoms, &self.system.modes);

@@ -1,46 +1,46 @@
-//! Where maxima are, as numbers that a program can put out.
+//! Observables of the locations of maxima.
 
 use super::{Contact, Equilibrium, MaxRootCompression, MaxRootStress, Needs, Observable, Quantity};
 use calyx_contact::zone::Zone;
 use calyx_model::ids::BodyId;
 use calyx_model::observed::{Observed, Place};
 
-/// A maximum over places of a body.
+/// Maximum over points of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Maximum {
-    /// Of tension in its fillets, see [`MaxRootStress`].
+    /// Largest tension in its fillets, see [`MaxRootStress`].
     RootStress,
-    /// Of compression in its fillets, see [`MaxRootCompression`].
+    /// Largest compression in its fillets, see [`MaxRootCompression`].
     RootCompression,
     /// Of pressure on its flanks, away from edges.
     ContactPressure,
     /// Of pressure on its edges and beside them.
     EdgePressure,
-    /// Of force by length of a line of contact.
+    /// Largest force per length of contact line.
     LineLoad,
 }
 
-/// A coordinate of a place on a body.
+/// Coordinate of a location on a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coordinate {
-    /// Counted counter-clockwise from 0; -1 where there is no maximum.
+    /// Number of the tooth, counter-clockwise from 0; -1 without a maximum.
     Tooth,
-    /// rad; 0 where there is no involute.
+    /// Roll angle, rad; 0 if the profile has no involute there.
     RollAngle,
-    /// m
+    /// Radius, m.
     Radius,
-    /// Along the axis from the middle of the face, m; 0 in a plane model.
+    /// Axial coordinate from mid-face, m; 0 in a plane model.
     Axial,
 }
 
-/// A coordinate of the place on a body at which a maximum is; 0, and no tooth, where nothing is loaded.
+/// Coordinate of the location of a maximum on a body; 0, and no tooth, without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaceOf {
-    /// Of the place.
+    /// Body of the location.
     pub body: BodyId,
-    /// What is largest there.
+    /// Quantity of the maximum.
     pub maximum: Maximum,
-    /// What of the place is told.
+    /// Reported coordinate.
     pub coordinate: Coordinate,
 }
 
@@ -84,7 +84,7 @@ impl Observable for PlaceOf {
 }
 
 impl Maximum {
-    /// Its place on a body; `None` where nothing is loaded.
+    /// Returns the location of the maximum on a body; `None` without load.
     fn place(self, at: &Equilibrium<'_>, body: BodyId) -> Option<Place> {
         let pressure =
             |zone| largest(at.contacts_on(body).filter_map(|(contact, side)| contact.peak(side, zone)));

@@ -1,4 +1,4 @@
-//! How hard surfaces are pressed together.
+//! Observables of contact pressure.
 
 use super::{Equilibrium, Observable, Quantity};
 use calyx_contact::zone::Zone;

@@ -1,4 +1,4 @@
-//! How flanks slide over each other, and the power that friction takes.
+//! Observables of sliding: velocities and frictional losses.
 
 use super::loads::pairs_teeth;
 use super::{Contact, Equilibrium, Needs, Observable, Quantity};
@@ -6,9 +6,9 @@ use calyx_model::ids::PairId;
 use calyx_model::observed::{Observed, Place};
 use std::ops::Add;
 
-/// Velocity with which the contact rolls along the first gear's flank, outwards, less that with which it rolls along the second's: how fast
-/// the flanks of a pair of teeth, counted as by [`super::PairLoad`], slide; 0 where it carries no load. Positive on the addendum of a
-/// gear that drives, negative on its dedendum. m/s.
+/// Sliding velocity of a tooth pair, numbered as by [`super::PairLoad`], m/s: the velocity of the
+/// contact along the first gear's flank, outwards, minus that along the second's; 0 without load.
+/// It is positive on the addendum of a driving gear and negative on its dedendum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingVelocity(pub PairId, pub i32);
 
@@ -32,7 +32,7 @@ impl Observable for SlidingVelocity {
     }
 }
 
-/// The largest velocity, without sign, with which loaded flanks slide over each other. m/s.
+/// Largest magnitude of the sliding velocity of loaded flanks, m/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxSlidingVelocity(pub PairId);
 
@@ -60,20 +60,23 @@ impl Observable for MaxSlidingVelocity {
     }
 }
 
-/// Sliding velocity, with its sign, of the loaded slice that slides fastest, and where that is on the first body.
+/// Returns the signed sliding velocity of the fastest loaded slice, and its location on the first
+/// body.
 fn fastest(contact: &Contact<'_>) -> Option<(f64, Option<Place>)> {
     let sliding = contact.sliding_points().into_iter().map(|(point, place)| {
         let velocity = contact.sliding(point);
         let outward = contact.away_from_axis(0, point);
-        // The faster the contact rolls outwards, the faster the material of the flank moves inwards through it.
+        // The contact moves outwards at the velocity at which the material of the flank moves
+        // inwards through it.
         let along: f64 = velocity.iter().zip(outward).map(|(velocity, outward)| -velocity * outward).sum();
         (size(velocity).copysign(along), place)
     });
     sliding.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))
 }
 
-/// The power that friction of a given coefficient takes: coefficient times force times sliding velocity, over all lines of contact.
-/// Its mean over a mesh cycle is the loss. The forces are those without friction. W.
+/// Frictional power loss at a given coefficient of friction: coefficient times force times sliding
+/// velocity, over all contact lines, W. Its mean over a mesh cycle is the loss. The forces are
+/// those without friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionLoss(pub PairId, pub f64);
 
@@ -94,7 +97,7 @@ impl Observable for FrictionLoss {
     }
 }
 
-/// The part of the power of the mesh that friction of a given coefficient leaves; 1 where nothing moves.
+/// Efficiency of the mesh at a given coefficient of friction; 1 without motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Efficiency(pub PairId, pub f64);
 
@@ -104,7 +107,7 @@ impl Observable for Efficiency {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        // What the mesh passes on, by the work of the contact forces on the first body.
+        // Transmitted power: power of the contact forces on the first body.
         let of = |contact: Contact<'_>| contact.power(0);
         let power = at.mesh_contacts(self.0).map(of).sum::<f64>().abs();
         let loss = FrictionLoss(self.0, self.1).value(at).value;
@@ -117,8 +120,8 @@ impl Observable for Efficiency {
 }
 
 impl Contact<'_> {
-    /// Work by time of the normal forces of the patch on the body of one of its sides, W, as seen from the line of centres: what the mesh
-    /// passes on.
+    /// Returns the power of the patch's normal forces on the body of a side relative to the line of
+    /// centres, W: the power that the mesh transmits.
     fn power(&self, side: usize) -> f64 {
         let normal = self.normal();
         let sense = if side == 0 { -1.0 } else { 1.0 };
@@ -130,7 +133,7 @@ impl Contact<'_> {
         self.slices().iter().map(|slice| sense * slice.force * of(slice.point)).sum()
     }
 
-    /// Direction from the axis of a body to a point, in the plane across the axis.
+    /// Returns the direction from the axis of a body to a point, in the transverse plane.
     fn away_from_axis(&self, side: usize, [x, y, _]: [f64; 3]) -> [f64; 3] {
         let [ox, oy, _] = self.at.system.origin(self.bodies()[side].0, self.at.time());
         [x - ox, y - oy, 0.0]

@@ -1,4 +1,4 @@
-//! Stresses in the fillets of teeth.
+//! Observables of stresses in tooth fillets.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
 use calyx_model::ids::BodyId;
@@ -6,44 +6,48 @@ use calyx_model::observed::{Observed, Place};
 use calyx_solve::system::Bodies;
 use calyx_structure::{BodyModes, Chart, StressPlace, SurfaceLoad};
 
-/// A stress in a fillet.
+/// Stress at a point of a fillet.
 pub(super) struct RootStress {
     pub place: Place,
-    /// The fillet beside which surface, as [`Chart::surface`] counts them.
+    /// Surface next to the fillet, as in [`Chart::surface`].
     pub surface: u32,
-    /// Coordinates on the fillet: along the profile from the end of the flank towards the root, and along the axis, m.
+    /// Coordinates on the fillet: along the profile from the end of the flank towards the root, and
+    /// along the axis, m.
     pub chart: [f64; 2],
-    /// In the body's frame, m.
+    /// Position in the body's frame, m.
     pub position: [f64; 3],
-    /// Along the profile, along the face, and in shear, Pa; of a plane model only the first is known.
+    /// Stress along the profile, along the face, and shear stress, Pa; a plane model provides only
+    /// the first.
     pub components: [f64; 3],
-    /// Largest and smallest principal stress in the surface, Pa; one of them is zero in a plane model.
+    /// Largest and smallest principal stress in the surface, Pa; one of them is zero in a plane
+    /// model.
     pub principal: [f64; 2],
 }
 
-/// Whose fillets are looked at.
+/// Teeth whose fillets are evaluated.
 #[derive(Clone, Copy)]
 pub(super) enum Teeth {
-    /// The loaded teeth, and as many neighbours on either side; all teeth of a body that vibrates while none of them is loaded.
+    /// Loaded teeth, and this number of neighbours on either side; all teeth of a vibrating body if
+    /// none is loaded.
     Near(u32),
     /// One tooth, loaded or not.
     One(u32),
 }
 
-/// On which sides of the teeth fillets are looked at.
+/// Sides of the teeth whose fillets are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilletSide {
-    /// Beside the flanks that carry load: both, of a planet that is pressed on from both sides.
+    /// Side of the loaded flanks; both sides of a planet that is loaded on both.
     Loaded,
-    /// On the other side of the teeth from those.
+    /// Side opposite to the loaded flanks.
     Other,
-    /// Beside one flank, as [`Chart::surface`] counts them, loaded or not.
+    /// Side of one flank, as in [`Chart::surface`], loaded or not.
     Flank(u32),
-    /// Both.
+    /// Both sides.
     Both,
 }
 
-/// The fillets of a gear that are looked at.
+/// Fillets of a gear that are evaluated.
 #[derive(Clone, Copy)]
 pub(super) struct Fillets {
     pub teeth: Teeth,
@@ -51,7 +55,8 @@ pub(super) struct Fillets {
 }
 
 impl Fillets {
-    /// Tooth and surface of those of a gear of so many teeth that is loaded on these charts.
+    /// Returns tooth and surface of the fillets of a gear with this number of teeth and loads on
+    /// these surfaces.
     fn near(self, loaded: impl Iterator<Item = Chart>, teeth: u32) -> Vec<(u32, u32)> {
         let mut near = Vec::new();
         for Chart { tooth, surface } in loaded {
@@ -76,7 +81,7 @@ impl Fillets {
     }
 }
 
-/// Surfaces of a body that the meshes it is in are made for.
+/// Returns the drive flanks of the body's meshes.
 fn driving_surfaces<'a>(at: &Equilibrium<'a>, body: BodyId) -> impl Iterator<Item = u32> + use<'a> {
     let pairs = at.system.scene.pairs.iter().filter(|pair| pair.front.is_none());
     pairs.flat_map(move |pair| {
@@ -84,15 +89,15 @@ fn driving_surfaces<'a>(at: &Equilibrium<'a>, body: BodyId) -> impl Iterator<Ite
     })
 }
 
-/// By how much the modal coordinates of a body differ from what they would be if its contact forces rested: what of its stress statics
-/// does not know.
+/// Difference of a body's modal coordinates from their static values under the same contact forces:
+/// the dynamic part of its stress.
 struct Vibration<'a> {
     modes: &'a BodyModes,
     beyond: Vec<f64>,
 }
 
 impl<'a> Vibration<'a> {
-    /// `None` of a body without modes, and in equilibrium.
+    /// Computes the difference; `None` for a body without modes, and in equilibrium.
     fn of(at: &Equilibrium<'a>, body: BodyId, loads: &[SurfaceLoad]) -> Option<Vibration<'a>> {
         let (modes, first) = at.system.modes.of_body(body.0)?;
         let mut beyond = at.step.modal.get(first..first + modes.count())?.to_vec();
@@ -115,7 +120,8 @@ impl<'a> Vibration<'a> {
     }
 }
 
-/// The stresses in fillets of a body, those of one fillet together, of a body that vibrates those of its modes too. `None` of a body that is not modelled.
+/// Returns the stresses in fillets of a body, grouped by fillet, including those of its modes if it
+/// vibrates. `None` for a body that is not modelled.
 pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Option<Vec<RootStress>> {
     let mut all = Vec::new();
     match &at.system.bodies {
@@ -124,7 +130,7 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
             let (loads, lugs) = (at.surface_loads(body), at.loose_lug_forces(body));
             let vibration = Vibration::of(at, body, &loads);
             let mut charts: Vec<Chart> = loads.iter().map(|load| load.chart).collect();
-            // Where nothing is loaded teeth vibrate all the same, and none of them is nearer to a load than another.
+            // Without load, teeth vibrate nevertheless, and all are equivalent.
             if charts.is_empty() && vibration.is_some() {
                 let teeth = match of.teeth {
                     Teeth::Near(_) => structure.teeth(),
@@ -170,13 +176,14 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
     Some(all)
 }
 
-/// The stresses in the fillets on both sides of the loaded teeth and their neighbours. `None` of a body that is not modelled.
+/// Returns the stresses in the fillets on both sides of the loaded teeth and their neighbours.
+/// `None` for a body that is not modelled.
 pub(super) fn around_contact(at: &Equilibrium<'_>, body: BodyId) -> Option<Vec<RootStress>> {
     stresses(at, body, Fillets { teeth: Teeth::Near(1), side: FilletSide::Both })
 }
 
-/// The largest principal stress in the fillets of a body, on its loaded side: 0 where all of them are pressed together, as those of a thin
-/// free rim are beside a loaded tooth ([`MaxRootCompression`]). Pa.
+/// Largest principal stress in the fillets of a body on the loaded side, Pa. Zero if all are in
+/// compression, as in a thin free rim next to a loaded tooth ([`MaxRootCompression`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxRootStress(pub BodyId);
 
@@ -200,8 +207,8 @@ impl Observable for MaxRootStress {
     }
 }
 
-/// The largest compression in the fillets of a body, on either side of the loaded teeth: the smallest principal stress without its
-/// sign. Pa.
+/// Largest compression in the fillets of a body, on either side of the loaded teeth: the magnitude
+/// of the smallest principal stress, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxRootCompression(pub BodyId);
 
@@ -224,7 +231,7 @@ fn largest(stresses: Option<Vec<RootStress>>, value: impl Fn(&RootStress) -> f64
     let mut largest = Observed::number(0.0);
     for stress in stresses {
         let value = value(&stress);
-        // One that is no number stays to be seen, whatever comes after it.
+        // NaN must persist.
         if value > largest.value || (value.is_nan() && !largest.value.is_nan()) {
             largest = Observed { value, least: None, place: Some(stress.place) };
         }

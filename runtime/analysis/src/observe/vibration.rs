@@ -8,13 +8,14 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 impl Equilibrium<'_> {
-    /// The free vibrations about the equilibrium; `None` if a freedom has no inertia or nothing vibrates. They are found once a position.
+    /// Returns the free vibrations about the equilibrium, computed once per position; `None` if a
+    /// DOF has no inertia or nothing vibrates.
     pub fn vibrations(self) -> Option<Arc<Vibrations>> {
         self.system.vibrations(self.step)
     }
 }
 
-/// A natural frequency of the scene about its equilibrium: number 0 is the lowest. Hz.
+/// Natural frequency of the scene about its equilibrium, Hz; number 0 is the lowest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NaturalFrequency(pub usize);
 
@@ -33,16 +34,16 @@ impl Observable for NaturalFrequency {
     }
 }
 
-/// The part of a mode's kinetic energy in some of a body's motion.
+/// Fraction of a mode's kinetic energy in components of a body's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModeShare {
-    /// From the lowest frequency up, from 0.
+    /// Index of the mode, from the lowest frequency, from 0.
     pub mode: usize,
-    /// Whose.
+    /// Body whose motion counts.
     pub body: BodyId,
     /// Which components of its frame count, in the order of [`calyx_model::freedom::FREEDOMS`].
     pub components: [bool; 6],
-    /// Whether its modal coordinates do: what it vibrates against its frame.
+    /// Includes its modal coordinates: vibrations relative to its frame.
     pub elastic: bool,
 }
 

@@ -3,21 +3,21 @@
 use calyx_model::fidelity::Fidelity;
 use calyx_numerics::error::EngineError;
 
-/// A way to analyse a scene. Factors are on what the model asks for.
+/// Setting of an analysis. Factors are relative to the model's own options.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
-    /// The level.
+    /// Fidelity level.
     pub fidelity: Fidelity,
-    /// On the elements along every direction.
+    /// Factor on the number of elements along every direction.
     pub refinement: f64,
-    /// On the cells of contact, across and along.
+    /// Factor on the number of contact cells, across and along.
     pub cells: usize,
-    /// On the number of positions.
+    /// Factor on the number of positions.
     pub positions: usize,
 }
 
 impl Setting {
-    /// In words, naming what is not as the model asks for it.
+    /// Describes the setting by its differences from the model's options.
     pub fn describe(&self) -> String {
         let mut text = format!("\"{}\"", self.fidelity.name());
         if self.refinement != 1.0 {
@@ -33,20 +33,20 @@ impl Setting {
     }
 }
 
-/// A setting, and how it did.
+/// Setting with its estimated error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tried {
     /// The setting.
     pub setting: Setting,
-    /// Whether all positions were solved, or a few.
+    /// True if all positions were solved, false for a few.
     pub whole: bool,
-    /// The output with the largest error by its name, and that error as a part of the output's largest magnitude: infinite of one that has no value,
-    /// or no estimate.
+    /// Name of the output with the largest relative error, and that error relative to the output's
+    /// largest magnitude: infinite for an output without a value or an estimate.
     pub worst: (String, f64),
 }
 
 impl Tried {
-    /// The error in words.
+    /// Describes the error.
     pub(crate) fn error(&self) -> String {
         match &self.worst {
             (output, error) if error.is_finite() => format!("{} in `{output}`", percent(*error)),
@@ -55,20 +55,21 @@ impl Tried {
     }
 }
 
-/// What was chosen for a tolerance.
+/// Outcome of a tolerance search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chosen {
-    /// Of the largest magnitude of every output.
+    /// Tolerance, relative to the largest magnitude of every output.
     pub tolerance: f64,
-    /// With which the results were had.
+    /// Setting of the results.
     pub setting: Setting,
-    /// All settings tried, in order. If the tolerance is met, the last is the chosen one at all positions.
+    /// All settings tried, in order. If the tolerance is met, the last is the setting of the
+    /// results, at all positions.
     pub tried: Vec<Tried>,
-    /// Which of these the results are of.
+    /// Index of the setting of the results.
     pub taken: usize,
-    /// The reason for which the search ended before a setting met the tolerance, if it did.
+    /// Reason why the search ended before a setting met the tolerance, if so.
     pub ended: Option<String>,
-    /// Why what the level leaves out is not in the estimates, if it is not.
+    /// Reason why the estimates do not include the model error, if so.
     pub level_unseen: Option<String>,
 }
 
@@ -80,7 +81,7 @@ pub(crate) const LARGER: &str =
     "ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
 
 impl Chosen {
-    /// The warning if the results do not meet the tolerance.
+    /// Returns the warning if the results do not meet the tolerance.
     pub fn missed(&self) -> Option<EngineError> {
         let reason = self.ended.as_ref()?;
         let reached = self.tried.get(self.taken).map_or_else(String::new, |taken| {
@@ -97,7 +98,7 @@ impl Chosen {
         Some(EngineError::new("E0793", message, help).blame("tolerance"))
     }
 
-    /// What was chosen, and why.
+    /// Describes the choice and its reason.
     pub fn describe(&self) -> String {
         let mut text = format!("tolerance {}: took {}", percent(self.tolerance), self.setting.describe());
         if let Some(reason) = &self.ended {
@@ -133,16 +134,16 @@ pub(crate) fn percent(part: f64) -> String {
 pub struct Choosing {
     /// The setting.
     pub setting: Setting,
-    /// True at all positions, false at a few of them.
+    /// True for all positions, false for a few of them.
     pub whole: bool,
     /// The attempt with the least estimated error so far: an interrupted search ends with it.
     pub best: Option<Tried>,
-    /// Part of the work that the search may do which is done, 0 to 1.
+    /// Fraction of the permitted work that is done, 0 to 1.
     pub part: f64,
 }
 
 impl Choosing {
-    /// In words.
+    /// Describes the setting and the progress.
     pub fn describe(&self) -> String {
         let mut text = format!("trying {}", self.setting.describe());
         if !self.whole {

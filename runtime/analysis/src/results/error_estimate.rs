@@ -3,28 +3,28 @@
 use super::OutputSummary;
 use serde::{Deserialize, Serialize};
 
-/// What causes an error.
+/// Cause of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Part {
-    /// Finite elements of bodies.
+    /// Finite element discretization of bodies.
     Discretization,
-    /// Cells of contact.
+    /// Contact grid.
     ContactGrid,
-    /// What lies between the positions that were solved.
+    /// Variation between the solved positions.
     Positions,
-    /// What the level of the model leaves out, as far as the level above has it.
+    /// Model error of the fidelity level, as far as the next level includes the effect.
     Level,
-    /// Steps in time.
+    /// Time steps.
     TimeStep,
 }
 
 impl Part {
-    /// All of them.
+    /// All parts.
     pub const ALL: [Part; 5] =
         [Part::Discretization, Part::ContactGrid, Part::Positions, Part::Level, Part::TimeStep];
 
-    /// As results call it.
+    /// Returns the name in results.
     pub fn name(self) -> &'static str {
         match self {
             Part::Discretization => "discretization",
@@ -35,7 +35,7 @@ impl Part {
         }
     }
 
-    /// As people read it.
+    /// Returns the title for readers.
     pub fn title(self) -> &'static str {
         match self {
             Part::Discretization => "mesh",
@@ -50,18 +50,18 @@ impl Part {
 /// Magnitudes of the errors of an output's statistics, SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
-    /// Of the least value.
+    /// Error of the smallest value.
     pub min: f64,
-    /// Of the largest value.
+    /// Error of the largest value.
     pub max: f64,
-    /// Of the mean.
+    /// Error of the mean.
     pub mean: f64,
-    /// Of the largest less the least.
+    /// Error of the difference between the largest and the smallest value.
     pub peak_to_peak: f64,
 }
 
 impl Statistics {
-    /// Of values that are no numbers.
+    /// Errors of NaN values.
     pub(crate) const NONE: Statistics =
         Statistics { min: f64::NAN, max: f64::NAN, mean: f64::NAN, peak_to_peak: f64::NAN };
 
@@ -88,16 +88,17 @@ impl Statistics {
     }
 }
 
-/// How wrong an output probably is.
+/// Estimated error of an output.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorEstimate {
-    /// Each part that was estimated, in the order of [`Part::ALL`].
+    /// Estimated parts, in the order of [`Part::ALL`].
     pub parts: Vec<(Part, Statistics)>,
-    /// All parts together: their sum, of the mesh and the level above, which sees both, the larger.
+    /// Total: the sum of the parts, with the larger of mesh error and model error, because the next
+    /// fidelity level includes both.
     pub total: Statistics,
-    /// Parts that exist and were not estimated, with the reason.
+    /// Parts that exist but were not estimated, with the reason.
     pub not_estimated: Vec<(Part, String)>,
-    /// Magnitude up to which a value may be nothing but rounding, SI.
+    /// Magnitude up to which a value may consist of rounding, SI.
     pub rounding: f64,
 }
 
@@ -112,7 +113,7 @@ impl ErrorEstimate {
         estimate
     }
 
-    /// What some parts come to together, as in [`ErrorEstimate::total`].
+    /// Returns the total of some parts, as in [`ErrorEstimate::total`].
     pub fn within(&self, wanted: &[Part]) -> Statistics {
         let part = |one: Part| {
             let own = self.parts.iter().find(|(part, _)| *part == one && wanted.contains(part));
@@ -123,25 +124,27 @@ impl ErrorEstimate {
         others.into_iter().fold(model, |sum, error| sum.with(error, |a, b| a + b))
     }
 
-    /// Whether the error of the fidelity level itself is part of it. Without it the estimate is of the numerical error alone: how far the
-    /// result is from what the same level gives with finer meshes and contact grids, more positions and shorter steps.
+    /// Returns whether the model error of the fidelity level is included. Without it the estimate
+    /// is the numerical error alone: the difference from the result of the same level with finer
+    /// meshes and contact grids, more positions and shorter steps.
     pub fn includes_level(&self) -> bool {
         self.parts.iter().any(|(part, _)| *part == Part::Level)
     }
 
-    /// Whether an output is nothing but rounding: its values, and all that they may be off by.
+    /// Returns whether an output consists of rounding: both its values and their errors.
     pub fn is_rounding(&self, summary: &OutputSummary) -> bool {
         let Statistics { min, max, mean, .. } = self.total;
         let all = [summary.max, summary.min, max, min, mean];
         all.iter().all(|value| value.abs() <= self.rounding) && all.iter().any(|&value| value != 0.0)
     }
 
-    /// The error of the value of largest magnitude.
+    /// Returns the error of the value of largest magnitude.
     pub fn of_largest(&self, summary: &OutputSummary) -> f64 {
         if summary.max.abs() >= summary.min.abs() { self.total.max } else { self.total.min }
     }
 
-    /// The same as a part of that value; `None` where the value is no more than rounding, unless it is exactly nothing, and where nothing is known.
+    /// Returns the relative error of that value; `None` if the value consists of rounding, unless
+    /// it is exactly zero, or if no error is known.
     pub fn relative(&self, summary: &OutputSummary) -> Option<f64> {
         let (magnitude, error) = (summary.max.abs().max(summary.min.abs()), self.of_largest(summary));
         if self.parts.is_empty() || !(summary.max.is_finite() && summary.min.is_finite()) {

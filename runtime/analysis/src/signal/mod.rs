@@ -1,8 +1,12 @@
-//! What sampled outputs say in the frequency domain: spectra, spectrograms, transfer functions, orders of a shaft.
+//! Frequency-domain analysis of sampled outputs: spectra, spectrograms, transfer functions, orders
+//! of a shaft.
 //!
-//! Everything here works on numbers alone, so it serves results of Calyx and measured ones alike. Amplitudes are one-sided and those of
-//! sines: `a sin(2 pi f t)` shows `a` at `f`, whatever the window. Densities are mean squares by frequency, one-sided too. What is asked of an analysis is a [`SignalRequest`]; [`evaluate`] answers
-//! it.
+//! All functions work on plain numbers, so they serve computed and measured signals alike.
+//! Amplitudes are one-sided and those of sines: `a sin(2 pi f t)` has the amplitude `a` at `f`, for
+//! any window. Densities are one-sided mean squares per frequency. A [`SignalRequest`] describes a
+//! request of an analysis; [`evaluate`] computes it.
+//!
+//! See `docs/theory/signals.md`.
 
 mod orders;
 mod peaks;

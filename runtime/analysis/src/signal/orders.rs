@@ -1,6 +1,7 @@
-//! Computed order tracking: a signal over time becomes one over the angle of a shaft, and its spectrum counts events a turn.
+//! Computed order tracking: a signal over time is resampled over the angle of a shaft, so its
+//! spectrum is in events per revolution.
 //!
-//! What a tachometer does with pulses the angle of the shaft does here, which is known at every sample.
+//! The angle of the shaft, known at every sample, replaces the pulses of a tachometer.
 
 use super::spectrum::{padded_spectrum, pieces_of_map};
 use super::{Uniform, Window};
@@ -8,14 +9,16 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use std::f64::consts::{PI, TAU};
 
-/// Samples on either side that a value between samples is made of.
+/// Number of samples on either side for the interpolation between samples.
 pub(super) const REACH: isize = 24;
-/// Shape of Kaiser's window over them: what it lets through is right to a few millionths up to 0.4 of the sampling rate.
+/// Shape parameter of the Kaiser window over them: the passband up to 0.4 of the sampling rate is
+/// accurate to a few millionths.
 const KAISER: f64 = 12.0;
-/// Points of the polynomial by which the angle is found between samples: it is smooth.
+/// Number of points of the polynomial that interpolates the angle, which is smooth.
 const STENCIL: usize = 6;
 
-/// Parts of a turn that pieces may be whole numbers of.
+/// Number of candidates for the samples per revolution. It suffices for pieces that are multiples
+/// of 1/64 of a revolution.
 const PARTS: u32 = 64;
 
 /// Amplitudes over speed and order.
@@ -23,20 +26,20 @@ const PARTS: u32 = 64;
 pub struct OrderMap {
     /// Mean speeds of the pieces, rad/s, in order of time.
     pub speeds: Vec<f64>,
-    /// Events a turn of the shaft.
+    /// Orders: events per revolution of the shaft.
     pub orders: Vec<f64>,
-    /// By speed, then by order.
+    /// Amplitudes by speed, then by order.
     pub amplitudes: Vec<Vec<f64>>,
 }
 
-/// Order spectra of pieces of `turns` turns, which overlap. `angles` (rad) are those of the shaft at the samples, going one way.
-/// Empty where the shaft does not turn so far.
+/// Computes order spectra of overlapping pieces of `turns` revolutions. `angles` (rad) are those of
+/// the shaft at the samples, monotonic. Empty if the shaft rotates by less.
 ///
-/// Every whole order has a line, on which a sine of that order shows its amplitude: of pieces that are no whole number of turns the lines are
-/// those of the next one.
+/// Every integer order has a line, on which a sine of that order shows its amplitude. For pieces
+/// with a fractional number of revolutions the lines are those of the next integer.
 ///
 /// # Errors
-/// That of the interrupt, which is asked before each piece, and whether there is memory for its lines.
+/// Those of the interrupt, which is polled before each piece, also for the memory of its lines.
 pub fn order_map(
     signal: &Uniform,
     angles: &[f64],
@@ -54,7 +57,7 @@ pub fn order_map(
     for first in pieces_of_map(&by_angle, count) {
         let _room = interrupt.room_for(BYTES_PER_LINE * lines_of.max(count) as u64)?;
         let spectrum = padded_spectrum(&by_angle.part(first, count), window, lines_of);
-        // The highest order is a whole number of lines more often than its digits say.
+        // The highest order is a multiple of the line spacing more often than its digits show.
         let lines = (highest / (spectrum.resolution * TAU) + 1e-9).floor() as usize + 1;
         let shown = lines.min(spectrum.amplitudes.len());
         map.speeds.push(by_angle.step * (count - 1) as f64 / (times[first + count - 1] - times[first]));
@@ -64,13 +67,15 @@ pub fn order_map(
     Ok(map)
 }
 
-/// Bytes that a piece takes for each sample with its zeros: the samples, half as many complex lines, their amplitudes and phases.
+/// Memory of a piece per padded sample, bytes: the samples, half as many complex lines, their
+/// amplitudes and phases.
 const BYTES_PER_LINE: u64 = 32;
 
-/// The signal at equal steps of the angle (rad) through which the shaft has turned, in the direction in which it turns, and the times (s) of
-/// these samples. As many a turn as show orders up to `highest`, no fewer than there were, and a whole number of them in pieces of so many `turns` where that
-/// can be. Of both ends a few samples are left out, for want of neighbours.
-/// `None` if the shaft rests or turns back, or there are too few samples.
+/// Resamples the signal at equal steps of the shaft's angle (rad), in its sense of rotation; also
+/// returns the times (s) of these samples. The number per revolution resolves orders up to
+/// `highest`, is at least that of the original samples, and gives an integer number of samples in
+/// pieces of `turns` revolutions if possible. A few samples at both ends are omitted, because they
+/// have no neighbours. `None` if the shaft is at rest or reverses, or there are too few samples.
 pub fn resample_by_angle(
     signal: &Uniform,
     angles: &[f64],
@@ -86,7 +91,7 @@ pub fn resample_by_angle(
     }
     let slowest = turned.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
     let (first, last) = (turned[margin], turned[count - 1 - margin]);
-    // What the signal shows at the slowest speed must not be mistaken for a lower order; nor is more kept than can be told apart.
+    // Avoid aliasing at the lowest speed, but limit the number of samples to what can be resolved.
     let enough = (2.56 * highest).max(TAU / slowest).min(count as f64 * 64.0 * TAU / (last - first)).ceil();
     let whole = |a_turn: f64| (turns * a_turn - (turns * a_turn).round()).abs() < 1e-9;
     let a_turn = (0..PARTS).map(|more| enough + f64::from(more)).find(|more| whole(*more)).unwrap_or(enough);
@@ -107,7 +112,8 @@ pub fn resample_by_angle(
     Some((Uniform { start: sense * first + angles[0], step, values }, times))
 }
 
-/// Where between samples `at` and the next an ascending smooth quantity has a value: in samples from the first.
+/// Returns the fractional sample index, between samples `at` and the next, at which an increasing
+/// smooth quantity has a value.
 fn inverse(values: &[f64], at: usize, wanted: f64) -> f64 {
     let first = at.saturating_sub(STENCIL / 2 - 1).min(values.len() - STENCIL);
     let around = &values[first..first + STENCIL];
@@ -116,7 +122,7 @@ fn inverse(values: &[f64], at: usize, wanted: f64) -> f64 {
     if next > values[at] {
         place += (wanted - values[at]) / (next - values[at]);
     }
-    // The polynomial through the samples, by the secant that joins it to a step of a thousandth: it hardly bends.
+    // Secant iteration on the interpolating polynomial, which is nearly linear.
     for _ in 0..4 {
         let [here, beside] = [0.0, 1e-3].map(|by| lagrange(around, place + by - first as f64));
         place -= (here - wanted) * 1e-3 / (beside - here);
@@ -124,7 +130,7 @@ fn inverse(values: &[f64], at: usize, wanted: f64) -> f64 {
     place
 }
 
-/// The polynomial through samples at 0, 1, 2 ...
+/// Evaluates the polynomial through samples at 0, 1, 2 ...
 fn lagrange(values: &[f64], at: f64) -> f64 {
     let term = |(k, value): (usize, &f64)| {
         let others = (0..values.len()).filter(|&other| other != k);
@@ -133,7 +139,8 @@ fn lagrange(values: &[f64], at: f64) -> f64 {
     values.iter().enumerate().map(term).sum()
 }
 
-/// A band-limited signal between its samples: Kaiser's windowed sinc, of which the weights add up to one.
+/// Interpolates a band-limited signal between its samples by a Kaiser-windowed sinc with weights
+/// that add up to one.
 fn between(values: &[f64], place: f64) -> f64 {
     let nearest = place.round() as isize;
     let (mut sum, mut weights) = (0.0, 0.0);
@@ -149,7 +156,7 @@ fn between(values: &[f64], place: f64) -> f64 {
     sum / weights
 }
 
-/// The modified Bessel function of the first kind and order 0, by its series.
+/// Computes the modified Bessel function of the first kind and order 0 by its series.
 fn bessel(x: f64) -> f64 {
     let (mut sum, mut term, quarter) = (1.0, 1.0, 0.25 * x * x);
     for k in 1..60 {

@@ -1,4 +1,4 @@
-//! What a model wants to know of its outputs in the frequency domain, and the answer once the analysis is done.
+//! Requests of a model for frequency-domain results, and their evaluation after the analysis.
 
 use super::orders::REACH;
 use super::uniform::FEWEST;
@@ -12,71 +12,73 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use std::f64::consts::TAU;
 
-/// Of a turn, rad: what is known up to whole turns is followed no further from one sample to the next.
+/// Quarter of a revolution, rad: largest difference between samples to which angles modulo
+/// revolutions are unwrapped.
 const QUARTER: f64 = 0.25 * TAU;
-/// Peaks that are told of a spectrum.
+/// Number of reported peaks of a spectrum.
 const PEAKS: usize = 8;
 
-/// From when to when, s; both ends count.
+/// Time interval, s, including both ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    /// Beginning.
+    /// Start.
     pub from: f64,
     /// End; may be infinite.
     pub to: f64,
 }
 
-/// What is asked of an output.
+/// Kind of a request.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SignalKind {
-    /// Its spectrum.
+    /// Spectrum of the output.
     Spectrum {
-        /// Weights.
+        /// Window.
         window: Window,
-        /// Length of pieces whose spectra are averaged, s; `None` takes all as one.
+        /// Length of pieces whose spectra are averaged, s; `None` uses the whole signal.
         piece: Option<f64>,
-        /// What the values of lines are.
+        /// Scaling of the lines.
         scaling: Scaling,
     },
-    /// Spectra of pieces, over time.
+    /// Spectrogram: spectra of pieces, over time.
     Spectrogram {
-        /// Weights.
+        /// Window.
         window: Window,
         /// Length of a piece, s.
         piece: f64,
     },
-    /// Order spectra of pieces, over the speed of a shaft.
+    /// Order map: order spectra of pieces, over the speed of a shaft.
     OrderMap {
-        /// Whose turns are counted: those of its frame; `None` of what does not turn.
+        /// Shaft whose revolutions are counted by its frame; `None` without rotation.
         shaft: Option<BodyId>,
-        /// The output by which the shaft is ahead of its frame, rad, as a tachometer sees it.
+        /// Name of the output that contains the lead of the shaft relative to its frame, rad, as a
+        /// tachometer measures it.
         ahead: Option<String>,
-        /// Turns in a piece.
+        /// Revolutions per piece.
         turns: f64,
-        /// Up to this order.
+        /// Highest order.
         highest: f64,
-        /// Weights.
+        /// Window.
         window: Window,
     },
-    /// The transfer function from a blow at the beginning of the span.
+    /// Transfer function from an impulse at the start of the interval.
     TransferFunction {
-        /// Of the blow, N s, or N m s of a moment.
+        /// Momentum of the impulse, N s, or N m s for a moment.
         momentum: f64,
     },
 }
 
-/// What the values of a spectrum are.
+/// Scaling of a spectrum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scaling {
-    /// Of sines, one-sided.
+    /// Amplitudes of sines, one-sided.
     #[default]
     Amplitude,
-    /// Mean square by frequency, one-sided: the power spectral density.
+    /// Power spectral density: mean square per frequency, one-sided.
     Density,
 }
 
 impl SignalKind {
-    /// What results call it.
+    /// Returns the name in results.
     pub fn name(&self) -> &'static str {
         match self {
             SignalKind::Spectrum { scaling: Scaling::Density, .. } => "spectral_density",
@@ -88,29 +90,29 @@ impl SignalKind {
     }
 }
 
-/// A request.
+/// Request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SignalRequest {
-    /// The output it is of.
+    /// Name of the output.
     pub of: String,
-    /// From when to when.
+    /// Time interval.
     pub span: Span,
-    /// Frequencies (Hz) up to which it is shown; may be infinite.
+    /// Highest frequency (Hz) of the result; may be infinite.
     pub highest: f64,
-    /// What is asked.
+    /// Kind of the request.
     pub kind: SignalKind,
 }
 
-/// Numbers of an answer, in SI.
+/// Numbers of a result, SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SignalTable {
-    /// One value a line.
+    /// One value per line.
     Lines {
         /// Frequencies, Hz.
         places: Vec<f64>,
         /// Amplitudes, or magnitudes of a transfer function.
         values: Vec<f64>,
-        /// rad
+        /// Phases, rad.
         phases: Vec<f64>,
     },
     /// Values over two variables.
@@ -119,30 +121,31 @@ pub enum SignalTable {
         rows: Vec<f64>,
         /// Frequencies, Hz, or orders.
         columns: Vec<f64>,
-        /// By row, then by column.
+        /// Values by row, then by column.
         values: Vec<Vec<f64>>,
     },
 }
 
-/// An answer.
+/// Result of a request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signal {
-    /// What was asked.
+    /// The request.
     pub request: SignalRequest,
-    /// Between lines: Hz, or 1 of orders.
+    /// Line spacing: Hz, or 1 for orders.
     pub resolution: f64,
     /// The numbers.
     pub table: SignalTable,
-    /// The largest peaks: frequency (Hz) and amplitude; none of maps.
+    /// Largest peaks: frequency (Hz) and amplitude; empty for maps.
     pub peaks: Vec<[f64; 2]>,
 }
 
-/// Answers a request from the rows of an analysis, of which it takes output number `output`. `angle` is that of the shaft in a row, rad, up to
-/// whole turns. Positions with a name of their own stand between the uniform ones, and are left out.
+/// Evaluates a request from output number `output` in the rows of an analysis. `angle` is that of
+/// the shaft in a row, rad, modulo revolutions. Named positions lie between the uniform ones and
+/// are omitted.
 ///
 /// # Errors
-/// E0776: there are too few samples, in a piece or in all, or the shaft does not turn so far; E0777: they are not uniform;
-/// that of the interrupt.
+/// E0776: there are too few samples, in a piece or in total, or the shaft does not rotate far
+/// enough; E0777: the samples are not uniform; those of the interrupt.
 pub fn evaluate(
     request: &SignalRequest,
     rows: &[StepRow],
@@ -153,7 +156,7 @@ pub fn evaluate(
     let Span { from, to } = request.span;
     let sampled = || rows.iter().filter(|row| row.position.name.is_empty());
     let value = |row: &StepRow| row.outputs.get(output).map_or(f64::NAN, |seen| seen.value);
-    // Ends are given in decimal digits, and times are sums of steps.
+    // The ends have decimal digits, and times are sums of steps.
     let slack = 1e-9 * rows.last().map_or(0.0, |row| row.position.time.abs());
     let within = |row: &&StepRow| (from - slack..=to + slack).contains(&row.position.time);
     let times: Vec<f64> = sampled().filter(within).map(|row| row.position.time).collect();
@@ -180,7 +183,7 @@ pub fn evaluate(
                 Scaling::Density => {
                     let mut density = spectrum.density(*window);
                     density.truncate(amplitudes.len());
-                    // A sine has no density: its peak is as high as its line.
+                    // A sine has no density: its peak has the height of its line.
                     for peak in &mut found {
                         peak.amplitude = density.get(peak.line.round() as usize).copied().unwrap_or_default();
                     }
@@ -223,7 +226,7 @@ pub fn evaluate(
     Ok(Signal { request: request.clone(), resolution, table, peaks })
 }
 
-/// Why a shaft with these angles shows no orders.
+/// Returns the error that a shaft with these angles has no order spectrum.
 fn no_orders(angles: &[f64], turns: f64) -> EngineError {
     let turned = angles.last().zip(angles.first()).map_or(0.0, |(last, first)| last - first);
     let goes_on = angles.windows(2).all(|pair| (pair[1] - pair[0]) * turned > 0.0);
@@ -245,10 +248,10 @@ fn no_orders(angles: &[f64], turns: f64) -> EngineError {
     EngineError::new("E0776", message, help)
 }
 
-/// Samples in a piece of so many seconds.
+/// Returns the number of samples in a piece of this duration (s).
 ///
 /// # Errors
-/// E0776: they are too few, or more than there are.
+/// E0776: it is too small, or larger than the number of samples.
 fn piece_of(signal: &Uniform, seconds: f64) -> Result<usize, EngineError> {
     let (count, all) = ((seconds / signal.step).round(), signal.values.len());
     let refused = |message: String, help: String| Err(EngineError::new("E0776", message, help));
@@ -270,24 +273,25 @@ fn piece_of(signal: &Uniform, seconds: f64) -> Result<usize, EngineError> {
     Ok(count as usize)
 }
 
-/// A number as messages show it: four digits.
+/// Formats a number for messages with four digits.
 fn digits(number: f64) -> String {
     format!("{number:.3e}").parse::<f64>().unwrap_or(number).to_string()
 }
 
 impl SignalRequest {
-    /// How many lines of so many are shown.
+    /// Returns the number of lines that are shown.
     fn shown(&self, resolution: f64, lines: usize) -> usize {
         (0..lines).take_while(|&line| self.shows(line as f64 * resolution)).count()
     }
 
-    /// Whether a frequency or an order is shown: the highest one is given in decimal digits.
+    /// Returns whether a frequency or an order is shown, with a tolerance for the decimal digits of
+    /// the highest one.
     fn shows(&self, place: f64) -> bool {
         place <= self.highest * (1.0 + 1e-9)
     }
 }
 
-/// A line spectrum, and its peaks in Hz.
+/// Creates a line spectrum with its peaks in Hz.
 fn lines(
     resolution: f64,
     values: Vec<f64>,
@@ -300,7 +304,8 @@ fn lines(
     (resolution, SignalTable::Lines { places, values, phases }, peaks)
 }
 
-/// Angles that are known up to whole turns, as they go on: from one sample to the next by less than half a turn.
+/// Unwraps angles that are known modulo revolutions, with steps of less than half a revolution
+/// between samples.
 fn unwrapped(angles: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::new();
     for angle in angles {

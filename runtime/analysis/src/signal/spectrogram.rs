@@ -1,4 +1,4 @@
-//! How a spectrum changes with time: spectra of short pieces, side by side.
+//! Spectrogram: spectra of short pieces of a signal, over time.
 
 use super::spectrum::pieces_of_map;
 use super::{Uniform, Window, spectrum};
@@ -10,16 +10,17 @@ use calyx_numerics::interrupt::Interrupt;
 pub struct Spectrogram {
     /// Middles of the pieces, s.
     pub times: Vec<f64>,
-    /// Of the lines, Hz.
+    /// Frequencies of the lines, Hz.
     pub frequencies: Vec<f64>,
-    /// By time, then by frequency.
+    /// Amplitudes by time, then by frequency.
     pub amplitudes: Vec<Vec<f64>>,
 }
 
-/// Spectra of pieces of `count` samples that overlap; empty where the signal is shorter than one.
+/// Computes spectra of overlapping pieces of `count` samples; empty if the signal is shorter than a
+/// piece.
 ///
 /// # Errors
-/// That of the interrupt, which is asked before each piece.
+/// Those of the interrupt, which is polled before each piece.
 pub fn spectrogram(
     signal: &Uniform,
     window: Window,

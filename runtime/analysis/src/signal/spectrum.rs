@@ -1,4 +1,4 @@
-//! Amplitude spectra: a windowed Fourier transform, corrected so that sines show their amplitude.
+//! Amplitude spectra: windowed Fourier transform, scaled to the amplitudes of sines.
 
 use super::Uniform;
 use super::uniform::FEWEST;
@@ -7,29 +7,30 @@ use calyx_numerics::interrupt::Interrupt;
 use realfft::RealFftPlanner;
 use std::f64::consts::{PI, TAU};
 
-/// Weights of the samples over the length of a signal (Harris, Proc. IEEE 66(1), 1978), in the periodic form.
+/// Window: weights of the samples over the length of a signal (Harris, Proc. IEEE 66(1), 1978), in
+/// the periodic form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Window {
-    /// All alike: exact for whole periods, as over mesh cycles; all else leaks far.
+    /// Rectangular: exact for whole periods, as over mesh cycles; otherwise with strong leakage.
     Rectangular,
-    /// For signals of unknown periods.
+    /// Hann: for signals of unknown periods.
     #[default]
     Hann,
-    /// Amplitudes right to a thousandth between lines too; lines are wide.
+    /// Flat top: amplitudes between lines are accurate to a thousandth; lines are wide.
     FlatTop,
 }
 
 impl Window {
-    /// Every window by its name.
+    /// All windows by name.
     pub const ALL: [(&'static str, Window); 3] =
         [("rectangular", Window::Rectangular), ("hann", Window::Hann), ("flat_top", Window::FlatTop)];
 
-    /// A window by its name.
+    /// Returns a window by its name.
     pub fn named(name: &str) -> Option<Window> {
         Window::ALL.into_iter().find(|(known, _)| *known == name).map(|(_, window)| window)
     }
 
-    /// Terms of its cosine series.
+    /// Returns the coefficients of its cosine series.
     fn terms(self) -> &'static [f64] {
         match self {
             Window::Rectangular => &[1.0],
@@ -39,7 +40,7 @@ impl Window {
         }
     }
 
-    /// Weights of `count` samples.
+    /// Returns the weights of `count` samples.
     pub fn weights(self, count: usize) -> Vec<f64> {
         let weight = |k: usize| {
             let angle = TAU * k as f64 / count as f64;
@@ -52,10 +53,12 @@ impl Window {
         (0..count).map(weight).collect()
     }
 
-    /// What a long window shows of a sine of amplitude 1 that is `off` lines away: 1 on its line.
+    /// Returns the response of a long window to a sine of amplitude 1 at a distance of `off` lines:
+    /// 1 on its line.
     pub fn response(self, off: f64) -> f64 {
         let nearest = off.round();
-        // Between lines each term of the series has a sine by its distance; on the line of a term that term alone is seen.
+        // Between lines each term of the series has a sine divided by its distance; on the line of
+        // a term only that term contributes.
         let beside = off - nearest;
         if beside.abs() < 1e-9 {
             let term = self.terms().get(nearest.abs() as usize).copied().unwrap_or(0.0);
@@ -69,7 +72,7 @@ impl Window {
         ((PI * off).sin() / PI * sum) / self.terms()[0]
     }
 
-    /// The width of a line that lets through as much of a noise, in lines: 1 of the rectangular window.
+    /// Returns the equivalent noise bandwidth, in lines: 1 for the rectangular window.
     pub fn noise_width(self) -> f64 {
         let (first, others) = self.terms().split_first().unwrap_or((&1.0, &[]));
         1.0 + others.iter().map(|term| 0.5 * (term / first).powi(2)).sum::<f64>()
@@ -79,47 +82,51 @@ impl Window {
 /// One-sided amplitudes at uniform frequencies from 0 to half of the sampling rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// Between lines: 1/s of a signal over time, 1 of one over turns.
+    /// Line spacing: 1/s for a signal over time, 1 for one over revolutions.
     pub resolution: f64,
-    /// Of each line, in the unit of the signal; the first is the mean, with its sign.
+    /// Amplitudes by line, in the unit of the signal; the first is the signed mean.
     pub amplitudes: Vec<f64>,
-    /// Of each line, rad: of `cos(2 pi f t + phase)` from the first sample on. Of averages, none: all are 0.
+    /// Phases by line, rad: of `cos(2 pi f t + phase)` from the first sample. All are 0 for
+    /// averaged spectra.
     pub phases: Vec<f64>,
-    /// How many samples it is of; an even number of them has a line at half of the sampling rate.
+    /// Number of samples; an even number has a line at half of the sampling rate.
     pub samples: usize,
 }
 
 impl Spectrum {
-    /// Of a line.
+    /// Returns the frequency of a line.
     pub fn frequency(&self, line: usize) -> f64 {
         self.resolution * line as f64
     }
 
-    /// The power spectral density of a signal that was seen through a window, one-sided: mean square by frequency, in the unit of the signal
-    /// squared by that of the resolution. Without the mean; of noise the same whatever the resolution.
+    /// Returns the one-sided power spectral density of a signal seen through a window: mean square
+    /// per frequency, in the squared unit of the signal divided by that of the resolution. Without
+    /// the mean; independent of the resolution for noise.
     pub fn density(&self, window: Window) -> Vec<f64> {
         let width = window.noise_width() * self.resolution;
         let square = |(line, amplitude): (usize, &f64)| match line {
             0 => 0.0,
-            // The line at half of the sampling rate: its sine is sampled where it is largest.
+            // The line at half of the sampling rate: its cosine is sampled at its extremes.
             line if 2 * line == self.samples => amplitude * amplitude / width,
             _ => 0.5 * amplitude * amplitude / width,
         };
         self.amplitudes.iter().enumerate().map(square).collect()
     }
 
-    /// All lines.
+    /// Returns the frequencies of all lines.
     pub fn frequencies(&self) -> Vec<f64> {
         (0..self.amplitudes.len()).map(|line| self.frequency(line)).collect()
     }
 }
 
-/// The spectrum of a signal. Its mean is taken out before it is weighted, so that it does not leak into the lines beside it.
+/// Computes the spectrum of a signal. The mean is subtracted before windowing, so that it does not
+/// leak into neighbouring lines.
 pub fn spectrum(signal: &Uniform, window: Window) -> Spectrum {
     padded_spectrum(signal, window, signal.values.len())
 }
 
-/// The same with lines as of a signal of at least as many samples: zeros behind it show what is between its own lines.
+/// Computes the spectrum with zero padding to at least this number of samples, which interpolates
+/// between lines.
 pub(super) fn padded_spectrum(signal: &Uniform, window: Window, lines_of: usize) -> Spectrum {
     let count = lines_of.max(signal.values.len());
     let weights = window.weights(signal.values.len());
@@ -130,11 +137,11 @@ pub(super) fn padded_spectrum(signal: &Uniform, window: Window, lines_of: usize)
     input.resize(count, 0.0);
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(count);
     let mut lines = transform.make_output_vec();
-    // It fails for buffers of other lengths alone, and these are its own.
+    // The transform fails only for buffers of other lengths, and these are its own.
     let _ = transform.process(&mut input, &mut lines);
     let amplitude = |(line, value): (usize, &realfft::num_complex::Complex<f64>)| match line {
         0 => mean,
-        // The line at half of the sampling rate has no twin.
+        // The line at half of the sampling rate has no conjugate.
         line if 2 * line == count => value.norm() / gain,
         _ => 2.0 * value.norm() / gain,
     };
@@ -144,11 +151,12 @@ pub(super) fn padded_spectrum(signal: &Uniform, window: Window, lines_of: usize)
     Spectrum { resolution, amplitudes, phases, samples: count }
 }
 
-/// The root mean square of the spectra of pieces of `count` samples that overlap by half (Welch, IEEE Trans. Audio 15(2), 1967): noise
-/// evens out, and lines are as wide as a piece is short. `None` of a signal shorter than a piece, or pieces of fewer than four samples.
+/// Computes the root mean square of the spectra of pieces of `count` samples that overlap by half
+/// (Welch, IEEE Trans. Audio 15(2), 1967). Averaging reduces noise; short pieces have wide lines.
+/// `None` for a signal shorter than a piece, or pieces of fewer than four samples.
 ///
 /// # Errors
-/// That of the interrupt, which is asked before each piece.
+/// Those of the interrupt, which is polled before each piece.
 pub fn averaged_spectrum(
     signal: &Uniform,
     window: Window,
@@ -175,19 +183,20 @@ pub fn averaged_spectrum(
     Ok(Some(Spectrum { phases: vec![0.0; amplitudes.len()], amplitudes, ..one }))
 }
 
-/// First samples of pieces of `count` that overlap by half.
+/// Returns the first samples of pieces of `count` that overlap by half.
 fn pieces(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
     pieces_every(signal, count, count / 2)
 }
 
-/// First samples of the pieces of a map. They overlap by seven eighths, so that what rises and falls within a piece is seen to, but for long
-/// signals of which that would be many: those overlap less, and by half at least.
+/// Returns the first samples of the pieces of a map. They overlap by seven eighths, to resolve
+/// changes within a piece; in long signals with many pieces they overlap less, but at least by
+/// half.
 pub(super) fn pieces_of_map(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
     let between = signal.values.len().saturating_sub(count) / MOST_PIECES;
     pieces_every(signal, count, between.max(count / 8).min(count / 2))
 }
 
-/// Pieces of a map, unless they would overlap by less than half.
+/// Maximum number of pieces of a map, unless the overlap would be less than half.
 const MOST_PIECES: usize = 400;
 
 fn pieces_every(signal: &Uniform, count: usize, hop: usize) -> impl Iterator<Item = usize> {

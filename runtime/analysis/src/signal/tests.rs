@@ -1,4 +1,4 @@
-//! Against closed forms.
+//! Tests of signals against closed forms.
 
 use super::*;
 use calyx_numerics::error::EngineError;
@@ -37,7 +37,7 @@ fn between_lines_a_flat_top_keeps_the_amplitude_and_peaks_keep_the_place() {
         assert!((most / 3.0 - 1.0).abs() < 2e-3, "{off} {most}");
         for (_, window) in Window::ALL {
             let found = peaks(&spectrum(&signal, window).amplitudes, 1, Shape::Sine(window))[0];
-            // The sine's other half, which leaks over from below zero, is what moves it.
+            // Leakage of the sine's negative frequency shifts the peak.
             let leaks = if window == Window::Rectangular { 0.01 } else { 1e-4 };
             assert!((found.line - 40.0 - off).abs() < leaks, "{window:?} {off} {found:?}");
             assert!((found.amplitude / 3.0 - 1.0).abs() < 2.0 * leaks, "{window:?} {off} {found:?}");
@@ -45,7 +45,7 @@ fn between_lines_a_flat_top_keeps_the_amplitude_and_peaks_keep_the_place() {
     }
 }
 
-/// Parseval: the mean square is that of the lines.
+/// Parseval's theorem: the mean square equals that of the lines.
 #[test]
 fn no_power_is_lost() {
     for count in [255, 256] {
@@ -79,18 +79,18 @@ fn a_spectrogram_follows_a_rising_tone() {
         let found = peaks(row, 1, Shape::Sine(Window::Hann))[0].line * map.frequencies[1];
         assert!((found - (50.0 + 20.0 * time)).abs() < 0.5, "{time} {found}");
     }
-    // Pieces of 500, each 62 behind the last.
+    // Pieces of 500 samples, each 62 after the last.
     assert!(map.times.len() == (8000 - 500) / 62 + 1);
 }
 
-/// What a long window makes of a sine is the window's own transform.
+/// The response of a long window to a sine is the window's own transform.
 #[test]
 fn a_window_answers_a_sine_as_it_does_a_long_one() {
     for (_, window) in Window::ALL {
         let weights = window.weights(20_000);
         let gain: f64 = weights.iter().sum();
         for off in [0.0, 0.3, 0.5, 1.0, 1.4, 2.0, 3.0] {
-            // The transform beside its middle.
+            // Transform at a distance from its centre.
             let turn = |(k, weight): (usize, &f64)| weight * (TAU * off * (k as f64 / 20_000.0 - 0.5)).cos();
             let seen = weights.iter().enumerate().map(turn).sum::<f64>() / gain;
             assert!((window.response(off).abs() - seen.abs()).abs() < 1e-6, "{window:?} {off}: {seen}");
@@ -100,7 +100,8 @@ fn a_window_answers_a_sine_as_it_does_a_long_one() {
     }
 }
 
-/// Parseval, of what is no sine: the density is the mean square, however it is windowed and cut into pieces.
+/// Parseval's theorem for noise: the integral of the density is the mean square for any window and
+/// any pieces.
 #[test]
 fn a_density_of_noise_holds_its_mean_square() {
     let mut state = 1u64;
@@ -127,7 +128,8 @@ fn a_density_of_noise_holds_its_mean_square() {
     assert!((power / square - 1.0).abs() < 1e-12, "{power} {square}");
 }
 
-/// Order 3 and a half of a shaft that runs up stays on its line, with its amplitude; in time it is a tone that rises.
+/// Order 3.5 of a shaft in run-up remains on its line with its amplitude; over time it is a tone of
+/// rising frequency.
 #[test]
 fn what_follows_a_shaft_stays_on_its_order() {
     let angle = |t: f64| TAU * (8.0 * t + 6.0 * t * t);
@@ -143,7 +145,8 @@ fn what_follows_a_shaft_stays_on_its_order() {
     }
 }
 
-/// Whatever part of a turn a piece is, whole orders have lines, and a sine on one shows its amplitude.
+/// For any fraction of a revolution as a piece, integer orders have lines, and a sine on one shows
+/// its amplitude.
 #[test]
 fn every_whole_order_has_a_line() {
     let angle = |t: f64| TAU * (8.0 * t + 6.0 * t * t);
@@ -160,7 +163,7 @@ fn every_whole_order_has_a_line() {
         }
         assert!((map.orders.last().expect("lines") - highest.floor()).abs() < 1.0, "{turns} {highest}");
         for row in &map.amplitudes {
-            // Of half a turn the leak of the mean reaches it.
+            // With half a revolution, leakage of the mean reaches it.
             let found = row[7 * per_order];
             assert!((found - 1.0).abs() < 2e-3, "{turns} {highest}: {found}");
         }
@@ -180,7 +183,8 @@ fn samples_at_angles_are_those_of_a_band_limited_signal() {
     }
 }
 
-/// A damped oscillator: x = e^{-d t} sin(w t) / (m w) answers a blow of one newton second, and 1 / (m (w0² - W² + 2 i d W)) is its transfer function.
+/// The impulse response of a damped oscillator is x = e^{-d t} sin(w t) / (m w), and its transfer
+/// function is 1 / (m (w0² - W² + 2 i d W)).
 #[test]
 fn a_blow_shows_the_transfer_function_of_an_oscillator() {
     let (mass, natural, damping) = (2.0, TAU * 100.0, 20.0);
@@ -194,7 +198,7 @@ fn a_blow_shows_the_transfer_function_of_an_oscillator() {
         let at = TAU * found.frequency(line);
         let (real, imaginary) = (mass * (natural * natural - at * at), 2.0 * mass * damping * at);
         let (magnitude, phase) = (real.hypot(imaginary).recip(), -imaginary.atan2(real));
-        // The sum over samples is an integral to the second order of the step.
+        // The sum over samples is an integral of second order in the step.
         let order = 0.1 * (at.max(natural) * signal.step).powi(2) + 1e-6;
         let ratio = found.magnitudes[line] / magnitude;
         assert!((ratio - 1.0).abs() < order, "{line} {ratio}");
@@ -212,14 +216,15 @@ fn what_is_not_uniform_is_refused() {
     assert!(Uniform::of(&[1e5, 1e5 + 1e-6, 1e5 + 2e-6, 1e5 + 3e-6], &[0.0; 4]).is_ok());
 }
 
-/// A signal of many pieces, and one whose lines take more memory than there is, end where somebody says so.
+/// Evaluations of a signal of many pieces, and of one whose lines exceed the memory, end with the
+/// error of the interrupt.
 #[test]
 fn signals_end_when_somebody_asks_for_it() {
     let (count, step) = (4096, 1e-3);
     let values = (0..count).map(|k| (0.3 * k as f64).sin()).collect();
     let signal = Uniform { start: 0.0, step, values };
     let asked = Arc::new(AtomicUsize::new(0));
-    // Says no the third time.
+    // Fails at the third call.
     let interrupt = || {
         let asked = asked.clone();
         asked.store(0, Ordering::Relaxed);
@@ -234,7 +239,8 @@ fn signals_end_when_somebody_asks_for_it() {
     assert_eq!(asked.load(Ordering::Relaxed), 3);
     assert_eq!(spectrogram(&signal, Window::Hann, 8, &interrupt()).map_err(code), Err("E0704"));
     assert_eq!(asked.load(Ordering::Relaxed), 3);
-    // The shaft turns by a thousandth of a turn in all: a turn has very many lines.
+    // The shaft rotates by a thousandth of a revolution in total, so a revolution has very many
+    // lines.
     let angles: Vec<f64> = (0..count).map(|k| 1e-3 * TAU * k as f64 / count as f64).collect();
     let small = Interrupt::counting(|wanted| match wanted.bytes {
         bytes if bytes > 100_000_000 => Err(EngineError::new("E0707", "it is too much", "")),

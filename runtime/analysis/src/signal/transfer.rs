@@ -1,30 +1,33 @@
-//! The transfer function that a response to a short blow shows.
+//! Transfer function from the response to a short impulse.
 
 use super::Uniform;
 use realfft::RealFftPlanner;
 
-/// Response by force over frequency, complex.
+/// Complex ratio of response to force over frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TransferFunction {
-    /// Between lines, Hz: one over how long the response was followed.
+    /// Line spacing, Hz: the inverse of the duration of the response.
     pub resolution: f64,
-    /// Response by force, in the unit of the response per N, or per N m of a moment.
+    /// Magnitudes, in the unit of the response per N, or per N m of a moment.
     pub magnitudes: Vec<f64>,
-    /// By which the response is ahead of the force, rad.
+    /// Phase lead of the response relative to the force, rad.
     pub phases: Vec<f64>,
 }
 
 impl TransferFunction {
-    /// Of a line, Hz.
+    /// Returns the frequency of a line, Hz.
     pub fn frequency(&self, line: usize) -> f64 {
         self.resolution * line as f64
     }
 }
 
-/// Of the response from the blow on, less what it was at rest (`at_rest`), to a blow of a momentum (N s, or N m s) that takes much less
-/// than a period of what is looked at. The response has to have died down at its end: what has not is smeared over lines beside.
+/// Computes the transfer function from the response, starting at the impulse, minus its value
+/// `at_rest`, for an impulse with a momentum (N s, or N m s) whose duration is much shorter than
+/// the periods of interest. The response must have decayed at its end; otherwise leakage spreads it
+/// over neighbouring lines.
 ///
-/// The integral over time is by the trapezoidal rule, so a response that jumps at its first sample counts there by half.
+/// The integral over time uses the trapezoidal rule, so a response that jumps at its first sample
+/// counts by half there.
 pub fn transfer_function(response: &Uniform, at_rest: f64, momentum: f64) -> TransferFunction {
     let mut input: Vec<f64> = response.values.iter().map(|value| value - at_rest).collect();
     if let Some(first) = input.first_mut() {
@@ -32,7 +35,7 @@ pub fn transfer_function(response: &Uniform, at_rest: f64, momentum: f64) -> Tra
     }
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(input.len());
     let mut lines = transform.make_output_vec();
-    // It fails for buffers of other lengths alone, and these are its own.
+    // The transform fails only for buffers of other lengths, and these are its own.
     let _ = transform.process(&mut input, &mut lines);
     let by = response.step / momentum;
     TransferFunction {

@@ -1,4 +1,4 @@
-//! Summaries of signals that are known.
+//! Tests of summaries of known signals.
 
 use super::*;
 use crate::observe::{Equilibrium, Quantity};
@@ -8,7 +8,7 @@ use calyx_model::position::Position;
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-/// An observable that has no engine behind it.
+/// Observable without an engine.
 #[derive(Debug, PartialEq)]
 struct Signal(Quantity);
 
@@ -22,7 +22,7 @@ impl Observable for Signal {
     }
 }
 
-/// Where a mesh cycle is solved: uniform positions, and beside two jumps.
+/// Positions of a mesh cycle: uniform ones, and both sides of two jumps.
 fn cycle() -> Vec<f64> {
     let mut at: Vec<f64> = (1..24).map(|i| f64::from(i) / 24.0).collect();
     at.extend([1e-6, 0.61 - 1e-6, 0.61 + 1e-6, 1.0 - 1e-6]);
@@ -60,7 +60,8 @@ fn harmonics_of_a_known_signal_are_found() {
             assert!((harmonic.amplitude - amplitude).abs() < 1e-12, "{harmonic:?}");
             assert!((harmonic.phase - phase).abs() < 1e-11, "{harmonic:?}");
         }
-        // The mean of a wave over uniform positions is exact; those beside the jump weigh by where they stand.
+        // The mean of a wave over uniform positions is exact; the positions next to the jump have
+        // weights by their distances.
         assert!((found.mean - 5.0).abs() < 2e-3, "{}", found.mean);
     }
 }
@@ -76,7 +77,8 @@ fn as_many_harmonics_are_told_as_positions_can_tell() {
     assert!((first.amplitude - 1.0).abs() < 1e-14 && (first.phase + 0.5 * PI).abs() < 1e-14);
 }
 
-/// Few positions, most of them beside each other: harmonics through all of them would be many times as large as what is to be seen.
+/// Few positions, most of them close together: harmonics through all of them would be many times
+/// too large.
 #[test]
 fn positions_that_stand_together_tell_fewer_harmonics() {
     let at = [0.0, 0.03, 0.06, 0.5, 0.53];
@@ -90,14 +92,16 @@ fn positions_that_stand_together_tell_fewer_harmonics() {
 
 #[test]
 fn means_are_over_the_closed_cycle_where_it_repeats() {
-    // A ramp: what repeats falls back between the last position and the next cycle, what passes does not.
+    // A ramp: a repeating quantity returns between the last position and the next cycle, a passing
+    // one does not.
     let at = [0.0, 0.25, 0.5, 0.75];
     let of = |quantity| summary(quantity, &at, Observed::number);
     let repeating = of(Quantity::repeating("signal", "m"));
     assert!((repeating.mean - 0.375).abs() < 1e-15);
     let passing = of(Quantity::passing("signal", "m"));
     assert!((passing.mean - 0.375).abs() < 1e-15 && passing.harmonics.is_empty());
-    // Weighted by what each position stands for: three quarters of the cycle stand on 0 and 0.5.
+    // Weighted by the fractions that the positions represent: three quarters of the cycle belong to
+    // 0 and 0.5.
     let uneven = summary(Quantity::repeating("signal", "m"), &[0.0, 0.5, 0.75], Observed::number);
     assert!((uneven.mean - (0.375 * 0.0 + 0.375 * 0.5 + 0.25 * 0.75)).abs() < 1e-15);
     let passing = summary(Quantity::passing("signal", "m"), &[0.0, 0.5, 0.75], Observed::number);

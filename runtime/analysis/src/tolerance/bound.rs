@@ -1,7 +1,7 @@
-//! How much a search for a setting may cost, known before it begins.
+//! Work limit of a tolerance search, known before the search begins.
 //!
-//! Costs are counted as in [`crate::cost`], but for a machine of fixed rates, so that a search ends at
-//! the same setting on every machine.
+//! Costs are counted as in [`crate::cost`], but for a machine of fixed rates, so that a search ends
+//! at the same setting on every machine.
 
 use super::{Setting, meshes};
 use crate::cost::{AnalysisCost, Meshes, Rates, Task};
@@ -12,32 +12,32 @@ use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::observed::OutputRequest;
 use std::iter;
 
-/// The machine whose seconds bound a search: that of `docs/accuracy.md`.
+/// Rates of the nominal machine, that of `docs/accuracy.md`.
 const NOMINAL: Rates = Rates { products: 1e10, logarithms: 2.8e8, threads: 2 };
 
-/// The most work of a search, in seconds of the nominal machine. A setting that would exceed it is
-/// not begun, unless it is the first.
+/// Largest work of a search, in seconds of the nominal machine. A setting that would exceed it is
+/// not started, unless it is the first.
 pub const MOST_WORK: f64 = 600.0;
 
 /// The work that a search has done, in seconds of the nominal machine.
 #[derive(Default)]
 pub(super) struct Work {
     done: f64,
-    /// Meshes whose structures are kept.
+    /// Meshes whose structures are in the cache.
     condensed: Vec<(Fidelity, f64)>,
     meshes: Meshes,
 }
 
 impl Work {
-    /// The part of the work that a search may do which is done.
+    /// Returns the fraction of the permitted work that is done.
     pub(super) fn part(&self) -> f64 {
         self.done / MOST_WORK
     }
 
-    /// Adds the work of a setting; `None`, and nothing is added, if it would be too much.
+    /// Adds the work of a setting; returns `None`, and adds nothing, if it would exceed the limit.
     ///
-    /// The scene and the options are those of the setting; the refinement is a factor on that of the
-    /// model, and there are so many positions.
+    /// The scene and the options are those of the setting. The tuple contains its refinement, a
+    /// factor on that of the model, and the number of positions. The `first` setting has no limit.
     pub(super) fn begin(
         &mut self,
         scene: &Scene,
@@ -48,7 +48,7 @@ impl Work {
     ) -> Option<()> {
         let AnalysisOptions { fidelity, structure, error_estimates: estimates, .. } = *options;
         let task = Task { scene, outputs, fidelity, structure, positions, in_time: false, estimates };
-        // What cannot be planned fails at once.
+        // A setting that cannot be planned fails immediately.
         let cost = task.cost_with(&mut self.meshes, &NOMINAL).unwrap_or_default();
         let known = self.condensed.contains(&(fidelity, refinement));
         let work = work_of(&cost, known);
@@ -63,28 +63,28 @@ impl Work {
     }
 }
 
-/// The time of an analysis whose own structures are kept, or are not, s.
+/// Returns the time of an analysis with or without its structures in the cache, s.
 fn work_of(cost: &AnalysisCost, kept: bool) -> f64 {
     let structures: f64 = cost.structures.iter().map(|(_, cost)| cost.time).sum();
     cost.time() - if kept { structures } else { 0.0 }
 }
 
-/// A setting that a search may try, and what it takes.
+/// Setting that a search may try, with its cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rung {
-    /// With the contact cells and the positions that the model asks for.
+    /// Setting with the contact cells and the positions of the model.
     pub setting: Setting,
-    /// Time to compare it at a few positions, s.
+    /// Time for the comparison at a few positions, s.
     pub few: f64,
-    /// Time to analyse all positions with it, structures kept from the comparison, s.
+    /// Time for all positions, with structures from the comparison, s.
     pub all: f64,
-    /// Most memory, bytes.
+    /// Peak memory, bytes.
     pub memory: f64,
 }
 
-/// The settings that a search tries, from cheap to dear, while finer contact grids and more
-/// positions are not needed; with the time of each on a machine of known rates. Of a fidelity that
-/// the scene cannot be modelled with there is none.
+/// Returns the settings that a search tries, from cheap to expensive, without refinement of contact
+/// grids and positions, with the time of each on a machine of given rates. Fidelities that do not
+/// support the scene are skipped.
 fn rungs(task: &Task<'_>, few: usize, counted: &mut Meshes, rates: &Rates) -> Vec<Rung> {
     let levels = iter::once(task.fidelity).chain(task.fidelity.all_above());
     let settings = levels.flat_map(|fidelity| meshes(fidelity).iter().map(move |&mesh| (fidelity, mesh)));
@@ -97,25 +97,25 @@ fn rungs(task: &Task<'_>, few: usize, counted: &mut Meshes, rates: &Rates) -> Ve
         };
         let [compared, whole] = [of(few.min(task.positions))?, of(task.positions)?];
         let setting = Setting { fidelity, refinement, cells: 1, positions: 1 };
-        // The level above is condensed once, and kept.
+        // The next level is condensed once and cached.
         let [few, all] = [work_of(&compared, false), work_of(&whole, true)];
         Some(Rung { setting, few, all, memory: whole.memory() })
     };
     settings.filter_map(&mut rung).collect()
 }
 
-/// What a search may cost.
+/// Cost of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchCost {
-    /// From cheap to dear.
+    /// Settings from cheap to expensive.
     pub rungs: Vec<Rung>,
-    /// The most time that the search takes, s: that of [`MOST_WORK`], or of the first setting if that
-    /// is more.
+    /// Largest time of the search, s: that of [`MOST_WORK`], or of the first setting if that is
+    /// more.
     pub most: f64,
 }
 
-/// The cost of a search on a machine of known rates. The analysis is that of the model, and settings
-/// are compared at `few` of its positions.
+/// Predicts the cost of a search on a machine of given rates. The analysis is that of the model,
+/// and settings are compared at `few` of its positions.
 pub fn search_cost(task: &Task<'_>, few: usize, rates: &Rates) -> SearchCost {
     let mut meshes = Meshes::default();
     let total = |rungs: &[Rung]| rungs.iter().map(|rung| rung.few + rung.all).sum::<f64>();
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(work.begin(&scene, &[], &options, (1.0, 10), false), Some(()));
         let once = work.part();
         assert!(once > 0.0 && once < 1e-3, "{once}");
-        // Whatever the first one takes, there is no other way to results.
+        // The first setting is always tried, because there is no other way to results.
         work.done = MOST_WORK;
         assert_eq!(work.begin(&scene, &[], &options, (1.0, 10), true), Some(()));
         let done = work.part();

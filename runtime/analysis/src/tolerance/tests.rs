@@ -1,4 +1,4 @@
-//! The ladder of settings as data: what is tried in which order, by what is wrong.
+//! Tests of the sequence of settings, from prescribed errors.
 
 use super::*;
 use crate::results::ErrorEstimate;
@@ -13,21 +13,22 @@ fn positions_double_but_for_jumps() {
     assert_eq!(times, [0.0, 0.5, 1.0, 1.000001, 1.5000005, 2.0]);
 }
 
-/// Errors of a scene's outputs, as parts of their largest magnitude.
+/// Errors of a scene's outputs, relative to their largest magnitude.
 #[derive(Clone, Copy)]
 struct Errors {
-    /// What levels leave out: rigid, analytic, plane, and every one in space.
+    /// Model errors: rigid, analytic, plane, and all three-dimensional levels.
     levels: [f64; 4],
-    /// Meshes in the plane and in space, at the elements that the model asks for; the square of their size counts.
+    /// Mesh errors of plane and three-dimensional models with the model's own elements;
+    /// proportional to the square of the element size.
     meshes: [f64; 2],
-    /// Contact cells, as many as the model asks for.
+    /// Error of the contact grid with the model's own cells.
     grid: f64,
-    /// What lies between as many positions as the model asks for.
+    /// Error between the model's own positions.
     between: f64,
 }
 
 impl Errors {
-    /// What is wrong with a setting, and the whole of it.
+    /// Returns the errors of a setting, and the total.
     fn of(&self, setting: &Setting) -> (Wanting, f64) {
         let rank = match setting.fidelity {
             Fidelity::Rigid => 0,
@@ -39,17 +40,17 @@ impl Errors {
         let cells = LEFT_OF_GRID.powi(setting.cells.ilog2() as i32);
         let grid = if rank == 0 { 0.0 } else { self.grid * cells };
         let between = self.between / (setting.positions * setting.positions) as f64;
-        // The level above sees the mesh of this one as well.
+        // The comparison with the next level includes the mesh error of this one.
         let level = self.levels[rank] + mesh;
         let wanting = Wanting { values: false, level, beyond_mesh: level - mesh, grid, between };
         (wanting, level + grid + between)
     }
 }
 
-/// A scene that a section tells most of.
+/// Scene that a plane model represents well.
 const FLAT: Errors =
     Errors { levels: [1.0, 0.1, 0.005, 0.0], meshes: [0.03, 0.01], grid: 4e-3, between: 1e-3 };
-/// One that is crowned.
+/// Scene with crowning.
 const CROWNED: Errors = Errors { levels: [1.0, 0.1, 0.2, 0.0], ..FLAT };
 
 #[test]
@@ -156,7 +157,8 @@ fn what_is_tried_follows_from_what_is_wrong() {
     }
 }
 
-/// A level at which an output has no value is left for the next one, whatever else is wrong with it; where there is none, nothing will do.
+/// A level at which an output has no value is left for the next one, regardless of other errors;
+/// without a next one the search fails.
 #[test]
 fn a_level_without_values_is_left() {
     let wanting = Wanting {
@@ -174,7 +176,7 @@ fn a_level_without_values_is_left() {
     assert!(!ladder.better(wanting));
 }
 
-/// What is not estimated keeps to nothing, unless there is nothing to be estimated.
+/// An output without an error estimate fails the tolerance, unless there is nothing to estimate.
 #[test]
 fn what_is_not_estimated_is_not_taken_for_exact() {
     let of = |missing: Part, fidelity: Fidelity, several: bool| {

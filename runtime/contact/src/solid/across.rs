@@ -1,29 +1,30 @@
-//! Where two surfaces come closest across a patch, at one y: the gap's slope along x grows steadily, so its zero is bracketed.
+//! Closest approach of two surfaces across a patch, at one y: the slope of the gap along x is
+//! monotonic, so its zero is bracketed.
 
 use super::sheet::{Foot, Sheet};
 
-/// The closest approach at one y.
+/// Closest approach at one y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest {
-    /// The points of both surfaces, one over the other.
+    /// Points of both surfaces at the same x and y.
     pub feet: [Foot; 2],
-    /// The body whose surface ends here before the gap is least.
+    /// Body whose surface ends here before the minimum of the gap.
     pub end: Option<usize>,
 }
 
 impl Closest {
-    /// x and y, m.
+    /// Returns x and y, m.
     pub fn at(&self) -> [f64; 2] {
         let [first, second] = self.feet.map(|foot| foot.at);
         [0.5 * (first[0] + second[0]), 0.5 * (first[1] + second[1])]
     }
 
-    /// Along the frame's normal, m; negative where the bodies overlap.
+    /// Returns the gap along the normal of the frame, m; negative for overlap.
     pub fn gap(&self) -> f64 {
         self.feet[1].height - self.feet[0].height
     }
 
-    /// Growth of the gap by x and by y.
+    /// Returns the derivatives of the gap by x and by y.
     pub fn slope(&self) -> [f64; 2] {
         [0, 1].map(|axis| self.feet[1].slope[axis] - self.feet[0].slope[axis])
     }
@@ -33,21 +34,21 @@ impl Closest {
     }
 }
 
-/// Steps in which the patch is walked through for a change of the slope's sign.
+/// Number of steps across the patch in the search for a sign change of the slope.
 const WALK: f64 = 12.0;
-/// Shortest of them, relative to the stretch over which both surfaces are there.
+/// Smallest step, relative to the interval on which both surfaces exist.
 const LEAST_STRIDE: f64 = 1e-5;
 const BISECTIONS: usize = 60;
 
-/// An end of the stretch of x over which both surfaces are there, and which of them ends.
+/// End of the interval of x on which both surfaces exist, and the surface that ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Limit {
     pub x: f64,
     pub side: usize,
 }
 
-/// The closest approach at `y`, beginning near `guess` (a place on either surface). `None` if the surfaces do not lie over each
-/// other there.
+/// Finds the closest approach at `y`, starting near `guess` (a point on either surface). `None` if
+/// the surfaces do not face each other there.
 pub fn closest_across(sheets: &[Sheet; 2], y: f64, guess: [[f64; 2]; 2]) -> Option<Closest> {
     let [low, high] = limits(sheets, y, guess)?;
     let at = |x: f64, guess: [[f64; 2]; 2]| -> Option<Closest> {
@@ -59,7 +60,7 @@ pub fn closest_across(sheets: &[Sheet; 2], y: f64, guess: [[f64; 2]; 2]) -> Opti
     let middle = 0.5 * (sheets[0].foot(guess[0]).at[0] + sheets[1].foot(guess[1]).at[0]);
     let mut here = middle.clamp(low.x, high.x);
     let mut closest = at(here, guess)?;
-    // Downhill, in growing steps, until the slope changes its sign or a surface ends.
+    // Descend in growing steps until the slope changes its sign or a surface ends.
     let downhill = -closest.slope()[0].signum();
     if closest.slope()[0] == 0.0 {
         return Some(closest);
@@ -71,7 +72,7 @@ pub fn closest_across(sheets: &[Sheet; 2], y: f64, guess: [[f64; 2]; 2]) -> Opti
         let beyond = downhill * (next - limit.x) >= 0.0;
         let next = if beyond { limit.x } else { next };
         let Some(there) = at(next, closest.places()) else {
-            // The other coordinate ends before this one does.
+            // The other coordinate ends before this one.
             stride *= 0.25;
             if stride > LEAST_STRIDE * length {
                 continue;
@@ -87,11 +88,11 @@ pub fn closest_across(sheets: &[Sheet; 2], y: f64, guess: [[f64; 2]; 2]) -> Opti
         }
         stride *= 1.5;
     };
-    // Secants inside the bracket, bisection where they gain too little.
+    // Secant steps inside the bracket, bisection if they gain too little.
     for round in 0..BISECTIONS {
         let [(a, at_a), (b, at_b)] = bracket;
         let (slope_a, slope_b) = (at_a.slope()[0], at_b.slope()[0]);
-        // Rounding of places, and of slopes.
+        // Rounding of positions and slopes.
         let settled = 4.0 * f64::EPSILON * (2.0 * length + ((b - a) / (slope_b - slope_a)).abs());
         let (nearest_x, nearest) = if slope_a.abs() < slope_b.abs() { (a, at_a) } else { (b, at_b) };
         if slope_a == 0.0 || slope_b == 0.0 || (b - a).abs() <= settled {
@@ -110,7 +111,7 @@ pub fn closest_across(sheets: &[Sheet; 2], y: f64, guess: [[f64; 2]; 2]) -> Opti
     Some(if at_a.slope()[0].abs() < at_b.slope()[0].abs() { at_a } else { at_b })
 }
 
-/// The stretch of x at `y` over which both surfaces are there; `None` if there is none.
+/// Returns the interval of x at `y` on which both surfaces exist; `None` if it is empty.
 pub fn limits(sheets: &[Sheet; 2], y: f64, guess: [[f64; 2]; 2]) -> Option<[Limit; 2]> {
     let mut low = Limit { x: f64::NEG_INFINITY, side: 0 };
     let mut high = Limit { x: f64::INFINITY, side: 0 };
@@ -128,7 +129,7 @@ pub fn limits(sheets: &[Sheet; 2], y: f64, guess: [[f64; 2]; 2]) -> Option<[Limi
 }
 
 impl Sheet<'_> {
-    /// x of the surface's ends across the patch at `y`.
+    /// Returns x of the surface's ends across the patch at `y`.
     fn ends_across(&self, y: f64, guess: [f64; 2]) -> [f64; 2] {
         let across = self.roles[0];
         self.range[across].map(|end| self.towards(across, end, 1, y, guess[1 - across]).0.at[0])

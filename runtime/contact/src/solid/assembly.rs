@@ -1,8 +1,8 @@
-//! The compliance of all cells of all patches: half-spaces and their images where load and observer share a surface, structures where
-//! they share a body.
+//! Compliance matrix of the cells of all patches: half-spaces with image loads where load and
+//! observer share a surface, structures where they share a body.
 //!
-//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit for bit; nothing is averaged with
-//! its transpose.
+//! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit
+//! for bit without averaging.
 
 use super::grid::Cell;
 use super::half_space::mean_inverse_distance;
@@ -15,27 +15,28 @@ use calyx_structure::Chart;
 use calyx_structure::solid::SolidStructure;
 use std::f64::consts::PI;
 
-/// One body's part in a patch.
+/// Body in a patch.
 #[derive(Clone, Copy)]
 pub struct Side<'a> {
-    /// Tells bodies apart: several may share a structure (planets made alike) without touching each other's displacements.
+    /// Index of the body. Several bodies may share a structure (equal planets) without coupling of
+    /// their displacements.
     pub body: usize,
-    /// How the body deforms.
+    /// Structure of the body.
     pub structure: &'a dyn SolidStructure,
-    /// Its surface.
+    /// Surface of the body.
     pub chart: Chart,
-    /// Of the body's frame, without the turn of a tooth.
+    /// Pose of the body's frame, without the rotation of a tooth.
     pub pose: Pose,
 }
 
-/// A patch: its two different bodies, in the order of its grid's sides, and its cells.
+/// Contact patch: its two different bodies, in the order of its grid's sides, and its cells.
 #[derive(Clone, Copy)]
 pub struct Patch<'a> {
-    /// The first body and the second.
+    /// First and second body.
     pub sides: [Side<'a>; 2],
-    /// Of its grid.
+    /// Frame of the grid.
     pub frame: &'a PatchFrame,
-    /// Of its grid.
+    /// Cells of the grid.
     pub cells: &'a [Cell],
 }
 
@@ -82,7 +83,8 @@ fn is_symmetric(block: &[f64], n: usize) -> bool {
     (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
 }
 
-/// Growth of the gaps of one patch per force on the cells of another, or of the same, by the structures of the bodies they share.
+/// Computes the influence coefficients between the cells of two patches, or of one, by the
+/// structures of the bodies they share.
 fn structural(observing: &Patch, loaded: &Patch, interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let mut block = vec![0.0; observing.cells.len() * loaded.cells.len()];
     for (a, observer) in observing.sides.iter().enumerate() {
@@ -105,7 +107,7 @@ fn structural(observing: &Patch, loaded: &Patch, interrupt: &Interrupt) -> Resul
     Ok(block)
 }
 
-/// Adds the half-spaces of both bodies, with their images, to the block of a patch with itself.
+/// Adds the half-spaces of both bodies, with their image loads, to the diagonal block of a patch.
 fn add_half_spaces(patch: &Patch, block: &mut [f64], interrupt: &Interrupt) -> Result<(), EngineError> {
     let n = patch.cells.len();
     let softness = |side: &Side| {
@@ -135,8 +137,9 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64], interrupt: &Interrupt) -> R
     let mirrored = |first: &Cell, second: &Cell| -> f64 {
         images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
     };
-    // Cells see each other by the distance of their places, and each other's images by their distance across and both places along, of
-    // which upright mirrors leave the sum; by more than that where mirrors lie aslant.
+    // The half-space term depends on the difference of two cells' positions. The image term depends
+    // on the difference across and both positions along the patch, for upright mirrors only on
+    // their sum, and for inclined mirrors on more.
     let [across, along] = [0, 1].map(|axis| Intervals::of(patch.cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
     let mut direct_known = Answers::new([across.pairs(apart), along.pairs(apart)], n);

@@ -1,9 +1,12 @@
-//! The grid of a patch: cells in the common tangent plane, each with its place on both surfaces and its gap.
+//! Contact grid of a three-dimensional patch: cells in the common tangent plane, each with its
+//! points on both surfaces and its gap.
 //!
-//! The patch is cut into slices along the ridge, and every slice into cells across it, centred at its place of the ridge. Cells lie on
-//! one lattice, of which slices take different stretches, wherever the surfaces let them; near a rounded edge a slice's cells are
-//! graded as in the plane. Where a face ends obliquely the last cells of a slice are cut to it, or lengthened where too little of a
-//! cell would be left. Gaps are exact separations along the frame's normal, averaged over the cell as its pressure is uniform over it.
+//! The patch is divided into slices along the contact line, and every slice into cells across it,
+//! centred at its point of the contact line. Where the surfaces permit, the cells of all slices lie
+//! on one lattice. Near a rounded edge the cells of a slice are graded as in plane contact. At an
+//! oblique side face the last cells of a slice are cut at the face, or lengthened where too little
+//! of a cell would remain. Gaps are exact separations along the normal of the frame, averaged over
+//! the cell like its uniform pressure.
 
 use super::across::{Limit, closest_across, limits};
 use super::placement::{PatchFrame, PlacedSurface};
@@ -16,114 +19,125 @@ use calyx_numerics::vec3::{Vector, dot};
 use calyx_structure::solid::{SolidStructure, Spot};
 use std::ops::Range;
 
-/// A cell of a patch: a rectangle of the tangent plane under uniform pressure.
+/// Contact cell: a rectangle of the tangent plane under uniform pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// x and y of its centre in the patch's frame, m.
+    /// x and y of the centre in the patch's frame, m.
     pub center: [f64; 2],
-    /// Across and along the ridge, m.
+    /// Sizes across and along the contact line, m.
     pub size: [f64; 2],
-    /// Per side: coordinates of the surface over its centre.
+    /// Surface coordinates of the centre, by side.
     pub places: [[f64; 2]; 2],
-    /// Per side: how long it is along the body's axis, m.
+    /// Length along the body's axis, m, by side.
     pub axial: [f64; 2],
-    /// Average separation of the undeformed surfaces along the frame's normal, m; negative where they overlap.
+    /// Average separation of the undeformed surfaces along the normal of the frame, m; negative for
+    /// overlap.
     pub gap: f64,
-    /// Where its force acts, along the frame's normal, m: the ridge's point beside it. The cell's own offset from the ridge is left out
-    /// together with the turn of its own normal; on involutes the two cancel.
+    /// Point of action of the force along the normal of the frame, m: the nearest point of the
+    /// contact line. The offset of the cell from the contact line and the rotation of its own
+    /// normal are neglected together; on involutes they cancel.
     pub point: Vector,
-    /// Whether either surface is on its rounded edge here.
+    /// True if either surface is on its rounded edge here.
     pub edge: bool,
 }
 
 impl Cell {
-    /// m²
+    /// Area, m².
     pub fn area(&self) -> f64 {
         self.size[0] * self.size[1]
     }
 
-    /// What the body on a side sees of it.
+    /// Returns the loaded spot on the body of a side.
     pub fn spot(&self, side: usize) -> Spot {
         Spot { place: self.places[side], length: self.axial[side] }
     }
 
-    /// Its ends across (axis 0) or along (1), m.
+    /// Returns the ends across (axis 0) or along (1) the contact line, m.
     pub fn ends(&self, axis: usize) -> [f64; 2] {
         [self.center[axis] - 0.5 * self.size[axis], self.center[axis] + 0.5 * self.size[axis]]
     }
 }
 
-/// How large a grid is.
+/// Options of a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOptions {
-    /// M: a slice has 2M + 1 cells, more where it is graded towards an edge and fewer where a surface ends.
+    /// M: a slice has 2M + 1 cells, more where it is graded towards an edge and fewer where a
+    /// surface ends.
     pub half_count: usize,
     /// N: a patch has 2N + 1 slices.
     pub half_slices: usize,
-    /// Width across, measured on the flank, m; `None` suits the force.
+    /// Width across, measured on the flank, m; `None` derives it from the force.
     pub width: Option<f64>,
-    /// Length along the ridge, centred at the closest approach and no longer than the ridge, m; `None` suits the force.
+    /// Length along the contact line, centred at the closest approach and at most that of the
+    /// contact line, m; `None` derives it from the force.
     pub length: Option<f64>,
-    /// The force that the patch may have to carry, N, and E*, Pa: what suits them is [`MARGIN`] times a Hertzian contact.
+    /// Largest expected force on the patch, N. It determines automatic sizes, which are [`MARGIN`]
+    /// times those of a Hertzian contact.
     pub force: f64,
-    /// 1/E* = 1/E'1 + 1/E'2, Pa.
+    /// Contact modulus, 1/E* = 1/E'1 + 1/E'2, Pa.
     pub contact_modulus: f64,
-    /// Whether cells may lie on rounded edges.
+    /// Permits cells on rounded edges.
     pub search_edges: bool,
 }
 
-/// Cells of a patch at one place along its ridge.
+/// Slice: the cells of a patch at one position along its contact line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slice {
-    /// Its ends along the ridge, ascending, m; single cells may be cut or lengthened.
+    /// Ends along the contact line, ascending, m; single cells may be cut or lengthened.
     pub y: [f64; 2],
     /// Its cells in [`Grid::cells`], ascending in x.
     pub cells: Range<usize>,
-    /// Whether it ends at low and at high x because a surface does.
+    /// True at low and at high x if the slice ends there because a surface does.
     pub surface_ends: [bool; 2],
     /// Where the flanks end beside it, within its cells or beyond them.
     pub edges: Edges,
 }
 
-/// The cells of a patch.
+/// Contact grid: the cells of a patch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
-    /// In which cells are measured, and along whose normal they act.
+    /// Frame in which cells are measured; they act along its normal.
     pub frame: PatchFrame,
-    /// Slice by slice, ascending in y and then in x.
+    /// Cells by slice, ascending in y and then in x.
     pub cells: Vec<Cell>,
-    /// Ascending in y.
+    /// Slices, ascending in y.
     pub slices: Vec<Slice>,
-    /// Width across and length along, m, as asked for or chosen.
+    /// Width across and length along, m, as requested or derived.
     pub extent: [f64; 2],
-    /// Length of the ridge from end to end, beyond the grid too, m.
+    /// Length of the contact line from end to end, also beyond the grid, m.
     pub line: f64,
     /// M and N.
     pub half_counts: [usize; 2],
-    /// Whether the grid ends at low and at high y because a surface does.
+    /// True at low and at high y if the grid ends there because a surface does.
     pub surface_ends: [bool; 2],
     /// Hertzian half-width of a line load of 1 N/m, m.
     pub unit_half_width: f64,
 }
 
-/// Least part of a slice's length that a cell may keep where a face cuts it off; else its neighbour takes it in.
+/// Smallest fraction of a slice's length for a cell cut by a side face; below it the neighbouring
+/// cell absorbs the rest.
 const LEAST_PART: f64 = 0.4;
-/// Smallest size of edge cells beside flank cells.
+/// Smallest ratio of edge cells to flank cells.
 const SHARPEST_EDGE: f64 = 1e-5;
-/// Curvature just beside an edge's start is taken over this part of the surface's extent.
+/// Distance over which the curvature next to the start of an edge is evaluated, relative to the
+/// extent of the surface.
 const BESIDE: f64 = 1e-6;
-/// Nearer than this part of a surface's range to its edge, its curvature is taken on the flank alone.
+/// Distance from the edge, relative to the surface's range, below which the curvature is evaluated
+/// on the flank alone.
 const NEAR_EDGE: f64 = 2e-4;
-/// Depth of the patch at rest, beside that of a long one that shares its force equally, force / (E* length): the least gap and this
-/// bound the ridge's loaded part. Such that a round contact gets [`MARGIN`] times its length.
+/// Approach relative to force / (E* length), that of a long patch with uniformly distributed force.
+/// The least gap plus this approach bounds the loaded part of the contact line. With this factor a
+/// circular contact gets [`MARGIN`] times its length.
 const DEPTH: f64 = 1.65;
 
-/// E* of two bodies: 1/E* = 1/E'1 + 1/E'2 (Johnson, eq. 4.5). Infinite if both are rigid.
+/// Returns the contact modulus of two bodies: 1/E* = 1/E'1 + 1/E'2 (Johnson, eq. 4.5). Infinite if
+/// both are rigid.
 pub fn contact_modulus(first: &dyn SolidStructure, second: &dyn SolidStructure) -> f64 {
     (first.surface_modulus().recip() + second.surface_modulus().recip()).recip()
 }
 
-/// Lays the grid of the patch around a ridge of `first` and `second`. No cells if the surfaces do not face each other over any area.
+/// Creates the grid around a contact line of `first` and `second`. The grid has no cells if the
+/// surfaces do not face each other.
 pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: &GridOptions) -> Grid {
     let placed = [first, second];
     let frame = ridge.frame;
@@ -131,7 +145,8 @@ pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: 
     let (y, surface_ends) = length_along(ridge, options);
     let flank = flank_curvature(&sheets, ridge);
     let width = options.width.unwrap_or_else(|| {
-        // The middle of a point contact carries half more than the average; a line contact shares evenly.
+        // In a point contact the middle carries 1.5 times the average line load; in a line contact
+        // the load is uniform.
         let share = if surface_ends == [true; 2] { 1.0 } else { 1.5 };
         let line_load = share * options.force / (y[1] - y[0]);
         2.0 * MARGIN * hertz_half_width(line_load, options.contact_modulus, flank)
@@ -162,7 +177,7 @@ pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: 
     grid
 }
 
-/// y of the grid's ends, and whether they are the surfaces'.
+/// Returns y of the grid's ends, and whether they are ends of the surfaces.
 fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
     let all = ridge.extent();
     let clipped = |[low, high]: [f64; 2]| {
@@ -172,7 +187,7 @@ fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
     if let Some(length) = options.length {
         return clipped([-0.5 * length, 0.5 * length]);
     }
-    // The depth to which the ridge is pressed shrinks as more of it is reached.
+    // The approach decreases as more of the contact line is loaded.
     let within = |depth: f64| -> [f64; 2] {
         let floor = ridge.gap;
         let crossing = |step: &mut dyn Iterator<Item = &[f64; 2]>| {
@@ -180,7 +195,7 @@ fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
             for &[next, gap] in step {
                 let above = (gap - floor).max(0.0);
                 if above > depth {
-                    // Between places the gap is nearly a parabola from the closest approach.
+                    // Between samples the gap is nearly a parabola from the closest approach.
                     let (from, to) = (rise.max(0.0).sqrt(), above.sqrt());
                     return y + (next - y) * (depth.sqrt() - from) / (to - from);
                 }
@@ -209,9 +224,10 @@ fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
     clipped(within(deep))
 }
 
-/// Sum of both surfaces' curvatures across at the closest approach, each on its flank proper, 1/m.
+/// Returns the sum of both surfaces' curvatures across the contact line at the closest approach,
+/// each on its flank, 1/m.
 fn flank_curvature(sheets: &[Sheet; 2], ridge: &Ridge) -> f64 {
-    // Differences taken beside an edge would see its curvature.
+    // Finite differences next to an edge would include its curvature.
     let beside_edge = |side: usize| {
         let surface = sheets[side].placed.surface;
         let [[first, last], _] = surface.range();
@@ -226,8 +242,8 @@ fn flank_curvature(sheets: &[Sheet; 2], ridge: &Ridge) -> f64 {
     (0..2).map(|side| curvature_beside_edge(&sheets[side].placed, ridge.places[side], -1.0)).sum()
 }
 
-/// Curvature along u of the flank (`side` -1) or the edge (+1) next to the edge's start, if the place is beyond it; else at the place.
-/// 1/m, positive where convex.
+/// Returns the curvature along u of the flank (`side` -1) or the edge (+1) next to the start of the
+/// edge if the point is beyond it, else at the point; 1/m, positive where convex.
 fn curvature_beside_edge(placed: &PlacedSurface, [u, v]: [f64; 2], side: f64) -> f64 {
     let [[first, last], _] = placed.surface.range();
     let step = BESIDE * (last - first);
@@ -242,29 +258,30 @@ fn curvature_beside_edge(placed: &PlacedSurface, [u, v]: [f64; 2], side: f64) ->
     turn / (dot(tangent, tangent) * (far - near))
 }
 
-/// A rounded edge and how fine its cells are.
+/// Rounded edge and its cell size.
 struct RoundedEdge {
     side: usize,
     start: f64,
-    /// Width of its cells over the flank's.
+    /// Ratio of the width of its cells to that of the flank.
     ratio: f64,
 }
 
-/// Edges of both surfaces that a grid can resolve; cells by the root of curvature, as Hertzian widths go.
+/// Returns the edges of both surfaces that a grid can resolve. Cell sizes follow the root of the
+/// curvature like Hertzian widths.
 fn edges(placed: &[PlacedSurface; 2], ridge: &Ridge, flank: f64) -> Vec<RoundedEdge> {
     let found = (0..2).filter_map(|side| {
         let start = placed[side].surface.edge_from()?;
         let v = ridge.places[side][1];
         let other = curvature_beside_edge(&placed[1 - side], ridge.places[1 - side], -1.0);
         let ratio = (flank / (curvature_beside_edge(&placed[side], [start, v], 1.0) + other)).sqrt();
-        // A sharper edge than this is a corner: no grid resolves it.
+        // A sharper edge is a corner, which no grid resolves.
         let resolved = ratio > SHARPEST_EDGE && start < placed[side].surface.range()[0][1];
         resolved.then(|| RoundedEdge { side, start, ratio: ratio.min(1.0) })
     });
     found.collect()
 }
 
-/// Lays slice after slice.
+/// Builder of the slices.
 struct Layer<'a> {
     placed: [PlacedSurface<'a>; 2],
     sheets: [Sheet<'a>; 2],
@@ -275,7 +292,7 @@ struct Layer<'a> {
     half_count: usize,
     /// y of the middle slice's centre.
     middle: f64,
-    /// Slices to either side of the middle one.
+    /// Number of slices on either side of the middle one.
     reach: i32,
     surface_ends: [bool; 2],
     search_edges: bool,
@@ -295,7 +312,8 @@ struct Laid {
 
 impl Layer<'_> {
     fn fill(&self, grid: &mut Grid, start: Places) {
-        // Upwards and downwards from the middle, each slice beginning where the one before ended; then sorted.
+        // Proceed upwards and downwards from the middle, each slice starting at the end of the
+        // previous one; then sort.
         let mut found: Vec<(i32, Laid)> = Vec::new();
         for direction in [1, -1] {
             let mut guess = start;
@@ -303,7 +321,8 @@ impl Layer<'_> {
             loop {
                 let beyond = index.abs() > self.reach;
                 let oblique = beyond && self.surface_ends[usize::from(direction > 0)];
-                // A slice beyond the ridge's end holds what an oblique face leaves of it; two are plenty.
+                // A slice beyond the end of the contact line contains the rest at an oblique side
+                // face; two slices suffice.
                 if beyond && (!oblique || index.abs() > self.reach + 2) {
                     break;
                 }
@@ -357,7 +376,7 @@ impl Layer<'_> {
         Some(Laid { cells, surface_ends, edges, places })
     }
 
-    /// Ends of the cells of a slice, and whether a surface ends it.
+    /// Returns the ends of the cells of a slice, and whether a surface ends it.
     fn bounds(&self, center: f64, y: f64, places: Places) -> (Vec<f64>, [bool; 2]) {
         let count = 2 * self.half_count + 1;
         let half = 0.5 * count as f64 * self.pitch[0];
@@ -374,7 +393,7 @@ impl Layer<'_> {
                 })
             })
         };
-        // From here on the grading towards an edge leaves cells as they are.
+        // Beyond this distance the grading towards an edge does not change the cells.
         let clearance = 4.0 * self.pitch[0];
         if inside(range[0])
             && inside(range[1])
@@ -386,7 +405,8 @@ impl Layer<'_> {
         }
         let edges: Vec<Edge> = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places)).collect();
         for edge in &edges {
-            // Beyond an edge's start, or the ridge on it, half a grid of edge cells.
+            // Beyond the start of an edge, or beyond a contact line on it, half a grid of edge
+            // cells.
             let side = if edge.towards > 0.0 { 1 } else { 0 };
             let reach = 0.5 * count as f64 * edge.cell;
             let limit = edge.towards * ((edge.towards * edge.x).max(edge.towards * center) + reach);
@@ -427,7 +447,7 @@ impl Layer<'_> {
         })
     }
 
-    /// Where an edge starts on the tangent plane at `y`.
+    /// Returns the start of an edge on the tangent plane at `y`.
     fn edge_at(&self, edge: &RoundedEdge, y: f64, places: Places) -> Option<Edge> {
         let sheet = &self.sheets[edge.side];
         if sheet.roles[0] != 0 {
@@ -437,14 +457,15 @@ impl Layer<'_> {
         Some(Edge { x: foot.at[0], towards: sheet.sense(0, &foot), cell: self.pitch[0] * edge.ratio })
     }
 
-    /// Whether an edge is too far from a slice to be seen in its cells.
+    /// Returns whether an edge is too far from a slice to affect its cells.
     fn is_far(&self, edge: &RoundedEdge, range: [f64; 2], y: f64, places: Places, clearance: f64) -> bool {
         self.edge_at(edge, y, places).is_none_or(|at| {
             if at.towards > 0.0 { at.x > range[1] + clearance } else { at.x < range[0] - clearance }
         })
     }
 
-    /// Whether a face may end a cell of the slice at `y` before or beyond its own end.
+    /// Returns whether a side face may end a cell of the slice at `y` before or beyond the slice's
+    /// own end.
     fn is_cut(&self, bounds: &[f64], y: f64, places: Places) -> bool {
         let (Some(&first), Some(&last)) = (bounds.first(), bounds.last()) else { return false };
         if self.surface_ends == [false; 2] {
@@ -456,7 +477,8 @@ impl Layer<'_> {
         })
     }
 
-    /// The cell over `x` of the slice at `y` whose ridge is at `ridge`, `cut` to the faces or not; and places over its centre.
+    /// Returns the cell over `x` of the slice at `y` with its contact line at `ridge`, optionally
+    /// `cut` at the side faces, and the surface coordinates of its centre.
     fn cell(&self, x: [f64; 2], [y, ridge]: [f64; 2], cut: bool, guess: Places) -> Option<(Cell, Places)> {
         let middle = 0.5 * (x[0] + x[1]);
         let slice = [y - 0.5 * self.pitch[1], y + 0.5 * self.pitch[1]];
@@ -485,7 +507,8 @@ impl Layer<'_> {
         Some((Cell { center, size, places, axial, gap, point, edge }, places))
     }
 
-    /// Ends along the ridge of a cell at `x` of a slice: its faces' where they are near; `None` where its neighbour takes it in.
+    /// Returns the ends along the contact line of a cell at `x` of a slice: those of the side faces
+    /// if they are near; `None` if the neighbouring cell absorbs it.
     fn cut_ends(&self, x: f64, slice: [f64; 2], guess: Places) -> Option<[f64; 2]> {
         let mut ends = slice;
         let faces = ends_along(&self.sheets, x, guess)?;
@@ -494,7 +517,7 @@ impl Layer<'_> {
             if faces[0] > slice[1] - part {
                 return None;
             }
-            // What lies below belongs to the slice below, if that keeps enough of it.
+            // The part below belongs to the slice below, if enough of it remains there.
             if faces[0] > slice[0] - part {
                 ends[0] = faces[0];
             }
@@ -510,13 +533,14 @@ impl Layer<'_> {
         Some(ends)
     }
 
-    /// x of the ridge without its rounding.
+    /// Returns x of the contact line without its rounding.
     fn snapped(&self, x: f64) -> f64 {
         if x.abs() < 1e-9 * self.pitch[0] { 0.0 } else { x }
     }
 }
 
-/// Gauss's rules on -1 .. 1: three points with weights of sum 1 across, exact for surfaces of fifth degree, and two along.
+/// Gauss-Legendre rules on -1 .. 1: three points with weights of sum 1 across, exact for surfaces
+/// of fifth degree, and two along.
 const ACROSS: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 18.0), (0.0, 8.0 / 18.0), (0.774_596_669_241_483_4, 5.0 / 18.0)];
 const ALONG: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];

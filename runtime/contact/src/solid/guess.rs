@@ -1,17 +1,18 @@
-//! Which cells carry force, guessed from a coarser problem.
+//! Initial active set from a coarse contact problem.
 //!
-//! Neighbouring cells of a slice that share a force evenly are one unknown of a problem that is exact otherwise: its compliance, gaps and
-//! arms are averages of the fine one's. It has a quarter of the unknowns, so its solution costs next to nothing beside the one
-//! factorisation that a good guess saves. A solution's bits do not depend on where its search started.
+//! A group of neighbouring cells of a slice with equal forces is one unknown of the coarse problem;
+//! its compliance, gaps and arms are averages of the fine ones. The coarse problem has a quarter of
+//! the unknowns, so its cost is small compared with the factorization that a good initial set
+//! saves. The bits of the solution do not depend on the initial set.
 
 use super::grid::Grid;
 use crate::active_set::solve_until;
 use crate::problem::ContactProblem;
 use calyx_numerics::interrupt::Interrupt;
 
-/// Cells of a slice that are one of the coarse problem.
+/// Number of cells of a slice in a group.
 const BLOCK: usize = 4;
-/// A problem of fewer cells is solved as fast.
+/// Number of cells below which the problem is solved directly.
 const WORTH_IT: usize = 150;
 
 /// A guess of the cells of a problem that carry force, for [`crate::active_set::solve_until`]; `grids` are those of its patches,
@@ -33,7 +34,7 @@ pub fn first_guess(problem: &ContactProblem, grids: &[&Grid], interrupt: &Interr
             }
         }
     }
-    // Cells behind those of the grids, such as stops of bearings, share nothing.
+    // Entries after the cells of the grids, such as stops of bearings, are not grouped.
     while weights.len() < n {
         blocks.push(weights.len()..weights.len() + 1);
         weights.push(1.0);
@@ -66,7 +67,7 @@ pub fn first_guess(problem: &ContactProblem, grids: &[&Grid], interrupt: &Interr
         stiffness: problem.stiffness.clone(),
         load: problem.load.clone(),
     };
-    // What is wrong with the problem is said when it is solved itself.
+    // Errors are reported by the solution of the problem itself.
     let active =
         solve_until(&coarse, None, interrupt).map_or_else(|_| Vec::new(), |solution| solution.active);
     active.into_iter().flat_map(|block| blocks[block].clone()).collect()

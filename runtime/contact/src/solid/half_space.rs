@@ -1,46 +1,51 @@
-//! The elastic half-space: the singular part of a surface's compliance, in closed form.
+//! Elastic half-space: closed form of the singular part of the Green's function of a surface.
 //!
-//! A normal force of 1 N lowers the surface at distance r by `1 / (pi E' r)` (Johnson, Contact Mechanics, eq. 3.22a). Cells carry
-//! uniform pressure, and a displacement is observed as its average over a cell: load and observer are treated alike. Between
-//! rectangles of one plane with parallel sides the average of 1/r is a second difference, in both directions, of
+//! A normal force of 1 N lowers the surface at distance r by `1 / (pi E' r)` (Johnson, Contact
+//! Mechanics, eq. 3.22a). Cells carry uniform pressure, and displacements are averages over a cell.
+//! For coplanar rectangles with parallel sides the average of 1/r is a second difference, in both
+//! directions, of
 //!
 //! ```text
 //! F(x, y) = x² y asinh(y / x) / 2 + x y² asinh(x / y) / 2 - r³ / 6,   F_xxyy = 1 / r
 //! ```
 //!
-//! of which all digits may cancel. So it is taken in steps: along the longer direction the second difference of
-//! `F_xx = H = y asinh(y / x) - r`; across it the average of H, which away from its singular point is `-y ln x`, averaged in closed
-//! form as in the plane, and a remainder that Gauss's rule for the distribution of `x - x'` integrates to rounding. Far rectangles
-//! need nothing but that rule, in both directions.
+//! in which all digits may cancel. It is therefore evaluated in steps. Along the longer direction
+//! the second difference of `F_xx = H = y asinh(y / x) - r` is used. Across it, H is averaged: near
+//! its singular point H behaves as `-y ln x`, whose average is known in closed form as for the
+//! half-plane, and the Gauss rule for the distribution of `x - x'` integrates the remainder to
+//! rounding. For distant rectangles this rule suffices in both directions.
 
 use calyx_structure::half_plane::mean_log_apart;
 use std::cell::OnceCell;
 
-/// Beyond this many reaches (sum of both half-sizes) from a singular point, Gauss's rule of five points is exact to some 1e-12.
+/// Distance from a singular point, in sums of both half-sizes, beyond which the Gauss rule of five
+/// points is exact to about 1e-12.
 const RULE_FROM: f64 = 7.0;
-/// Beyond this many, the rule of three points is.
+/// Distance beyond which the rule of three points is.
 const SHORT_RULE_FROM: f64 = 80.0;
 
-/// Average of 1/r between the points of two rectangles of one plane with parallel sides, 1/m: `offset` between their centres, `first`
-/// and `second` their half-sizes. Bit for bit the same with the rectangles exchanged.
+/// Returns the average of 1/r between the points of two coplanar rectangles with parallel sides,
+/// 1/m: `offset` between their centres, `first` and `second` their half-sizes. Exchanging the
+/// rectangles gives the same bits.
 pub fn mean_inverse_distance(offset: [f64; 2], first: [f64; 2], second: [f64; 2]) -> f64 {
     let [x, y] = [0, 1].map(|k| Sides::new(offset[k], first[k], second[k]));
-    // The longer direction is the one that is integrated exactly.
+    // The longer direction is integrated exactly.
     let (x, y) = if x.sum > y.sum { (y, x) } else { (x, y) };
     let square = |a: f64, b: f64| a * a + b * b;
     let apart = square(x.distance, y.distance);
     if apart > RULE_FROM * RULE_FROM * square(x.sum, y.sum) {
         return far(&x, &y, apart.sqrt());
     }
-    // Lengths in units of the largest: the functions stay of order one.
+    // Scale by the largest length, so that the functions are of order one.
     let unit = (x.distance + x.sum).max(y.distance + y.sum);
     let (x, y) = (x.scaled(unit.recip()), y.scaled(unit.recip()));
     let across = Across::new(x);
     y.second_difference(|y| across.mean(y)) / unit
 }
 
-/// The potential of a uniform rectangle, `∬ dA / r`, m, at a point `at` in the coordinates of the rectangle: from its centre, along its
-/// sides of half-lengths `half`, and above its plane (Love 1929; on the plane Johnson's eq. 3.25).
+/// Returns the potential of a uniform rectangle, `∬ dA / r`, m, at a point `at` in the coordinates
+/// of the rectangle: from its centre, along its sides of half-lengths `half`, and above its plane
+/// (Love 1929; in the plane Johnson's eq. 3.25).
 pub fn rectangle_potential(half: [f64; 2], [x, y, z]: [f64; 3]) -> f64 {
     let z = z.abs();
     let mut sum = 0.0;
@@ -52,7 +57,8 @@ pub fn rectangle_potential(half: [f64; 2], [x, y, z]: [f64; 3]) -> f64 {
     sum
 }
 
-/// Of the rectangle between the foot of a point and a corner at `u`, `v`, with their signs: odd in both.
+/// Returns the potential of the rectangle between the foot of a point and a corner at `u`, `v`
+/// (signed): odd in both.
 fn corner_potential(u: f64, v: f64, z: f64) -> f64 {
     let sign = if (u < 0.0) == (v < 0.0) { 1.0 } else { -1.0 };
     let (u, v) = (u.abs(), v.abs());
@@ -61,7 +67,7 @@ fn corner_potential(u: f64, v: f64, z: f64) -> f64 {
     }
     let r = (u * u + v * v + z * z).sqrt();
     let angle = if z > 0.0 { z * (u * v / (z * r)).atan() } else { 0.0 };
-    // asinh(a / sqrt(b² + z²)), which does not cancel.
+    // asinh(a / sqrt(b² + z²)), without cancellation.
     let along = |a: f64, b: f64| {
         let away = (b * b + z * z).sqrt();
         let ratio = a / away;
@@ -70,12 +76,13 @@ fn corner_potential(u: f64, v: f64, z: f64) -> f64 {
     sign * (u * along(v, u) + v * along(u, v) - angle)
 }
 
-/// Two intervals of one direction, as the differences of their points are distributed: each figure is the same for both orders.
+/// Two intervals of one direction, described by the distribution of the differences of their
+/// points; invariant under exchange.
 #[derive(Clone, Copy)]
 struct Sides {
-    /// Between centres, positive.
+    /// Distance of the centres, positive.
     distance: f64,
-    /// The half-sizes, ascending, their sum, difference and product.
+    /// Half-sizes, ascending; their sum, difference and product.
     halves: [f64; 2],
     sum: f64,
     difference: f64,
@@ -89,7 +96,8 @@ impl Sides {
         Self { distance: offset.abs(), halves, sum, difference, product: first * second }
     }
 
-    /// Gauss's rule for x - x', to rounding of functions that are singular so far off.
+    /// Returns a Gauss rule for x - x' that is exact to rounding for functions with a singularity
+    /// at this distance.
     fn rule(&self, reach: f64) -> Rule {
         let parts = self.halves.map(|half| half / self.sum);
         let moments = Moments::new(parts);
@@ -97,7 +105,7 @@ impl Sides {
         Rule { pairs: rule.pairs.map(|(node, weight)| (node * self.sum, weight)), ..rule }
     }
 
-    /// Average of a function over x - x' by a rule.
+    /// Averages a function over x - x' by a rule.
     fn average(&self, rule: &Rule, f: impl Fn(f64) -> f64) -> f64 {
         let pair = |(node, weight): &(f64, f64)| weight * (f(self.distance + node) + f(self.distance - node));
         rule.pairs[..rule.count].iter().map(pair).sum::<f64>() + rule.center * f(self.distance)
@@ -113,7 +121,7 @@ impl Sides {
         }
     }
 
-    /// Average of f'' over both intervals, for an even function f.
+    /// Returns the average of f'' over both intervals, for an even function f.
     fn second_difference(&self, f: impl Fn(f64) -> f64) -> f64 {
         let ends = [
             self.distance + self.sum,
@@ -127,17 +135,18 @@ impl Sides {
     }
 }
 
-/// A rule for a distribution that is even about its middle.
+/// Quadrature rule for a symmetric distribution.
 #[derive(Clone, Copy)]
 struct Rule {
-    /// Weight of the middle.
+    /// Weight of the centre.
     center: f64,
-    /// Distances from it, with their weights on either side; the first `count` of them.
+    /// Distances from the centre with their weights on either side; the first `count` are used.
     pairs: [(f64, f64); 2],
     count: usize,
 }
 
-/// Moments of even order of the sum of variables uniform over ±a and ±b, a + b = 1, in the symmetric functions of a² and b².
+/// Even moments of the sum of variables uniform over ±a and ±b, a + b = 1, from the symmetric
+/// functions of a² and b².
 struct Moments {
     square: f64,
     product: f64,
@@ -154,14 +163,14 @@ impl Moments {
         Self { square, product, quartic, second, fourth }
     }
 
-    /// Gauss's rule of three points.
+    /// Returns the Gauss rule of three points.
     fn short_rule(&self) -> Rule {
         let node = self.fourth / self.second;
         let weight = 0.5 * self.second / node;
         Rule { center: 1.0 - 2.0 * weight, pairs: [(node.sqrt(), weight), (0.0, 0.0)], count: 1 }
     }
 
-    /// Gauss's rule of five points.
+    /// Returns the Gauss rule of five points.
     fn rule(&self) -> Rule {
         let Self { square, product, quartic, second, fourth } = *self;
         let sixth = (square * quartic - square * product) / 7.0 + product * square;
@@ -180,7 +189,7 @@ impl Moments {
     }
 }
 
-/// Between intervals that are `reach` apart.
+/// Returns the average of 1/r for intervals that are `reach` apart.
 fn far(x: &Sides, y: &Sides, reach: f64) -> f64 {
     let rules = [x, y].map(|sides| sides.rule(reach));
     y.average(&rules[1], |y| {
@@ -189,7 +198,7 @@ fn far(x: &Sides, y: &Sides, reach: f64) -> f64 {
     })
 }
 
-/// The average of `H(x, y) = y asinh(y / x) - r` over x - x'.
+/// Average of `H(x, y) = y asinh(y / x) - r` over x - x'.
 struct Across {
     x: Sides,
     rule: OnceCell<Rule>,
@@ -222,7 +231,7 @@ impl Across {
     }
 }
 
-/// F, even in both.
+/// Returns F, even in both arguments.
 fn fourth_integral(x: f64, y: f64) -> f64 {
     let r = (x * x + y * y).sqrt();
     let part = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * a * b * ((b + r) / a).ln() };
@@ -233,7 +242,8 @@ fn fourth_integral(x: f64, y: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Nodes and weights of the double exponential rule on 0 .. 1, as distances from the nearer end: it integrates across singular ends.
+    /// Returns nodes and weights of the double-exponential rule on 0 .. 1, as distances from the
+    /// nearer end: it converges for endpoint singularities.
     fn double_exponential() -> Vec<(f64, bool, f64)> {
         let step = 1.0 / 12.0;
         (-48..=48)
@@ -247,7 +257,8 @@ mod tests {
             .collect()
     }
 
-    /// Average of the potential of the second rectangle over the first, split at the second's sides.
+    /// Returns the average of the potential of the second rectangle over the first, split at the
+    /// sides of the second.
     fn by_quadrature(offset: [f64; 2], first: [f64; 2], second: [f64; 2]) -> f64 {
         let rule = double_exponential();
         let pieces = |k: usize| -> Vec<[f64; 2]> {
@@ -257,7 +268,7 @@ mod tests {
             stops.sort_by(f64::total_cmp);
             stops.windows(2).map(|stop| [stop[0], stop[1]]).collect()
         };
-        // Distances to the sides are kept from ends that are sides, where they would cancel.
+        // Keep distances to the sides from ends that are sides, to avoid cancellation.
         let at = |[low, high]: [f64; 2], (from_end, upper, _): (f64, bool, f64)| {
             let length = high - low;
             if upper { high - length * from_end } else { low + length * from_end }
@@ -278,7 +289,8 @@ mod tests {
 
     #[test]
     fn agrees_with_quadrature() {
-        // The potential itself cancels far away: there the other forms are compared with one another below.
+        // The potential itself cancels at large distances: there the other forms are compared with
+        // one another below.
         for aspect in [1.0, 30.0, 1000.0] {
             let whole = [1.0, aspect];
             for (offset, first, second) in [
@@ -338,7 +350,7 @@ mod tests {
         for [x, y, a, b, c, d, expected] in FAR {
             let found = mean_inverse_distance([x, y], [a, b], [c, d]);
             assert!((found / expected - 1.0).abs() < 1e-11, "{x} {y}: {found:e} {expected:e}");
-            // The same from the other side, turned by a right angle, and in other units.
+            // From the other side, rotated by a right angle, and in other units.
             assert_eq!(found.to_bits(), mean_inverse_distance([-x, y], [c, d], [a, b]).to_bits());
             assert_eq!(found.to_bits(), mean_inverse_distance([y, x], [b, a], [d, c]).to_bits());
             let large = mean_inverse_distance([8.0 * x, 8.0 * y], [8.0 * a, 8.0 * b], [8.0 * c, 8.0 * d]);
@@ -353,7 +365,8 @@ mod tests {
             let reach = 1.001 * SHORT_RULE_FROM;
             let [short, long] = [sides.rule(reach), sides.rule(0.0)];
             assert_eq!([short.count, long.count], [1, 2]);
-            // The inverse distance, and its integral across, whose second difference over intervals along as short as those is what is wanted.
+            // The inverse distance and its integral across, whose second difference over short
+            // intervals along is required.
             let inverse = |rule: &Rule| sides.average(rule, |x| x.hypot(reach).recip());
             assert!((inverse(&short) / inverse(&long) - 1.0).abs() < 1e-12);
             let error = |y: f64| {
@@ -365,7 +378,8 @@ mod tests {
         }
     }
 
-    /// Half sides, place on the surface, displacement for a pressure of 1000 on E = 3e7, nu = 0.3 (Johnson, eq. 3.25).
+    /// Half-sides, point on the surface, displacement for a pressure of 1000 on E = 3e7, nu = 0.3
+    /// (Johnson, eq. 3.25).
     const LOVE: [[f64; 5]; 9] = [
         [1.0, 1.0, 0.0, 0.0, 6.80801154171539e-05],
         [1.0, 1.0, 1.0, 1.0, 3.40400577085769e-05],
@@ -389,7 +403,7 @@ mod tests {
 
     #[test]
     fn the_potential_above_the_plane() {
-        // Gauss's rule on many pieces, above a plane that is far enough for it.
+        // Composite Gauss rule, far enough above the plane.
         let (half, at) = ([0.7, 1.9], [0.4, -1.1, 0.35]);
         let (mut sum, pieces) = (0.0, 400);
         for i in 0..pieces {

@@ -1,11 +1,12 @@
-//! Involute helicoids: aligned, they touch along a straight generator; modified and misaligned, where their gap says.
+//! Tests of involute helicoids: aligned flanks touch along a straight generator; modified and
+//! misaligned ones where their gap requires.
 
 use super::test_surfaces::{HELICAL, Helicoid, Pair};
 use super::*;
 use calyx_numerics::vec3::{cross, unit};
 
 impl Pair {
-    /// Flanks of both, each in the coordinates of its body, and the poses: touching at mid-face.
+    /// Flanks of both in the coordinates of their bodies, and the poses: in contact at mid-face.
     fn flanks(&self) -> ([Helicoid; 2], [Pose; 2]) {
         let (flanks, turns) = self.turned();
         let pose = |turn: f64, x: f64| Pose { origin: [x, 0.0, 0.0], ..Pose::IDENTITY }.turned_first(turn);
@@ -25,7 +26,8 @@ fn aligned_helicoids_touch_along_their_generator() {
             for point in &ridge.points {
                 assert!(point.gap.abs() < 1e-16 && point.at[0].abs() < 1e-14, "{point:?}");
             }
-            // Along the generator: at the base helix angle to the axes, in the plane of action.
+            // The contact line is the generator: at the base helix angle to the axes, in the plane
+            // of action.
             let [x, y, z] = ridge.frame.normal;
             let alpha = pair.pressure_angle;
             let expected = unit([alpha.sin() * helix.cos(), alpha.cos() * helix.cos(), -helix.sin()]);
@@ -52,7 +54,7 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
         search_edges: true,
     };
     let grid = lay(placed[0], placed[1], &ridge, &options);
-    // All but cells at the faces are whole.
+    // All cells except those at the side faces are whole.
     let longest = grid.cells.iter().map(|cell| cell.size[1]).fold(0.0, f64::max);
     assert!(grid.cells.iter().filter(|cell| (cell.size[1] / longest - 1.0).abs() < 1e-12).count() >= 17 * 15);
     let axis = [0.0, 0.0, 1.0];
@@ -62,8 +64,8 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
         assert!((arm.abs() / (HELICAL.base_radii[0] * helix.cos()) - 1.0).abs() < 1e-12);
         let arm = grid.frame.rotation_arm(1, axis, poses[1].origin, cell.point);
         assert!((arm.abs() / (HELICAL.base_radii[1] * helix.cos()) - 1.0).abs() < 1e-12);
-        // The gap is that of the relative curvature across, averaged over the cell; the surfaces' next terms are of third order.
-        // Along the generator both move along the line of action.
+        // The gap is that of the relative curvature across, averaged over the cell; the next terms
+        // are of third order. Along the generator both surfaces move along the line of action.
         let shift = cell.point[2] * helix.tan();
         let path = HELICAL.base_radii.map(|rb| rb * HELICAL.pressure_angle.tan());
         let curvature = helix.cos() * ((path[0] + shift).recip() + (path[1] - shift).recip());
@@ -71,7 +73,8 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
         let expected = 0.5 * curvature * (x * x + width * width / 12.0);
         assert!((cell.gap - expected).abs() < 0.05 * expected, "{x}: {:e} {expected:e}", cell.gap);
     }
-    // All of the surface between the faces is covered, once: areas add up, cells of neighbouring slices join.
+    // The surface between the side faces is covered exactly once: areas add up, cells of
+    // neighbouring slices join.
     let area: f64 = grid.cells.iter().map(Cell::area).sum();
     assert!((area / (grid.extent[0] * grid.extent[1]) - 1.0).abs() < 1e-4);
 }
@@ -86,7 +89,7 @@ fn a_crown_opens_the_gap_as_a_parabola() {
     for point in &ridge.points {
         let z = ridge.frame.at(point.at)[2];
         let expected = 2.0 * pair.crown * z * z;
-        // Slopes of the crowns tilt the surfaces a little.
+        // The slopes of the crowning tilt the surfaces slightly.
         assert!((point.gap - expected).abs() < 2e-3 * expected + 1e-12, "{z}: {:e} {expected:e}", point.gap);
     }
 }
@@ -95,7 +98,7 @@ fn a_crown_opens_the_gap_as_a_parabola() {
 fn misaligned_flanks_meet_at_a_face() {
     let pair = Pair { base_helix: 0.0, ..HELICAL };
     let (flanks, mut poses) = pair.flanks();
-    // The second gear leans by a thousandth of a radian in the plane of action.
+    // The second gear is inclined by a thousandth of a radian in the plane of action.
     let lean: f64 = 1e-3;
     let normal = [pair.pressure_angle.sin(), pair.pressure_angle.cos(), 0.0];
     let axis = cross(normal, [0.0, 0.0, 1.0]);
@@ -117,7 +120,7 @@ fn misaligned_flanks_meet_at_a_face() {
 #[test]
 fn faces_that_overlap_in_part_touch_where_both_are() {
     let (flanks, mut poses) = HELICAL.flanks();
-    // The second gear is shifted along its axis by 10 mm and turned with its helix.
+    // The second gear is displaced along its axis by 10 mm and rotated with its helix.
     let shift = 0.01;
     poses[1].origin[2] += shift;
     poses[1] = poses[1].turned_first(flanks[1].twist * shift);
@@ -130,10 +133,12 @@ fn faces_that_overlap_in_part_touch_where_both_are() {
 
 #[test]
 fn a_generator_that_leaves_the_flank_ends_there() {
-    // Near the end of the path of contact the generator of a helical pair runs out of the first gear's tip, here a sharp one.
+    // Near the end of the path of contact the generator of a helical pair leaves the tip of the
+    // first gear, here a sharp one.
     let (mut flanks, poses) = HELICAL.flanks();
     let path = HELICAL.base_radii[0] * HELICAL.pressure_angle.tan();
-    // On the generator the distance along the line of action grows by tan(base helix) per axial length.
+    // On the generator the distance along the line of action grows by tan(base helix angle) per
+    // axial length.
     flanks[0].u[1] = path + 0.4 * HELICAL.half_face * HELICAL.base_helix.tan();
     let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
     let nominal = find_ridge(placed[0], placed[1], false).expect("they touch");
@@ -141,7 +146,7 @@ fn a_generator_that_leaves_the_flank_ends_there() {
     let expected = 1.4 * HELICAL.half_face / HELICAL.base_helix.cos();
     assert!((length / expected - 1.0).abs() < 1e-6, "{length} {expected}");
     assert!(nominal.gap.abs() < 1e-15 && nominal.points.iter().all(|point| !point.at_end));
-    // With edges searched, the ridge goes on along the tip's edge, and opens.
+    // With edges searched, the contact line continues along the edge of the tip, and the gap opens.
     let whole = find_ridge(placed[0], placed[1], true).expect("they touch");
     assert!(whole.gap.abs() < 1e-15);
     assert!(whole.points.iter().any(|point| point.at_end && point.gap > 1e-6), "{:?}", whole.points);

@@ -1,4 +1,4 @@
-//! Contact of half-spaces against Hertz: the whole way from surfaces to peak pressure.
+//! Tests of half-space contact against Hertz, from surfaces to peak pressure.
 
 use super::test_surfaces::Cap;
 use super::*;
@@ -26,7 +26,7 @@ struct Pressed {
     solution: Solution,
 }
 
-/// A flat face up, a cap of these radii on it.
+/// A flat surface facing upwards, and a cap of these radii on it.
 fn press(radii: [f64; 2], modulus: f64, force: f64) -> Press {
     let half = [0.5 * radii[0]; 2];
     let flat = Cap { radii: [f64::INFINITY; 2], faces: 1.0, half, turn: 0.0 };
@@ -81,7 +81,7 @@ impl Press {
             let pressures = pressures(&grid.cells, &solution.forces);
             let report = assess(&grid, &pressures);
             if report.recommended == [None, None] {
-                // Where the search starts makes no difference, not in a bit.
+                // The start of the search must not change a bit of the solution.
                 let cold = solve_until(&problem, None, &never).expect("it is well posed");
                 assert_eq!(cold.forces, solution.forces);
                 return Pressed { grid, pressures, solution };
@@ -103,16 +103,17 @@ impl Pressed {
     }
 }
 
-/// Hertz's ellipse (Johnson, Contact Mechanics, eqs. 4.24 to 4.26).
+/// Hertzian contact ellipse (Johnson, Contact Mechanics, eqs. 4.24 to 4.26).
 #[derive(Debug)]
 struct Ellipse {
-    /// Ascending.
+    /// Semi-axes, ascending.
     axes: [f64; 2],
     peak: f64,
     approach: f64,
 }
 
-/// Complete elliptic integrals K and E by the arithmetic-geometric mean, for the complementary modulus.
+/// Complete elliptic integrals K and E by the arithmetic-geometric mean, for the complementary
+/// modulus.
 fn elliptic(complement: f64) -> [f64; 2] {
     let (mut a, mut b, mut power) = (1.0, complement, 0.5);
     let mut sum = power * (1.0 - complement * complement);
@@ -127,9 +128,9 @@ fn elliptic(complement: f64) -> [f64; 2] {
 }
 
 impl Ellipse {
-    /// `radii` ascending, of the relative curvatures.
+    /// `radii` of the relative curvatures, ascending.
     fn new(radii: [f64; 2], modulus: f64, force: f64) -> Self {
-        // Ratio of curvatures for a ratio of axes b / a; both fall together.
+        // Ratio of curvatures for a ratio of axes b / a; both decrease together.
         let curvatures = |ratio: f64| {
             let [k, e] = elliptic(ratio);
             (e / (ratio * ratio) - k) / (k - e)
@@ -165,7 +166,7 @@ impl Ellipse {
     }
 }
 
-/// F = 1000, E = 3e7, nu = 0.3: radii of relative curvature, half-axes, peak, approach.
+/// F = 1000, E = 3e7, nu = 0.3: radii of relative curvature, semi-axes, peak pressure, approach.
 const ELLIPSES: [([f64; 2], [f64; 2], f64, f64); 3] = [
     ([1.0, 1.0], [0.0357001849096078, 0.0357001849096078], 374628.191054424, 0.00127450320258019),
     ([1.0, 5.0], [0.0265508385833375, 0.0767367302653191], 234347.245853456, 0.000941326091920456),
@@ -198,7 +199,8 @@ fn ellipses_of_contact_are_hertz_s() {
 
 #[test]
 fn loads_and_sizes_of_all_magnitudes() {
-    // The same contact in other units: radii from a micrometre to a kilometre, forces from 1e-6 to 1e6.
+    // The same contact in other units: radii from a micrometre to a kilometre, forces from 1e-6 to
+    // 1e6.
     for (radius, strain) in [(1e-6, 1e-5), (1.0, 1e-12), (1e3, 1e-6), (0.01, 1e-4)] {
         let force = strain * MODULUS * radius * radius;
         let radii = [radius, 3.0 * radius];
@@ -226,7 +228,7 @@ fn units_do_not_matter() {
     }
 }
 
-/// Columns are right-handed unit vectors, the first near to `first`.
+/// Rotation whose columns are right-handed unit vectors, the first near `first`.
 fn rotation(first: Vector, second: Vector) -> [Vector; 3] {
     let x = unit(first);
     let z = unit(cross(x, second));
@@ -259,7 +261,8 @@ fn neither_place_nor_order_of_the_bodies_matters() {
 
 #[test]
 fn crossed_cylinders_are_as_long_as_their_relative_curvatures_say() {
-    // Of one radius, crossed by 2 gamma: relative curvatures (1 ± cos 2 gamma) / R (Johnson, eq. 4.4).
+    // Cylinders of equal radius, crossed at 2 gamma: relative curvatures (1 ± cos 2 gamma) / R
+    // (Johnson, eq. 4.4).
     let radius = 1.0;
     for gamma in [0.25 * PI, 0.6, 0.3] {
         let cylinder =
@@ -272,7 +275,7 @@ fn crossed_cylinders_are_as_long_as_their_relative_curvatures_say() {
         let radii = [radius / (1.0 + cosine), radius / (1.0 - cosine)];
         let pressed = crossed.run();
         Ellipse::new(radii, MODULUS, 1000.0).assert_like(&pressed, 0.01, &format!("{gamma}"));
-        // The ridge runs between both axes.
+        // The contact line bisects the angle between the axes.
         assert!(pressed.grid.frame.along[1].abs() > 0.999 || gamma > 0.78, "{:?}", pressed.grid.frame);
     }
 }
@@ -286,13 +289,14 @@ fn finer_grids_come_nearer() {
         (pressed.peak() / ellipse.peak - 1.0).abs().max((pressed.sink() / ellipse.approach - 1.0).abs())
     };
     let (coarse, fine) = (error(4), error(18));
-    // More than first order in the cells' size, which falls to a quarter.
+    // Convergence is faster than first order for a reduction of the cell size to a quarter.
     assert!(fine < coarse / 6.0 && coarse < 0.03, "{coarse} {fine}");
 }
 
 #[test]
 fn a_long_cylinder_between_faces_is_a_line_contact() {
-    // Images in both faces make the ends of a cylinder like its middle, but for images of images.
+    // Image loads in both side faces make the ends of a cylinder behave like its middle, except for
+    // images of images.
     let (radius, modulus, half_length, line_load) = (0.02, 1.1e11, 0.01, 3e5);
     let half = [0.5 * radius, half_length];
     let cylinder = |faces: f64, radius: f64| Cap { radii: [radius, f64::INFINITY], faces, half, turn: 0.0 };
@@ -318,7 +322,7 @@ fn a_long_cylinder_between_faces_is_a_line_contact() {
     let (least, most) = peaks.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &p| (l.min(p), m.max(p)));
     assert!((pressed.peak() / expected - 1.0).abs() < 0.03, "{} {expected}", pressed.peak());
     assert!(most / least < 1.05, "{peaks:?} {expected}");
-    // Without images the ends are stiff: pressure rises towards them.
+    // Without image loads the ends are too stiff: the pressure rises towards them.
     let bare = Press { mirrors: Vec::new(), ..between }.run();
     let ends: f64 = bare.grid.slices[0].cells.clone().map(|cell| bare.pressures[cell]).fold(0.0, f64::max);
     assert!(ends / expected > 1.15, "{ends} {expected}");

@@ -1,7 +1,8 @@
-//! Images of cells in free side faces.
+//! Image loads of cells in free side faces.
 //!
-//! Where a face stands upright on the patch across its length, as on spur gears, an image lies in the patch's own plane, and all is in
-//! closed form. Elsewhere it is tilted: then the potential of the image is exact and its average is taken by quadrature.
+//! If a side face is normal to the length of the patch, as on spur gears, an image lies in the
+//! plane of the patch, and its influence has a closed form. Otherwise the image is inclined: its
+//! potential is exact, and the average is computed by quadrature.
 
 use super::grid::Cell;
 use super::half_space::{mean_inverse_distance, rectangle_potential};
@@ -9,8 +10,8 @@ use super::placement::{PatchFrame, Pose};
 use calyx_numerics::vec3::{Vector, cross, dot, length, minus, plus, scaled};
 use calyx_structure::solid::Mirror;
 
-/// A mirror in the coordinates of the ground, and by how much its images lower a surface: `1 / (pi E')`, summed over the bodies whose
-/// face it is.
+/// Mirror in ground coordinates, and the factor of its images for the surface displacement: `1 /
+/// (pi E')`, summed over the bodies that have this side face.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedMirror {
     point: Vector,
@@ -18,7 +19,7 @@ pub struct PlacedMirror {
     pub softness: f64,
 }
 
-/// Mirrors whose normals and places differ by less than this, relative to the patch, are one.
+/// Tolerance for equal mirrors: difference of normals and of positions relative to the patch.
 const SAME: f64 = 1e-12;
 
 impl PlacedMirror {
@@ -26,7 +27,7 @@ impl PlacedMirror {
         Self { point: pose.point(mirror.point), normal: pose.direction(mirror.normal), softness }
     }
 
-    /// Whether both are one plane, seen from about `place`.
+    /// Returns whether both are one plane, near the point `place`.
     pub fn is_same(&self, other: &PlacedMirror, place: Vector) -> bool {
         let sign = dot(self.normal, other.normal).signum();
         let turn = length(minus(self.normal, scaled(other.normal, sign)));
@@ -43,15 +44,15 @@ impl PlacedMirror {
     }
 }
 
-/// The images of a patch's cells in one mirror.
+/// Images of a patch's cells in one mirror.
 pub struct Images<'a> {
     mirror: PlacedMirror,
     frame: &'a PatchFrame,
-    /// Sides of images, as unit vectors.
+    /// Directions of the sides of images, unit vectors.
     axes: [Vector; 2],
-    /// y of the mirror, where it stands upright on the patch along its length.
+    /// y of the mirror, if it is normal to the length of the patch.
     upright: Option<f64>,
-    /// Whether cells of different x at the same y are equally far from it.
+    /// True if cells at the same y are equally far from the mirror.
     pub is_level: bool,
 }
 
@@ -64,18 +65,19 @@ impl<'a> Images<'a> {
         Self { mirror, frame, axes, upright, is_level }
     }
 
-    /// Whether images lie in the patch's plane: then a cell sees another's image by their x and the sum of their distances from the mirror.
+    /// Returns whether images lie in the plane of the patch: then the influence depends on the
+    /// difference in x and the sum of the distances from the mirror.
     pub fn is_upright(&self) -> bool {
         self.upright.is_some()
     }
 
-    /// By how much images lower a surface per 1/r.
+    /// Returns the surface displacement of images per 1/r.
     pub fn softness(&self) -> f64 {
         self.mirror.softness
     }
 
-    /// Average of 1/r between the points of a cell and of another's image, 1/m; the same with the cells exchanged, in the first case bit
-    /// for bit.
+    /// Returns the average of 1/r between the points of a cell and of another's image, 1/m. It is
+    /// symmetric in the cells, in the closed form bit for bit.
     pub fn mean_inverse_distance(&self, observe: &Cell, load: &Cell) -> f64 {
         if let Some(y) = self.upright {
             let halves = [observe, load].map(|cell| cell.size.map(|size| 0.5 * size));
@@ -97,18 +99,19 @@ impl<'a> Images<'a> {
     }
 }
 
-/// A cell as a rectangle in space.
+/// Cell as a rectangle in three dimensions.
 #[derive(Clone, Copy, Debug)]
 struct Panel {
     center: Vector,
-    /// Unit vectors of its sides and their cross product.
+    /// Unit vectors along its sides, and their cross product.
     axes: [Vector; 3],
-    /// Half the lengths of its sides, m.
+    /// Half-lengths of its sides, m.
     half: [f64; 2],
 }
 
-/// Gauss's rules on -1 .. 1, weights of sum 1, each with the part that half a side may be of the distance from what is seen: an average of 1/r by `n`
-/// points is then within 1e-6, for the `2n`-th derivative of 1/r is at most `(2n)! / r^(2n + 1)`.
+/// Gauss-Legendre rules on -1 .. 1 with weights of sum 1. Each has the largest ratio of half a side
+/// to the distance at which an average of 1/r by `n` points is accurate to 1e-6, since the `2n`-th
+/// derivative of 1/r is at most `(2n)! / r^(2n + 1)`.
 const RULES: [(f64, &[(f64, f64)]); 4] = [
     (1.7e-3, &[(0.0, 1.0)]),
     (0.057, &[(-0.577_350_269_189_625_8, 0.5), (0.577_350_269_189_625_8, 0.5)]),
@@ -126,15 +129,16 @@ const RULES: [(f64, &[(f64, f64)]); 4] = [
         ],
     ),
 ];
-/// From this many reaches (the sum of both halves of the long sides) on, points stand for panels.
+/// Distance, in sums of both halves of the long sides, from which quadrature points replace panels.
 const FAR: f64 = 2.0;
-/// Distance, in halves of the long side, from which points see the potential of an image.
+/// Distance, in halves of the long side, from which points observe the potential of an image.
 const NEAR: f64 = 3.0;
-/// Halvings of an observing panel: where image and panel touch, the potential is continuous and only its slope is singular, so each leaves a quarter of the
-/// error; of these 1e-6.
+/// Maximum number of bisections of an observing panel. Where image and panel touch, the potential
+/// is continuous and only its slope is singular, so each bisection leaves a quarter of the error,
+/// down to 1e-6.
 const HALVINGS: u32 = 9;
 
-/// Points of a product rule, with their weights: the first so many of them.
+/// Points of a product rule with their weights, and their number.
 struct Points([(Vector, f64); 16], usize);
 
 impl Points {
@@ -156,7 +160,7 @@ impl Panel {
         self.half[0].hypot(self.half[1])
     }
 
-    /// Points that see 1/r well from a distance.
+    /// Returns the points that average 1/r accurately at a distance.
     fn points(&self, distance: f64) -> Points {
         let rule = |k: usize| -> &'static [(f64, f64)] {
             let part = self.half[k] / distance.max(0.0);
@@ -175,8 +179,9 @@ impl Panel {
         points
     }
 
-    /// Average of 1/r between the points of both, to some 1e-6: points stand for both where they are far from each other; else the
-    /// image's potential is exact and observed on pieces that are the smaller the nearer they lie to it.
+    /// Returns the average of 1/r between the points of both, to about 1e-6. Distant panels are
+    /// replaced by quadrature points. Otherwise the potential of the image is exact and is averaged
+    /// over parts of the panel that are smaller near the image.
     fn mean_inverse_distance(&self, image: &Panel) -> f64 {
         let distance = length(minus(self.center, image.center));
         let [own, others] = [self, image].map(|panel| panel.half[panel.longer()]);
@@ -231,7 +236,7 @@ mod tests {
         along: [0.0, 1.0, 0.0],
     };
 
-    /// A face at y = 2 that leans towards the patch's normal.
+    /// Side face at y = 2, inclined towards the normal of the patch.
     fn face(lean: f64) -> PlacedMirror {
         PlacedMirror { point: [0.0, 2.2, 0.3], normal: [0.0, lean.cos(), lean.sin()], softness: 1.0 }
     }
@@ -254,7 +259,7 @@ mod tests {
         }
     }
 
-    /// Near and far, narrow and square: against the exact potential on many pieces.
+    /// Near and far, narrow and square panels, against the exact potential on many parts.
     #[test]
     fn few_points_are_enough() {
         let images = Images::new(face(0.4), &FRAME);

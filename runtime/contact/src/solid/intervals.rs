@@ -1,25 +1,26 @@
-//! Cells by the intervals that they take across and along their patch.
+//! Cells by their intervals across and along the patch.
 //!
-//! What two cells of one plane do to each other through the half-space depends on how their intervals lie to each other, across and along, and on
-//! nothing else. The cells of a grid share their intervals: there are as many as columns and rows, and pairs of them that lie alike
-//! are one. So an answer is found once for each pair of such relations, of a lattice as often as it has cells, though the pairs of its cells
-//! are the square of that.
+//! The half-space influence between two coplanar cells depends only on the relative position of
+//! their intervals across and along. The cells of a grid share their intervals, of which there are
+//! as many as columns and rows, and many pairs of intervals have the same relative position. Each
+//! influence coefficient is therefore computed once per pair of relative positions: on a lattice as
+//! many times as there are cells, not pairs of cells.
 
 use super::grid::Cell;
 use std::collections::BTreeMap;
 
-/// Parts of the grid's extent by which intervals may differ: rounding.
+/// Resolution of intervals: the extent of the grid divided by this is rounding.
 const ROUNDING: f64 = (1_u64 << 44) as f64;
-/// Cells that have an interval in common, at least: with fewer, pairs of intervals are no fewer than pairs of cells.
+/// Least number of cells that share an interval; with fewer, grouping does not save work.
 const FEW: usize = 4;
 
-/// The intervals of some cells along one axis.
+/// Intervals of some cells along one axis.
 pub(super) struct Intervals {
-    /// By cell; `None` where too few cells have its interval.
+    /// Interval by cell; `None` if too few cells share it.
     class: Vec<Option<usize>>,
-    /// Centre and size of each that is shared, m.
+    /// Centre and size of each shared interval, m.
     shared: Vec<[f64; 2]>,
-    /// What counts as nothing, m.
+    /// Resolution, m.
     step: f64,
 }
 
@@ -44,7 +45,8 @@ impl Intervals {
         Self { class: class.collect(), shared, step }
     }
 
-    /// Pairs that lie alike where `between`, of their centres, and their sizes are the same.
+    /// Groups pairs of intervals that have equal sizes and equal values of `between`, a function of
+    /// their centres.
     pub fn pairs(&self, between: impl Fn(f64, f64) -> f64) -> Pairs<'_> {
         let key = |length: f64| (length / self.step).round() as i64;
         let count = self.shared.len();
@@ -59,7 +61,7 @@ impl Intervals {
         Pairs { class: &self.class, count, relation, relations: known.len() }
     }
 
-    /// Pairs of which none lie alike but those of the same two intervals.
+    /// Groups no pairs, except those of the same two intervals.
     pub fn each_pair(&self) -> Pairs<'_> {
         let count = self.shared.len();
         let ordered = |a: usize, b: usize| a.max(b) * (a.max(b) + 1) / 2 + a.min(b);
@@ -68,11 +70,11 @@ impl Intervals {
     }
 }
 
-/// How pairs of intervals lie to each other.
+/// Relative positions of pairs of intervals.
 pub(super) struct Pairs<'a> {
     class: &'a [Option<usize>],
     count: usize,
-    /// By one interval, then the other.
+    /// Class by the one interval, then the other.
     relation: Vec<usize>,
     relations: usize,
 }
@@ -83,21 +85,22 @@ impl Pairs<'_> {
     }
 }
 
-/// Answers by how two cells lie to each other, across and along.
+/// Influence coefficients by the relative position of two cells, across and along.
 pub(super) struct Answers<'a> {
     pairs: [Pairs<'a>; 2],
     known: Vec<f64>,
 }
 
 impl<'a> Answers<'a> {
-    /// Of so many cells. No more are kept than the cells have pairs: beyond that they are found anew.
+    /// Creates the table for a number of cells. It stores at most as many entries as the cells have
+    /// pairs; others are recomputed.
     pub fn new(pairs: [Pairs<'a>; 2], cells: usize) -> Self {
         let room = pairs[0].relations * pairs[1].relations;
         let known = if room <= cells * cells { vec![f64::NAN; room] } else { Vec::new() };
         Self { pairs, known }
     }
 
-    /// That of a pair of cells.
+    /// Returns the coefficient of a pair of cells.
     pub fn get(&mut self, cell: usize, other: usize, find: impl FnOnce() -> f64) -> f64 {
         let [across, along] = &self.pairs;
         let place = across.of(cell, other).zip(along.of(cell, other));
@@ -121,7 +124,7 @@ mod tests {
         Cell { center, size, places: [[0.0; 2]; 2], axial: [0.0; 2], gap: 0.0, point: [0.0; 3], edge: false }
     }
 
-    /// A lattice with its last row cut short, and a cell that is like no other.
+    /// Lattice with a shortened last row, and one cell unlike all others.
     fn cells() -> Vec<Cell> {
         let row = |y: f64, size: f64| (0..7).map(move |k| cell([0.1 * f64::from(k), y], [0.1, size]));
         let whole = (0..5).flat_map(|k| row(0.3 * f64::from(k), 0.3));
@@ -149,7 +152,8 @@ mod tests {
                 assert!((answer - own(one, other)).abs() < 1e-12, "{i} {j}");
             }
         }
-        // Seven distances across by five of whole rows, five from the cut one and its own; all pairs of the odd cell.
+        // Seven distances across by five of whole rows, five from the shortened row and its own;
+        // all pairs of the odd cell.
         assert_eq!(found, 7 * 11 + 2 * cells.len() - 1);
     }
 

@@ -1,8 +1,11 @@
-//! Contact of surfaces in space: where they approach, which cells could carry pressure, and how cells give.
+//! Three-dimensional contact of surfaces: contact lines, contact grids and compliance.
 //!
-//! As in the plane: [`find_ridge`] finds where two placed surfaces come closest, all along the patch; [`lay`] lays cells there;
-//! [`compliance`] is how they give, [`first_guess`] which of them carry force; the contact problem and its solution are those of the plane, forces in N instead of N/m. Then
-//! [`pressures`], [`assess`] and [`peak`] read the solution.
+//! [`find_ridge`] finds the contact line, along which two placed surfaces are closest; [`lay`]
+//! creates the cells; [`compliance`] computes their compliance matrix and [`first_guess`] an
+//! initial active set. Contact problem and solver are those of plane contact, with forces in N
+//! instead of N/m. [`pressures`], [`assess`] and [`peak`] evaluate the solution.
+//!
+//! See `docs/theory/contact.md`.
 
 mod across;
 mod assembly;

@@ -1,39 +1,39 @@
-//! Rigid placements in space, and the frame through which a patch acts on its bodies.
+//! Rigid placements in three dimensions, and the frame through which a patch acts on its bodies.
 
 use calyx_numerics::vec3::{Vector, cross, dot, length, minus, plus, scaled, unit};
 use calyx_structure::surface::{Surface, SurfacePoint};
 
-/// Where a body lies: turned, then shifted.
+/// Pose of a body: rotation, then translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Row by row: columns are the images of the axes.
+    /// Rotation matrix by rows; its columns are the images of the axes.
     pub rotation: [Vector; 3],
-    /// Where the origin of the body's coordinates goes, m.
+    /// Image of the origin of the body's coordinates, m.
     pub origin: Vector,
 }
 
 impl Pose {
-    /// Coordinates stay as they are.
+    /// Identity.
     pub const IDENTITY: Pose =
         Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], origin: [0.0; 3] };
 
-    /// Of the image of a point given in the coordinates that are placed.
+    /// Returns the image of a point.
     pub fn point(&self, point: Vector) -> Vector {
         plus(self.direction(point), self.origin)
     }
 
-    /// Of the image of a direction.
+    /// Returns the image of a direction.
     pub fn direction(&self, direction: Vector) -> Vector {
         self.rotation.map(|row| dot(row, direction))
     }
 
-    /// The image of the z axis, about which bodies turn.
+    /// Returns the image of the z axis, about which bodies rotate.
     pub fn axis(&self) -> Vector {
         self.rotation.map(|row| row[2])
     }
 
-    /// The placement of a part that is first turned by `angle` (rad) about the z axis of the coordinates placed here, like a tooth
-    /// of its gear.
+    /// Composes the pose with a preceding rotation by `angle` (rad) about the z axis, like that of
+    /// a tooth in its gear.
     pub fn turned_first(&self, angle: f64) -> Pose {
         let (sine, cosine) = angle.sin_cos();
         let turn = |[x, y, z]: Vector| [x * cosine + y * sine, y * cosine - x * sine, z];
@@ -41,17 +41,17 @@ impl Pose {
     }
 }
 
-/// A surface where its body has put it.
+/// Surface in the position of its body.
 #[derive(Clone, Copy)]
 pub struct PlacedSurface<'a> {
-    /// In the coordinates of whatever owns it.
+    /// Surface in the coordinates of its owner.
     pub surface: &'a dyn Surface,
-    /// Of its owner, with the turn of its tooth.
+    /// Pose of the owner, including the rotation of its tooth.
     pub pose: Pose,
 }
 
 impl PlacedSurface<'_> {
-    /// The point at `[u, v]`, in the coordinates that the surface is placed in.
+    /// Returns the point at `[u, v]`, in the coordinates of the placement.
     pub fn at(&self, [u, v]: [f64; 2]) -> SurfacePoint {
         let local = self.surface.at(u, v);
         SurfacePoint {
@@ -61,7 +61,8 @@ impl PlacedSurface<'_> {
         }
     }
 
-    /// Ends of both coordinates: without `search_edges` the surface ends where its rounded edge begins.
+    /// Returns the range of both coordinates: without `search_edges` the surface ends at the start
+    /// of its rounded edge.
     pub(super) fn range(&self, search_edges: bool) -> [[f64; 2]; 2] {
         let [[first, last], v] = self.surface.range();
         let last = match self.surface.edge_from() {
@@ -76,11 +77,12 @@ impl PlacedSurface<'_> {
     }
 }
 
-/// Sliding slower than this part of the speeds it is the difference of is rounding.
+/// Sliding speed below this fraction of the speeds that it is a difference of is rounding.
 const ROLLING: f64 = 1e-12;
 
-/// Direction (unit vector) in which the first of two bodies that touch along `normal` (unit vector) slides over the second, where their
-/// points move at these velocities (m/s); `None` where they only roll.
+/// Returns the direction (unit vector) in which the first of two bodies in contact along `normal`
+/// (unit vector) slides over the second, from the velocities of their points (m/s); `None` for pure
+/// rolling.
 pub fn sliding(normal: Vector, velocities: [Vector; 2]) -> Option<Vector> {
     let relative = minus(velocities[0], velocities[1]);
     let tangential = minus(relative, scaled(normal, dot(relative, normal)));
@@ -89,53 +91,53 @@ pub fn sliding(normal: Vector, velocities: [Vector; 2]) -> Option<Vector> {
     (!rolling).then(|| scaled(tangential, speed.recip()))
 }
 
-/// The frame of a patch: a point, the common normal there, and the directions across and along the ridge; `across`, `along` and
-/// `normal` are right-handed.
+/// Frame of a patch: a point, the common normal there, and the directions across and along the
+/// contact line; `across`, `along` and `normal` are right-handed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchFrame {
-    /// Midway between the two surfaces, m.
+    /// Midpoint between the two surfaces, m.
     pub point: Vector,
-    /// Unit vector out of the first body, into the second.
+    /// Unit normal, out of the first body and into the second.
     pub normal: Vector,
-    /// Unit vector in which the patch is narrow: x.
+    /// Unit vector across the contact line, x.
     pub across: Vector,
-    /// Unit vector in which it is long: y.
+    /// Unit vector along the contact line, y.
     pub along: Vector,
 }
 
 impl PatchFrame {
-    /// Growth of the gap per unit translation of a body along `direction` (unit vector); `side` is 0 for the first body and 1 for
-    /// the second.
+    /// Returns the growth of the gap per unit translation of a body along `direction` (unit
+    /// vector); `side` is 0 for the first body and 1 for the second.
     pub fn translation_arm(&self, side: usize, direction: Vector) -> f64 {
         let along_normal = dot(self.normal, direction);
         if side == 0 { -along_normal } else { along_normal }
     }
 
-    /// Growth of the gap at `point` (where a cell acts, [`super::Cell::point`]) per unit turn of a body about the unit vector `axis`
-    /// through `center`, m/rad.
+    /// Returns the growth of the gap at `point` (where a cell acts, [`super::Cell::point`]) per
+    /// unit rotation of a body about the unit vector `axis` through `center`, m/rad.
     pub fn rotation_arm(&self, side: usize, axis: Vector, center: Vector, point: Vector) -> f64 {
         self.translation_arm(side, cross(axis, minus(point, center)))
     }
 
-    /// The point of the tangent plane at x, y, m.
+    /// Returns the point of the tangent plane at x, y, m.
     pub fn at(&self, [x, y]: [f64; 2]) -> Vector {
         plus(self.point, plus(scaled(self.across, x), scaled(self.along, y)))
     }
 
-    /// x, y and height over the tangent plane of a point, m.
+    /// Returns x, y and height over the tangent plane of a point, m.
     pub fn coordinates(&self, point: Vector) -> Vector {
         let from = minus(point, self.point);
         [dot(from, self.across), dot(from, self.along), dot(from, self.normal)]
     }
 
-    /// With x and y turned by `angle` (rad) about the normal, x towards y.
+    /// Rotates x and y by `angle` (rad) about the normal, x towards y.
     pub(super) fn turned(&self, angle: f64) -> Self {
         let (sine, cosine) = angle.sin_cos();
         let across = plus(scaled(self.across, cosine), scaled(self.along, sine));
         Self::new(self.point, self.normal, across)
     }
 
-    /// With x as near to `across` as the normal (unit vector) lets it be.
+    /// Creates a frame with x as near to `across` as the normal (unit vector) permits.
     pub(super) fn new(point: Vector, normal: Vector, across: Vector) -> Self {
         let across = unit(minus(across, scaled(normal, dot(normal, across))));
         Self { point, normal, across, along: cross(normal, across) }

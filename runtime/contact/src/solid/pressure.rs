@@ -1,29 +1,31 @@
-//! What the pressures of a patch say: their peak, the extent of the loaded part, and whether the grid suits it.
+//! Evaluation of the pressures of a three-dimensional patch: peak, extent of the loaded part, and
+//! assessment of the grid.
 //!
-//! Across each slice and along the slices' peaks the square of the pressure is nearly a parabola, as in the plane.
+//! Across each slice and along the peaks of the slices p² is nearly a parabola, as in plane
+//! contact.
 
 use super::grid::{Cell, Grid, Slice};
 use crate::grid::{LEAST_LOADED_CELLS, MARGIN};
 use crate::pressure::{self, zeros_of_squared_pressure};
 use crate::zone::Zone;
 
-/// Pressure in each cell (Pa) for cell forces (N).
+/// Computes the pressure in each cell (Pa) from the cell forces (N).
 pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
     cells.iter().zip(forces).map(|(cell, force)| force / cell.area()).collect()
 }
 
-/// Largest pressure of a patch.
+/// Peak pressure of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
-    /// Pa.
+    /// Peak pressure, Pa.
     pub pressure: f64,
-    /// Where, x and y in the patch's frame, m.
+    /// Location, x and y in the patch's frame, m.
     pub at: [f64; 2],
-    /// The loaded cell nearest to it.
+    /// Loaded cell nearest to the location.
     pub cell: usize,
 }
 
-/// Of one slice: its cells' ends across, and their pressures.
+/// Returns the ends of the cells of a slice across the contact line, and their pressures.
 fn strip(grid: &Grid, pressures: &[f64], slice: usize) -> (Vec<[f64; 2]>, Vec<f64>) {
     let cells = grid.slices[slice].cells.clone();
     (grid.cells[cells.clone()].iter().map(|cell| cell.ends(0)).collect(), pressures[cells].to_vec())
@@ -32,7 +34,7 @@ fn strip(grid: &Grid, pressures: &[f64], slice: usize) -> (Vec<[f64; 2]>, Vec<f6
 /// The peak of a slice that carries no load.
 const NONE: pressure::Peak = pressure::Peak { pressure: 0.0, x: 0.0, cell: 0 };
 
-/// The peak of each slice, Pa; 0 where none of it is loaded.
+/// Returns the peak of each slice, Pa; 0 for unloaded slices.
 fn slice_peaks(grid: &Grid, pressures: &[f64]) -> Vec<pressure::Peak> {
     (0..grid.slices.len())
         .map(|slice| {
@@ -65,12 +67,13 @@ fn half_width(grid: &Grid, pressures: &[f64]) -> f64 {
     if sum > 0.0 { grid.unit_half_width * (by_load / sum).sqrt() } else { 0.0 }
 }
 
-/// Ends along the ridge of each slice, m.
+/// Returns the ends of each slice along the contact line, m.
 fn lengths(grid: &Grid) -> Vec<[f64; 2]> {
     grid.slices.iter().map(|slice| slice.y).collect()
 }
 
-/// The peak pressure, between cells and slices; `None` if no cell is loaded. `pressures` in Pa, one a cell.
+/// Returns the peak pressure, interpolated between cells and slices; `None` if no cell is loaded.
+/// `pressures` are in Pa, one per cell.
 pub fn peak(grid: &Grid, pressures: &[f64]) -> Option<Peak> {
     along(grid, &slice_peaks(grid, pressures))
 }
@@ -112,8 +115,9 @@ fn along(grid: &Grid, peaks: &[pressure::Peak]) -> Option<Peak> {
     })
 }
 
-/// Half of the loaded part's extent across, at the slice of largest pressure, and along, m. `None` with fewer than five loaded cells
-/// either way, or where the squares of the pressures are no parabolas with two zeros.
+/// Returns the half-extents of the loaded part, m: across, at the slice of the largest pressure,
+/// and along. `None` with fewer than five loaded cells either way, or if a fit of p² does not have
+/// two zeros.
 pub fn half_axes(grid: &Grid, pressures: &[f64]) -> Option<[f64; 2]> {
     let peaks: Vec<f64> = slice_peaks(grid, pressures).iter().map(|peak| peak.pressure).collect();
     let largest = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j]).then(j.cmp(&i)))?;
@@ -121,20 +125,22 @@ pub fn half_axes(grid: &Grid, pressures: &[f64]) -> Option<[f64; 2]> {
     Some([pressure::half_width(&cells, &own)?, pressure::half_width(&lengths(grid), &peaks)?])
 }
 
-/// What a solution says about its grid (report figures 3.40 to 3.42).
+/// Assessment of a grid from a solution (report figures 3.40 to 3.42).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridReport {
-    /// Cells that carry force.
+    /// Number of cells that carry force.
     pub loaded_cells: usize,
-    /// Across and along: an outermost cell is loaded although the surfaces go on. Pressures are too high.
+    /// True across and along if an outermost cell is loaded although the surfaces continue.
+    /// Pressures are overestimated then.
     pub truncated: [bool; 2],
-    /// Across and along: fewer than five cells, or slices, are loaded: the pressure has no shape.
+    /// True across and along if fewer than five cells or slices are loaded, too few for a pressure
+    /// distribution.
     pub under_resolved: [bool; 2],
-    /// A better width and a better length (m), for the same M and N.
+    /// Recommended width and length (m), for the same M and N.
     pub recommended: [Option<f64>; 2],
 }
 
-/// Judges a grid by the pressures (Pa) found on it.
+/// Assesses a grid from the pressures (Pa) on it.
 pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     let loaded_cells = pressures.iter().filter(|&&p| p > 0.0).count();
     let peaks: Vec<f64> = slice_peaks(grid, pressures).iter().map(|peak| peak.pressure).collect();
@@ -151,7 +157,7 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     let mut width = None;
     for (index, slice) in grid.slices.iter().enumerate() {
         let (cells, own) = strip(grid, pressures, index);
-        // Widths are counted from the middle of the slice.
+        // Widths are measured from the middle of the slice.
         let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
         let cells: Vec<[f64; 2]> = cells.iter().map(|cell| cell.map(|x| x - middle)).collect();
         let judged = judge(&cells, &own, slice.surface_ends, grid.extent[0]);
@@ -187,11 +193,12 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
 struct Judgement {
     truncated: bool,
     under_resolved: bool,
-    /// A better extent, if either.
+    /// Recommended extent, if any.
     recommended: f64,
 }
 
-/// Of pieces measured from the middle of what they should cover, with their pressures.
+/// Assesses intervals, measured from the middle of the region that they should cover, with their
+/// pressures.
 fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent: f64) -> Judgement {
     let loaded = |p: Option<&f64>| p.is_some_and(|&p| p > 0.0);
     let truncated =
@@ -199,12 +206,13 @@ fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent
     let count = pressures.iter().filter(|&&p| p > 0.0).count();
     let reach = pieces.iter().zip(pressures).filter(|&(_, &p)| p > 0.0);
     let reach = reach.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
-    // What is loaded at one end alone stays within a grid of the same middle only if that reaches as far.
+    // A load at one end only must remain within a grid of the same middle.
     let smaller = 2.0 * MARGIN * reach;
     let few = count > 0 && count < LEAST_LOADED_CELLS.min(pieces.len());
     let under_resolved = !truncated && few && smaller < extent;
     let recommended = if truncated {
-        // Where p² would reach zero, if that is outside; else the cut is too deep to tell.
+        // Zero of the extrapolated p² if it lies outside; otherwise the patch is truncated too much
+        // for an estimate.
         zeros_of_squared_pressure(pieces, pressures)
             .map(|zeros| 2.0 * MARGIN * zeros[0].abs().max(zeros[1].abs()))
             .filter(|&w| w > 1.1 * extent)

@@ -1,50 +1,57 @@
-//! The ridge of two surfaces: for each place along the patch, the place across it where they come closest.
+//! Contact line of two surfaces: for each position along the patch, the point across it where the
+//! surfaces are closest.
 //!
-//! Gaps are measured along the normal of one frame, at whose point the surfaces come closest of all; there their normals are
-//! opposite (unless a surface ends first). Where the gap is the same along a line, as of aligned involute helicoids, which touch
-//! along a straight generator and have one tangent plane all along it, the frame stands in the middle of that line. y runs along the
-//! ridge: its direction is that of the line, or the direction of least relative curvature.
+//! Gaps are measured along the normal of one frame, whose origin is the point of closest approach.
+//! The normals there are opposite, unless a surface ends first. If the gap is constant along a
+//! line, the frame lies in the middle of that line; for example, aligned involute helicoids touch
+//! along a straight generator and have one tangent plane along it. y runs along the contact line:
+//! in the direction of that line, or of the least relative curvature.
 //!
-//! Samples of both surfaces tell where to begin. Then frame and ridge improve each other: across the patch the slope of the gap
-//! grows steadily, so its zero is bracketed and found to rounding; along it, the least gap is sought among places of the ridge.
+//! Samples of both surfaces provide starting points. Then frame and contact line are improved
+//! alternately. Across the patch the slope of the gap is monotonic, so its zero is bracketed and
+//! computed to rounding. Along it, the least gap is searched among points of the contact line.
+//!
+//! See `docs/theory/contact.md`.
 
 use super::across::{Closest, closest_across};
 use super::placement::{PatchFrame, PlacedSurface};
 use super::sheet::Sheet;
 use calyx_numerics::vec3::{Vector, dot, length, minus, plus, scaled, unit};
 
-/// A place of the ridge.
+/// Point of the contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RidgePoint {
     /// x and y in the frame, m.
     pub at: [f64; 2],
-    /// Along the frame's normal, m; negative where the bodies overlap.
+    /// Gap along the normal of the frame, m; negative for overlap.
     pub gap: f64,
-    /// Whether either surface is on its rounded edge here.
+    /// True if either surface is on its rounded edge here.
     pub on_edge: bool,
-    /// Whether a surface ends here before the gap is least.
+    /// True if a surface ends here before the minimum of the gap.
     pub at_end: bool,
 }
 
-/// Where two surfaces come closest, all along the patch.
+/// Contact line: points of closest approach of two surfaces along the patch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ridge {
-    /// At the closest approach.
+    /// Frame at the closest approach.
     pub frame: PatchFrame,
-    /// The least gap, along the common normal, m; negative where the bodies overlap.
+    /// Least gap, along the common normal, m; negative for overlap.
     pub gap: f64,
-    /// Coordinates of the closest approach on either surface.
+    /// Surface coordinates of the closest approach, by side.
     pub places: [[f64; 2]; 2],
-    /// Whether it lies on the surface's rounded edge.
+    /// True if it lies on the rounded edge of the surface, by side.
     pub on_edge: [bool; 2],
-    /// Whether a surface ends there, as no place within has a normal opposite to the other's.
+    /// True if a surface ends there, because no point within has a normal opposite to that of the
+    /// other surface.
     pub at_end: bool,
-    /// Places of the ridge, ascending in y, from end to end.
+    /// Points of the contact line, ascending in y, from end to end.
     pub points: Vec<RidgePoint>,
 }
 
 impl Ridge {
-    /// Whether a place of the first surface belongs to the ridge's valley: it lies beside the ridge, nearer than the ridge is long by far.
+    /// Returns whether a point of the first surface belongs to this contact line: its distance is
+    /// much smaller than the length of the line.
     fn passes(&self, position: Vector) -> bool {
         let [x, y, _] = self.frame.coordinates(position);
         let [low, high] = self.extent();
@@ -52,7 +59,7 @@ impl Ridge {
         beside.is_some_and(|point| (point.at[0] - x).abs() < BESIDE * (high - low))
     }
 
-    /// y where it begins and ends, because a surface does, m.
+    /// Returns y of the start and the end, where a surface ends, m.
     pub fn extent(&self) -> [f64; 2] {
         match (self.points.first(), self.points.last()) {
             (Some(first), Some(last)) => [first.at[1], last.at[1]],
@@ -61,31 +68,34 @@ impl Ridge {
     }
 }
 
-/// Samples of each smooth piece of a surface along u, and of the whole along v.
+/// Numbers of samples per smooth piece of a surface along u, and of the whole surface along v.
 const SAMPLES: [usize; 2] = [8, 6];
-/// Part of a ridge's length within which samples beside it lead to it again.
+/// Fraction of the length of a contact line within which nearby samples lead to the same line.
 const BESIDE: f64 = 0.1;
-/// Places of a ridge, from end to end.
+/// Number of points of a contact line, from end to end.
 const STATIONS: usize = 17;
-/// How often frame and ridge improve each other.
+/// Maximum number of alternating improvements of frame and contact line.
 const ROUNDS: usize = 12;
-/// Gaps that differ by less than this part of the patch's length are the same: rounding.
+/// Gaps that differ by less than this fraction of the patch's length are equal to rounding.
 const SAME_GAP: f64 = 1e-12;
-/// The ridge's direction is taken where the gap is within this part of the patch's length of the least.
+/// The direction of the contact line is determined where the gap exceeds the least by less than
+/// this fraction of the patch's length.
 const DIRECTION_DEPTH: f64 = 1e-3;
-/// Of a flank and its edge that meet at the least gap, the other one's direction is taken where it is near over so many times the length.
+/// If a flank and its edge meet at the least gap, the direction of the other one is used if it is
+/// near over a length larger by this factor.
 const PASSES_INTO: f64 = 4.0;
-/// Frame and ridge agree when the next frame would be shifted (relative to the patch's length) and turned by less than this.
+/// Convergence: the next change of the frame is below this, translation (relative to the patch's
+/// length) and rotation.
 const SETTLED: f64 = 1e-14;
-/// Principal curvatures that differ by less than this part of their sum are the same.
+/// Principal curvatures that differ by less than this fraction of their sum are equal.
 const ROUND: f64 = 1e-6;
-/// Step of a numerical derivative, relative to a surface's extent.
+/// Step of a finite difference, relative to the extent of a surface.
 const DIFFERENCE: f64 = 1e-4;
 
-/// The ridge of two surfaces, or `None` if they do not face each other anywhere.
+/// Finds the contact line of two surfaces; `None` if they do not face each other anywhere.
 ///
-/// With `search_edges` the whole surfaces are searched, and where one ends before the gap is least, its end counts. Without, only
-/// contact below rounded edges counts.
+/// With `search_edges` the search includes the whole surfaces, and the end of a surface that ends
+/// before the minimum of the gap. Otherwise only contact below rounded edges counts.
 pub fn find_ridge(first: PlacedSurface, second: PlacedSurface, search_edges: bool) -> Option<Ridge> {
     let mut best: Option<Ridge> = None;
     for start in starts([first, second], search_edges) {
@@ -93,7 +103,7 @@ pub fn find_ridge(first: PlacedSurface, second: PlacedSurface, search_edges: boo
             continue;
         }
         let Some(ridge) = Search { placed: [first, second], search_edges }.settle(start) else { continue };
-        // Nearly the same gap is the same ridge, found again.
+        // Nearly equal gaps mean that the same contact line was found again.
         let reach = ridge.extent()[1] - ridge.extent()[0];
         if best.as_ref().is_none_or(|best| ridge.gap < best.gap - SAME_GAP * reach) {
             best = Some(ridge);
@@ -102,11 +112,12 @@ pub fn find_ridge(first: PlacedSurface, second: PlacedSurface, search_edges: boo
     best
 }
 
-/// A pair of places, one on each surface.
+/// Pair of surface coordinates, one on each surface.
 type Places = [[f64; 2]; 2];
 
-/// For each place along the first surface, the pair of samples that lie nearest to each other and face each other; the nearest pair
-/// first, and no two of one place of the second surface.
+/// Returns starting points: for each position along the first surface, the pair of samples that
+/// face each other at the smallest distance; the nearest pair first, and no two with the same point
+/// of the second surface.
 fn starts(placed: [PlacedSurface; 2], search_edges: bool) -> Vec<Places> {
     let samples = placed.map(|placed| samples(&placed, search_edges));
     let mut nearest: Vec<(f64, Places)> = Vec::new();
@@ -127,7 +138,8 @@ fn starts(placed: [PlacedSurface; 2], search_edges: bool) -> Vec<Places> {
         nearest.extend(best);
     }
     nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
-    // The nearest, and the one farthest from it along the surface: valleys of the gap are long, there are seldom two.
+    // Take the nearest, and the one farthest from it along the surface: minima of the gap are
+    // elongated, and rarely more than two.
     let count = nearest.len();
     let chosen: Vec<Places> = nearest.into_iter().map(|(_, places)| places).collect();
     match count {
@@ -136,7 +148,7 @@ fn starts(placed: [PlacedSurface; 2], search_edges: bool) -> Vec<Places> {
     }
 }
 
-/// Samples in rows of one v: place, position and normal.
+/// Samples in rows of constant v: coordinates, position and normal.
 fn samples(placed: &PlacedSurface, search_edges: bool) -> Vec<Vec<([f64; 2], Vector, Vector)>> {
     let [u_range, v_range] = placed.range(search_edges);
     let mut knots = vec![u_range[0]];
@@ -165,16 +177,16 @@ struct Search<'a> {
     search_edges: bool,
 }
 
-/// The ridge seen from one frame.
+/// Contact line in one frame.
 struct Stations {
-    /// Ascending in y.
+    /// Points, ascending in y.
     found: Vec<Closest>,
-    /// The one where the gap is least.
+    /// Point of the least gap.
     least: Closest,
 }
 
 impl<'a> Search<'a> {
-    /// Frame and ridge from a pair of places near each other, improved until they agree.
+    /// Improves frame and contact line alternately from a pair of near points until they converge.
     fn settle(&self, start: Places) -> Option<Ridge> {
         let [first, second] = [0, 1].map(|side| self.placed[side].at(start[side]));
         let tangent = first.tangents[0];
@@ -214,23 +226,23 @@ impl<'a> Search<'a> {
         RidgePoint { at: closest.at(), gap: closest.gap(), on_edge, at_end: closest.end.is_some() }
     }
 
-    /// The frame with y turned into the direction of least relative curvature.
+    /// Rotates y of the frame into the direction of the least relative curvature.
     fn along_valley(&self, frame: PatchFrame, places: Places) -> PatchFrame {
         let sheets = self.sheets(frame, places);
         let Some([[xx, xy], [yx, yy]]) = relative_curvature(&sheets, places) else { return frame };
         let skew = xy + yx;
-        // As good as round: any direction will do.
+        // Nearly equal principal curvatures: any direction is suitable.
         if skew.hypot(xx - yy) <= ROUND * (xx + yy).abs() {
             return frame;
         }
         frame.turned(0.5 * skew.atan2(xx - yy))
     }
 
-    /// Closest approaches from end to end.
+    /// Computes closest approaches from end to end.
     fn stations(&self, sheets: &[Sheet; 2], places: Places) -> Option<Stations> {
         let center = closest_across(sheets, 0.0, places)?;
         let mut ends = ends_along(sheets, center.at()[0], center.places())?;
-        // A ridge that bends ends elsewhere than below its middle.
+        // The end of a curved contact line is not below its middle.
         for _ in 0..2 {
             for end in 0..2 {
                 if let Some(closest) = closest_across(sheets, ends[end], center.places()) {
@@ -241,7 +253,7 @@ impl<'a> Search<'a> {
         let usable = |closest: &Closest| self.search_edges || closest.end.is_none();
         let y = |station: usize| ends[0] + (ends[1] - ends[0]) * station as f64 / (STATIONS - 1) as f64;
         let mut found: Vec<Closest> = Vec::with_capacity(STATIONS + 2);
-        // Upwards from the middle, then downwards, each beginning where the one before ended.
+        // Proceed upwards from the middle, then downwards, each starting from the previous point.
         let middle = (0..STATIONS).find(|&station| y(station) >= center.at()[1]).unwrap_or(STATIONS);
         let mut guess = center.places();
         for station in middle..STATIONS {
@@ -262,7 +274,7 @@ impl<'a> Search<'a> {
         Some(Stations { found, least })
     }
 
-    /// Of the places found, the longest stretch that is usable, with its ends sought between places.
+    /// Returns the longest usable range of the points found, with its ends searched between points.
     fn within_ends(
         &self,
         sheets: &[Sheet; 2],
@@ -304,7 +316,7 @@ impl<'a> Search<'a> {
         stretch
     }
 
-    /// The place of the least gap; the middle of all where it is the same.
+    /// Returns the point of the least gap; the middle of the line if the gap is constant.
     fn least(&self, sheets: &[Sheet; 2], found: &[Closest]) -> Option<Closest> {
         let lowest = found.iter().map(Closest::gap).min_by(f64::total_cmp)?;
         let reach = reach(found);
@@ -316,7 +328,7 @@ impl<'a> Search<'a> {
             let y = 0.5 * (found[first].at()[1] + found[last].at()[1]);
             return closest_across(sheets, y, guess).or(Some(found[first]));
         }
-        // Between neighbours, where the gap's slope along the ridge changes its sign.
+        // Between neighbours at which the slope of the gap along the contact line changes its sign.
         let slope = |closest: &Closest| closest.slope()[1];
         let mut low = found[first.saturating_sub(1)];
         let mut high = found[(first + 1).min(found.len() - 1)];
@@ -350,20 +362,22 @@ impl<'a> Search<'a> {
         Some(middle)
     }
 
-    /// The frame at the least gap, with y along the ridge.
+    /// Returns the frame at the least gap, with y along the contact line.
     fn improved(&self, frame: &PatchFrame, stations: &Stations) -> PatchFrame {
         let least = &stations.least;
         let places = least.places();
         let [first, second] = [0, 1].map(|side| self.placed[side].at(places[side]));
         let normal = match least.end {
-            // The end of one surface has no tangent plane; it presses along the other's normal.
+            // The end of a surface has no tangent plane; it presses along the normal of the other
+            // surface.
             Some(0) => scaled(second.normal, -1.0),
             Some(_) => first.normal,
             None => unit(minus(first.normal, second.normal)),
         };
         let middle = scaled(plus(first.position, second.position), 0.5);
         let upright = PatchFrame::new(middle, normal, frame.across);
-        // Where edges are not searched, surfaces end where these begin, and rounding may say that the last place is on one.
+        // Without edges, surfaces end at the start of the edge, and rounding could put the last
+        // point on it.
         let on_edge = |closest: &Closest| self.search_edges && self.point(closest).on_edge;
         match stations.direction(|closest| on_edge(closest) || closest.end.is_some()) {
             Some(angle) => upright.turned(-angle),
@@ -377,9 +391,10 @@ impl Stations {
         reach(&self.found)
     }
 
-    /// Angle from y to the ridge, towards x, rad: through the farthest places to either side that are like the least gap's and about
-    /// as near. A least gap where a flank passes into its edge, as of misaligned teeth, belongs to the one along which the bodies are
-    /// near. `None` if there is only one such place.
+    /// Returns the angle from y to the contact line, towards x, rad: through the farthest points on
+    /// either side that resemble the least gap's point and are about as near. If a flank passes
+    /// into its edge at the least gap, as on misaligned teeth, the part along which the bodies are
+    /// near determines the direction. `None` if there is only one such point.
     fn direction(&self, special: impl Fn(&Closest) -> bool) -> Option<f64> {
         let kind = special(&self.least);
         let depth = DIRECTION_DEPTH * self.reach();
@@ -405,7 +420,8 @@ fn reach(found: &[Closest]) -> f64 {
     }
 }
 
-/// y of the ends along the patch at `x`: where either surface ends first. `None` if the surfaces do not lie over each other.
+/// Returns y of the ends along the patch at `x`, where either surface ends first; `None` if the
+/// surfaces do not face each other.
 pub(super) fn ends_along(sheets: &[Sheet; 2], x: f64, guess: Places) -> Option<[f64; 2]> {
     let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
     for (sheet, guess) in sheets.iter().zip(guess) {
@@ -419,7 +435,8 @@ pub(super) fn ends_along(sheets: &[Sheet; 2], x: f64, guess: Places) -> Option<[
     (ends[0] < ends[1]).then_some(ends)
 }
 
-/// Second derivatives of the gap by x and y, 1/m, at places one over the other; `None` if the surfaces end too near.
+/// Returns the second derivatives of the gap by x and y, 1/m, at opposite points; `None` if the
+/// surfaces end too near.
 pub(super) fn relative_curvature(sheets: &[Sheet; 2], places: Places) -> Option<[[f64; 2]; 2]> {
     let span = |sheet: &Sheet, place: [f64; 2]| {
         let [u, v] = [0, 1].map(|k| {

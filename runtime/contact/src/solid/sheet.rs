@@ -1,42 +1,44 @@
-//! A surface over the tangent plane of a patch: its height at x, y, sought by Newton's method on its own coordinates.
+//! Height field of a surface over the tangent plane of a patch; Newton's method on the surface
+//! coordinates solves for x, y.
 
 use super::placement::{PatchFrame, PlacedSurface};
 use calyx_numerics::vec3::dot;
 
-/// A point of a surface, seen from the tangent plane.
+/// Point of a surface in the coordinates of the tangent plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Foot {
-    /// The surface's own coordinates.
+    /// Surface coordinates.
     pub place: [f64; 2],
     /// x, y in the plane, m.
     pub at: [f64; 2],
-    /// Over the plane, along its normal, m.
+    /// Height over the plane, along its normal, m.
     pub height: f64,
-    /// Growth of the height by x and by y.
+    /// Derivatives of the height by x and by y.
     pub slope: [f64; 2],
-    /// Of the angle between the surface's normal and the plane's, positive.
+    /// Cosine of the angle between the normals of surface and plane, positive.
     pub cosine: f64,
-    /// Derivatives of x and of y (rows) by the surface's coordinates.
+    /// Derivatives of x and of y (rows) by the surface coordinates.
     tangents: [[f64; 2]; 2],
 }
 
-/// A surface and the plane it is seen from.
+/// Surface over a tangent plane.
 pub struct Sheet<'a> {
     pub placed: PlacedSurface<'a>,
     pub frame: PatchFrame,
-    /// Where contact is sought: ends of both coordinates.
+    /// Range of both coordinates in which contact is searched.
     pub range: [[f64; 2]; 2],
-    /// Which coordinate runs across the patch, and which along it.
+    /// Coordinate that runs across the patch, and the one along it.
     pub roles: [usize; 2],
 }
 
-/// Part of its range by which a surface may be evaluated beyond it.
+/// Fraction of its range by which a surface may be extrapolated.
 const BEYOND: f64 = 0.05;
 const NEWTON_STEPS: usize = 60;
-/// A surface that leans over by more than acos of this against the tangent plane ends there, as far as contact goes. Sections of a helical
-/// gear are turned against each other: beside others it may lean a little more.
+/// Cosine of the largest angle between a surface and the tangent plane; beyond it the surface ends
+/// for contact. Sections of a helical gear are rotated relative to each other, so the limit is
+/// slightly exceeded at some.
 const LEAST_COSINE: f64 = 0.3;
-/// Of the place where it does, which need not be exact.
+/// Number of bisections for this limit, which need not be exact.
 const BISECTIONS: usize = 30;
 /// Step of a coordinate, relative to its range, that is rounding.
 const SETTLED: f64 = 4.0 * f64::EPSILON;
@@ -44,7 +46,7 @@ const SETTLED: f64 = 4.0 * f64::EPSILON;
 const NEARLY: f64 = 1e-8;
 
 impl Foot {
-    /// Newton's step of the surface's coordinates towards `at`, and how far that is.
+    /// Returns Newton's step of the surface coordinates towards `at`, and the remaining distance.
     fn step_to(&self, at: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let [x, y] = self.tangents;
         let determinant = x[0] * y[1] - x[1] * y[0];
@@ -58,7 +60,7 @@ impl Foot {
 }
 
 impl<'a> Sheet<'a> {
-    /// `place` tells which coordinate runs across there.
+    /// Creates the height field; the tangents at `place` determine which coordinate runs across.
     pub fn new(placed: PlacedSurface<'a>, frame: PatchFrame, place: [f64; 2], search_edges: bool) -> Self {
         let mut sheet = Self { placed, frame, range: placed.range(search_edges), roles: [0, 1] };
         let [x, y] = sheet.foot(place).tangents;
@@ -70,7 +72,8 @@ impl<'a> Sheet<'a> {
         sheet
     }
 
-    /// Ends the range across where the surface leans over too far to be pressed, beside `place`.
+    /// Limits the range across to the part next to `place` whose inclination to the tangent plane
+    /// is small enough.
     fn cut_off_leaning(&mut self, place: [f64; 2]) {
         let across = self.roles[0];
         let faces = |value: f64| {
@@ -93,7 +96,7 @@ impl<'a> Sheet<'a> {
         });
     }
 
-    /// The surface's point at its own coordinates.
+    /// Returns the surface point at surface coordinates.
     pub fn foot(&self, place: [f64; 2]) -> Foot {
         let point = self.placed.at(place);
         let [x, y, height] = self.frame.coordinates(point.position);
@@ -109,7 +112,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// The point over `at`; `None` if the surface ends before.
+    /// Returns the point over `at`; `None` if the surface ends before it.
     pub fn over(&self, at: [f64; 2], guess: [f64; 2]) -> Option<Foot> {
         let mut foot = self.foot(self.clamped(guess));
         let mut previous = f64::INFINITY;
@@ -119,7 +122,7 @@ impl<'a> Sheet<'a> {
             if !size.is_finite() {
                 return None;
             }
-            // Settled, or as near as rounding of the surface lets it come.
+            // Converged, or limited by rounding of the surface.
             if size <= SETTLED || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
                 return Some(foot);
             }
@@ -133,13 +136,14 @@ impl<'a> Sheet<'a> {
         None
     }
 
-    /// The height over `at`, near a foot, to rounding; `None` as [`Sheet::over`].
+    /// Returns the height over `at`, near a known point, to rounding; `None` as for
+    /// [`Sheet::over`].
     pub fn height_near(&self, foot: &Foot, at: [f64; 2]) -> Option<f64> {
         let mut foot = *foot;
         for _ in 0..NEWTON_STEPS {
             let (step, short) = foot.step_to(at);
             let size = self.relative(step);
-            // What the tangent plane leaves out is of second order.
+            // The error of the tangent plane is of second order.
             if size <= NEARLY {
                 return Some(foot.height + foot.slope[0] * short[0] + foot.slope[1] * short[1]);
             }
@@ -152,13 +156,15 @@ impl<'a> Sheet<'a> {
         None
     }
 
-    /// The point with coordinate `held` at `value` whose x (`axis` 0) or y (1) is `target`; `None` if the surface ends before.
+    /// Returns the point with coordinate `held` at `value` whose x (`axis` 0) or y (1) is `target`;
+    /// `None` if the surface ends before it.
     pub fn on_line(&self, held: usize, value: f64, axis: usize, target: f64, guess: f64) -> Option<Foot> {
         let (foot, reached) = self.towards(held, value, axis, target, guess);
         reached.then_some(foot)
     }
 
-    /// As [`Sheet::on_line`], or the end of that line if it ends before; and whether it does not.
+    /// Returns the point of [`Sheet::on_line`], or the end of that line if it ends before, and
+    /// whether the target was reached.
     pub fn towards(&self, held: usize, value: f64, axis: usize, target: f64, guess: f64) -> (Foot, bool) {
         let free = 1 - held;
         let place = |t: f64| if held == 0 { [value, t] } else { [t, value] };
@@ -180,15 +186,16 @@ impl<'a> Sheet<'a> {
         (foot, false)
     }
 
-    /// Whether larger values of the coordinate that plays `role` lie at larger x (role 0) or y (1), +1, or at smaller, -1.
+    /// Returns +1 if the coordinate with this `role` grows with x (role 0) or y (1), -1 if it
+    /// decreases.
     pub fn sense(&self, role: usize, foot: &Foot) -> f64 {
         foot.tangents[role][self.roles[role]].signum()
     }
 
-    /// Size of a step of both coordinates, relative to their ranges.
+    /// Returns the size of a step of both coordinates, relative to their ranges.
     fn relative(&self, step: [f64; 2]) -> f64 {
         let [u, v] = [0, 1].map(|k| step[k].abs() / self.span(k));
-        // Of what is not a number, nothing is the larger.
+        // `max` would ignore NaN.
         if u.is_nan() || v.is_nan() { f64::NAN } else { u.max(v) }
     }
 

@@ -1,16 +1,16 @@
-//! Surfaces whose contact is known in closed form.
+//! Test surfaces whose contact is known in closed form.
 
 use calyx_structure::surface::{Surface, SurfacePoint};
 
-/// The bottom (facing -z) or top (facing +z) of a body with two principal radii, as a paraboloid or, where they are the same, as a
-/// sphere; its lowest or highest point is the origin.
+/// Bottom (facing -z) or top (facing +z) of a body with two principal radii: a paraboloid, or a
+/// sphere for equal radii. Its lowest or highest point is the origin.
 #[derive(Clone, Copy)]
 pub struct Cap {
     pub radii: [f64; 2],
     /// +1 faces +z, -1 faces -z.
     pub faces: f64,
     pub half: [f64; 2],
-    /// Turn of the principal directions in the coordinates, rad.
+    /// Rotation of the principal directions, rad.
     pub turn: f64,
 }
 
@@ -40,18 +40,19 @@ impl Surface for Cap {
     }
 }
 
-/// The involute helicoid of a base cylinder about the z axis, rounded at the tip if asked: u is the roll angle times the base radius,
-/// v the axial place. Its outward normal points counter-clockwise.
+/// Involute helicoid of a base cylinder about the z axis, optionally rounded at the tip: u is the
+/// roll angle times the base radius, v the axial coordinate. Its outward normal points
+/// counter-clockwise.
 #[derive(Clone, Copy)]
 pub struct Helicoid {
     pub base_radius: f64,
-    /// Turn per axial length, rad/m: positive turns counter-clockwise with z.
+    /// Rotation per axial length, rad/m; positive for counter-clockwise rotation with z.
     pub twist: f64,
-    /// Ends of u, m.
+    /// Range of u, m.
     pub u: [f64; 2],
-    /// Ends of v, m.
+    /// Range of v, m.
     pub v: [f64; 2],
-    /// Material taken off by a crown: at distance v from mid-face, `crown v²` along the normal, 1/m.
+    /// Crowning: at distance v from mid-face `crown v²` is removed along the normal, 1/m.
     pub crown: f64,
     /// +1 for a flank whose outward normal points counter-clockwise, -1 clockwise.
     pub hand: f64,
@@ -69,17 +70,18 @@ impl Surface for Helicoid {
         let angle = self.twist * v - hand * roll;
         let (sine, cosine) = angle.sin_cos();
         let (radial, turning) = ([cosine, sine], [-sine, cosine]);
-        // Position: rb radial + hand u turning; the normal of the unmodified flank: along the generating line, and axial by the twist.
+        // Position: rb radial + hand u turning; the normal of the unmodified flank: along the
+        // generating line, and axial by the twist.
         let base = [rb * radial[0] + hand * u * turning[0], rb * radial[1] + hand * u * turning[1], v];
         // Derivatives by u and by v.
         let by_u = [u / rb * radial[0], u / rb * radial[1], 0.0];
         let spun = [-base[1] * self.twist, base[0] * self.twist, 1.0];
         let size = (1.0 + (rb * self.twist).powi(2)).sqrt();
-        // (hand turning, axial) is normal to both derivatives when its axial part is -hand rb twist.
+        // (hand turning, axial) is normal to both derivatives if its axial part is -hand rb twist.
         let normal = [hand * turning[0] / size, hand * turning[1] / size, -hand * rb * self.twist / size];
         let depth = self.crown * v * v;
         let position = [0, 1, 2].map(|k| base[k] - depth * normal[k]);
-        // The normal turns with angle.
+        // The normal rotates with the angle.
         let turned = [-hand * radial[0] / size, -hand * radial[1] / size, 0.0];
         let t_u = [0, 1, 2].map(|k| by_u[k] + depth * turned[k] * hand / rb);
         let t_v =
@@ -95,11 +97,11 @@ impl Surface for Helicoid {
     }
 }
 
-/// A pair of external helical gears on parallel axes: flank of one tooth each, in mesh at `phase` (m along the line of action from the
-/// pitch point, at mid-face).
+/// Pair of external helical gears on parallel axes: one flank of each in mesh at `phase` (m along
+/// the line of action from the pitch point, at mid-face).
 pub struct Pair {
     pub base_radii: [f64; 2],
-    /// Of the base helix, rad, of the first gear; the second's is opposite.
+    /// Base helix angle of the first gear, rad; that of the second is opposite.
     pub base_helix: f64,
     /// Working transverse pressure angle, rad.
     pub pressure_angle: f64,
@@ -134,9 +136,11 @@ impl Pair {
             crown: self.crown,
             hand,
         };
-        // Both flanks face counter-clockwise: the first gear pushes the second, which turns the other way.
+        // Both flanks face counter-clockwise: the first gear drives the second, which rotates in
+        // the opposite sense.
         let flanks = [flank(0, 1.0, 1.0), flank(1, 1.0, -1.0)];
-        // The line of action leaves the first base circle at angle -pressure angle, the second opposite.
+        // The line of action leaves the first base circle at minus the pressure angle, the second
+        // at the opposite point.
         let alpha = -self.pressure_angle;
         let turn = |at: f64, path: f64, rb: f64| at + path / rb;
         let turns = [

@@ -1,4 +1,5 @@
-//! Where a bearing is at a time, and what the motions of frames do to it.
+//! Kinematics of bearings: their position and axes at a time, and deflections due to motions of
+//! frames.
 
 use super::{Bearing, Support};
 use crate::body::Body;
@@ -10,28 +11,31 @@ use calyx_numerics::error::{EngineError, Subject};
 
 type Vector = [f64; 3];
 
-/// A bearing at a time.
+/// Position and axes of a bearing at a time.
 pub struct Placed {
-    /// m, in ground coordinates.
+    /// Origin in ground coordinates, m.
     pub origin: Vector,
-    /// The bearing's x, y and z axes along those of ground.
+    /// x, y and z axes of the bearing along those of ground.
     pub axes: [Vector; 3],
-    /// Of the bodies, about which they turn, m: that of the first race's and that of the second's, which for ground is anywhere.
+    /// Centres of rotation of the two bodies, m, that of the first race's body first; arbitrary for
+    /// ground.
     axles: [Vector; 2],
     bodies: [Option<BodyId>; 2],
-    /// Along and about which the freedoms of either body count.
+    /// Directions of the DOFs of either body.
     freedoms: [[Vector; 3]; 2],
 }
 
-/// How far races may part, beside the size of the bodies they are on.
+/// Tolerance of the separation of the races, relative to the size of the bodies.
 const TOGETHER: f64 = 1e-7;
 
 impl Placed {
+    /// Computes the position and axes of a bearing at a time (s).
+    ///
     /// # Errors
-    /// E0687: the races have parted; E0710: a frame is not a number.
+    /// E0687: the races have separated; E0710: a frame is NaN.
     pub fn at(bodies: &[Body], bearing: &Bearing, time: f64) -> Result<Placed, EngineError> {
         let placed = Placed::of_first_race(bodies, bearing, time)?;
-        // The second race stays where it was on its own body.
+        // The second race remains fixed to its own body.
         let start = Placed::of_first_race(bodies, bearing, 0.0)?;
         let carried = |point: Vector, direction: Vector| -> Result<[Vector; 2], EngineError> {
             let Support::Body(body) = bearing.to else { return Ok([point, direction]) };
@@ -60,7 +64,7 @@ impl Placed {
             Support::Body(body) => (pose(bodies, body, time)?, Some(body), axle_of(body)?),
         };
         let z = first.direction([0.0, 0.0, 1.0]);
-        // An axis that lies along x takes y in its place.
+        // If the axis is along x, use y instead.
         let across = match second.direction([1.0, 0.0, 0.0]) {
             x if dot(x, z).abs() < 0.9 => x,
             _ => second.direction([0.0, 1.0, 0.0]),
@@ -78,7 +82,8 @@ impl Placed {
         })
     }
 
-    /// The deflection, along and about the bearing's axes, by a unit of a freedom: m per m or rad, and rad per rad.
+    /// Returns the deflection along and about the bearing's axes by a unit of a DOF: m per m or
+    /// rad, and rad per rad.
     pub fn deflection(&self, freedom: &Freedom) -> [f64; 6] {
         let mut deflection = [0.0; 6];
         for (side, sign) in [(0, 1.0), (1, -1.0)] {
@@ -98,13 +103,13 @@ impl Placed {
         deflection
     }
 
-    /// A vector given along the bearing's axes, along those of ground.
+    /// Transforms a vector from bearing to ground axes.
     pub fn to_ground(&self, v: Vector) -> Vector {
         std::array::from_fn(|k| (0..3).map(|axis| self.axes[axis][k] * v[axis]).sum())
     }
 
-    /// What a force and a moment on the first race, along the bearing's axes, are on a body it connects: a force and a moment about the
-    /// body's axle, along ground axes.
+    /// Transforms a force and a moment on the first race, along the bearing's axes, to a force and
+    /// a moment on a connected body about its axis of rotation, along ground axes.
     pub fn wrench_on(&self, body: BodyId, force: [f64; 6]) -> [f64; 6] {
         let [fx, fy, fz, mx, my, mz] = force;
         let (force, moment) = (self.to_ground([fx, fy, fz]), self.to_ground([mx, my, mz]));
@@ -122,7 +127,8 @@ impl Placed {
     }
 }
 
-/// That the first body turns about the bearing's axis alone, as seen from the second, as the scene begins.
+/// Checks that at time 0 the first body rotates only about the bearing's axis, relative to the
+/// second.
 pub(super) fn check_races(bodies: &[Body], bearing: &Bearing) -> Result<(), EngineError> {
     let placed = Placed::at(bodies, bearing, 0.0)?;
     let first = body_of(bodies, bearing.body)?;
@@ -137,7 +143,7 @@ pub(super) fn check_races(bodies: &[Body], bearing: &Bearing) -> Result<(), Engi
     };
     let beside =
         |axis: usize| -> Vector { std::array::from_fn(|k| placed.origin[k] + radius * placed.axes[axis][k]) };
-    // Points of the axis rest, whatever turns about it moves.
+    // Rotation about the axis does not move points of the axis.
     let speed = [0, 1].map(|axis| length(relative(beside(axis)))).into_iter().fold(0.0, f64::max);
     let fastest = [relative(placed.origin), relative(beside(2))].map(length).into_iter().fold(0.0, f64::max);
     if fastest > TOGETHER * speed.max(fastest) {
@@ -160,6 +166,8 @@ fn pose(bodies: &[Body], body: BodyId, time: f64) -> Result<Pose, EngineError> {
         .map_err(|error| error.about(Subject::Body(body.0)))
 }
 
+/// Returns a body of the scene.
+///
 /// # Errors
 /// E0653: the scene has no such body.
 fn body_of(bodies: &[Body], body: BodyId) -> Result<&Body, EngineError> {

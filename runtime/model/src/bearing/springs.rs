@@ -1,5 +1,5 @@
-//! All bearings of a scene as the contact problem sees them: a stiffness and loads on the freedoms, and gap equations of their own, behind
-//! which those of lugs are added ([`crate::lug_contact`]).
+//! Contribution of all bearings to the contact problem: stiffness and loads on the DOFs, and gap
+//! equations of the stops, followed by those of spline teeth ([`crate::lug_contact`]).
 
 use super::{Bearing, BearingMatrix, Placed};
 use crate::body::Body;
@@ -8,25 +8,27 @@ use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::EngineError;
 use faer::MatRef;
 
-/// What bearings, and lugs with clearance, add to a contact problem. Forces are per width of a plane model, as the problem's are.
+/// Terms of bearings and of spline teeth with clearance in a contact problem. Forces are per width
+/// of a plane model, like those of the problem.
 #[derive(Clone)]
 pub struct Springs {
-    /// K, freedoms by freedoms, row-major.
+    /// K, DOFs by DOFs, row-major.
     pub stiffness: Vec<f64>,
-    /// Generalised forces by unloaded deformations and loads of the bearings themselves.
+    /// Generalized forces due to unloaded deflections and the bearings' own loads.
     pub load: Vec<f64>,
-    /// Gaps of the stops, and behind them of the flanks of lugs, m.
+    /// Gaps of the stops, then those of the flanks of spline teeth, m.
     pub gaps: Vec<f64>,
-    /// Their growth by each freedom, row by row.
+    /// Derivatives of the gaps by the DOFs, row-major.
     pub arms: Vec<f64>,
-    /// Their growth by the forces on them, row-major.
+    /// Compliance matrix of these gaps, row-major.
     compliance: Vec<f64>,
 }
 
-/// The planned bearings of a scene at a time (s), on these freedoms; `width` (m) is that of a body in a plane model, and 1 in space.
+/// Assembles the planned bearings of a scene at a time (s) on these DOFs. `width` (m) is that of a
+/// body in a plane model, and 1 in three dimensions.
 ///
 /// # Errors
-/// As [`Placed::at`].
+/// Those of [`Placed::at`].
 pub fn springs(
     bodies: &[Body],
     bearings: &[Bearing],
@@ -48,7 +50,8 @@ pub fn springs(
         for (k, column) in columns.iter().enumerate() {
             springs.load[k] += dot(column, &own) / width;
             let force = pushed(column);
-            // Each entry and its mirror image once: symmetric to the bit.
+            // Compute each entry and its mirror image once, so that the matrix is exactly
+            // symmetric.
             for (l, other) in columns.iter().enumerate().skip(k) {
                 let entry = dot(&force, other) / width;
                 springs.stiffness[k * m + l] += entry;
@@ -73,10 +76,10 @@ pub fn springs(
     Ok(springs)
 }
 
-/// The damping of the planned bearings between freedoms, row-major, as [`springs`].
+/// Assembles the damping matrix of the planned bearings, row-major, like [`springs`].
 ///
 /// # Errors
-/// As [`Placed::at`].
+/// Those of [`Placed::at`].
 pub fn damping(
     bodies: &[Body],
     bearings: &[Bearing],
@@ -109,7 +112,7 @@ pub fn damping(
 }
 
 impl Springs {
-    /// None, on so many freedoms.
+    /// Creates the terms of a system without bearings.
     pub fn none(freedoms: usize) -> Springs {
         Springs {
             stiffness: vec![0.0; freedoms * freedoms],
@@ -120,7 +123,7 @@ impl Springs {
         }
     }
 
-    /// The same as seen from a position of the freedoms, and what is left of a load there.
+    /// Shifts the origin to a position of the DOFs; also returns the residual load there.
     pub fn from(&self, start: &[f64], load: &[f64]) -> (Springs, Vec<f64>) {
         let m = start.len();
         let along = |row: &[f64]| row.iter().zip(start).map(|(entry, moved)| entry * moved).sum::<f64>();
@@ -130,13 +133,15 @@ impl Springs {
         (Springs { gaps, ..self.clone() }, load.iter().enumerate().map(left).collect())
     }
 
-    /// The stops as seen from a position of the freedoms, with another matrix in place of the springs and no loads: for a step in time.
+    /// Returns the stops relative to a position of the DOFs, with another matrix in place of the
+    /// springs and without loads: for a time step.
     pub fn stepping(&self, start: &[f64], matrix: Vec<f64>) -> Springs {
         let (seen, _) = self.from(start, &vec![0.0; start.len()]);
         Springs { stiffness: matrix, load: vec![0.0; start.len()], ..seen }
     }
 
-    /// Adds gap equations behind those that there are, with their arms and what they do to each other, both row-major.
+    /// Appends gap equations with their derivatives by the DOFs and their compliance matrix, both
+    /// row-major.
     pub fn add_walls(&mut self, gaps: &[f64], arms: impl Iterator<Item = f64>, compliance: &[f64]) {
         let (first, own) = (self.gaps.len(), gaps.len());
         let all = first + own;
@@ -155,8 +160,9 @@ impl Springs {
         self.arms.extend(arms);
     }
 
-    /// Adds the gap equations to a problem, behind its cells. `across` is the growth of gaps of cells by forces on the last of these equations,
-    /// cells by equations; others do nothing to cells but through the freedoms.
+    /// Appends the gap equations to a contact problem, after its cells. `across` is the compliance
+    /// of cells to forces on the last of these equations, cells by equations. All other coupling is
+    /// through the DOFs.
     pub fn behind(&self, cells: ContactProblem, across: MatRef<'_, f64>) -> ContactProblem {
         let (n, more) = (cells.gaps.len(), self.gaps.len());
         if more == 0 {
@@ -187,19 +193,19 @@ impl Springs {
 }
 
 impl Bearing {
-    /// `K x0 + f_ext`: what pushes the first race where nothing has moved.
+    /// Returns `K x0 + f_ext`, the force on the first race at zero deflection.
     fn own_load(&self) -> [f64; 6] {
         let sprung = stiffly(self, &self.unloaded);
         std::array::from_fn(|k| sprung[k] + self.load[k])
     }
 
-    /// What damping takes at a rate of the deflection, along the bearing's axes: N and N m.
+    /// Returns the damping force at a rate of the deflection, along the bearing's axes, N and N m.
     pub fn damping_at(&self, rate: &[f64; 6]) -> [f64; 6] {
         symmetric(&self.damping, rate)
     }
 
-    /// What the springs and the stops do to the first race at a deflection and forces on the walls (N), along the bearing's axes: N and
-    /// N m.
+    /// Returns the force of springs and stops on the first race at a deflection and at forces on
+    /// the walls (N), along the bearing's axes, N and N m.
     pub fn push(&self, deflection: &[f64; 6], walls: &[f64]) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
         let mut push: [f64; 6] = std::array::from_fn(|k| own[k] - sprung[k]);
@@ -213,12 +219,13 @@ impl Bearing {
     }
 }
 
-/// `K x` of a bearing.
+/// Computes `K x` of a bearing.
 fn stiffly(bearing: &Bearing, x: &[f64; 6]) -> [f64; 6] {
     symmetric(&bearing.stiffness, x)
 }
 
-/// `K x`, of the symmetric part of K: what printed digits leave of the other one is none.
+/// Computes `K x` with the symmetric part of K; its antisymmetric part is rounding of printed
+/// digits.
 fn symmetric(matrix: &BearingMatrix, x: &[f64; 6]) -> [f64; 6] {
     std::array::from_fn(|i| (0..6).map(|j| 0.5 * (matrix[i][j] + matrix[j][i]) * x[j]).sum())
 }

@@ -1,4 +1,4 @@
-//! Modes of bodies, kept and taken.
+//! Tests of cached body modes.
 
 use crate::disc::{Disc, Facing, Platen};
 use crate::fidelity::StructureOptions;
@@ -45,13 +45,13 @@ fn modes_are_found_once_and_kept_on_disk() {
     let first = modes(&DISC, HIGHEST, &resources);
     assert!(is_same(&found, &first));
     assert!(Arc::ptr_eq(&first, &modes(&DISC, HIGHEST, &resources)));
-    // Of another frequency or density they are others.
+    // Modes of another frequency or density are different.
     assert!(modes(&DISC, 0.7 * HIGHEST, &resources).count() < first.count());
     let heavy =
         Disc { material: Material { density: 4.0 * Material::STEEL.density, ..Material::STEEL }, ..DISC };
     let heavy = modes(&heavy, 0.5 * HIGHEST, &resources);
     assert!((heavy.frequencies[0] / first.frequencies[0] - 0.5).abs() < 1e-9);
-    // Another process, which may do no work.
+    // Emulate another process, which must find everything on disk.
     let again = with_store();
     let stop = || Interrupt::new(|| Err(EngineError::new("E0704", "stopped", "")));
     let again = Resources { interrupt: stop(), ..again };
@@ -65,7 +65,7 @@ fn a_body_without_modes_vibrates_as_a_rigid_one() {
     assert!(none.is_none());
 }
 
-/// A free disc has its three motions in its frame, and no mode has any part in them.
+/// A free disc has three rigid-body motions in its frame, and no mode contains any of them.
 #[test]
 fn modes_of_a_free_disc_move_its_middle_nowhere() {
     let found = modes(&DISC, HIGHEST, &Resources::default());

@@ -1,4 +1,4 @@
-//! Lugs under a ring that does not give way, against equilibrium worked out by hand and by bisection.
+//! Tests of spline teeth under a rigid ring, against analytical equilibrium and bisection.
 
 use super::*;
 use crate::lug_contact::SENSES;
@@ -19,7 +19,7 @@ fn lugs(count: u16) -> LugContact {
     LugContact { lugs, clearance: CLEARANCE, radius: RADIUS }
 }
 
-/// A ring free in its plane under a force and a torque, on nothing but its lugs.
+/// Ring free in its plane under a force and a torque, supported only by its spline teeth.
 fn problem(contact: &LugContact, load: [f64; 3]) -> ContactProblem {
     let mut springs = Springs::none(3);
     let arms = contact.arms(0.0, [0.0; 2]);
@@ -35,7 +35,7 @@ fn problem(contact: &LugContact, load: [f64; 3]) -> ContactProblem {
     springs.behind(nothing, Mat::zeros(0, contact.flanks()).as_ref())
 }
 
-/// From the flanks that a rigid body would rest on.
+/// Solves from the flanks that would support a rigid body.
 fn solved(problem: &ContactProblem) -> Solution {
     let solution = solve(problem, None).unwrap();
     assert!(solution.certificate.largest() < 1e-12, "{:?}", solution.certificate);
@@ -63,7 +63,7 @@ fn a_torque_turns_a_ring_through_half_the_clearance_and_goes_evenly_through_all_
     }
 }
 
-/// Where a monotone function passes nought.
+/// Returns the zero of a monotonic function.
 fn root(value: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (-1e-2, 1e-2);
     for _ in 0..120 {
@@ -73,8 +73,9 @@ fn root(value: impl Fn(f64) -> f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// A side load with some torque: some lugs bear on one flank, some on the other and some on none. Each bears what it is pressed in by beyond
-/// half the clearance, and displacement and turn follow one within the other from the two equations of equilibrium.
+/// A transverse load with a torque: some spline teeth carry load on one flank, some on the other
+/// and some on none. Each force is proportional to the displacement beyond half the clearance.
+/// Displacement and rotation follow from the two equations of equilibrium by nested bisection.
 #[test]
 fn a_side_load_with_torque_lifts_lugs_off_as_bisection_finds() {
     let contact = lugs(24);
@@ -107,7 +108,8 @@ fn a_side_load_with_torque_lifts_lugs_off_as_bisection_finds() {
     assert!((solution.motion[2] / turn - 1.0).abs() < 1e-9);
 }
 
-/// The work of forces on flanks is that of the body's displacements at its lugs, wherever its axle is.
+/// The work of forces on flanks equals that of the body's displacements at its spline teeth, for
+/// any position of its axis.
 #[test]
 fn arms_are_the_displacements_of_lugs() {
     let contact = LugContact { lugs: Lugs { width: 0.4, first: 0.3, ..lugs(5).lugs }, ..lugs(5) };

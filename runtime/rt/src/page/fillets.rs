@@ -12,7 +12,7 @@ const SHOWN: usize = 6;
 /// The fillets of a body.
 pub struct Fillets {
     pub body: String,
-    /// Pa
+    /// Pressure, Pa.
     pub largest: f64,
     pub smallest: f64,
     /// Over the distance along the fillet, the largest and smallest along the face; empty where one place of a profile is known.

@@ -48,10 +48,10 @@ pub struct Run {
 /// A row of `steps.csv` without its outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Position {
-    /// s
+    /// Time, s.
     pub time: f64,
     pub cycle: f64,
-    /// rad
+    /// Phases, rad.
     pub roll: f64,
     /// Name of a characteristic point, or empty.
     pub point: String,

@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     pub name: &'static str,
-    /// In SI.
+    /// Number in SI.
     pub size: f64,
 }
 

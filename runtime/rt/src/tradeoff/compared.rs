@@ -10,7 +10,7 @@ use super::measured::{Measured, Series};
 pub struct Errors {
     /// The largest deviation at a position that both runs have.
     pub deviation: f64,
-    /// Of the largest value.
+    /// Error of the largest value.
     pub max: f64,
     /// Of the least one.
     pub min: f64,
@@ -70,7 +70,7 @@ pub struct OutputErrors {
 /// All settings against one of them.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// From cheap to dear.
+    /// Settings from cheap to expensive.
     pub settings: Vec<Measured>,
     /// Which of them is the reference.
     pub reference: usize,

@@ -1,29 +1,36 @@
-//! The matrix of a step, and where a step would end if contact did what it did before.
+//! Effective matrix of a time step, and the solution of a step with the contact forces of the
+//! previous one.
 //!
-//! Terms of Coriolis, of Euler and of centrifugal force make the matrix of a step unsymmetric, and the contact problem is one of least energy. With
-//! contact's forces of the step before, the whole equations of a step are linear and solved as they are; of that end the unsymmetric terms are taken
-//! as loads, and contact is solved. So what contact does not touch moves by the scheme itself, which keeps the energy of a turning body, and
-//! contact changes within a step by so little that the order stays. (By rates extrapolated from the beginning of a step, free vibrations of a
-//! turning ring grow by parts of the order of its turn within a step.)
+//! Coriolis, Euler and centrifugal terms make the matrix of a step unsymmetric, but the contact
+//! problem is a minimum problem. With the contact forces of the previous step, the complete
+//! equations of a step are linear and are solved directly. The unsymmetric terms of this solution
+//! are then treated as loads, and contact is solved. So motions without contact follow the scheme
+//! itself, which conserves the energy of a rotating body, and the contact forces change so little
+//! within a step that the order of the scheme is preserved. (With rates extrapolated from the start
+//! of a step, free vibrations of a rotating ring grow by fractions of the order of its rotation per
+//! step.)
+//!
+//! See `docs/theory/dynamics.md`.
 
 use calyx_numerics::dense::{cholesky, half_solve, other_half_solve};
 use faer::Mat;
 
-/// Times that unsymmetric terms are put right; each leaves of the error about the turn of frames within a step.
+/// Maximum number of corrections of the unsymmetric terms; each reduces the error by a factor of
+/// about the rotation of frames in a step.
 const MOST: usize = 40;
 
-/// Of Newmark's family, by `y`: freedoms, then modal coordinates.
+/// Effective matrix S of Newmark's family for the unknown `y`: DOFs, then modal coordinates.
 pub struct Effective<'a> {
-    /// Between freedoms, row-major.
+    /// Block of the DOFs, row-major.
     pub matrix: &'a [f64],
-    /// Freedoms by modal coordinates, row-major.
+    /// Block of DOFs by modal coordinates, row-major.
     pub coupling: &'a [f64],
-    /// Of modal coordinates.
+    /// Diagonal of the modal coordinates.
     pub stiffness: &'a [f64],
 }
 
 impl Effective<'_> {
-    /// `S y`.
+    /// Computes `S y`.
     pub fn times(&self, y: &[f64]) -> Vec<f64> {
         let (count, m) = (self.stiffness.len(), y.len() - self.stiffness.len());
         let (x, q) = y.split_at(m);
@@ -39,7 +46,8 @@ impl Effective<'_> {
         freedoms.chain(modal).collect()
     }
 
-    /// Of the freedoms, modal coordinates eliminated: its factor by Cholesky.
+    /// Returns the Cholesky factor of the Schur complement of the DOFs after elimination of the
+    /// modal coordinates.
     fn factor(&self, m: usize) -> Option<Mat<f64>> {
         let count = self.stiffness.len();
         cholesky(Mat::from_fn(m, m, |i, j| {
@@ -49,7 +57,7 @@ impl Effective<'_> {
         }))
     }
 
-    /// `S^-1 right`.
+    /// Computes `S^-1 right`.
     fn solve(&self, factor: &Mat<f64>, right: &[f64]) -> Vec<f64> {
         let (count, m) = (self.stiffness.len(), factor.nrows());
         let (f, g) = right.split_at(m);
@@ -65,8 +73,8 @@ impl Effective<'_> {
         (0..m).map(|i| x[(i, 0)]).chain(modal).collect()
     }
 
-    /// `y` of `S y = load + following(y)`, with `following` linear and small beside S; where it is not, how far it is worth going. `None` where
-    /// S is not positive definite.
+    /// Solves `S y = load + following(y)`, with `following` linear and small relative to S; if it
+    /// is not small, iterates while the error decreases. `None` if S is not positive definite.
     pub fn free(&self, load: &[f64], following: impl Fn(&[f64]) -> Vec<f64>) -> Option<Vec<f64>> {
         let factor = self.factor(load.len() - self.stiffness.len())?;
         let energy = |y: &[f64]| self.times(y).iter().zip(y).map(|(f, y)| f * y).sum::<f64>();
@@ -77,7 +85,8 @@ impl Effective<'_> {
             let next = self.solve(&factor, &right);
             let change: Vec<f64> = next.iter().zip(&y).map(|(next, y)| next - y).collect();
             let moved = energy(&change);
-            // What does not shrink is rounding, or frames turn by radians in a step and nothing is resolved anyhow.
+            // The change no longer shrinks: it is rounding, or frames rotate by radians per step
+            // and nothing is resolved anyway.
             if moved.is_nan() || moved >= 0.25 * last {
                 break;
             }

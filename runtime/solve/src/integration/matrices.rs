@@ -1,28 +1,42 @@
-//! Mass, damping and the loads by inertia of all coordinates of a plane model at a time.
+//! Mass matrix, damping matrix and inertia loads of all coordinates of a plane model at a time.
 //!
-//! A particle of a body is at `A + u + R(phi + theta) (X + sum phi_k q_k)`: A the axle's prescribed place, phi the prescribed turn, u and theta the
-//! deviations of the frame (u along ground axes), X the particle's place from the axle and phi_k its displacement by modal coordinate q_k, both in
-//! the body's axes. With a the acceleration of A, omega and alpha the angular velocity and acceleration of phi, e the turn by a right angle
-//! (`e3 x`), and the virtual work of the particles' inertia kept to the first order in u, theta, q and their rates, forces of inertia are,
-//! negative,
+//! The position of a particle of a body is `A + u + R(phi + theta) (X + sum phi_k q_k)`. A is the
+//! prescribed position of the axis of rotation, phi the prescribed angle, and u and theta are the
+//! deviations of the frame (u along ground axes). X is the particle's position relative to the axis
+//! and phi_k its displacement by the modal coordinate q_k, both in the body's axes. Let a be the
+//! acceleration of A, omega and alpha the angular velocity and acceleration of phi, and e the
+//! rotation by a right angle (`e3 x`). The virtual work of the particles' inertia, to first order
+//! in u, theta, q and their rates, gives the inertia forces (negative)
 //!
-//! - on u: `m u'' + theta'' e s - 2 omega theta' s - (alpha s + omega² e s) theta + m a + alpha e s - omega² s
-//!   + sum (c q'' + 2 omega e c q' + (alpha e - omega²) c q)`;
-//! - on theta: `J theta'' + e s . u'' - (s . a) theta + J alpha + e s . a + sum (b q'' + 2 omega x q' + (2 alpha x + e c . a) q)`;
-//! - on q_k: `q_k'' + c . u'' + b theta'' - 2 omega x theta' + (e c . a) theta + c . a + b alpha - omega² x + sum (2 omega g q_l' + alpha g q_l)`,
+//! ```text
+//! on u:      m u'' + theta'' e s - 2 omega theta' s - (alpha s + omega² e s) theta
+//!            + m a + alpha e s - omega² s
+//!            + sum (c q'' + 2 omega e c q' + (alpha e - omega²) c q)
+//! on theta:  J theta'' + e s . u'' - (s . a) theta + J alpha + e s . a
+//!            + sum (b q'' + 2 omega x q' + (2 alpha x + e c . a) q)
+//! on q_k:    q_k'' + c . u'' + b theta'' - 2 omega x theta' + (e c . a) theta
+//!            + c . a + b alpha - omega² x + sum (2 omega g q_l' + alpha g q_l)
+//! ```
 //!
-//! m the mass, `s = R int X` the first moment and J the second one about the axle; of a mode `c = R int phi`, `b = int phi . e X`,
-//! `x = int phi . X` and `g = int phi_k . e phi_l`, all integrals by mass. So frames and modes meet in terms of Coriolis, of Euler and of
-//! centrifugal force; forces and moments on all of a body are the rates of its momentum and of its moment of momentum. Whether a frame is free
-//! along a component or held makes no difference: what is held feels the same as a reaction.
+//! with the mass m, the first moment `s = R int X` and the second moment J about the axis; for a
+//! mode `c = R int phi`, `b = int phi . e X`, `x = int phi . X` and `g = int phi_k . e phi_l`, all
+//! integrals over the mass. So frames and modes are coupled by Coriolis, Euler and centrifugal
+//! terms. Forces and moments on a whole body are the rates of its momentum and angular momentum.
+//! Constrained components of a frame have the same terms as reactions.
 //!
-//! **What is left out.** On q_k the same gives `- omega² q_k`, by which modes soften as they turn. That tension of a turning body stiffens it, by
-//! more than that if the mode bends a rim, is of the second order of displacements and not among the modes' numbers; both change a natural
-//! frequency by parts of the order of `(omega / omega_n)²`, and one without the other would be wrong in sign. Both are left out: at a tenth of the
-//! lowest natural frequency that is a hundredth, and from there on a step says so ([`Matrices::softening`]). What the acceleration of a path does to the
-//! stiffness of modes is left out for the same reason. External loads act on the axle along ground axes, so they do not depend on deviations.
+//! **Neglected terms.** The equation of q_k also contains `- omega² q_k`, by which rotation softens
+//! modes. The centrifugal tension stiffens a rotating body, by more than that if the mode bends a
+//! rim; it is of second order in the displacements and not among the modal data. Both change a
+//! natural frequency by fractions of the order of `(omega / omega_n)²`, and including only one
+//! would give the wrong sign, so both are neglected. At a tenth of the lowest natural frequency
+//! this is one percent; from there on a step issues a warning ([`Matrices::softening`]). The effect
+//! of the acceleration of the path on the stiffness of modes is neglected for the same reason.
+//! External loads act on the axis along ground axes, so they do not depend on deviations.
 //!
-//! Damping in proportion to mass (Rayleigh) acts on the rates of deviations: it brakes what departs from the prescribed motion, not that motion.
+//! Mass-proportional (Rayleigh) damping acts on the rates of deviations: it damps deviations from
+//! the prescribed motion, not that motion.
+//!
+//! See `docs/theory/dynamics.md`.
 
 use crate::system::System;
 use calyx_fe::inertia::Inertia;
@@ -35,41 +49,41 @@ use calyx_model::motion::{angular_acceleration, angular_velocity, point_accelera
 use calyx_model::plan::Plan;
 use calyx_numerics::error::{EngineError, Subject};
 
-/// At a time, per width of the model: freedoms first, then modal coordinates.
+/// Matrices at a time, per width of the model: DOFs first, then modal coordinates.
 pub struct Matrices {
-    /// Between freedoms, row-major.
+    /// Mass matrix of the DOFs, row-major.
     pub mass: Vec<f64>,
-    /// Freedoms by modal coordinates, row-major.
+    /// Mass coupling, DOFs by modal coordinates, row-major.
     pub coupling: Vec<f64>,
-    /// Of bearings, between freedoms, row-major.
+    /// Damping matrix of bearings between DOFs, row-major.
     pub damping: Vec<f64>,
-    /// Loads by the prescribed motion on freedoms.
+    /// Inertia loads of the prescribed motion on the DOFs.
     pub load: Vec<f64>,
-    /// The same on modal coordinates.
+    /// Inertia loads of the prescribed motion on the modal coordinates.
     pub modal_load: Vec<f64>,
-    /// Of every body.
+    /// State of every body.
     bodies: Vec<Moving>,
-    /// Of every modal coordinate.
+    /// Coupling of every modal coordinate.
     arms: Vec<Arm>,
 }
 
-/// A body at a time.
+/// State of a body at a time.
 #[derive(Clone, Copy, Default)]
 struct Moving {
     /// Angular velocity, rad/s, and acceleration, rad/s².
     spin: f64,
     spinning_up: f64,
-    /// Of the axle, m/s².
+    /// Acceleration of the axis, m/s².
     acceleration: [f64; 2],
-    /// kg, kg m and kg m², about the axle along ground axes.
+    /// Mass and moments about the axis along ground axes, kg, kg m and kg m².
     mass: f64,
     first: [f64; 2],
     polar: f64,
-    /// Force (N) and moment (N m) of inertia by the prescribed motion.
+    /// Inertia force (N) and moment (N m) of the prescribed motion.
     load: [f64; 3],
 }
 
-/// What a modal coordinate has to do with its frame, along ground axes about the axle.
+/// Coupling of a modal coordinate with its frame, along ground axes about the axis of rotation.
 #[derive(Clone, Copy, Default)]
 struct Arm {
     /// `c`.
@@ -80,14 +94,16 @@ struct Arm {
     outwards: f64,
 }
 
-/// Forces on the frame of every body along x and y (N) and moments about its axle (N m), and forces on modal coordinates.
+/// Forces on the frame of every body along x and y (N), moments about its axis (N m), and forces on
+/// modal coordinates.
 pub struct Forces {
     frames: Vec<[f64; 3]>,
     /// Generalised forces on modal coordinates, per width of the model.
     pub modal: Vec<f64>,
 }
 
-/// Parts of a body's lowest natural frequency at which it turns: from the first on what is left out is told, beyond the other it is too much.
+/// Angular velocity relative to a body's lowest natural frequency from which the neglected terms
+/// cause a warning; beyond the second value they are an error.
 const FAST: f64 = 0.1;
 const TOO_FAST: f64 = 0.5;
 /// Where the components of a frame in the plane stand among those of [`calyx_model::freedom::FREEDOMS`].
@@ -97,16 +113,17 @@ fn dot([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
     a * c + b * d
 }
 
-/// Turned by a right angle.
+/// Rotates by a right angle.
 fn across([x, y]: [f64; 2]) -> [f64; 2] {
     [-y, x]
 }
 
 impl Matrices {
-    /// `inertias` are those of the bodies about their axles.
+    /// Assembles the matrices at a time; `inertias` are those of the bodies about their axes of
+    /// rotation.
     ///
     /// # Errors
-    /// A frame is not a number.
+    /// A frame is NaN.
     pub fn at(system: &System<'_>, inertias: &[Inertia], time: f64) -> Result<Matrices, EngineError> {
         let (freedoms, modes) = (&system.freedoms, &system.modes);
         let (m, count) = (freedoms.len(), modes.count());
@@ -168,8 +185,9 @@ impl Matrices {
         Ok(matrices)
     }
 
-    /// What inertia does by displacements and rates of all coordinates: everything of the module's equations but what belongs to their
-    /// accelerations and to the prescribed motion. Linear in both.
+    /// Returns the inertia forces due to displacements and rates of all coordinates: all terms of
+    /// the module's equations except those of accelerations and of the prescribed motion. Linear in
+    /// both.
     pub fn following(&self, system: &System<'_>, displacement: &[f64], rate: &[f64]) -> Forces {
         let m = system.freedoms.len();
         let mut forces =
@@ -211,10 +229,10 @@ impl Matrices {
         forces
     }
 
-    /// What should be known of what is left out, in sentences.
+    /// Returns warnings about the neglected terms, in sentences.
     ///
     /// # Errors
-    /// E0767: a body turns so fast that its modes are not those it has at rest.
+    /// E0767: a body rotates so fast that its modes differ from those at rest.
     pub fn softening(&self, system: &System<'_>) -> Result<Vec<String>, EngineError> {
         let mut warnings = Vec::new();
         for (index, body) in self.bodies.iter().enumerate() {
@@ -266,7 +284,7 @@ impl Matrices {
 }
 
 impl Forces {
-    /// On freedoms, per width of the model, then on modal coordinates.
+    /// Returns the forces on the DOFs, per width of the model, then on the modal coordinates.
     pub fn on_coordinates(&self, system: &System<'_>) -> Vec<f64> {
         let mut all = on_freedoms(system, &self.frames);
         all.extend(&self.modal);
@@ -279,12 +297,12 @@ fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
     [cosine * x - sine * y, sine * x + cosine * y]
 }
 
-/// What every modal coordinate has to do with its frame at a time.
+/// Returns the coupling of every modal coordinate with its frame at a time.
 fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<Arm>, EngineError> {
     let mut arms = Vec::with_capacity(system.modes.count());
     for (index, body) in system.scene.bodies.iter().enumerate() {
         let Some((own, _)) = system.modes.of_body(index) else { continue };
-        // Modes are told in the axes of the teeth.
+        // Mode shapes are in the axes of the teeth.
         let stands = pose(system.scene, index, time)?.angle + body.phase;
         let [px, py, _] = system.axle(index);
         let [px, py] = turned([px, py], -body.phase);
@@ -297,10 +315,11 @@ fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<Arm>, EngineError> {
     Ok(arms)
 }
 
-/// Mass between freedoms and modal coordinates of a plane model at a time, row-major, per width of the model.
+/// Returns the mass coupling between DOFs and modal coordinates of a plane model at a time,
+/// row-major, per width of the model.
 ///
 /// # Errors
-/// A frame is not a number.
+/// A frame is NaN.
 pub fn coupling(system: &System<'_>, time: f64) -> Result<Vec<f64>, EngineError> {
     Ok(on_freedoms_by_modes(system, &modal_arms(system, time)?))
 }
@@ -322,7 +341,7 @@ fn on_freedoms_by_modes(system: &System<'_>, arms: &[Arm]) -> Vec<f64> {
     coupling
 }
 
-/// Of forces and moments on frames those on freedoms, per width of the model.
+/// Transforms forces and moments on frames to the DOFs, per width of the model.
 fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
     let of = |freedom: &Freedom| {
         let component = IN_PLANE.iter().position(|component| *component == freedom.component);
@@ -331,10 +350,11 @@ fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
     system.freedoms.iter().map(of).collect()
 }
 
-/// What dynamics asks of a model before its structures are built: that it is a section.
+/// Checks that transient analysis supports the model, before structures are built: it must be plane
+/// and elastic.
 ///
 /// # Errors
-/// E0761: the model is in space. E0781: its bodies are rigid.
+/// E0761: the model is three-dimensional. E0781: its bodies are rigid.
 pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
     match fidelity {
         Fidelity::Analytic | Fidelity::Plane => Ok(()),
@@ -348,10 +368,10 @@ pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
     }
 }
 
-/// The same of a plan, where the fidelity leaves open whether the model is in space.
+/// Checks a plan whose fidelity permits both dimensions.
 ///
 /// # Errors
-/// E0761: it is.
+/// E0761: the model is three-dimensional.
 pub fn check_in_section(plan: &Plan) -> Result<(), EngineError> {
     if plan.in_space { Err(in_space()) } else { Ok(()) }
 }
@@ -360,10 +380,10 @@ fn in_space() -> EngineError {
     EngineError::new("E0761", "dynamic analyses are of plane models", "").blame("fidelity")
 }
 
-/// That free bodies have mass.
+/// Checks that free bodies have mass.
 ///
 /// # Errors
-/// E0762: a free freedom has no inertia.
+/// E0762: a free DOF has no inertia.
 pub fn check_inertia(
     scene: &Mechanism,
     freedoms: &[Freedom],

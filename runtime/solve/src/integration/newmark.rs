@@ -1,24 +1,28 @@
-//! Newmark's family of integrators (report 2.1, table 2.1) in acceleration form.
+//! Newmark's family of time integration schemes (report 2.1, table 2.1) in acceleration form.
 //!
-//! The report's three-point form subtracts displacements of neighbouring steps, which at small steps differ in their last digits. Here the
-//! state is displacement, velocity and acceleration, and the unknown of a step is `y`, by which the displacement at its end exceeds what
-//! the state predicts: `y = beta h² a`. Nothing small is had as a difference of anything large.
+//! The report's three-point form subtracts displacements of neighbouring steps, which at small
+//! steps differ only in their last digits. Here the state consists of displacement, velocity and
+//! acceleration. The unknown of a step is `y`, the difference between the displacement at its end
+//! and the predicted one: `y = beta h² a`. No small quantity is a difference of large ones.
 
-/// A member of the family.
+/// Scheme of the family.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scheme {
-    /// How much of a step's displacement its end's acceleration makes.
+    /// Weight of the acceleration at the end of a step in its displacement.
     pub beta: f64,
-    /// How much of its velocity. 1/2 is of the second order and damps nothing.
+    /// Weight of the acceleration at the end of a step in its velocity. 1/2 gives second order
+    /// without numerical damping.
     pub gamma: f64,
 }
 
 impl Scheme {
-    /// Unconditionally stable, of the second order, without damping: the trapezoidal rule.
+    /// Average acceleration (trapezoidal rule): unconditionally stable, second order, no numerical
+    /// damping.
     pub const AVERAGE: Scheme = Scheme { beta: 0.25, gamma: 0.5 };
 
-    /// Table 2.1 by name. Central differences are not among them: with beta = 0 contact at the end of a step has no part in it. The printed
-    /// 1/10 of linear acceleration is a misprint.
+    /// Schemes of table 2.1 by name. Central differences are excluded: with beta = 0 contact at the
+    /// end of a step does not affect the step. The printed value 1/10 for linear acceleration is a
+    /// misprint.
     pub const ALL: [(&'static str, Scheme); 5] = [
         ("average_acceleration", Scheme::AVERAGE),
         ("linear_acceleration", Scheme { beta: 1.0 / 6.0, gamma: 0.5 }),
@@ -27,12 +31,13 @@ impl Scheme {
         ("backward_difference", Scheme { beta: 1.0, gamma: 1.5 }),
     ];
 
-    /// A scheme by its name.
+    /// Returns a scheme by its name.
     pub fn named(name: &str) -> Option<Scheme> {
         Scheme::ALL.into_iter().find(|(known, _)| *known == name).map(|(_, scheme)| scheme)
     }
 
-    /// What a step of length `h` (s) predicts: displacement and velocity without the acceleration at its end, which is left as it was.
+    /// Predicts the end of a step of length `h` (s): displacement and velocity without the
+    /// acceleration at the end, which is left unchanged.
     pub fn predicted(&self, state: &State, h: f64) -> State {
         let Scheme { beta, gamma } = *self;
         let coordinates = state.displacement.iter().zip(&state.velocity).zip(&state.acceleration);
@@ -42,7 +47,7 @@ impl Scheme {
         State { displacement, velocity, acceleration: state.acceleration.clone() }
     }
 
-    /// The end of the step, whose displacement exceeds the predicted one by `y`.
+    /// Returns the end of the step, whose displacement exceeds the predicted one by `y`.
     pub fn corrected(&self, predicted: State, y: &[f64], h: f64) -> State {
         let by = (self.beta * h * h).recip();
         let acceleration: Vec<f64> = y.iter().map(|y| by * y).collect();
@@ -52,37 +57,38 @@ impl Scheme {
         State { displacement, velocity, acceleration }
     }
 
-    /// What mass, damping and stiffness are multiplied by in the matrix of the unknown `y`.
+    /// Returns the factors of mass, damping and stiffness in the effective matrix of the unknown
+    /// `y`.
     pub fn weights(&self, h: f64) -> [f64; 3] {
         let square = self.beta * h * h;
         [square.recip(), self.gamma * h / square, 1.0]
     }
 }
 
-/// Displacements, velocities and accelerations of all coordinates, in SI.
+/// Displacements, velocities and accelerations of all coordinates, SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
-    /// m or rad, of modal coordinates m sqrt(kg/m).
+    /// Displacements, m or rad; m sqrt(kg/m) for modal coordinates.
     pub displacement: Vec<f64>,
-    /// The same per second.
+    /// Velocities, the same units per second.
     pub velocity: Vec<f64>,
-    /// The same per second squared.
+    /// Accelerations, the same units per second squared.
     pub acceleration: Vec<f64>,
 }
 
 impl State {
-    /// At rest.
+    /// Creates a state at rest.
     pub fn at_rest(displacement: Vec<f64>) -> State {
         let count = displacement.len();
         State { displacement, velocity: vec![0.0; count], acceleration: vec![0.0; count] }
     }
 
-    /// All of it in a row, to be kept.
+    /// Returns all values as one row for storage.
     pub fn to_row(&self) -> Vec<f64> {
         [self.displacement.as_slice(), &self.velocity, &self.acceleration].concat()
     }
 
-    /// What [`State::to_row`] gave; `None` if it is of another number of coordinates.
+    /// Restores a state from [`State::to_row`]; `None` if it has another number of coordinates.
     pub fn of_row(row: &[f64], count: usize) -> Option<State> {
         let part = |k: usize| row.get(k * count..(k + 1) * count).map(<[f64]>::to_vec);
         if row.len() != 3 * count {
@@ -96,7 +102,8 @@ impl State {
 mod tests {
     use super::*;
 
-    /// Two masses (2 and 1 kg) on springs k1 to ground and k2 between, from rest under a step force on the first; by the schemes alone.
+    /// Two masses (2 and 1 kg) on springs k1 to ground and k2 between, from rest under a step force
+    /// on the first; the schemes alone.
     fn end(scheme: Scheme, steps: usize, duration: f64) -> [f64; 2] {
         let (m, k) = ([2.0, 1.0], [[500.0, -200.0], [-200.0, 200.0]]);
         let force = [3.0, 0.0];
@@ -121,7 +128,8 @@ mod tests {
         [state.displacement[0], state.displacement[1]]
     }
 
-    /// By modes: the roots of det(K - l M) are 100 and 350... of [500 - 2 l, -200; -200, 200 - l]: l² - 450 l + 30000 = 0.
+    /// Modal solution with the roots of det(K - l M) = 0, [500 - 2 l, -200; -200, 200 - l]: l² -
+    /// 450 l + 30000 = 0.
     fn exact(time: f64) -> [f64; 2] {
         let root = f64::sqrt(450.0 * 450.0 - 120_000.0);
         let mut x = [0.0; 2];
@@ -146,7 +154,7 @@ mod tests {
                 let order = (error(k) / error(k + 1)).log2();
                 assert!((order - 2.0).abs() < 0.02, "{name} {k}: {order}");
             }
-            // Richardson's extrapolation of the last three.
+            // Richardson extrapolation of the last three.
             let once =
                 |k: usize| [0, 1].map(|i: usize| found[k + 1][i] + (found[k + 1][i] - found[k][i]) / 3.0);
             let (coarse, fine) = (once(3), once(4));
@@ -158,7 +166,8 @@ mod tests {
         }
     }
 
-    /// Fox and Goodwin's is of the fourth order for motions without damping that start smoothly, as this one does in its accelerations.
+    /// The Fox-Goodwin scheme is of fourth order for undamped motions with a smooth start, as here
+    /// in the accelerations.
     #[test]
     fn fox_goodwin_is_of_the_fourth_order() {
         let scheme = Scheme::named("fox_goodwin").expect("known");
@@ -171,7 +180,8 @@ mod tests {
         assert!((order - 4.0).abs() < 0.1 || (order - 2.0).abs() < 0.1, "{order}");
     }
 
-    /// The trapezoidal rule keeps the energy of every step exactly, so what a million steps lose or gain is rounding.
+    /// The trapezoidal rule conserves energy exactly in every step, so the change over a million
+    /// steps is rounding.
     #[test]
     fn a_million_steps_add_rounding_only() {
         let (scheme, h, square) = (Scheme::AVERAGE, 1e-3_f64, 400.0);
@@ -192,7 +202,8 @@ mod tests {
         assert!(gained.abs() < 1e-11, "{gained:e}");
     }
 
-    /// At steps of a billionth of the period the first swing is the exact one to rounding, where the three-point form has lost all digits.
+    /// With steps of a billionth of the period the first oscillation is exact to rounding; the
+    /// three-point form would have lost all digits.
     #[test]
     fn the_smallest_steps_keep_their_digits() {
         let (scheme, square) = (Scheme::AVERAGE, 1.0);

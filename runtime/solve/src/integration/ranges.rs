@@ -1,37 +1,38 @@
-//! Over which times a dynamic analysis goes: ranges one after the other, each with its step and its part of the loads.
+//! Time ranges of a transient analysis: one after the other, each with its step and load factor.
 
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 
-/// A range of equal steps.
+/// Time range with equal steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeRange {
-    /// s
+    /// Duration, s.
     pub duration: f64,
-    /// How many steps it is gone through in.
+    /// Number of steps.
     pub steps: usize,
-    /// The part of all external loads at its beginning and at its end; between them it changes smoothly.
+    /// Load factor at its start and at its end, applied to all external loads; it varies smoothly
+    /// in between.
     pub load: [f64; 2],
-    /// Every so many steps a row is kept; the last one of the range always is.
+    /// Interval of recorded rows in steps; the last step of the range is always recorded.
     pub keep: usize,
 }
 
 impl TimeRange {
-    /// Under the full load, every step kept.
+    /// Creates a range under full load with all steps recorded.
     pub const fn steady(duration: f64, steps: usize) -> TimeRange {
         TimeRange { duration, steps, load: [1.0; 2], keep: 1 }
     }
 
-    /// The part of the loads after a part of the range has passed: a cubic with no slope at both ends.
+    /// Returns the load factor after a fraction of the range: a cubic with zero slope at both ends.
     pub fn load_at(&self, passed: f64) -> f64 {
         let [from, to] = self.load;
         from + (to - from) * passed * passed * (3.0 - 2.0 * passed)
     }
 
-    /// Whether it can be gone through.
+    /// Checks the range.
     ///
     /// # Errors
-    /// E0763: a number of it is out of its range.
+    /// E0763: a number is out of its range.
     pub fn check(&self) -> Result<(), EngineError> {
         let sound = self.duration.is_finite() && self.duration > 0.0 && self.steps > 0 && self.keep > 0;
         match sound && self.load.iter().all(|part| part.is_finite()) {
@@ -45,20 +46,20 @@ impl TimeRange {
     }
 }
 
-/// A step to be taken.
+/// Time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// s, at its end.
+    /// Time at its end, s.
     pub time: f64,
-    /// Its length, s.
+    /// Length, s.
     pub length: f64,
-    /// Of the external loads at its end.
+    /// Load factor at its end.
     pub load: f64,
-    /// Whether a row is kept of its end.
+    /// True if a row is recorded at its end.
     pub kept: bool,
 }
 
-/// All steps from `start` (s) on, one after the other.
+/// Returns all steps from `start` (s).
 pub fn steps(start: f64, ranges: &[TimeRange]) -> impl Iterator<Item = Step> + '_ {
     let begin = move |range: usize| start + ranges[..range].iter().map(|range| range.duration).sum::<f64>();
     ranges.iter().enumerate().flat_map(move |(index, range)| {
@@ -75,7 +76,7 @@ pub fn steps(start: f64, ranges: &[TimeRange]) -> impl Iterator<Item = Step> + '
     })
 }
 
-/// The same in steps that are two of these each, range by range; an odd one at the end of a range stays as it is.
+/// Merges pairs of steps, range by range; an odd one at the end of a range is kept.
 pub fn in_pairs(all: &[Step], ranges: &[TimeRange]) -> Vec<Step> {
     let mut rest = all;
     let mut longer = Vec::with_capacity(all.len().div_ceil(2));
@@ -90,11 +91,11 @@ pub fn in_pairs(all: &[Step], ranges: &[TimeRange]) -> Vec<Step> {
     longer
 }
 
-/// A step is at least so many times as long as times are apart that numbers can tell.
+/// Smallest length of a step relative to the resolution of floating-point times.
 const RESOLVED: f64 = 1e3;
 
-/// That the times of steps differ by enough of their digits. The steps of a range are equally long,
-/// so the last one, or the one farthest from zero, decides.
+/// Checks that the times of steps differ by enough digits. The steps of a range are equally long,
+/// so the last one, or the one farthest from zero, is decisive.
 ///
 /// # Errors
 /// E0763: a step is lost in the digits of its time.
@@ -115,7 +116,7 @@ pub fn check_resolved(from: f64, ranges: &[TimeRange]) -> Result<(), EngineError
     Ok(())
 }
 
-/// Times of which rows are kept: the start, in equilibrium, and the ends of kept steps.
+/// Returns the times of recorded rows: the start, in equilibrium, and the ends of recorded steps.
 pub fn kept_positions(start: f64, ranges: &[TimeRange]) -> Vec<Position> {
     let kept = steps(start, ranges).filter(|step| step.kept).map(|step| Position::at(step.time));
     std::iter::once(Position::at(start)).chain(kept).collect()

@@ -1,4 +1,5 @@
-//! The contact problem at one place: grids are laid, their sizes mended, the forces on their cells found.
+//! Contact problem at one position of the bodies: creates grids, corrects their sizes and solves
+//! for the cell forces.
 
 use super::drift::Foothold;
 use super::places::{DRIFT, Laid, SEARCH_DEPTH, Solver};
@@ -13,21 +14,23 @@ use calyx_numerics::error::EngineError;
 use faer::Mat;
 use std::sync::OnceLock;
 
-/// Rigid surfaces that are nearer than this part of a profile's length touch: conjugate teeth all do, but for rounding.
+/// Gap, relative to the length of the profile, below which rigid surfaces touch: conjugate teeth
+/// all do, within rounding.
 const TOUCHING: f64 = 1e-7;
-/// A patch whose arm on a freedom is below this part of the longest there is leaves the load on it to others.
+/// A patch whose arm on a DOF is below this fraction of the largest leaves the load on it to
+/// others.
 const WORTH_LOADING: f64 = 0.1;
-/// Matrices of all cells by all cells that a position has at once, at most: what its compliance is put together from, itself, and the
-/// factor of its loaded cells.
+/// Largest number of matrices of all cells by all cells that exist at a time: the terms of the
+/// compliance, the compliance itself, and the factor of the active set.
 const MATRICES: u64 = 4;
-/// How often the sizes of grids may be mended at a position.
+/// Maximum number of corrections of grid sizes at a position.
 const REGRIDS: usize = 3;
 
-/// What modal coordinates are to the cells of a problem from which they are eliminated.
+/// Coupling of modal coordinates, which are eliminated, to the cells of a contact problem.
 struct Modal {
-    /// Growth of gaps, cells by coordinates.
+    /// Derivatives of the gaps, cells by coordinates.
     arms: Mat<f64>,
-    /// Compliance and arms of the problem before.
+    /// Compliance and arms of the static problem.
     statics: Option<[Vec<f64>; 2]>,
 }
 
@@ -38,8 +41,8 @@ impl<S: Space> Solver<'_, S> {
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
     ) -> Result<Laid, EngineError> {
-        // Bodies that are all held, or sprung, where they overlap press on each other without any load.
-        // A step in time has inertia to balance them.
+        // Fully constrained or sprung bodies may overlap and press on each other without any load.
+        // In a time step inertia balances these forces.
         if !self.under.in_time {
             let rest = rest(&self.under.springs.stiffness, load);
             if rest.balanced
@@ -64,7 +67,7 @@ impl<S: Space> Solver<'_, S> {
             let guess = self.guess(load, candidates, &problem, &grids);
             let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
             let (problem, solution) = solved.map_err(|error| self.explain_on(candidates, &grids, &error))?;
-            // Sizes nobody asked for follow what the patches turn out to carry.
+            // Sizes that are not prescribed follow the forces of the patches.
             let better = self.better_sizes(candidates, &grids, &solution.forces);
             if rounds == 0 || better.iter().all(Option::is_none) {
                 break (grids, drags, problem, modal, solution);
@@ -95,7 +98,7 @@ impl<S: Space> Solver<'_, S> {
         let Modal { arms, statics } = modal;
         let modal =
             self.under.elastic.map(|elastic| elastic.recover(&arms, &solution.forces, &solution.motion));
-        // What looks at stiffness sees that of the bodies, not what inertia leaves of it in a step.
+        // Sensitivities refer to the stiffness of the bodies, without the inertia terms of a step.
         if let Some([compliance, arms]) = statics {
             (problem.compliance, problem.arms) = (compliance, arms);
         }
@@ -117,8 +120,9 @@ impl<S: Space> Solver<'_, S> {
         Ok(Laid { step, footholds })
     }
 
-    /// Where bodies come to rest as the load that springs do not bear vanishes: rigid contact at the closest approaches. `None` if they
-    /// press on each other even then, as the teeth of a tight mesh do on both sides.
+    /// Rigid-body limit as the load that springs do not carry vanishes: rigid contact at the
+    /// closest approaches. `None` if bodies press on each other even then, like teeth of a mesh
+    /// without backlash on both flanks.
     fn touch_without_load(
         &self,
         time: f64,
@@ -134,7 +138,7 @@ impl<S: Space> Solver<'_, S> {
             Err(ContactError::Jammed) if self.both_sides() && !self.system.rigid => return Ok(None),
             Err(error) => return Err(self.explain(&error)),
         };
-        // Of rigid bodies the patches are those that touch.
+        // The patches of rigid bodies are those that touch.
         let touches = |candidate: &&&Candidate<S::Site>| {
             let touching = |approach: &Approach| approach.opened_by(&motion) < TOUCHING * candidate.length;
             !self.system.rigid || candidate.approaches().any(touching)
@@ -144,7 +148,7 @@ impl<S: Space> Solver<'_, S> {
         let footholds = candidates.iter().map(|candidate| Foothold {
             pair: candidate.teeth.0,
             action: self.space.approaching(candidate),
-            // No grid; but teeth are looked for as near as this.
+            // There is no grid, but this search depth.
             reach: SEARCH_DEPTH * candidate.length / DRIFT,
         });
         let problem = ContactProblem {
@@ -177,7 +181,7 @@ impl<S: Space> Solver<'_, S> {
         Ok(Some(Laid { step, footholds }))
     }
 
-    /// For each patch whose size was left open and turns out to be unsuitable, a better one.
+    /// Returns a better size for each patch whose size is not prescribed and is unsuitable.
     fn better_sizes(
         &self,
         candidates: &[&Candidate<S::Site>],
@@ -194,14 +198,15 @@ impl<S: Space> Solver<'_, S> {
         .collect()
     }
 
-    /// For each patch the force that would balance the whole load alone, or its part where several meshes bear one load, as planets do. A
-    /// patch that no load acts on directly passes on what others carry.
+    /// Returns for each patch the force that would balance the whole load alone, or its share if
+    /// several meshes carry one load, as planets do. A patch without a direct load passes on the
+    /// loads of others.
     fn largest_forces(&self, load: &[f64], candidates: &[&Candidate<S::Site>]) -> Vec<f64> {
         let largest_arm = |freedom: usize| {
             candidates.iter().map(|candidate| candidate.nearest.arms[freedom].abs()).fold(0.0, f64::max)
         };
         let worth: Vec<f64> = (0..load.len()).map(|freedom| WORTH_LOADING * largest_arm(freedom)).collect();
-        // Meshes, with both sides of their teeth, that bear on a freedom.
+        // Meshes, with both flanks of their teeth, that act on a DOF.
         let mesh = |candidate: &&Candidate<S::Site>| {
             let pair = candidate.teeth.0;
             self.system.scene.pairs[pair].front.map_or(pair, |front| front.0)
@@ -224,7 +229,7 @@ impl<S: Space> Solver<'_, S> {
             balancing.map(|((arm, load), (_, meshes))| (load / arm).abs() / meshes).fold(0.0, f64::max)
         };
         let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
-        // Where there is no load, the overlaps tell the size of the forces.
+        // Without load, the overlaps determine the size of the forces.
         let pressed = |candidate: &&Candidate<S::Site>| {
             self.space.force_of_overlap(candidate, (-candidate.nearest.gap).max(0.0))
         };
@@ -266,8 +271,9 @@ impl<S: Space> Solver<'_, S> {
         Ok((problem, modal))
     }
 
-    /// Cells to begin the search with. Of a lug one flank bears at most; to begin with both is to begin with none. In equilibrium those
-    /// bear that stop rigid bodies, in a step in time what bears follows with the step.
+    /// Returns the initial active set. A spline tooth carries load on one flank at most; starting
+    /// with both would start with neither. In equilibrium the initial set contains the contacts
+    /// that stop rigid bodies; in a time step it follows from the step.
     fn guess(
         &self,
         load: &[f64],
@@ -292,7 +298,8 @@ impl<S: Space> Solver<'_, S> {
         guess
     }
 
-    /// Friction of each patch's cells, see [`Patch::drag`], and what of it is on the freedoms, see [`solve_with_friction`].
+    /// Computes the friction of each patch's cells, see [`Patch::drag`], and its generalized forces
+    /// on the DOFs, see [`solve_with_friction`].
     fn friction(
         &self,
         time: f64,
@@ -311,7 +318,7 @@ impl<S: Space> Solver<'_, S> {
         (drags, works)
     }
 
-    /// A failure of the contact solver on these grids in the words of the model.
+    /// Converts an error of the contact solver on these grids into terms of the model.
     fn explain_on(
         &self,
         candidates: &[&Candidate<S::Site>],
@@ -350,7 +357,7 @@ impl<S: Space> Solver<'_, S> {
         }
     }
 
-    /// The same wherever it comes from.
+    /// Converts an error of the contact solver into terms of the model, without regard to grids.
     pub(super) fn explain(&self, error: &ContactError) -> EngineError {
         holding::explain(self.system.scene, &self.system.freedoms, error)
     }

@@ -1,19 +1,21 @@
-//! Friction of a patch: the force that drags the first body against its sliding, and the second along.
+//! Friction of a patch: the force that opposes the sliding of the first body and drives the second.
 
 use crate::system::System;
 use calyx_contact::solid::sliding;
 use calyx_model::pairs::SurfacePair;
 
-/// Where the cells of a patch act and along which common normal, out of the first body, in ground coordinates.
+/// Points of action of the cells of a patch and their common normal, out of the first body, in
+/// ground coordinates.
 pub(super) struct Action {
     pub normal: [f64; 3],
-    /// m
+    /// Points of action, m.
     pub points: Vec<[f64; 3]>,
 }
 
 impl Action {
-    /// Per cell, the friction on the first body by a unit of normal force, along ground axes, where bodies are off their prescribed motions
-    /// by `start`; empty of a pair without friction.
+    /// Returns the friction force on the first body per unit normal force of each cell, along
+    /// ground axes, with the deviations `start` from the prescribed motions; empty for a pair
+    /// without friction.
     pub fn drag(&self, system: &System, pair: &SurfacePair, time: f64, start: &[f64]) -> Vec<[f64; 3]> {
         if pair.friction == 0.0 {
             return Vec::new();
@@ -26,7 +28,8 @@ impl Action {
         self.points.iter().map(of).collect()
     }
 
-    /// Generalised forces of that friction on the freedoms by a unit of normal force on each cell, row by row.
+    /// Returns the generalized forces of that friction on the DOFs per unit normal force on each
+    /// cell, row by row.
     pub fn works(
         &self,
         system: &System,

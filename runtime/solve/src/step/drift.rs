@@ -1,11 +1,12 @@
-//! How far a load moves contact along surfaces, which slide and roll on each other. Gaps are linear in the motions of frames about where
-//! contact was laid out; what moves across a patch by more than the patch reaches is no longer where its grid is.
+//! Drift of contact along sliding and rolling surfaces under load. Gaps are linearized in the
+//! motions of frames about the position at which the contact grid was created. A contact that moves
+//! across its patch by more than the patch's half-width leaves its grid.
 
 use super::drag::{Action, work};
 use crate::system::System;
 use calyx_model::mechanism::Mechanism;
 
-/// Where a loaded patch acts, and how far it reaches across.
+/// Point of action of a loaded patch, and its half-width.
 pub(super) struct Foothold {
     pub pair: usize,
     pub action: Action,
@@ -14,11 +15,13 @@ pub(super) struct Foothold {
 }
 
 impl Foothold {
-    /// How far contact moves across along either surface, in the transverse plane, by these motions of the freedoms at a time (s): in parts
-    /// of its reach, at that place along the patch where it moves most.
+    /// Returns the drift of the contact across along either surface, in the transverse plane, by
+    /// these motions of the DOFs at a time (s): relative to the half-width, at the position along
+    /// the patch where it is largest.
     ///
-    /// Contact is where the line between both centres of curvature meets the surfaces. An involute's lies on the common normal where the
-    /// gear's axis is nearest, as a disc's does.
+    /// Contact lies where the line through both centres of curvature intersects the surfaces. The
+    /// centre of curvature of an involute lies on the common normal at its closest point to the
+    /// gear's axis, like that of a disc.
     fn drift(&self, system: &System, time: f64, motion: &[f64]) -> f64 {
         let [x, y, _] = self.action.normal;
         let size = x.hypot(y);
@@ -51,11 +54,12 @@ impl Foothold {
         self.action.points.iter().map(|&point| at(point)).fold(0.0, f64::max) / self.reach
     }
 
-    /// That contact, laid out anew ever again, drifts off its grid by this part of its reach.
+    /// Returns the warning that the contact drifts off its grid by this fraction of its half-width
+    /// after all relinearizations.
     pub fn lost(&self, scene: &Mechanism, drift: f64) -> String {
         let [first, second] = scene.pairs[self.pair].bodies.map(|body| scene.bodies[body.0].name.as_str());
         let drift = drift * self.reach * 1e3;
-        // To two digits, so that the positions of a cycle say the same.
+        // Round to two digits, so that all positions of a cycle have the same message.
         let drift = format!("{drift:.1e}").parse().unwrap_or(drift);
         format!(
             "the load carries \"{first}\" and \"{second}\" so far that contact moves by {drift} mm along them, off its grid, and further \
@@ -64,7 +68,7 @@ impl Foothold {
     }
 }
 
-/// The largest of the drifts of some patches, see [`Foothold::drift`], and whose it is.
+/// Returns the largest drift of some patches, see [`Foothold::drift`], and its patch.
 pub(super) fn farthest<'a>(
     system: &System,
     time: f64,

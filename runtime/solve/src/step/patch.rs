@@ -1,4 +1,4 @@
-//! A patch of a solved position: which teeth touch, on which cells, with which forces.
+//! Contact patch of a solved position: teeth, cells and forces.
 
 use super::drag;
 use calyx_contact::grid::{Cell, pressures};
@@ -6,48 +6,49 @@ use calyx_contact::pressure::{Peak, half_width, peak};
 use calyx_contact::zone::{Edges, FlankEnds, Zone};
 use calyx_contact::{ContactFrame, solid};
 
-/// A pair of tooth surfaces in (possible) contact at a position.
+/// Pair of tooth surfaces in (possible) contact at a position.
 #[derive(Clone, Debug)]
 pub struct Patch {
     /// Index of the surface pair in the scene.
     pub pair: usize,
-    /// One of each body.
+    /// Tooth of each body.
     pub teeth: [u32; 2],
-    /// One of each body.
+    /// Surface of each body.
     pub surfaces: [u32; 2],
-    /// Where it lies, and its cells; none where nothing is pressed.
+    /// Position and cells of the patch; no cells without pressure.
     pub grid: PatchGrid,
-    /// One a cell: N, of a plane model N per metre of face width.
+    /// Force by cell: N, in a plane model N per metre of face width.
     pub forces: Vec<f64>,
-    /// Per cell, the friction on the first body by a unit of normal force, along ground axes; empty without friction.
+    /// Friction force on the first body per unit normal force, by cell, along ground axes; empty
+    /// without friction.
     pub drag: Vec<[f64; 3]>,
 }
 
-/// The cells of a patch, with the frame in which they lie.
+/// Cells of a patch with their frame.
 #[derive(Clone, Debug)]
 pub enum PatchGrid {
-    /// Along the common tangent.
+    /// Cells along the common tangent.
     Plane {
-        /// Where the patch lies, and its common normal.
+        /// Position of the patch, and its common normal.
         frame: ContactFrame,
-        /// Pieces of the tangent.
+        /// Intervals of the tangent.
         cells: Vec<Cell>,
         /// Where the flanks end.
         flank: FlankEnds,
         /// Hertzian half-width of a line load of 1 N/m, m.
         unit_half_width: f64,
     },
-    /// On the common tangent plane.
+    /// Cells on the common tangent plane.
     Solid(solid::Grid),
 }
 
 impl Patch {
-    /// N, of a plane model N per metre of face width.
+    /// Returns the normal force: N, in a plane model N per metre of face width.
     pub fn force(&self) -> f64 {
         self.forces.iter().sum()
     }
 
-    /// The cells of a plane model's patch; none of one in space.
+    /// Returns the cells of a plane patch; none for a three-dimensional one.
     pub fn cells(&self) -> &[Cell] {
         match &self.grid {
             PatchGrid::Plane { cells, .. } => cells,
@@ -55,7 +56,7 @@ impl Patch {
         }
     }
 
-    /// The grid of a patch in space; a plane model has none.
+    /// Returns the grid of a three-dimensional patch; `None` for a plane one.
     pub fn solid(&self) -> Option<&solid::Grid> {
         match &self.grid {
             PatchGrid::Plane { .. } => None,
@@ -63,7 +64,7 @@ impl Patch {
         }
     }
 
-    /// Mean pressure on each cell, Pa.
+    /// Returns the mean pressure on each cell, Pa.
     pub fn pressures(&self) -> Vec<f64> {
         match &self.grid {
             PatchGrid::Plane { cells, .. } => pressures(cells, &self.forces),
@@ -71,8 +72,8 @@ impl Patch {
         }
     }
 
-    /// The largest pressure, by a parabola through the squares of its neighbours across the patch, as Hertz's pressure is one; `None`
-    /// where no cell is loaded.
+    /// Returns the largest pressure, from a parabola through the squares of neighbouring pressures
+    /// across the patch, which is exact for Hertzian contact; `None` without load.
     pub fn peak(&self) -> Option<Peak> {
         match &self.grid {
             PatchGrid::Plane { cells, .. } => peak(cells, &self.pressures()),
@@ -99,13 +100,13 @@ impl Patch {
         }
     }
 
-    /// Half of the width that carries load in a plane model, m, by the zeros of such a parabola; `None` with fewer than five loaded
-    /// cells.
+    /// Returns the loaded half-width of a plane patch, m, from the zeros of such a parabola; `None`
+    /// with fewer than five loaded cells.
     pub fn half_width(&self) -> Option<f64> {
         half_width(self.cells(), &self.pressures())
     }
 
-    /// Where a cell acts, in ground coordinates, m.
+    /// Returns the point of action of a cell, in ground coordinates, m.
     fn point(&self, cell: usize) -> [f64; 3] {
         match &self.grid {
             PatchGrid::Plane { frame, .. } => [frame.point[0], frame.point[1], 0.0],
@@ -142,7 +143,7 @@ impl Patch {
     }
 }
 
-/// The axes of the ground.
+/// Ground axes.
 const GROUND: [[f64; 3]; 3] = solid::Pose::IDENTITY.rotation;
 
 /// Growth of the gap at `point` by a component of a body's motion, in the order of [`calyx_model::freedom::FREEDOMS`], along `axes`: m per m, or

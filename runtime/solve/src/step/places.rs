@@ -1,5 +1,8 @@
-//! Where contact is laid out: where frames are without load, behind backlash, and anew where the load carries bodies, until that is
-//! one place. Gaps are linear in motions about it.
+//! Positions of bodies at which the contact grid is created: that of unloaded frames, after closing
+//! backlash, and after relinearization where the load displaces bodies, until it converges. Gaps
+//! are linear in the motions about it.
+//!
+//! See `docs/theory/equilibrium.md`.
 
 use super::StepResult;
 use super::drift::{Foothold, farthest};
@@ -12,54 +15,58 @@ use calyx_contact::rest::rest;
 use calyx_model::bearing::Springs;
 use calyx_numerics::error::EngineError;
 
-/// A grid is first laid where the gap is below this part of the profile's length; gaps that the solution closes beyond
-/// are found and added afterwards.
+/// Gap below which a grid is created first, relative to the profile's length. Larger gaps that the
+/// solution closes are found and added afterwards.
 pub(super) const SEARCH_DEPTH: f64 = 0.01;
-/// How often bodies that go through backlash are moved to where their teeth touch: involutes are there at once.
+/// Maximum number of moves of bodies through backlash to contact; involutes converge in one.
 const STARTS: usize = 3;
-/// Contact that moves along a surface by this part of half a grid's width has left the middle of its grid. Gaps are linear in motions; what
-/// moving by d does to them besides is up to d² / 2 R, here a quarter of what the parabola of the gap rises up to the end of the grid.
+/// Drift relative to half a grid's width at which the contact leaves the middle of its grid. Gaps
+/// are linear in motions; the neglected term of a drift d is up to d² / 2 R, here a quarter of the
+/// rise of the gap's parabola to the end of the grid.
 pub(super) const DRIFT: f64 = 0.5;
-/// Places at which contact was laid out anew that differ by less than this part of half a grid's width are one.
+/// Difference of successive relinearization positions, relative to half a grid's width, that counts
+/// as converged.
 const SETTLED: f64 = 1e-3;
-/// What solving a position may end in for where its bodies are: what was solved before stands, with a warning.
+/// Errors that can be due to the position of the bodies: the previous solution remains, with a
+/// warning.
 const UNSOLVED: [&str; 5] = ["E0714", "E0715", "E0716", "E0717", "E0719"];
-/// How often contact is laid out anew where the load carries bodies. Each time brings the place a hundred times nearer, or ten times
-/// if the load carries them by a module.
+/// Maximum number of relinearizations. Each reduces the error by a factor of a hundred, or ten for
+/// motions by a module.
 const PLACES: usize = 8;
 
-/// Under which a position is solved.
+/// Conditions under which a position is solved.
 #[derive(Clone, Copy)]
 pub(super) struct Conditions<'a> {
-    /// A load that the load is, or is the limit of.
+    /// Direction of the load, or of the vanishing load of a limit.
     pub(super) direction: &'a [f64],
-    /// What bearings do at the position.
+    /// Terms of bearings at the position.
     pub(super) springs: &'a Springs,
-    /// How far bodies are off their prescribed motions where contact is laid out, m or rad by freedom; empty if they are not.
+    /// Deviations from the prescribed motions at which the contact grid is created, m or rad by
+    /// DOF; empty if zero.
     pub(super) start: &'a [f64],
     /// Modal coordinates that take part.
     pub(super) elastic: Option<&'a Elastic<'a>>,
-    /// Of motion in time: the load that grids are sized for, whatever the forces of the step are.
+    /// Load for the sizes of grids in a transient analysis, independent of the forces of the step.
     pub(super) sizing: Option<&'a [f64]>,
-    /// It is a step in time, in which teeth may part.
+    /// True for a time step, in which teeth may separate.
     pub(super) in_time: bool,
 }
 
-/// A position being solved.
+/// Solver of a position.
 pub(super) struct Solver<'a, S> {
     pub(super) system: &'a System<'a>,
     pub(super) space: &'a S,
     pub(super) under: Conditions<'a>,
 }
 
-/// A position solved with contact laid out at one place.
+/// Solution with the contact grid created at one position.
 pub(super) struct Laid {
     pub(super) step: StepResult,
     pub(super) footholds: Vec<Foothold>,
 }
 impl<S: Space> Solver<'_, S> {
-    /// Contact is laid out where frames are without load, behind backlash, and anew where the load carries bodies that it carries far, until
-    /// that is one place.
+    /// Solves with the contact grid at the unloaded position, after closing backlash, and
+    /// relinearizes where the load displaces bodies far, until this converges.
     pub(super) fn solve(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
         let start = self.start(time, load)?;
         let mut laid = self.solve_from(time, load, &start)?;
@@ -75,7 +82,8 @@ impl<S: Space> Solver<'_, S> {
             }
             laid = match self.solve_from(time, load, &next) {
                 Ok(laid) => laid,
-                // Where the load takes them teeth do not meet, or not so that it can be solved.
+                // At the position under load, teeth are out of contact or the problem cannot be
+                // solved.
                 Err(error) if UNSOLVED.contains(&error.code) => break,
                 Err(error) => return Err(error),
             };
@@ -90,15 +98,16 @@ impl<S: Space> Solver<'_, S> {
         Ok(step)
     }
 
-    /// With contact laid out where bodies are off their prescribed motions by `start`.
+    /// Solves with the contact grid created at the deviations `start` from the prescribed motions.
     fn solve_from(&self, time: f64, load: &[f64], start: &[f64]) -> Result<Laid, EngineError> {
         let candidates = self.space.candidates(time, start)?;
-        // Motions are counted from there, and springs are strained already.
+        // Motions are relative to this position, at which springs are already strained.
         let (springs, load) = self.under.springs.from(start, load);
         self.under(&springs, start).solve_laid(time, &load, candidates)
     }
 
-    /// With contact between these laid out at the solver's start, from where springs and load are counted.
+    /// Solves with contact between these candidates at the solver's start, to which springs and
+    /// load refer.
     fn solve_laid(
         &self,
         time: f64,
@@ -109,14 +118,14 @@ impl<S: Space> Solver<'_, S> {
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
         let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
         if !chosen.contains(&true) && !self.under.in_time {
-            // Frames leave a gap that motions have to close first.
+            // The motions must first close a gap.
             chosen.fill(true);
         }
         loop {
             let used: Vec<&Candidate<S::Site>> =
                 candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
             let Laid { step, footholds } = self.solve_candidates(time, load, &used)?;
-            // Teeth that were left out and that the solution would push into each other.
+            // Add teeth that were left out and that the solution would make overlap.
             let mut closed = false;
             for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
                 if candidate.approaches().any(|approach| approach.closed_by(&step.motion)) {
@@ -132,14 +141,15 @@ impl<S: Space> Solver<'_, S> {
         }
     }
 
-    /// A step in time.
+    /// Solves a time step.
     pub(super) fn take(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
         let candidates = self.space.candidates(time, self.under.start)?;
         Ok(self.solve_laid(time, load, candidates)?.step)
     }
 
-    /// Where the load has carried bodies: springs are strained as they are, stops pressed in as far, and what they leave free is where
-    /// rigid teeth touch, as where contact is laid out elsewhere. What nothing leaves free stays as it is, elastic.
+    /// Returns the position of the bodies under load: springs and stops with their present
+    /// deflection, motions that they leave free at the rigid-body limit, as for other grid
+    /// positions. Motions that nothing leaves free are kept, including their elastic part.
     fn carried(&self, time: f64, load: &[f64], step: &StepResult) -> Result<Vec<f64>, EngineError> {
         let candidates = self.space.candidates(time, &step.motion)?;
         let (mut springs, load) = self.under.springs.from(&step.motion, load);
@@ -157,12 +167,13 @@ impl<S: Space> Solver<'_, S> {
         Ok(carried)
     }
 
-    /// Whether teeth may touch on both sides.
+    /// Returns whether teeth may touch on both flanks.
     pub(super) fn both_sides(&self) -> bool {
         self.system.scene.pairs.iter().any(|pair| pair.front.is_some())
     }
 
-    /// The load whose limit bodies come to rest under: with one flank of each tooth it is the one that the mesh is made for.
+    /// Returns the load direction of the rigid-body limit: with one flank of each tooth it is the
+    /// drive direction of the mesh.
     pub(super) fn limit_direction(&self) -> Vec<f64> {
         match (self.both_sides() || self.system.rigid) && self.under.direction.iter().any(|&load| load != 0.0)
         {
@@ -171,8 +182,9 @@ impl<S: Space> Solver<'_, S> {
         }
     }
 
-    /// How far bodies go, rigid, before teeth touch where the load presses them: nothing, unless they may touch on both sides. Contact
-    /// is laid out there, for it is geometry of the first order only, and backlash is much wider than what teeth give.
+    /// Returns the rigid motion of the bodies until teeth touch under the load: zero unless they
+    /// may touch on both flanks. The contact grid is created there, because the geometry is
+    /// linearized, and backlash is much larger than elastic deflections.
     fn start(&self, time: f64, load: &[f64]) -> Result<Vec<f64>, EngineError> {
         let freedoms = self.system.freedoms.len();
         let nowhere = vec![0.0; freedoms];
@@ -193,14 +205,15 @@ impl<S: Space> Solver<'_, S> {
                     start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more)
                 }
                 Err(error @ ContactError::Interrupted(_)) => return Err(self.explain(&error)),
-                // A tight mesh overlaps in every position. What nothing holds, the contact problem says.
+                // A mesh without backlash overlaps in every position. The contact problem reports
+                // unconstrained motions.
                 Err(_) => return Ok(nowhere),
             }
         }
         Ok(start)
     }
 
-    /// Gaps of rigid bodies, of the stops of bearings and of the flanks of lugs, and their arms.
+    /// Returns gaps of rigid bodies, of bearing stops and of spline tooth flanks, and their arms.
     pub(super) fn rigid_contacts<'c>(
         &self,
         candidates: impl IntoIterator<Item = &'c Candidate<S::Site>>,
@@ -216,7 +229,7 @@ impl<S: Space> Solver<'_, S> {
         (gaps.collect(), arms.copied().collect())
     }
 
-    /// The same with what is counted from elsewhere.
+    /// Returns a solver with other springs and another start.
     fn under<'b>(&'b self, springs: &'b Springs, start: &'b [f64]) -> Solver<'b, S> {
         Solver { system: self.system, space: self.space, under: Conditions { springs, start, ..self.under } }
     }

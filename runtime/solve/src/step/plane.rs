@@ -1,4 +1,5 @@
-//! What of a position belongs to the plane: profiles that approach each other, grids along their common tangent.
+//! Plane implementation of a position: closest approach of profiles, grids along their common
+//! tangent.
 
 use super::drag::Action;
 use super::space::{Approach, Candidate, Space, unsuitable};
@@ -26,7 +27,7 @@ pub(super) struct Plane<'a> {
     pub(super) bodies: &'a PlaneBodies,
 }
 
-/// Two profiles where they approach each other.
+/// Closest approach of two profiles.
 pub(super) struct Site {
     profiles: [Arc<dyn Profile>; 2],
     placements: [Placement; 2],
@@ -95,7 +96,7 @@ impl Space for Plane<'_> {
         Ok(found)
     }
 
-    /// A surface gives by about q / E*.
+    /// The surface displacement is about q / E*.
     fn force_of_overlap(&self, candidate: &Candidate<Site>, overlap: f64) -> f64 {
         overlap * self.contact_modulus(self.pair(candidate).bodies.map(|body| body.0))
     }
@@ -177,7 +178,7 @@ impl Space for Plane<'_> {
                     let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
                     let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
                     let moved = structure.lug_displacements(chart, &places);
-                    // A body that does not give way has none.
+                    // A rigid body has none.
                     for cell in 0..if moved.nrows() > 0 { places.len() } else { 0 } {
                         for (flank, value) in contact.by_flanks(|lug| moved[(lug, cell)]).enumerate() {
                             growth[(first + cell, from + flank)] = value;
@@ -247,29 +248,31 @@ impl Plane<'_> {
         &self.system.scene.pairs[candidate.teeth.0]
     }
 
-    /// Where a body's frame is at a time, off its prescribed motion by `moved`.
+    /// Returns the pose of a body's frame at a time, with the deviations `moved` from its
+    /// prescribed motion.
     fn pose(&self, body: usize, time: f64, moved: &[f64]) -> Result<PlanePose, EngineError> {
         let meant = pose(self.system.scene, body, time)?;
         let (by, axle) = (self.system.moved(body, moved), self.system.axle(body));
         let turned = PlanePose { angle: meant.angle + by[5], ..meant };
-        // It turns on its axle.
+        // The body rotates about its axis.
         let (from, to) = (meant.point(axle), turned.point(axle));
         let at = |k: usize| meant.origin[k] + by[k] + (from[k] - to[k]);
         Ok(PlanePose { origin: [at(0), at(1)], ..turned })
     }
 
-    /// Where the teeth coordinates of a body lie whose frame is at a pose, with the body's phase.
+    /// Returns the placement of the coordinates of a body's teeth from the pose of its frame, with
+    /// the body's phase.
     fn placement(&self, body: usize, pose: &PlanePose) -> Placement {
         Placement::new(pose.angle + self.system.scene.bodies[body].phase, pose.origin)
     }
 
-    /// Whether surfaces that approach like this belong together. Overlapping by half a pitch of either body's teeth, one
-    /// surface has passed the other: each belongs to the other's neighbour.
+    /// Returns whether surfaces with this approach face each other. If they overlap by half a pitch
+    /// of either body, one has passed the other and belongs to its neighbour.
     fn faces(&self, bodies: [usize; 2], placements: &[Placement; 2], approach: &approach::Approach) -> bool {
         let half_pitch = |side: usize| {
             let structure = self.bodies.structures[bodies[side]].as_ref();
             match structure.map_or(1, |structure| structure.teeth()) {
-                // It has no neighbour; and contact may be at its origin.
+                // A single tooth has no neighbour, and the contact may be at its origin.
                 1 => f64::INFINITY,
                 teeth => PI / f64::from(teeth) * distance(approach.frame.point, placements[side].origin()),
             }
@@ -277,7 +280,8 @@ impl Plane<'_> {
         approach.gap > -half_pitch(0).min(half_pitch(1))
     }
 
-    /// Teeth of a body whose surface comes within `reach` of a point: index, placement, middle of the surface.
+    /// Returns the teeth of a body whose surface comes within `reach` of a point: index, placement,
+    /// middle of the surface.
     fn teeth_near(
         &self,
         (body, structure, profile): (usize, &dyn Structure, &dyn Profile),
@@ -296,7 +300,7 @@ impl Plane<'_> {
             .collect()
     }
 
-    /// Growth of the gap of a patch by each freedom, m per m or rad.
+    /// Returns the growth of the gap of a patch by each DOF, m per m or rad.
     fn arms_of(&self, bodies: [usize; 2], frame: &ContactFrame, origins: [[f64; 2]; 2]) -> Vec<f64> {
         let arm = |freedom: &Freedom| {
             let sides = (0..2).filter(|&side| bodies[side] == freedom.body);

@@ -1,4 +1,5 @@
-//! What of a position belongs to space: surfaces that approach each other along a ridge, grids on their common tangent plane.
+//! Three-dimensional implementation of a position: contact lines of surfaces, grids on their common
+//! tangent plane.
 
 use super::drag::Action;
 use super::patch::solid_arm;
@@ -25,14 +26,14 @@ pub(super) struct Solid<'a> {
     pub(super) bodies: &'a SolidBodies,
 }
 
-/// Two surfaces where they approach each other.
+/// Contact line of two surfaces.
 pub(super) struct Site {
     surfaces: [Arc<dyn Surface>; 2],
-    /// Of the teeth.
+    /// Poses of the teeth.
     poses: [Pose; 2],
-    /// Of the bodies' axles.
+    /// Axis positions of the bodies.
     origins: [[f64; 3]; 2],
-    /// Along which the freedoms of either body count.
+    /// Directions of the DOFs of either body.
     axes: [[[f64; 3]; 3]; 2],
     ridge: Ridge,
 }
@@ -46,7 +47,7 @@ impl Site {
 impl Space for Solid<'_> {
     type Site = Site;
     type Grid = Grid;
-    /// Width across and length along, m, where they are to be other than the model's.
+    /// Width across and length along, m, if they differ from those of the model.
     type Size = [Option<f64>; 2];
 
     fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
@@ -98,7 +99,8 @@ impl Space for Solid<'_> {
                     if let Some(ridge) = ridge {
                         let origins =
                             [0, 1].map(|side: usize| frames[side].point(self.system.axle(bodies[side])));
-                        // Springs and loads are along the axes of the prescribed stance, wherever contact is laid out.
+                        // Springs and loads refer to the axes of the prescribed orientation,
+                        // regardless of where the contact grid is created.
                         let axes = bodies.map(|body| self.system.axes(body, time));
                         let at = |gap, point| Approach {
                             gap,
@@ -118,7 +120,8 @@ impl Space for Solid<'_> {
         Ok(found)
     }
 
-    /// A surface gives by about Q / (E* length), over the length of the ridge that overlaps.
+    /// The surface displacement is about Q / (E* length), over the overlapping length of the
+    /// contact line.
     fn force_of_overlap(&self, candidate: &Candidate<Site>, overlap: f64) -> f64 {
         let ridge = &candidate.site.ridge;
         overlap * overlapping_length(ridge) * self.contact_modulus(candidate)
@@ -151,7 +154,7 @@ impl Space for Solid<'_> {
         grid.cells.iter().map(|cell| cell.gap).collect()
     }
 
-    /// Every cell acts along the patch's normal through the point of the ridge beside it.
+    /// Every cell acts along the patch's normal through the nearest point of the contact line.
     fn arms(&self, candidate: &Candidate<Site>, grid: &Grid) -> Vec<f64> {
         let bodies = self.pair(candidate).bodies.map(|body| body.0);
         let at = (candidate.site.origins, candidate.site.axes);
@@ -243,7 +246,7 @@ impl Solid<'_> {
         }
     }
 
-    /// Growth of the gap at a point of a patch by each freedom, m per m or rad.
+    /// Returns the growth of the gap at a point of a patch by each DOF, m per m or rad.
     fn arms_at(
         &self,
         bodies: [usize; 2],
@@ -260,8 +263,8 @@ impl Solid<'_> {
     }
 }
 
-/// Whether surfaces that approach like this belong together. Overlapping by half a pitch of either body's teeth, one surface has
-/// passed the other: each belongs to the other's neighbour.
+/// Returns whether surfaces with this approach face each other. If they overlap by half a pitch of
+/// either body, one has passed the other and belongs to its neighbour.
 fn faces(ridge: &Ridge, poses: &[Pose; 2], structures: [&dyn SolidStructure; 2]) -> bool {
     let half_pitch = |side: usize| {
         let (from, to) = (poses[side].origin, ridge.frame.point);
@@ -271,30 +274,30 @@ fn faces(ridge: &Ridge, poses: &[Pose; 2], structures: [&dyn SolidStructure; 2])
     ridge.gap > -half_pitch(0).min(half_pitch(1))
 }
 
-/// Sections across the axis at which a tooth is looked for on the nominal path of contact.
+/// Number of transverse sections in which a tooth is tested against the nominal path of contact.
 const SECTIONS: usize = 9;
 
-/// Angles by which sections of a surface are turned about the z axis against that in the middle, rad: of a helical tooth some may be
-/// on the path of contact when others are not.
+/// Returns the angles of sections of a surface about the z axis relative to mid-face, rad: some
+/// sections of a helical tooth may be on the path of contact while others are not.
 fn turns_along(surface: &dyn Surface) -> [f64; SECTIONS] {
     let [[u0, u1], [v0, v1]] = surface.range();
     let angle = |part: f64| {
         let [x, y, _] = surface.at(0.5 * (u0 + u1), (1.0 - part) * v0 + part * v1).position;
         y.atan2(x)
     };
-    // From end to end: a crown turns both of them alike, which is no helix.
+    // Measure from end to end: crowning rotates both ends alike and is not a helix.
     let turn = angle(1.0) - angle(0.0);
     let turn = turn - TAU * (turn / TAU).round();
     std::array::from_fn(|k| turn * (k as f64 / (SECTIONS - 1) as f64 - 0.5))
 }
 
-/// Length of the ridge over which the bodies overlap, m.
+/// Returns the length of the contact line over which the bodies overlap, m.
 fn overlapping_length(ridge: &Ridge) -> f64 {
     let reach = |points: &mut dyn Iterator<Item = [f64; 2]>| {
         let (mut y, mut gap) = (0.0, ridge.gap);
         for [next, next_gap] in points {
             if next_gap >= 0.0 {
-                // Between places the gap is nearly a parabola from the closest approach.
+                // Between samples the gap is nearly a parabola from the closest approach.
                 let [from, to, zero] = [gap, next_gap, 0.0].map(|gap| (gap - ridge.gap).max(0.0).sqrt());
                 return y + (next - y) * (zero - from) / (to - from);
             }
@@ -311,13 +314,14 @@ fn overlapping_length(ridge: &Ridge) -> f64 {
     reach(&mut { below }) + reach(&mut { above })
 }
 
-/// Strips of a surface along its length, and samples of each along and across.
+/// Number of strips of a surface along its length, and of samples of each along and across.
 const STRIPS: usize = 4;
 const SAMPLES: [usize; 2] = [3, 5];
-/// Part of the profile's length by which boxes reach beyond their samples: what bulges between them, and gaps worth looking at.
+/// Margin of boxes beyond their samples, relative to the profile's length, for bulges between
+/// samples and for gaps.
 const MARGIN: f64 = 0.25;
 
-/// Samples of a surface in its body's coordinates, in strips: to tell quickly which teeth are near each other.
+/// Samples of a surface in its body's coordinates, in strips, for a quick search for near teeth.
 struct Shape {
     strips: Vec<Vec<[f64; 3]>>,
     /// Length of the profile at mid-face, m.
@@ -342,7 +346,7 @@ impl Shape {
         Shape { strips, across }
     }
 
-    /// Boxes along the ground axes that hold the surface where it is placed.
+    /// Returns boxes along the ground axes that enclose the surface at a pose.
     fn boxes(&self, pose: &Pose) -> Vec<Box3> {
         let around = |points: &Vec<[f64; 3]>| {
             let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
@@ -358,7 +362,7 @@ impl Shape {
     }
 }
 
-/// Ends along each axis, m.
+/// Range along each axis, m.
 struct Box3([[f64; 2]; 3]);
 
 impl Box3 {

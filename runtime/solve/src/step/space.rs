@@ -1,4 +1,5 @@
-//! What of a position has a dimension, behind one seam: [`Space`], once in the plane and once in space.
+//! Dimension-dependent part of a position: the trait [`Space`], implemented for plane and
+//! three-dimensional models.
 
 use super::Patch;
 use super::drag::Action;
@@ -10,29 +11,29 @@ use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
 
-/// A pair of teeth that could touch: what is known before anything is solved.
+/// Tooth pair that may come into contact, before the solution.
 pub(super) struct Candidate<S> {
     pub(super) teeth: Teeth,
-    /// Of the profiles, m: what gaps are small or large against.
+    /// Length of the profiles, m: the scale of gaps.
     pub(super) length: f64,
-    /// Where the surfaces come closest.
+    /// Closest approach of the surfaces.
     pub(super) nearest: Approach,
-    /// Further places at which the gap may close; none in the plane.
+    /// Further points at which the gap may close; empty in plane models.
     pub(super) others: Vec<Approach>,
-    /// Where it is, and on what.
+    /// Geometry of the approach.
     pub(super) site: S,
 }
 
-/// A gap that rigid motions open and close.
+/// Gap that rigid motions open and close.
 pub(super) struct Approach {
-    /// m; negative where the bodies overlap.
+    /// Gap, m; negative for overlap.
     pub(super) gap: f64,
-    /// Growth of the gap by each freedom.
+    /// Growth of the gap by each DOF.
     pub(super) arms: Vec<f64>,
 }
 
 impl Approach {
-    /// The gap that motions leave, m.
+    /// Returns the gap after motions, m.
     pub(super) fn opened_by(&self, motion: &[f64]) -> f64 {
         let rigid: f64 = self.arms.iter().zip(motion).map(|(arm, motion)| arm * motion).sum();
         self.gap + rigid
@@ -48,62 +49,65 @@ impl<S> Candidate<S> {
         std::iter::once(&self.nearest).chain(&self.others)
     }
 }
-/// What of a position has a dimension.
+/// Dimension-dependent part of a position.
 pub(super) trait Space {
-    /// Where a pair of teeth approach each other.
+    /// Geometry of the approach of a tooth pair.
     type Site;
-    /// The cells of a patch.
+    /// Contact grid of a patch.
     type Grid;
-    /// How large a grid is.
+    /// Size of a grid.
     type Size: Copy;
 
-    /// Every pair of teeth near enough to face each other, in a fixed order, where bodies are off their prescribed motions by
-    /// `moved`, m or rad by freedom.
+    /// Returns all tooth pairs near enough to face each other, in a fixed order, with the
+    /// deviations `moved` from the prescribed motions, m or rad by DOF.
     fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Self::Site>>, EngineError>;
 
-    /// The order of the force that presses surfaces flat that overlap by so much (m), in the unit of loads.
+    /// Estimates the force that flattens surfaces with an overlap (m), in the unit of loads.
     fn force_of_overlap(&self, candidate: &Candidate<Self::Site>, overlap: f64) -> f64;
 
-    /// Lays the grid of a patch: of the size that is given, else of the model's, else of one that suits the force.
+    /// Creates the grid of a patch: of the given size, else of the model's, else of one derived
+    /// from the force.
     fn lay(&self, candidate: &Candidate<Self::Site>, force: f64, size: Option<Self::Size>) -> Self::Grid;
 
-    /// How many cells a grid has.
+    /// Returns the number of cells of a grid.
     fn count(&self, grid: &Self::Grid) -> usize;
 
-    /// Its width across, m.
+    /// Returns its width across, m.
     fn width(&self, grid: &Self::Grid) -> f64;
 
-    /// Whether a grid that should be wider ends on either side because a surface does.
+    /// Returns whether a grid that should be wider ends at the end of a surface.
     fn is_cut_off(&self, _grid: &Self::Grid) -> bool {
         false
     }
 
-    /// The gap of each cell, m.
+    /// Returns the gap of each cell, m.
     fn gaps(&self, grid: &Self::Grid) -> Vec<f64>;
 
-    /// Growth of the gap of each cell by each freedom, row by row.
+    /// Returns the growth of the gap of each cell by each DOF, row by row.
     fn arms(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Vec<f64>;
 
-    /// Where cells act, and along which normal: what friction is made of.
+    /// Returns the points of action of cells and their normal, for friction.
     fn action(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Action;
 
-    /// The same of the closest approach, where no grid is laid.
+    /// Returns the point of action of the closest approach, if there is no grid.
     fn approaching(&self, candidate: &Candidate<Self::Site>) -> Action;
 
-    /// Growth of gaps by the forces on cells, see [`ContactProblem::compliance`].
+    /// Computes the compliance matrix, see [`ContactProblem::compliance`].
     fn compliance(&self, laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Result<Vec<f64>, EngineError>;
 
-    /// Growth of the gap of each cell by the forces on the flanks of all lugs; none in space.
+    /// Returns the growth of the gap of each cell by the forces on the flanks of all spline teeth;
+    /// none in three dimensions.
     fn by_lugs(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Mat<f64> {
         Mat::zeros(0, 0)
     }
 
-    /// Cells that probably carry force, by index in the problem, to begin the search with: no more than time depends on it.
+    /// Returns an initial active set; it affects only the time of the solution.
     fn guess(&self, _problem: &ContactProblem, _grids: &[Self::Grid]) -> Vec<usize> {
         Vec::new()
     }
 
-    /// A better size for a grid whose size was left open and turns out to be unsuitable; where `wide` ones are as they should be, a wider one.
+    /// Returns a better size for a grid whose size is not prescribed and is unsuitable. If `wide`
+    /// grids are acceptable, only a wider one.
     fn better_size(
         &self,
         candidate: &Candidate<Self::Site>,
@@ -112,8 +116,8 @@ pub(super) trait Space {
         wide: bool,
     ) -> Option<Self::Size>;
 
-    /// What the solution says against its grid (report figures 3.40 to 3.42).
-    /// Where loads come and go, `wide` grids are as they should be.
+    /// Returns the deficiencies of a grid after the solution (report figures 3.40 to 3.42). With
+    /// varying loads, `wide` grids are acceptable.
     fn judge(
         &self,
         candidate: &Candidate<Self::Site>,
@@ -122,15 +126,16 @@ pub(super) trait Space {
         wide: bool,
     ) -> Option<String>;
 
-    /// Growth of the gap of each cell by each modal coordinate of the bodies; none in space.
+    /// Returns the growth of the gap of each cell by each modal coordinate; none in three
+    /// dimensions.
     fn modal_arms(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)], _modes: &Modes) -> Mat<f64> {
         Mat::zeros(0, 0)
     }
 
-    /// The patch as results show it, without a grid where nothing is pressed.
+    /// Creates the patch for the results, without a grid if there is no pressure.
     fn patch(&self, candidate: &Candidate<Self::Site>, laid: Option<(Self::Grid, Vec<f64>)>) -> Patch;
 }
-/// That a grid does not suit its patch, and which width (m) would.
+/// Returns the warning that a grid does not suit its patch, with a better width (m).
 pub(super) fn unsuitable(scene: &Mechanism, pair: &SurfacePair, too_wide: bool, better: f64) -> String {
     let bodies = pair.bodies.map(|body| scene.bodies[body.0].name.as_str());
     let trouble = if too_wide {
@@ -138,7 +143,7 @@ pub(super) fn unsuitable(scene: &Mechanism, pair: &SurfacePair, too_wide: bool, 
     } else {
         "is too narrow: the pressure does not fall to zero inside it"
     };
-    // To two digits, so that the positions of a cycle say the same.
+    // Round to two digits, so that all positions of a cycle have the same message.
     let better: f64 = format!("{:.1e}", better * 1e3).parse().unwrap_or(better * 1e3);
     format!(
         "the contact grid of \"{}\" and \"{}\" {trouble}; `grid_width = {better} mm` suits it",

@@ -1,10 +1,11 @@
-//! Structures kept on disk: one file each, named by its key, so that the next run of a model finds what the last one condensed.
+//! Structures on disk: one file each, named by its key, so that later runs of a model reuse them.
 //!
-//! A file is written under another name and renamed when it is whole, so a reader sees all of it or none. What it holds is checked
-//! against a hash before it is believed; a file that is damaged, of another version or of another origin counts as none, and is replaced by the
-//! next write. What was used least recently is removed when there is too much; one process at a time does that.
+//! A file is written under a temporary name and renamed when it is complete, so a reader finds all
+//! of it or none. Readers verify a hash of the content. A file that is damaged or of another
+//! version or origin is ignored and replaced by the next write. If the store is too large, one
+//! process at a time removes the least recently used files.
 //!
-//! Keeping is a service: a disk that is full or not there makes analyses slower and never fail.
+//! The store is optional: a full or missing disk makes analyses slower but never makes them fail.
 
 use super::Key;
 use sha2::{Digest, Sha256};
@@ -14,14 +15,15 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
-/// How a file begins. The last byte is the version of the layout: this, the key, the hash of the content, the content.
+/// Start of a file. The last byte is the version of the layout: this, the key, the hash of the
+/// content, the content.
 const MAGIC: [u8; 16] = *b"calyx structure\x01";
 const HEADER: usize = MAGIC.len() + 32 + 32;
 const WHOLE: &str = "structure";
 const PARTIAL: &str = "partial";
 const LOCK: &str = "lock";
 
-/// A directory of structures with a bound on its size.
+/// Directory of structures with a limit on its size.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Store {
     directory: PathBuf,
@@ -29,17 +31,18 @@ pub struct Store {
 }
 
 impl Store {
-    /// Structures in this directory, which is made when it is needed, in at most `limit` bytes. Nothing is read or written yet.
+    /// Creates a store of at most `limit` bytes in this directory, which is created when needed.
+    /// Does not access the disk yet.
     pub fn new(directory: impl Into<PathBuf>, limit: u64) -> Self {
         Self { directory: directory.into(), limit }
     }
 
-    /// Where the files are.
+    /// Returns the directory of the files.
     pub fn directory(&self) -> &Path {
         &self.directory
     }
 
-    /// What was written for a key, if it is there and sound.
+    /// Returns the content for a key, if it exists and is valid.
     pub fn read(&self, key: &Key) -> Option<Vec<u8>> {
         let mut file = File::open(self.path(key)).ok()?;
         let mut header = [0; HEADER];
@@ -54,15 +57,15 @@ impl Store {
         if Sha256::digest(&content).as_slice() != hash {
             return None;
         }
-        // What is used stays. Without the right to say so it will be written again one day.
+        // Mark the file as used. Without the permission, the file may be evicted and written again.
         let _ = file.set_modified(SystemTime::now());
         Some(content)
     }
 
-    /// Keeps content for a key if it fits.
+    /// Writes the content for a key if it fits.
     pub fn write(&self, key: &Key, content: &[u8]) {
         if (HEADER + content.len()) as u64 <= self.limit {
-            // See the module: whatever goes wrong, nothing is kept.
+            // Errors are ignored, see the module.
             let _ = self.try_write(key, content);
         }
     }
@@ -85,13 +88,13 @@ impl Store {
             self.shrink()
         });
         if placed.is_err() {
-            // Either it has its place already or nobody wants it.
+            // The file has been renamed already, or is not needed.
             let _ = fs::remove_file(&partial);
         }
         placed
     }
 
-    /// Removes what was used least recently until the rest fits. Files that are not of a store are left alone.
+    /// Removes the least recently used files until the rest fits. Other files are left alone.
     fn shrink(&self) -> io::Result<()> {
         let ours = |path: &Path| {
             let name = path.file_name().and_then(|name| name.to_str());
@@ -111,7 +114,7 @@ impl Store {
             if total <= self.limit {
                 break;
             }
-            // Another process's reader keeps what it has open.
+            // A reader in another process keeps its open file.
             if fs::remove_file(&path).is_ok() {
                 total -= size;
             }
@@ -119,10 +122,10 @@ impl Store {
         Ok(())
     }
 
-    /// Removes the files of this store, and its directory if no others are in it.
+    /// Removes the files of this store, and its directory if it is empty then.
     ///
     /// # Errors
-    /// One of them cannot be removed.
+    /// A file cannot be removed.
     pub fn clear(&self) -> io::Result<()> {
         let ignore_missing = |removed: io::Result<()>| match removed {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
@@ -138,7 +141,7 @@ impl Store {
                 ignore_missing(fs::remove_file(entry.path()))?;
             }
         }
-        // With files of somebody else, it stays.
+        // Fails if the directory contains other files; then it remains.
         let _ = fs::remove_dir(&self.directory);
         Ok(())
     }
@@ -148,7 +151,7 @@ impl Store {
     }
 }
 
-/// Whether a file has the name of a structure, whole or partial, or of the lock.
+/// Returns whether a file has the name of a structure, complete or partial, or of the lock.
 fn is_name_of_a_store(name: &str) -> bool {
     let Some((stem, ending)) = name.rsplit_once('.') else { return name == LOCK };
     let key = if ending == PARTIAL { stem.split('-').next().unwrap_or_default() } else { stem };
@@ -184,7 +187,7 @@ mod tests {
         assert_eq!(other.read(&key(1)).as_deref(), Some(&b"second"[..]));
         assert_eq!(other.read(&key(2)).as_deref(), Some(&b""[..]));
         assert_eq!(other.read(&key(3)), None);
-        // Two structures and the lock: nothing half written is left.
+        // Two structures and the lock; no partial file remains.
         assert_eq!(files(&directory).len(), 3);
     }
 
@@ -205,7 +208,7 @@ mod tests {
             fs::write(&path, &sound[..length]).unwrap();
             assert_eq!(store.read(&key(1)), None, "length {length}");
         }
-        // Of another key.
+        // File of another key.
         fs::write(store.path(&key(2)), &sound).unwrap();
         assert_eq!(store.read(&key(2)), None);
         store.write(&key(1), b"content");
@@ -223,7 +226,7 @@ mod tests {
         }
         for number in 0..3 {
             store.write(&key(number), &content);
-            // As if it were longer ago.
+            // Set an earlier time of modification.
             let age = Duration::from_secs(100 - number);
             let file = File::options().append(true).open(store.path(&key(number))).unwrap();
             file.set_modified(SystemTime::now() - age).unwrap();
@@ -232,7 +235,7 @@ mod tests {
         store.write(&key(3), &content);
         let there: Vec<bool> = (0..4).map(|number| store.path(&key(number)).exists()).collect();
         assert_eq!(there, [true, false, true, true]);
-        // More than all may take is not kept, and costs nothing else its place.
+        // Content beyond the limit is not written and evicts nothing.
         store.write(&key(4), &[0; 1000]);
         assert!(store.read(&key(4)).is_none() && store.read(&key(3)).is_some());
         assert!(folder.path().join("letter.txt").exists());

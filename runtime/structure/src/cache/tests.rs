@@ -1,4 +1,4 @@
-//! The cache alone: its bound, one build for all who ask at the same time, and builds that come to nothing.
+//! Tests of the cache: size limit, one build for simultaneous requests, and failed builds.
 
 use super::{Answer, CacheCounts, Key, Operator, OperatorCache};
 use crate::profile::Profile;
@@ -12,7 +12,7 @@ use std::sync::{Arc, Barrier};
 use std::thread;
 use std::time::Duration;
 
-/// A structure of a given size.
+/// Structure of a given size.
 struct Sized(usize);
 
 impl Structure for Sized {
@@ -51,7 +51,7 @@ fn rigid() -> AnyStructure {
     AnyStructure::Plane(Arc::new(RigidStructure::new(Vec::new(), 1)))
 }
 
-/// Whether both are one structure.
+/// Returns whether both are the same structure.
 fn is_same(one: &AnyStructure, other: &AnyStructure) -> bool {
     matches!((one, other), (AnyStructure::Plane(one), AnyStructure::Plane(other)) if Arc::ptr_eq(one, other))
 }
@@ -60,7 +60,7 @@ fn failure() -> EngineError {
     EngineError::new("E0678", "it cannot be built", "")
 }
 
-/// Whether the cache has it, without building it.
+/// Returns whether the cache contains the structure, without building it.
 fn has(cache: &OperatorCache, number: u64) -> bool {
     cache.structure(key(number), &Interrupt::never(), || Err(failure())).is_ok()
 }
@@ -116,7 +116,7 @@ fn what_was_used_least_recently_goes_first() {
     put(3, 30);
     assert_eq!([1, 2, 3].map(|number| has(&cache, number)), [true, false, true]);
     assert_eq!(cache.counts().bytes, 70);
-    // What can never fit is handed over, and drives nothing out.
+    // A structure larger than the limit is passed on, and evicts nothing.
     put(4, 101);
     assert_eq!([1, 3, 4].map(|number| has(&cache, number)), [true, true, false]);
     put(5, 100);
@@ -169,7 +169,7 @@ fn a_build_that_fails_or_panics_leaves_nothing_and_the_next_one_builds() {
     assert!(catch_unwind(AssertUnwindSafe(panics)).is_err());
     assert_eq!(cache.counts(), CacheCounts { misses: 2, ..CacheCounts::default() });
 
-    // One that was waited for: the waiter builds it then.
+    // A thread waits for a build that fails, and then builds the structure itself.
     let (first_builds, second_builds) = (Barrier::new(2), AtomicUsize::new(0));
     thread::scope(|scope| {
         let first = scope.spawn(|| {
@@ -222,8 +222,8 @@ fn who_waits_can_be_interrupted() {
 
 #[test]
 fn builds_that_share_their_threads_do_not_wait_for_each_other() {
-    // While a build waits for its own parallel work, its thread may take up another job that needs the same structure: were that
-    // one to wait, neither would ever end.
+    // While a build waits for its own parallel work, its thread may receive another job that needs
+    // the same structure. If that job waited, both would deadlock.
     let cache = OperatorCache::new(1000);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
     let built = pool.install(|| {

@@ -1,4 +1,5 @@
-//! What errors of a motion in time are estimated by: the same motion in longer steps, on other meshes and grids, and the rounding that it has seen.
+//! Data for the error estimates of a transient analysis: the same motion with longer steps, on
+//! other meshes and grids, and observed rounding.
 
 use super::History;
 use crate::estimate::{self, Estimates, Evidence, Moved};
@@ -11,14 +12,15 @@ use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 use calyx_solve::integration::{State, in_pairs};
 
-/// A blow has passed on its momentum if so many steps fill it, exactly where they are a whole number.
+/// Number of steps over the duration of an impulse that transmits its momentum, exactly if the
+/// number is an integer.
 const STEPS_OF_A_BLOW: f64 = 2.0;
 
 impl History<'_> {
-    /// What errors are estimated by.
+    /// Collects the data for the error estimates.
     ///
     /// # Errors
-    /// The interrupt's; what else fails is a part that is not estimated.
+    /// Those of the interrupt; other failures leave a part unestimated.
     pub(super) fn evidence(&mut self, rows: &[StepRow]) -> Result<Evidence, EngineError> {
         let dynamics = self.options.clone();
         let longer = match self.in_much_longer_steps() {
@@ -54,7 +56,7 @@ impl History<'_> {
         Ok(Evidence { rounding: self.rounding.clone().unwrap_or_default(), ..evidence })
     }
 
-    /// Twice as long, and twice as long again.
+    /// Repeats the motion with steps of two and four times the length.
     fn in_much_longer_steps(&mut self) -> Result<Result<[Vec<StepRow>; 2], String>, EngineError> {
         let longer = match self.in_longer_steps()? {
             Ok(rows) => rows,
@@ -63,7 +65,8 @@ impl History<'_> {
         Ok(self.in_longer_steps()?.map(|longest| [longer, longest]))
     }
 
-    /// Begins anew, in steps twice as long, and goes to the end: its rows, or why such steps tell nothing.
+    /// Restarts with steps of twice the length; returns the rows, or the reason why such steps are
+    /// unsuitable.
     fn in_longer_steps(&mut self) -> Result<Result<Vec<StepRow>, String>, EngineError> {
         let longer = in_pairs(&self.steps, &self.options.ranges);
         if longer.len() == self.steps.len() {
@@ -91,7 +94,7 @@ impl History<'_> {
         rows.map(Ok)
     }
 
-    /// Keeps up to what magnitude outputs may be rounding.
+    /// Records the magnitudes up to which outputs may consist of rounding.
     pub(super) fn note_rounding(&mut self, observed: &[Observed], time: f64) {
         let Some(rounding) = &mut self.rounding else { return };
         let own = estimate::rounding_of(self.scene, self.outputs, observed, time);

@@ -1,4 +1,4 @@
-//! Rings that vibrate freely: as they spin, and what gauges on them read.
+//! Tests of freely vibrating and rotating rings, and of gauges on them.
 
 use super::*;
 use crate::observe::{Displacement, FilletSide, Gauge, GaugeReading, Reading};
@@ -21,7 +21,7 @@ use std::sync::Arc;
 
 const TEETH: u32 = 9;
 
-/// A ring with teeth, or the modes of one without on another body.
+/// Ring with teeth, or the modes of a ring without teeth on another body.
 struct Ring {
     modes: Arc<BodyModes>,
     toothed: bool,
@@ -85,7 +85,7 @@ impl Prototype for Ring {
 
 const RING: BodyId = BodyId(1);
 
-/// A ring far from anything that it might touch.
+/// Scene of a ring far from any contact.
 fn scene(ring: Ring, speed: f64, free: &[Component]) -> Scene {
     let mut scene = Scene::default();
     let platen = Arc::new(Platen::new(0.1, 0.2, Facing::Up));
@@ -110,9 +110,10 @@ fn steps(duration: f64, steps: usize, keep: usize) -> DynamicOptions {
     }
 }
 
-/// As seen by a thin ring that spins, its waves go round by `2 Omega / (n² + 1)` against its spin (Bryan 1890): two coordinates of a pair of modes
-/// exchange their swings by `2 n Omega / (n² + 1)`, which splits their frequency by twice that. And nothing gives the ring energy, as long as it
-/// swings, whatever the step is to the period.
+/// Relative to a thin rotating ring, its vibration pattern precesses by `2 Omega / (n² + 1)`
+/// against the rotation (Bryan 1890). The two coordinates of a pair of modes exchange their
+/// vibrations at `2 n Omega / (n² + 1)`, which splits their frequency by twice that. The energy is
+/// conserved for any ratio of step to period.
 #[test]
 fn waves_on_a_spinning_ring_go_round_as_bryan_says() {
     let ring = Ring::plain(THIN, 1500.0);
@@ -127,7 +128,7 @@ fn waves_on_a_spinning_ring_go_round_as_bryan_says() {
         let analysis = options();
         let asked = steps(cycles * period, count, 1);
         let mut history = History::new(&scene, &[], &analysis, &asked, &mut ()).expect("it can begin");
-        // The cosine of each pair is out by as much energy.
+        // The cosine mode of each pair starts with the same energy.
         for pair in 0..modes.count() / 2 {
             history.state.displacement[2 * pair] = 1e-6 / modes.frequencies[2 * pair];
         }
@@ -141,14 +142,15 @@ fn waves_on_a_spinning_ring_go_round_as_bryan_says() {
             row.expect("it goes on");
             seen.push(history.state().clone());
         }
-        // The load of centrifugal force is on waves without nodes, which are above the highest.
+        // The centrifugal load acts on the harmonic without nodal diameters, whose frequency is
+        // above the highest.
         let (before, after) = (energy(&seen[1]), energy(seen.last().expect("a state")));
         assert!((after / before - 1.0).abs() < 1e-9, "{per_period}: {before:e} {after:e}");
-        // Bryan's waves only where a step is a small part of their periods.
+        // Bryan's result requires steps that are small compared with the periods.
         let pairs = if per_period > 100.0 { 3 } else { 0 };
         for pair in 0..pairs {
             let n = 2.0 + pair as f64;
-            // The direction of a swing over the last of its periods.
+            // Direction of the vibration over the last of its periods.
             let last = (per_period * lowest / modes.frequencies[2 * pair]).round() as usize;
             let ends: Vec<[f64; 2]> = seen[seen.len() - 1 - last..]
                 .iter()
@@ -181,7 +183,7 @@ fn what_turns_nearly_as_fast_as_it_vibrates_is_told() {
     }
 }
 
-/// A gauge on a ring that vibrates in one mode reads that mode's stress by what its coordinate is.
+/// A gauge on a ring that vibrates in one mode reads that mode's stress times its coordinate.
 #[test]
 fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
     let ring = Ring::toothed(60_000.0);
@@ -196,7 +198,7 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
         tooth,
         material: Material::STEEL,
     };
-    // On one tooth; on each of them; on whichever.
+    // On one tooth, on each of them, on any of them.
     let teeth = (0..TEETH).map(Some).chain([None]);
     let observed = std::iter::once(Some(2)).chain(teeth).map(gauge);
     let outputs: Vec<OutputRequest> = observed
@@ -217,7 +219,7 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
             assert_eq!(on_any, on_each.iter().copied().fold(f64::NEG_INFINITY, f64::max));
             coordinates.push(history.state().displacement[mode]);
         }
-        // By the first row, what a unit of the coordinate reads.
+        // The first row gives the reading per unit of the coordinate.
         let unit = readings[0] / coordinates[0];
         let by_mode = modes.stresses(2, 0);
         let (least, most) = (0..by_mode.nrows())
@@ -232,7 +234,7 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
     }
 }
 
-/// A ramp of the loads has nothing to do with blows.
+/// A load ramp does not scale impulses.
 #[test]
 fn a_blow_is_as_strong_whatever_part_of_the_loads_is_on() {
     let ring = Ring { modes: Ring::plain(THIN, 1.0).modes, toothed: false };
@@ -253,7 +255,8 @@ fn a_blow_is_as_strong_whatever_part_of_the_loads_is_on() {
     }
 }
 
-/// Steps of a run are made twice and four times as long to know their error; a blow that these do not fill would pass on another momentum.
+/// The error estimate repeats a run with steps of two and four times the length; an impulse whose
+/// duration is not a multiple of these would have another momentum.
 #[test]
 fn steps_that_longer_ones_do_not_tell_of_are_told_so() {
     let ring = Ring { modes: Ring::plain(THIN, 1.0).modes, toothed: false };
@@ -262,7 +265,7 @@ fn steps_that_longer_ones_do_not_tell_of_are_told_so() {
     scene.bodies[RING.0].blows.push(calyx_model::load::Blow { at: 2e-4, duration: 4e-4, momentum });
     let outputs = [OutputRequest::observing("place", scene.observe(Displacement(RING, 0)))];
     let analysis = AnalysisOptions { error_estimates: Estimates::Cheap, ..options() };
-    // A blow takes 40, 10, 8 and 4 of these steps, and the longest are four of them.
+    // An impulse takes 40, 10, 8 and 4 of these steps, and the longest are four of them.
     for (count, refused) in [(100, false), (25, true), (20, false), (10, true)] {
         let asked = steps(1e-3, count, 1);
         let mut history = History::new(&scene, &outputs, &analysis, &asked, &mut ()).expect("it can begin");

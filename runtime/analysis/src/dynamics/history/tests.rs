@@ -1,4 +1,5 @@
-//! Motion in time of bodies that turn, against the equations of motion of their particles without any linearisation.
+//! Tests of transient analyses of rotating bodies against the nonlinear equations of motion of
+//! their particles.
 
 use super::*;
 use crate::observe::{SupportForce, SupportMoment};
@@ -21,7 +22,7 @@ use std::sync::Arc;
 
 const WIDTH: f64 = 0.02;
 const RADIUS: f64 = 0.03;
-/// Elements are few: nothing touches anything here.
+/// A coarse mesh suffices: there is no contact.
 const FEW: StructureOptions = StructureOptions {
     refinement: 0.2,
     order: 1,
@@ -34,7 +35,7 @@ const FEW: StructureOptions = StructureOptions {
     sharp_edges: false,
 };
 
-/// A disc without mass that vibrates in modes of one's own.
+/// Massless disc with prescribed modes.
 struct Vibrating {
     disc: Disc,
     modes: Arc<BodyModes>,
@@ -67,7 +68,7 @@ impl Prototype for Vibrating {
     }
 }
 
-/// Round a circle, and turning ever faster.
+/// Orbit with increasing rotational speed.
 #[derive(Clone, Copy)]
 struct Orbit {
     radius: f64,
@@ -98,7 +99,7 @@ impl Orbit {
         Vector2::new(by * (self.round * time).cos(), by * (self.round * time).sin())
     }
 
-    /// A frame by the complex number of its turn and that of its translation.
+    /// Frame from the complex numbers of its rotation and translation.
     fn entries([p, q]: Complex, [x, y]: Complex) -> [f64; 12] {
         [p, -q, 0.0, q, p, 0.0, 0.0, 0.0, 0.0, x, y, 0.0]
     }
@@ -133,7 +134,8 @@ impl Motion for Orbit {
     }
 }
 
-/// A particle of a body: its mass, its place, and the frequency at which it swings on springs alike in all directions, if it does.
+/// Particle of a body: its mass, its position, and the frequency of its vibration on isotropic
+/// springs, if any.
 #[derive(Clone, Copy)]
 struct Particle {
     mass: f64,
@@ -141,18 +143,19 @@ struct Particle {
     natural: Option<f64>,
 }
 
-/// Particles on a frame with a moment of inertia of its own.
+/// Particles on a frame with its own moment of inertia.
 #[derive(Clone)]
 struct Rotor {
     particles: Vec<Particle>,
     polar: f64,
     motion: Orbit,
-    /// Which of the shifts and the turn are free.
+    /// Free components: two displacements and the rotation.
     free: [bool; 3],
-    /// Springs against these, and loads along them.
+    /// Springs on these components, and loads along them.
     springs: [f64; 3],
     load: [f64; 3],
-    /// Whether what the prescribed motion asks of particles acts on them, so that without load nothing deviates from it.
+    /// True if the inertia forces of the prescribed motion are applied as loads, so that without
+    /// other loads nothing deviates from it.
     prestressed: bool,
 }
 
@@ -170,8 +173,8 @@ impl Rotor {
         3 + 2 * self.swinging().count()
     }
 
-    /// The equations of motion of the particles as they are, but that springs stiffen by `m omega²`, as tension stiffens a body: the mass
-    /// matrix, and what acts, by all coordinates.
+    /// Exact equations of motion of the particles, except that springs are stiffened by `m omega²`
+    /// like a body under tension: the mass matrix, and the forces on all coordinates.
     fn equations(&self, time: f64, x: &DVector<f64>, v: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
         let (count, [angle, speed, speeding]) = (self.count(), self.motion.turn(time));
         let origin = self.motion.origin_acceleration(time);
@@ -221,7 +224,7 @@ impl Rotor {
         (mass, acts)
     }
 
-    /// Accelerations, and what holds the frame.
+    /// Accelerations, and the reactions on the frame.
     fn accelerations(&self, time: f64, x: &DVector<f64>, v: &DVector<f64>) -> (DVector<f64>, [f64; 3]) {
         let (mass, acts) = self.equations(time, x, v);
         let moving: Vec<usize> = (0..self.count()).filter(|&k| k >= 3 || self.free[k]).collect();
@@ -233,7 +236,7 @@ impl Rotor {
         (all, [left[0], left[1], left[2]])
     }
 
-    /// By the scheme of Runge and Kutta from rest: coordinates and what holds the frame in the end.
+    /// Runge-Kutta solution from rest: final coordinates, and final reactions on the frame.
     fn exact(&self, until: f64, steps: usize) -> (DVector<f64>, [f64; 3]) {
         let h = until / steps as f64;
         let (mut x, mut v) = (DVector::zeros(self.count()), DVector::zeros(self.count()));
@@ -253,7 +256,7 @@ impl Rotor {
         (x, held)
     }
 
-    /// The particles' modes: each swings along both axes.
+    /// Modes of the particles: each vibrates along both axes.
     fn modes(&self) -> BodyModes {
         let own: Vec<Particle> = self.swinging().map(|(_, particle)| particle).collect();
         let root = |k: usize| (own[k / 2].mass / WIDTH).sqrt();
@@ -312,7 +315,7 @@ impl Rotor {
         scene
     }
 
-    /// Shifts, turn and swings of the particles in the end, and what holds the frame.
+    /// Final displacements, rotation and vibrations of the particles, and reactions on the frame.
     fn found(&self, until: f64, steps: usize) -> (DVector<f64>, [f64; 3]) {
         let mut scene = self.scene();
         let rotor = BodyId(1);
@@ -347,7 +350,7 @@ impl Rotor {
         (all, [held[0], held[1], held[2]])
     }
 
-    /// What the load does to [`Rotor::found`] and [`Rotor::exact`].
+    /// Effect of the load on [`Rotor::found`] and [`Rotor::exact`].
     fn by_load<T>(&self, of: impl Fn(&Rotor) -> (DVector<f64>, T)) -> DVector<f64> {
         let unloaded = Rotor { load: [0.0; 3], ..self.clone() };
         of(self).0 - of(&unloaded).0
@@ -358,7 +361,7 @@ fn particle(mass: f64, x: f64, y: f64, natural: Option<f64>) -> Particle {
     Particle { mass, place: Vector2::new(x, y), natural }
 }
 
-/// Off its axle, on soft springs that are stiffer along y.
+/// Eccentric rotor on soft springs that are stiffer along y.
 fn eccentric() -> Rotor {
     Rotor {
         particles: vec![particle(3.0, 0.02, -0.01, None)],
@@ -371,7 +374,7 @@ fn eccentric() -> Rotor {
     }
 }
 
-/// The same with two masses that swing.
+/// Eccentric rotor with two vibrating masses.
 fn swinging() -> Rotor {
     let own = [particle(1.0, 0.02, 0.01, Some(400.0)), particle(0.8, -0.01, 0.025, Some(600.0))];
     let Rotor { mut particles, .. } = eccentric();
@@ -379,7 +382,8 @@ fn swinging() -> Rotor {
     Rotor { particles, ..eccentric() }
 }
 
-/// Every first-order term of what turns and shifts: linear response against the particles' own equations.
+/// Every first-order term of rotation and displacement: linear response against the particles'
+/// exact equations.
 fn follows(rotor: &Rotor, until: f64, steps: usize) {
     let exact = rotor.by_load(|rotor| rotor.exact(until, 1000));
     let [coarse, fine] = [steps, 2 * steps].map(|steps| rotor.by_load(|rotor| rotor.found(until, steps)));
@@ -432,7 +436,7 @@ fn an_analysis_in_time_sees_what_bearings_damp() {
     assert_eq!((unseen(&still), unseen(history.plan())), (1, 0));
 }
 
-/// What holds a frame is the rate of the momentum of all that moves on it.
+/// The reaction on a frame is the rate of the total momentum of all that moves on it.
 #[test]
 fn a_held_frame_feels_what_vibrates_on_it() {
     let stiff = |natural: f64| Some(10.0 * natural);
@@ -452,7 +456,7 @@ fn a_held_frame_feels_what_vibrates_on_it() {
         let (_, exact) = rotor.exact(until, 1000);
         let [coarse, fine] = [steps, 2 * steps].map(|steps| rotor.found(until, steps).1);
         let better = [0, 1, 2].map(|k: usize| fine[k] + (fine[k] - coarse[k]) / 3.0);
-        // Against what moves the mass of the particles on their circle, and its moment.
+        // Relative to the force of the particles' circular motion, and its moment.
         let force = 4.8 * 0.08 * 90.0 * 90.0;
         for (k, scale) in [force, force, 0.02 * force].into_iter().enumerate() {
             assert!((better[k] - exact[k]).abs() < 2e-3 * scale, "{free:?} {k}: {exact:?} {better:?}");
