@@ -117,8 +117,8 @@ fn series(g: &mut Graph, x: NodeId, coefficients: &[NodeId]) -> NodeId {
     })
 }
 
-/// Builds W1: the frame of a planet gear, its first two time derivatives, and derivatives with respect to
-/// design parameters.
+/// Builds W1: the frame of a planet gear, its first two time derivatives, and derivatives with
+/// respect to design parameters.
 fn planet(g: &mut Graph) -> Vec<NodeId> {
     let [time, cd, rx, ry, px, py, phase, planet, carrier] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| g.symbol(i));
     let zero = g.constant(0.0);
@@ -184,8 +184,8 @@ fn generated_point(g: &mut Graph) -> Vector3 {
     frame.apply(g, blade)
 }
 
-/// Builds W2: the point, its first and second derivatives, the function whose zeros define the envelope,
-/// and its gradient.
+/// Builds W2: the point, its first and second derivatives, the function whose zeros define the
+/// envelope, and its gradient.
 fn generated(g: &mut Graph) -> Vec<NodeId> {
     let x = generated_point(g);
     let firsts = [0, 1, 2].map(|variable| g.vector_derivative(x, variable));
@@ -200,7 +200,8 @@ fn generated(g: &mut Graph) -> Vec<NodeId> {
     outputs
 }
 
-/// Builds W3: the point and its derivatives with respect to all settings, without the constant ones.
+/// Builds W3: the point and its derivatives with respect to all settings, without the constant
+/// ones.
 fn sensitivity(g: &mut Graph) -> Vec<NodeId> {
     let x = generated_point(g);
     let mut outputs = x.to_vec();
@@ -225,8 +226,8 @@ fn polynomial(g: &mut Graph, random: &mut Random, degree: usize) -> NodeId {
     series(g, time, &coefficients)
 }
 
-/// Builds W4 (25 pairs): alternating translations and rotations, with the first two time derivatives of
-/// all entries.
+/// Builds W4 (25 pairs): alternating translations and rotations, with the first two time
+/// derivatives of all entries.
 pub fn chain(g: &mut Graph, pairs: usize) -> Vec<NodeId> {
     let mut random = Random(4);
     let mut frame = Frame::ground();
