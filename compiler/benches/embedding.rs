@@ -7,7 +7,7 @@ use calyx::{Engine, Instance, Module};
 use calyx_abi::Context;
 use calyx_gears::host::ModelHost;
 use calyx_runtime::cache::OperatorCache;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::StepRow;
@@ -69,7 +69,8 @@ fn direct(text: &str) -> impl Fn() -> f64 {
     let program = module.as_program();
     let mut context = Context::new(Box::new(ModelHost::new(&module.description().units)));
     context.kernels = program.kernels();
-    let steps = [calyx::Given::value("steps", STEPS), calyx::Given::text("fidelity", "plane")];
+    let steps =
+        [calyx::ParamAssignment::value("steps", STEPS), calyx::ParamAssignment::text("fidelity", "plane")];
     apply(program.as_ref(), &steps, &mut context).expect("params");
     program.main(&mut context).expect("it runs");
     let host = std::mem::take(context.host::<ModelHost>().expect("its host"));

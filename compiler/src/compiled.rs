@@ -7,7 +7,7 @@ use calyx_codegen::JitModule;
 use calyx_elaborate::nan::explain;
 use calyx_lang::ir::{FunctionId, SourceFile};
 use calyx_rt::program::ParamFunction;
-use calyx_rt::{Given, Program, Seen};
+use calyx_rt::{NanLog, ParamAssignment, Program};
 use std::sync::Arc;
 
 /// The functions of a param: its default, and the ends of its range.
@@ -53,7 +53,7 @@ impl Program for Compiled {
         self.code.run_main(context)
     }
 
-    fn explain(&self, error: &mut RuntimeError, given: &[Given], seen: &Seen) {
+    fn explain(&self, error: &mut RuntimeError, given: &[ParamAssignment], seen: &NanLog) {
         if let Some(Typed { program, .. }) = self.typed() {
             explain(program, given, seen, error);
         }

@@ -29,7 +29,7 @@ pub fn page(code: &str) -> Option<String> {
     page += &wrapped(explanation.text, 80);
     if let Some(example) = example(explanation.code) {
         page += &format!("\nThis is reported:\n\n{}", indented(example.wrong));
-        page += &format!("\nThis is right:\n\n{}", indented(example.mended));
+        page += &format!("\nThis is right:\n\n{}", indented(example.fixed));
     }
     Some(page)
 }
@@ -49,7 +49,7 @@ pub fn similar_codes(code: &str) -> Vec<&'static str> {
 pub struct Example {
     pub code: &'static str,
     pub wrong: &'static str,
-    pub mended: &'static str,
+    pub fixed: &'static str,
 }
 
 /// The example of a code.
@@ -63,7 +63,7 @@ pub fn examples() -> impl Iterator<Item = Example> {
     sections.filter_map(|section| {
         let (code, rest) = section.split_once('\n')?;
         let mut blocks = rest.split("```cx\n").skip(1).filter_map(|block| block.split("```").next());
-        Some(Example { code: code.trim(), wrong: blocks.next()?, mended: blocks.next()? })
+        Some(Example { code: code.trim(), wrong: blocks.next()?, fixed: blocks.next()? })
     })
 }
 

@@ -32,7 +32,7 @@ use calyx_codegen::{BatchError, BatchKernel, CodegenError, compile_batch, compil
 use calyx_gears::host::ModelHost;
 use calyx_lang::ir::{DisplayUnit, SymbolicFunction, SymbolicFunctionId};
 use calyx_lower::kernels::{KernelError as LoweringError, lower_kernel};
-use calyx_rt::Given;
+use calyx_rt::ParamAssignment;
 use calyx_symbolic::{Instruction, Tape};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
@@ -148,7 +148,7 @@ impl Module {
     /// # Errors
     /// A name is unknown, a value cannot be read or is out of range, or a default fails.
     pub fn param_values(&self, given: &[(&str, &str)]) -> Result<Vec<f64>, KernelError> {
-        let given: Vec<_> = given.iter().map(|(name, text)| Given::text(*name, *text)).collect();
+        let given: Vec<_> = given.iter().map(|(name, text)| ParamAssignment::text(*name, *text)).collect();
         let mut context = Context::new(Box::new(ModelHost::new(&self.description().units)));
         calyx_rt::apply(self.as_program().as_ref(), &given, &mut context).map_err(KernelError::Param)?;
         Ok(context.params)

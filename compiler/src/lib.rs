@@ -97,14 +97,14 @@ pub use artifact::{ArtifactError, is_artifact};
 pub use calyx_codegen::TargetCpu;
 pub use calyx_elaborate as elaborate;
 pub use calyx_elaborate::{
-    Checked, Interpreted, ModelLoader, Refused, allowed_path, check_file, check_file_allowing, check_run,
-    check_run_within, check_text, render,
+    Checked, Interpreted, InvalidParam, ModelLoader, allowed_path, check_file, check_file_allowing,
+    check_run, check_run_within, check_text, render,
 };
 pub use calyx_lang::diagnostic::{Diagnostic, Severity};
 pub use calyx_rt as rt;
 pub use calyx_rt::{
-    Cancel, Engine, EngineConfig, Error, ErrorKind, Given, GivenValue, Host, Instance, ModelDescription,
-    Output, Override, Param, ParamValue, Progress, Results, Run, Step,
+    AssignedValue, Cancel, Engine, EngineConfig, Error, ErrorKind, Host, Instance, ModelDescription, Output,
+    Override, Param, ParamAssignment, ParamValue, Progress, Results, Run, Step,
 };
 pub use error::{CompileError, Diagnostics};
 pub use kernel::{Kernel, KernelError, Quantity};

@@ -15,7 +15,7 @@ use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::parser::parse;
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::interpret::CallSites;
-use calyx_rt::{Error, Given, Program as _, Refused, apply};
+use calyx_rt::{Error, InvalidParam, ParamAssignment, Program as _, apply};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -190,10 +190,10 @@ fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String
             lines.push(line.to_owned());
         }
     });
-    let given = [Given::text(SELECTOR, test.to_string())];
+    let given = [ParamAssignment::text(SELECTOR, test.to_string())];
     let ended = apply(interpreted, &given, &mut context).map_err(|error| match error {
         Error::Model(error) => error,
-        Error::Given(Refused { message, help, .. }) => RuntimeError::new("E0314", message, help),
+        Error::Given(InvalidParam { message, help, .. }) => RuntimeError::new("E0314", message, help),
     });
     let ended = ended.and_then(|()| interpreted.main(&mut context));
     let lines = lines.lock().map(|mut lines| std::mem::take(&mut *lines)).unwrap_or_default();

@@ -2,7 +2,7 @@
 //! gone.
 
 use calyx::rt::run::RunError;
-use calyx::rt::{Error, Given, RunOptions, run};
+use calyx::rt::{Error, ParamAssignment, RunOptions, run};
 use calyx::{Checked, Engine, Module, TargetCpu, check_file, check_text, is_artifact};
 use calyx_lang::diagnostic::Diagnostic;
 use std::fs;
@@ -21,7 +21,7 @@ fn compiled(checked: Checked) -> Module {
 /// What comes of a run: its table, what was found, or its error as people see it.
 fn outcome(module: &Module, set: &[(&str, &str)]) -> Result<(String, Vec<Diagnostic>), Box<Diagnostic>> {
     let directory = tempfile::tempdir().unwrap();
-    let given: Vec<_> = set.iter().map(|(name, value)| Given::text(*name, *value)).collect();
+    let given: Vec<_> = set.iter().map(|(name, value)| ParamAssignment::text(*name, *value)).collect();
     let options =
         RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
     match run(module.as_program(), &options) {

@@ -106,7 +106,8 @@ fn stepping_solving_and_the_run_directory_are_one() {
     assert_eq!(bits(few.finish().unwrap().steps()), expected);
 
     let directory = tempfile::tempdir().unwrap();
-    let given = vec![calyx::Given::text("steps", "2"), calyx::Given::text("fidelity", "plane")];
+    let given =
+        vec![calyx::ParamAssignment::text("steps", "2"), calyx::ParamAssignment::text("fidelity", "plane")];
     let options =
         RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
     run(PAIR.as_program(), &options).unwrap();

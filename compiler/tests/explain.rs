@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 #[test]
-fn examples_show_their_code_and_are_mended() {
+fn examples_show_their_code_and_are_fixed() {
     let mut wrong = String::new();
     for example in examples() {
         let codes = |text: &str| -> Vec<(String, bool)> {
@@ -17,12 +17,12 @@ fn examples_show_their_code_and_are_mended() {
             };
             found.iter().map(|d| (d.code.clone(), is_error(d))).collect()
         };
-        let (shown, mended) = (codes(example.wrong), codes(example.mended));
+        let (shown, fixed) = (codes(example.wrong), codes(example.fixed));
         if !shown.iter().any(|(code, _)| code == example.code) {
             wrong += &format!("{}: the example gives {shown:?}\n", example.code);
         }
-        if mended.iter().any(|(code, error)| *error || code == example.code) {
-            wrong += &format!("{}: the mended example gives {mended:?}\n", example.code);
+        if fixed.iter().any(|(code, error)| *error || code == example.code) {
+            wrong += &format!("{}: the mended example gives {fixed:?}\n", example.code);
         }
     }
     assert!(wrong.is_empty(), "\n{wrong}");

@@ -148,7 +148,7 @@ analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(20 ms, step = 10
 
 /// What swings after a blow has its lines where the natural frequencies about the equilibrium are, which know of no motion in time.
 #[test]
-fn after_a_blow_lines_are_at_the_natural_frequencies() {
+fn after_a_impulse_lines_are_at_the_natural_frequencies() {
     let record = |asked: &str| -> serde_json::Value {
         let directory = tempfile::tempdir().unwrap();
         let model = directory.path().join("model.cx");

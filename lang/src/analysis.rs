@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// A range of a file.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Place {
+pub struct SourceRange {
     pub file: Arc<str>,
     pub start: u32,
     pub end: u32,
@@ -75,7 +75,7 @@ pub struct Name {
     pub kind: NameKind,
     /// Location of the declaration; `None` for built-in names. A module is declared at the start of
     /// its file.
-    pub declared: Option<Place>,
+    pub declared: Option<SourceRange>,
     /// Type of the named item as displayed; for a function, its type scheme.
     pub ty: Option<Arc<str>>,
     /// `true` for the name in a declaration.
@@ -102,7 +102,7 @@ pub struct Visible {
     pub name: Arc<str>,
     pub kind: NameKind,
     pub ty: Option<Arc<str>>,
-    pub declared: Option<Place>,
+    pub declared: Option<SourceRange>,
     /// Number of enclosing blocks between the location and the declaration; 0 is the innermost
     /// block. `None` for imported and built-in names.
     pub level: Option<u32>,
@@ -118,7 +118,7 @@ pub struct Declaration {
     pub doc: Option<String>,
     pub ty: Option<Arc<str>>,
     /// Location of the whole statement.
-    pub item: Place,
+    pub item: SourceRange,
 }
 
 /// A callable and its parameters.
@@ -134,7 +134,7 @@ pub struct Callable {
     pub result: Option<String>,
     /// Further requirements on types, such as `T adds`.
     pub demands: Vec<String>,
-    pub declared: Option<Place>,
+    pub declared: Option<SourceRange>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -154,5 +154,5 @@ pub struct CallParameter {
     /// Allowed strings.
     pub choices: Vec<String>,
     pub doc: Option<String>,
-    pub declared: Option<Place>,
+    pub declared: Option<SourceRange>,
 }

@@ -3,7 +3,7 @@
 #[path = "support/library.rs"]
 mod library;
 
-use calyx_lang::analysis::{Name, NameKind, Place};
+use calyx_lang::analysis::{Name, NameKind, SourceRange};
 use calyx_lang::db::Database;
 use calyx_lang::lexer::Kind;
 use library::{Library, folder, improper};
@@ -225,6 +225,6 @@ fn references_cross_files() {
         database.references(&rack).into_iter().map(|(file, name)| (file.to_string(), name)).collect();
     assert_eq!(found.iter().filter(|(file, _)| file == "a.cx").count(), 2);
     assert!(found.iter().any(|(file, name)| file.ends_with("gears.cx") && name.declares));
-    let module = Place { file: rack.file, start: 0, end: 0 };
+    let module = SourceRange { file: rack.file, start: 0, end: 0 };
     assert_eq!(database.references(&module).len(), 3);
 }

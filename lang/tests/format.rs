@@ -6,7 +6,7 @@
 #[path = "support/formatting.rs"]
 mod formatting;
 
-use calyx_lang::format::{NotFormatted, Place, WIDTH, format, format_part, format_range};
+use calyx_lang::format::{FormatContext, FormatError, WIDTH, format, format_part, format_range};
 use formatting::judge;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -143,7 +143,7 @@ fn snippets_of_the_book_are_formatted() {
                 }
                 Ok(formatted) => failures.push(format!("{place}: not\n{text}but\n{formatted}")),
                 // Snippets that show errors of syntax.
-                Err(NotFormatted::Errors(_)) if text.contains("//~") => {}
+                Err(FormatError::Errors(_)) if text.contains("//~") => {}
                 Err(problem) => failures.push(format!("{place}: {problem:?}")),
             }
         }
@@ -209,7 +209,7 @@ fn a_part_is_laid_out_as_in_its_file() {
     let statement = format!("var x=f({}, 3 euro*mm);", ["arguments"; 7].join(","));
     let file =
         format!("unit euro: Cost;\nfunction g() {{\n    if (TRUE) {{\n        {statement}\n    }}\n}}\n");
-    let place = Place { units: ["euro".to_string()].into(), indent: 8 };
+    let place = FormatContext { units: ["euro".to_string()].into(), indent: 8 };
     let mut part = statement.clone();
     for edit in format_part(&statement, &place).unwrap().iter().rev() {
         part.replace_range(edit.span.start as usize..edit.span.end as usize, &edit.replacement);
@@ -217,5 +217,5 @@ fn a_part_is_laid_out_as_in_its_file() {
     assert_eq!(format(&file).unwrap(), file.replace(&statement, &part));
     // The columns before it count: further out it fits in a line.
     assert!(part.contains('\n') && !format(&statement).unwrap().trim_end().contains('\n'), "{part}");
-    assert!(matches!(format_part("var x = ;", &place), Err(NotFormatted::Errors(_))));
+    assert!(matches!(format_part("var x = ;", &place), Err(FormatError::Errors(_))));
 }

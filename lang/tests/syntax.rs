@@ -152,7 +152,7 @@ fn examples_and_library_parse_without_errors() {
 
 /// A fix that is offered must mend what it is offered for.
 #[test]
-fn offered_fixes_mend_their_errors() {
+fn offered_fixes_fix_their_errors() {
     let mut applied = 0;
     for path in files(&folder("tests/syntax"), "md") {
         let document = fs::read_to_string(&path).unwrap();

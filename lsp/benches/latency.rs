@@ -103,7 +103,7 @@ fn after<'a>(line: &'a str, text: &str) -> &'a str {
 }
 
 /// Takes back what was half typed.
-fn mend(editor: &mut Editor, n: usize, line: usize) {
+fn fix(editor: &mut Editor, n: usize, line: usize) {
     if n % 3 == 2 {
         editor.replace(line, &["        total = total + step;".to_owned()]);
         editor.settle();
@@ -141,7 +141,7 @@ fn of_request(editor: &mut Editor, method: &str) {
         times.push(begun.elapsed());
         answered += usize::from(!answer.is_null());
         editor.settle();
-        mend(editor, n, line);
+        fix(editor, n, line);
     }
     report(method, &mut times, processor() - worked);
     if answered < ROUNDS / 2 {
@@ -157,7 +157,7 @@ fn of_diagnostics(editor: &mut Editor) {
         let (line, _) = edit(editor, n);
         editor.settle();
         times.push(begun.elapsed());
-        mend(editor, n, line);
+        fix(editor, n, line);
     }
     report("diagnostics after the last key", &mut times, processor() - worked);
 }

@@ -15,7 +15,7 @@
 //! use calyx_runtime::load::Wrench;
 //! use calyx_runtime::material::{Material, Plane};
 //! use calyx_runtime::motion::SteadyRotation;
-//! use calyx_runtime::observe::MaxContactPressure;
+//! use calyx_runtime::observables::MaxContactPressure;
 //! use calyx_runtime::results::OutputRequest;
 //! use calyx_runtime::scene::{Body, Component, Scene, SurfacePair};
 //! use std::f64::consts::PI;
@@ -66,17 +66,17 @@
 //! | module | what |
 //! |---|---|
 //! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`], and what is observed of it; [`scene::Prototype`] is how a body is modelled |
-//! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`freedom`], [`ids`] | the parts of a scene that are simulated, whatever is observed of them |
+//! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | the parts of a scene that are simulated, whatever is observed of them |
 //! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
 //! | [`fidelity`], [`plan`], [`target`] | how bodies are modelled; what of the scene is modelled, what is left out, and why |
 //! | [`validate`] | whether a requested analysis is possible: the rules that a check and a run share |
-//! | [`holding`] | whether contacts can hold what is free, known before anything is solved |
+//! | [`restraint_check`] | whether contacts can hold what is free, known before anything is solved |
 //! | [`system`], [`step`], [`integration`], [`vibrations`] | the planned mechanism, built; a position in equilibrium; a step in time; free vibrations |
-//! | [`observe`], [`observed`] | values read off a solved position, one [`observe::Observable`] each |
+//! | [`observables`], [`observed`] | values read off a solved position, one [`observables::Observable`] each |
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
 //! | [`analysis`], [`dynamics`], [`options`], [`position`], [`rows`], [`results`], [`summary`] | an analysis from options to results: [`analysis::Steps`] is the iterator over a list of positions, [`analysis::quasi_static`] reports to an observer |
-//! | [`overriding`] | settings of an analysis that are changed from outside the model |
+//! | [`settings_override`] | settings of an analysis that are changed from outside the model |
 //! | [`estimate`] | estimated errors of the statistics of outputs |
 //! | [`tolerance`] | the cheapest setting whose estimated error meets a tolerance |
 //! | [`cost`] | predicted time and memory of an analysis |
@@ -104,17 +104,17 @@
 #![warn(missing_docs)]
 
 pub use calyx_analysis::{
-    analysis, cost, dynamic_options, dynamics, estimate, observe, options, overriding, results, rows, scene,
-    signal, summary, tolerance, validate,
+    analysis, cost, dynamic_options, dynamics, estimate, observables, options, results, rows, scene,
+    settings_override, signal, summary, tolerance, validate,
 };
 pub use calyx_contact as contact;
 pub use calyx_fe as fe;
 pub use calyx_fe::{inertia, material};
 pub use calyx_model::{
-    bearing, body, disc, fidelity, freedom, ids, load, lug_contact, mechanism, motion, observed, pairs, plan,
-    position, prototype, resources, rigid, target,
+    bearing, body, disc, dof, fidelity, ids, load, mechanism, motion, observed, pairs, plan, position,
+    prototype, resources, rigid, spline_contact, target,
 };
 pub use calyx_numerics::{error, interrupt};
-pub use calyx_solve::{holding, integration, step, system, vibrations};
+pub use calyx_solve::{integration, restraint_check, step, system, vibrations};
 pub use calyx_structure as structure;
 pub use calyx_structure::{cache, profile, surface};

@@ -10,7 +10,7 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Displacement, Fields, NaturalFrequency};
+use calyx_runtime::observables::{Displacement, Fields, NaturalFrequency};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{
@@ -100,7 +100,7 @@ fn a_disc_between_platens_gives_as_much_as_the_closed_form_says() {
         let step = solve(&scene);
 
         // The freedoms are the disc's and the upper platen's, downwards.
-        let [disc_moves, approach] = [0, 1].map(|freedom| -step.motion[freedom]);
+        let [disc_moves, approach] = [0, 1].map(|dof| -step.motion[dof]);
         let known = 2.0 * force / (PI * surface_modulus()) * (2.0 * (4.0 / a_over_r).ln() - 1.0);
         assert!((approach / known - 1.0).abs() < 3e-3, "a/R {a_over_r}: {approach} {known}");
         // Both halves give alike.
@@ -176,7 +176,7 @@ impl Observer for Shown {
 #[test]
 fn pictures_name_bodies_that_they_do_not_have() {
     let mut scene = resting(Shared::new(0.02), 0.02);
-    scene.observe(Displacement(BodyId(0), 1));
+    scene.add_observable(Displacement(BodyId(0), 1));
     let mut shown = Shown::default();
     let options = AnalysisOptions { fields: 1, bodies: true, ..AnalysisOptions::default() };
     quasi_static(&scene, &[Position::at(0.0)], &requests(&scene), &options, &mut shown).expect("equilibrium");
@@ -242,8 +242,8 @@ fn natural_frequencies_mesh_nothing_anew_at_a_position() {
         let built: Arc<[AtomicUsize; 3]> = Arc::default();
         let disc = Counted { disc: Disc::new(0.02, FACE_WIDTH, STEEL), built: built.clone() };
         let mut scene = resting(Arc::new(disc), 0.02);
-        scene.observe(NaturalFrequency(0));
-        scene.observe(NaturalFrequency(1));
+        scene.add_observable(NaturalFrequency(0));
+        scene.add_observable(NaturalFrequency(1));
         let positions: Vec<Position> = (0..positions).map(|k| Position::at(0.1 * k as f64)).collect();
         let structure = StructureOptions { refinement: 0.5, ..StructureOptions::default() };
         let options = AnalysisOptions { structure, highest_frequency: 1.2e5, ..AnalysisOptions::default() };

@@ -9,7 +9,7 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Displacement, Rotation, SupportForce};
+use calyx_runtime::observables::{Displacement, Rotation, SupportForce};
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
@@ -63,8 +63,8 @@ fn run(
 fn what_nothing_touches_falls_and_spins_as_its_mass_says() {
     let (mut scene, body) = cylinder(1e-3, 20.0);
     let outputs = [
-        OutputRequest::observing("y", scene.observe(Displacement(body, 1))),
-        OutputRequest::observing("turn", scene.observe(Rotation(body, 2))),
+        OutputRequest::observing("y", scene.add_observable(Displacement(body, 1))),
+        OutputRequest::observing("turn", scene.add_observable(Rotation(body, 2))),
     ];
     let range = TimeRange { keep: 5, ..TimeRange::steady(2e-3, 20) };
     let solved = run(&scene, &outputs, &from_frames(vec![range]), Vec::new());
@@ -82,7 +82,7 @@ fn what_nothing_touches_falls_and_spins_as_its_mass_says() {
 #[test]
 fn a_cylinder_that_falls_on_a_platen_goes_on_with_the_same_bits() {
     let (mut scene, body) = cylinder(1e-6, 500.0);
-    let outputs = [OutputRequest::observing("y", scene.observe(Displacement(body, 1)))];
+    let outputs = [OutputRequest::observing("y", scene.add_observable(Displacement(body, 1)))];
     let first = TimeRange { keep: 4, ..TimeRange::steady(2e-4, 20) };
     let ramp = TimeRange { duration: 1e-4, steps: 7, load: [1.0, 2.0], keep: 3 };
     let dynamics = from_frames(vec![first, ramp]);
@@ -123,8 +123,8 @@ fn damping_of_each_kind_is_that_of_the_closed_form() {
             Bearing { damping: along_x(damping), ..Bearing::new("support", body, 0.0, along_x(stiffness)) };
         scene.add_bearing(bearing).expect("a bearing");
         let outputs = [
-            OutputRequest::observing("x", scene.observe(Displacement(body, 0))),
-            OutputRequest::observing("support", scene.observe(SupportForce(body, 0))),
+            OutputRequest::observing("x", scene.add_observable(Displacement(body, 0))),
+            OutputRequest::observing("support", scene.add_observable(SupportForce(body, 0))),
         ];
         let error = |steps: usize| {
             let range = TimeRange { keep: steps, ..TimeRange::steady(until, steps) };
@@ -160,7 +160,7 @@ fn what_cannot_move_in_time_is_refused() {
     let mut stiffness = [[0.0; 6]; 6];
     stiffness[0][0] = 1e6;
     massless.add_bearing(Bearing::new("support", frame, 0.0, stiffness)).expect("a bearing");
-    massless.observe(Displacement(frame, 0));
+    massless.add_observable(Displacement(frame, 0));
     assert_eq!(refused(&massless, AnalysisOptions::default(), plain()), Some("E0762"));
     let solid = AnalysisOptions { fidelity: Fidelity::Solid(Template::Medium), ..AnalysisOptions::default() };
     assert_eq!(refused(&scene, solid, plain()), Some("E0761"));
@@ -193,8 +193,9 @@ fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
     scene.add_bearing(Bearing::new("ground", first, 0.0, across(ground, ground))).expect("a bearing");
     let spring = Bearing::new("between", second, 0.0, across(between, between)).between(first);
     scene.add_bearing(spring).expect("a bearing");
-    let outputs = [first, second]
-        .map(|body| OutputRequest::observing(format!("{}", body.0), scene.observe(Displacement(body, 0))));
+    let outputs = [first, second].map(|body| {
+        OutputRequest::observing(format!("{}", body.0), scene.add_observable(Displacement(body, 0)))
+    });
     let found: Vec<[f64; 2]> = (0..6)
         .map(|halvings| {
             let steps = 500 << halvings;
@@ -238,8 +239,9 @@ fn orders_of_path(
     step: f64,
     damping: f64,
 ) -> Vec<Complex<f64>> {
-    let outputs = [0, 1]
-        .map(|axis| OutputRequest::observing(format!("{axis}"), scene.observe(Displacement(body, axis))));
+    let outputs = [0, 1].map(|axis| {
+        OutputRequest::observing(format!("{axis}"), scene.add_observable(Displacement(body, axis)))
+    });
     let turns = (60.0 / damping / (step * steps as f64)).ceil() as usize;
     let before =
         TimeRange { keep: turns * steps, ..TimeRange::steady((turns * steps) as f64 * step, turns * steps) };

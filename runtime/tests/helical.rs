@@ -8,13 +8,13 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{
     Body, Component, Fidelity, Prototype, Scene, StructureOptions, SurfacePair, Template,
 };
 use calyx_runtime::structure::Structure;
-use calyx_runtime::structure::solid::{Mirror, SimpleSolid, SolidStructure};
+use calyx_runtime::structure::solid::{HalfSpaceBody, Mirror, SolidStructure};
 use calyx_runtime::surface::Surface;
 use calyx_runtime::system::System;
 use std::sync::Arc;
@@ -69,7 +69,7 @@ impl Prototype for Tooth {
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
         let faces = self.0.v.map(|z| Mirror { point: [0.0, 0.0, z], normal: [0.0, 0.0, 1.0] });
         let surface: Arc<dyn Surface> = Arc::new(self.0);
-        Ok(Arc::new(SimpleSolid::half_space(vec![surface], 1, 2.2e11).between(faces.to_vec())))
+        Ok(Arc::new(HalfSpaceBody::half_space(vec![surface], 1, 2.2e11).between(faces.to_vec())))
     }
 
     fn enclosing_radius(&self) -> f64 {

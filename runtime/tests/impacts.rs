@@ -12,7 +12,7 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Displacement;
+use calyx_runtime::observables::Displacement;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, GridOptions, Scene, StructureOptions, SurfacePair};
@@ -40,11 +40,11 @@ fn cylinder(height: f64) -> (Scene, BodyId) {
 /// something does.
 fn followed(
     mut scene: Scene,
-    (body, component, freedom): (BodyId, usize, usize),
+    (body, component, dof): (BodyId, usize, usize),
     (step, impacts): (f64, usize),
     touches: impl Fn(f64) -> bool,
 ) -> Vec<[f64; 3]> {
-    let outputs = [OutputRequest::observing("place", scene.observe(Displacement(body, component)))];
+    let outputs = [OutputRequest::observing("place", scene.add_observable(Displacement(body, component)))];
     let dynamics = DynamicOptions {
         from: 0.0,
         ranges: vec![TimeRange::steady(200_000.0 * step, 200_000)],
@@ -59,7 +59,7 @@ fn followed(
     while seen <= impacts {
         let row = history.next().expect("there is time enough").expect("it goes on");
         assert!(row.certificate.largest() < 1e-10, "{:?}", row.certificate);
-        let (place, speed) = (row.row.outputs[0].value, history.state().velocity[freedom]);
+        let (place, speed) = (row.row.outputs[0].value, history.state().velocity[dof]);
         seen += usize::from(touches(place) && !touched);
         touched = touches(place);
         states.push([row.row.position.time, place, speed]);
@@ -79,12 +79,12 @@ fn changes(energies: &[f64]) -> [f64; 2] {
 fn a_mass_between_walls_keeps_its_energy() {
     let (mass, stiffness, clearance, speed, step) = (1.0, 1e7, 2e-5, 0.1, 2e-5);
     let (mut scene, _) = cylinder(1.0);
-    let blow = 4.0 * step;
+    let impulse = 4.0 * step;
     let body = Body::new("frame", Arc::new(RigidBody), SteadyRotation::at_rest([0.5, 0.0]))
         .free_in(&[Component::Ux])
         .with_added(Inertia::axial(mass, 1e-3, 0.0))
-        .loaded(move |time: f64| match time < blow {
-            true => Wrench::of_force([mass * speed / blow, 0.0, 0.0]),
+        .loaded(move |time: f64| match time < impulse {
+            true => Wrench::of_force([mass * speed / impulse, 0.0, 0.0]),
             false => Wrench::NONE,
         });
     let body = scene.add_body(body);
@@ -93,7 +93,7 @@ fn a_mass_between_walls_keeps_its_energy() {
         Bearing { stops: vec![wall(1.0), wall(-1.0)], ..Bearing::new("walls", body, 0.0, [[0.0; 6]; 6]) };
     scene.add_bearing(walls).expect("a bearing");
     let states = followed(scene, (body, 0, 1), (step, 1000), |place| place.abs() >= clearance);
-    let flying = states.iter().filter(|[time, place, _]| *time > blow && place.abs() < clearance);
+    let flying = states.iter().filter(|[time, place, _]| *time > impulse && place.abs() < clearance);
     let energies: Vec<f64> = flying.map(|[_, _, speed]| speed * speed).collect();
     let [gained, lost] = changes(&energies);
     assert!(gained < GAIN && lost < 3.0 * GAIN, "gained {gained:e}, lost {lost:e}");

@@ -4,8 +4,8 @@ use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{Displacement, Equilibrium, MaxContactPressure, Observable, Quantity};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{Displacement, Equilibrium, MaxContactPressure, Observable, Quantity};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::Observed;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, PairId, Scene, StructureOptions, SurfacePair};
@@ -46,7 +46,7 @@ fn left_out(plan: &Plan) -> Vec<bool> {
 fn what_nobody_looks_at_is_left_out_and_changes_nothing() {
     let (mut scene, pressed) = discs(2);
     let looked_at = Displacement(pressed[1], 1);
-    scene.observe(looked_at);
+    scene.add_observable(looked_at);
     let whole = Plan::whole(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
     let pruned = planned(&scene);
     assert_eq!(left_out(&whole), [false; 4]);
@@ -66,7 +66,7 @@ fn what_nobody_looks_at_is_left_out_and_changes_nothing() {
 #[test]
 fn what_was_left_out_has_no_value() {
     let (mut scene, pressed) = discs(2);
-    scene.observe(Displacement(pressed[1], 1));
+    scene.add_observable(Displacement(pressed[1], 1));
     let whole = Plan::whole(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
     for (plan, known) in [(planned(&scene), false), (whole, true)] {
         let system = System::new(&scene, &plan).expect("a system");
@@ -88,8 +88,8 @@ fn a_width_is_that_of_the_bodies_that_load_each_other() {
     // The first disc is a tenth as wide.
     scene.bodies[pressed[0].0].prototype = Arc::new(Disc::new(RADIUS, 0.1 * WIDTH, Material::STEEL));
     let looked_at = Displacement(pressed[1], 1);
-    scene.observe(looked_at);
-    scene.observe(MaxContactPressure(PairId(1)));
+    scene.add_observable(looked_at);
+    scene.add_observable(MaxContactPressure(PairId(1)));
     let whole = Plan::whole(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
     let told = |plan: &Plan| plan.ignored.iter().any(|ignored| ignored.input == "face_width");
     let pruned = planned(&scene);
@@ -110,7 +110,7 @@ fn a_width_is_that_of_the_bodies_that_load_each_other() {
 #[test]
 fn motion_in_time_keeps_what_bears_no_load() {
     let (mut scene, pressed) = discs(2);
-    scene.observe(Displacement(pressed[1], 1));
+    scene.add_observable(Displacement(pressed[1], 1));
     let plan = Plan::in_time(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
     assert_eq!(left_out(&plan), [false; 4]);
 }
@@ -132,8 +132,8 @@ impl Observable for Patches {
 #[test]
 fn who_does_not_say_what_he_looks_at_sees_everything() {
     let (mut scene, pressed) = discs(2);
-    scene.observe(Displacement(pressed[1], 1));
-    scene.observe(Patches);
+    scene.add_observable(Displacement(pressed[1], 1));
+    scene.add_observable(Patches);
     assert_eq!(left_out(&planned(&scene)), [false; 4]);
     let (nothing_looked_at, _) = discs(2);
     assert_eq!(left_out(&planned(&nothing_looked_at)), [false; 4]);

@@ -2,7 +2,7 @@
 //! the same springs.
 
 use calyx_fe::PlaneModel;
-use calyx_numerics::dense::{cholesky, half_solve};
+use calyx_numerics::dense::{cholesky, solve_lower};
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::disc::{Facing, Platen};
 use calyx_runtime::error::EngineError;
@@ -10,8 +10,8 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Plane;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{Equilibrium, ModeShare};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{Equilibrium, ModeShare};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::scene::{
@@ -22,7 +22,7 @@ use calyx_runtime::structure::tests::bodies::{
 };
 use calyx_runtime::structure::tests::bore::bore_means;
 use calyx_runtime::structure::{
-    BodyModes, BoreHold, RigidStructure, RingSource, SplitOptions, Structure, StructureError,
+    BodyModes, BoreSupport, RigidStructure, RingSource, SplitOptions, Structure, StructureError,
 };
 use calyx_runtime::system::System;
 use faer::{Mat, Side};
@@ -33,7 +33,7 @@ const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness:
 const TEETH: u32 = 6;
 const WIDTH: f64 = 0.2;
 /// Mean constraints: frame and deformation are coupled by inertia only.
-const HOLD: BoreHold = BoreHold::Means { waves: None, degree: 0 };
+const HOLD: BoreSupport = BoreSupport::Means { harmonics: None, degree: 0 };
 /// Spring constants of the bearing along both axes and about the third, per metre of width,
 /// comparable with the stiffness of the ring.
 const SPRINGS: [f64; 3] = [2e10, 2e10, 1e10];
@@ -101,8 +101,8 @@ fn of_whole() -> Vec<f64> {
         }
     }
     let factor = cholesky(mass).unwrap();
-    let half = half_solve(factor.as_ref(), stiffness);
-    let whole: Mat<f64> = half_solve(factor.as_ref(), half.transpose().to_owned());
+    let half = solve_lower(factor.as_ref(), stiffness);
+    let whole: Mat<f64> = solve_lower(factor.as_ref(), half.transpose().to_owned());
     whole.self_adjoint_eigenvalues(Side::Lower).unwrap().into_iter().map(f64::sqrt).collect()
 }
 
@@ -130,7 +130,7 @@ fn a_ring_on_springs_vibrates_as_its_whole_mesh_does() {
     for number in [12, 30, 80] {
         let highest = whole[number] / std::f64::consts::TAU;
         let system = System::new(&scene, &plan).unwrap();
-        let system = system.vibrating(&plan, &Resources::default(), highest).unwrap();
+        let system = system.with_modes(&plan, &Resources::default(), highest).unwrap();
         let step = system.solve(0.7).unwrap();
         let at = Equilibrium::new(&system, &step);
         let found = at.vibrations().unwrap();

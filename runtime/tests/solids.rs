@@ -6,14 +6,14 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::Motion;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{MaxContactPressure, MaxLineLoad};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{MaxContactPressure, MaxLineLoad};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, PairId, Prototype, Scene, StructureOptions, SurfacePair, Template,
 };
 use calyx_runtime::structure::Structure;
-use calyx_runtime::structure::solid::{SimpleSolid, SolidStructure};
+use calyx_runtime::structure::solid::{HalfSpaceBody, SolidStructure};
 use calyx_runtime::surface::{Surface, SurfacePoint};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -68,7 +68,7 @@ impl Prototype for Cushion {
         _: &Interrupt,
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
         let surfaces = self.0.iter().map(|top| Arc::new(*top) as Arc<dyn Surface>).collect();
-        Ok(Arc::new(SimpleSolid::half_space(surfaces, 1, MODULUS)))
+        Ok(Arc::new(HalfSpaceBody::half_space(surfaces, 1, MODULUS)))
     }
 
     fn enclosing_radius(&self) -> f64 {
@@ -142,7 +142,7 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
     let wrench = Wrench { force: [0.0, 0.0, down], moment: [tilt[0], tilt[1], 0.0] };
     let sink = 1e-5;
     let (mut scene, plate, pairs) = tripod(wrench, sink);
-    let peaks: Vec<_> = pairs.iter().map(|pair| scene.observe(MaxContactPressure(*pair))).collect();
+    let peaks: Vec<_> = pairs.iter().map(|pair| scene.add_observable(MaxContactPressure(*pair))).collect();
     let outputs: Vec<_> = peaks.iter().map(|peak| OutputRequest::observing("peak", *peak)).collect();
     let positions = [Position::at(0.0)];
     let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("it is held");
@@ -192,7 +192,7 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
 fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     let (down, sink) = (-3000.0, 1e-5);
     let (mut scene, plate, pairs) = tripod(Wrench::of_force([0.0, 0.0, down]), sink);
-    let line_load = scene.observe(MaxLineLoad(pairs[2]));
+    let line_load = scene.add_observable(MaxLineLoad(pairs[2]));
     let outputs = [OutputRequest::observing("line load", line_load)];
     let positions = [Position::at(0.0)];
     let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("it is held");
@@ -225,7 +225,7 @@ fn line_loads_fields_and_supports_are_those_of_the_pressures() {
 fn held_bodies_that_overlap_press_on_each_other() {
     let (mut scene, plate, pairs) = tripod(Wrench::NONE, -1e-6);
     scene.bodies[plate.0].free = [false; 6];
-    let peak = scene.observe(MaxContactPressure(pairs[1]));
+    let peak = scene.add_observable(MaxContactPressure(pairs[1]));
     let outputs = [OutputRequest::observing("peak", peak)];
     let positions = [Position::at(0.0)];
     let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("nothing is free");

@@ -8,14 +8,14 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Displacement, MaxContactPressure, MaxEdgePressure};
+use calyx_runtime::observables::{Displacement, MaxContactPressure, MaxEdgePressure};
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{
     Body, BodyModel, Component, Fidelity, Prototype, Scene, StructureOptions, SurfacePair,
 };
 use calyx_runtime::structure::Structure;
-use calyx_runtime::tolerance::{Chosen, quasi_static_within};
+use calyx_runtime::tolerance::{ToleranceOutcome, quasi_static_within};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
 
@@ -69,11 +69,11 @@ fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
     let pressed = scene.add_pair(SurfacePair::new([disc, press], [Disc::TOP, Platen::SURFACE]));
     scene.add_pair(SurfacePair::new([disc, table], [Disc::BOTTOM, Platen::SURFACE]));
     let outputs = vec![
-        OutputRequest::observing("approach", scene.observe(Displacement(press, 1))),
+        OutputRequest::observing("approach", scene.add_observable(Displacement(press, 1))),
         // On a patch that ends where the plate does.
         match plate < LONG {
-            true => OutputRequest::observing("pressure", scene.observe(MaxEdgePressure(pressed))),
-            false => OutputRequest::observing("pressure", scene.observe(MaxContactPressure(pressed))),
+            true => OutputRequest::observing("pressure", scene.add_observable(MaxEdgePressure(pressed))),
+            false => OutputRequest::observing("pressure", scene.add_observable(MaxContactPressure(pressed))),
         },
     ];
     (scene, outputs, roller)
@@ -104,13 +104,13 @@ fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
         quasi_static_within(tolerance, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut ())
             .expect("it can be had")
     };
-    let [loose, tight] = [0.02, 2e-4].map(|tolerance| (tolerance, within(tolerance)));
+    let [with_clearance, tight] = [0.02, 2e-4].map(|tolerance| (tolerance, within(tolerance)));
     let mut finest = from(Fidelity::Plane);
     finest.structure.refinement = 2.0;
     scene.pairs.iter_mut().for_each(|pair| pair.grid.half_cells = Some(192));
     let exact = values(&quasi_static(&scene, &at, &outputs, &finest, &mut ()).expect("equilibrium"));
     let mut effort = Vec::new();
-    for (tolerance, result) in [loose, tight] {
+    for (tolerance, result) in [with_clearance, tight] {
         for (value, exact) in values(&result).iter().zip(&exact) {
             assert!((value / exact - 1.0).abs() <= 2.0 * tolerance, "{tolerance}: {value} {exact}");
         }
@@ -164,7 +164,11 @@ fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
         let result = quasi_static_within(tolerance, &scene, &at, &outputs, &options, &mut ());
         let result = result.unwrap_or_else(|error| panic!("{tolerance} of a plate of {plate}: {error:?}"));
         assert_eq!((result.rows.len(), result.plan.fidelity), (1, Fidelity::Plane));
-        let missed = result.chosen.as_ref().and_then(Chosen::missed).expect("it does not meet the tolerance");
+        let missed = result
+            .chosen
+            .as_ref()
+            .and_then(ToleranceOutcome::missed)
+            .expect("it does not meet the tolerance");
         assert_eq!((missed.code, missed.argument), ("E0793", Some("tolerance")), "{}", missed.message);
         assert!(
             missed.message.contains("because no setting is estimated to meet it: they are of \"plane\""),
@@ -210,7 +214,7 @@ struct Ending {
 impl Observer for Ending {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
         match event {
-            Event::Choosing(choosing) => {
+            Event::SearchProgress(choosing) => {
                 let described = choosing.describe();
                 assert_eq!(
                     choosing.best.is_some(),

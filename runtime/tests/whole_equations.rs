@@ -17,14 +17,14 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Displacement, Rotation};
+use calyx_runtime::observables::{Displacement, Rotation};
 use calyx_runtime::profile::{Profile, ProfilePoint};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{
     Body, BodyId, Component, GridOptions, PairId, Prototype, Scene, StructureOptions, SurfacePair,
 };
 use calyx_runtime::structure::{
-    BodyModes, BoreHold, Chart, ElasticStructure, RigidStructure, RingSource, SplitOptions, Structure,
+    BodyModes, BoreSupport, Chart, ElasticStructure, RigidStructure, RingSource, SplitOptions, Structure,
     SurfaceSource,
 };
 use faer::Mat;
@@ -181,7 +181,7 @@ const SOURCE: RingSource<'static> = RingSource {
     sectors: TEETH,
     cuts: ["cut_first", "cut_last"],
     bore: "bore",
-    hold: BoreHold::Rigid,
+    hold: BoreSupport::Rigid,
     coupled: 2,
 };
 
@@ -191,7 +191,7 @@ fn surfaces() -> [SurfaceSource; 1] {
         chain: "flank".into(),
         edges: [None, Some(0.0)],
         stress_chain: None,
-        stress_places_per_edge: 1,
+        stress_points_per_edge: 1,
     }]
 }
 
@@ -259,9 +259,9 @@ fn by_modes(inertia: Inertia, highest_frequency: f64) -> Motion {
     };
     scene.add_pair(SurfacePair { grid, ..SurfacePair::new([ring, roller], [0, 0]) });
     let outputs = [
-        OutputRequest::observing("x", scene.observe(Displacement(BodyId(0), 0))),
-        OutputRequest::observing("y", scene.observe(Displacement(BodyId(0), 1))),
-        OutputRequest::observing("turn", scene.observe(Rotation(BodyId(0), 2))),
+        OutputRequest::observing("x", scene.add_observable(Displacement(BodyId(0), 0))),
+        OutputRequest::observing("y", scene.add_observable(Displacement(BodyId(0), 1))),
+        OutputRequest::observing("turn", scene.add_observable(Rotation(BodyId(0), 2))),
     ];
     let dynamics = DynamicOptions {
         from: 0.0,
@@ -501,8 +501,8 @@ fn turning_by_modes(inertia: Inertia, speed: f64) -> Vec<[f64; 2]> {
     scene.add_bearing(support).expect("a bearing");
     scene.add_pair(SurfacePair::new([ring, roller], [0, 0]));
     let outputs = [
-        OutputRequest::observing("x", scene.observe(Displacement(BodyId(0), 0))),
-        OutputRequest::observing("y", scene.observe(Displacement(BodyId(0), 1))),
+        OutputRequest::observing("x", scene.add_observable(Displacement(BodyId(0), 0))),
+        OutputRequest::observing("y", scene.add_observable(Displacement(BodyId(0), 1))),
     ];
     let dynamics = DynamicOptions {
         from: 0.0,

@@ -6,7 +6,7 @@ mod common;
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
-use calyx_runtime::observe::TransmissionError;
+use calyx_runtime::observables::TransmissionError;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
@@ -35,7 +35,8 @@ fn measure(highest_frequency: f64, half_cells: usize) {
     scene.pairs[0].grid.half_cells = Some(half_cells);
     scene.pairs[0].grid.width = Some(8e-4);
     scene.observables.clear();
-    let outputs = [OutputRequest::observing("transmission_error", scene.observe(TransmissionError(MESH)))];
+    let outputs =
+        [OutputRequest::observing("transmission_error", scene.add_observable(TransmissionError(MESH)))];
     let dynamics = DynamicOptions {
         from: 0.0,
         ranges: vec![TimeRange { keep: CHUNK, ..TimeRange::steady(5.0 * mesh.period, STEPS) }],
@@ -86,5 +87,5 @@ fn unknowns(scene: &Scene, structure: StructureOptions) -> usize {
     let sizes = RELIEVED.iter().zip(&plan.bodies).filter_map(|(member, body)| {
         calyx_runtime::scene::Prototype::size(member.prototype.as_ref(), Fidelity::Plane, &body.options)
     });
-    sizes.map(|size| size.body_freedoms()).sum()
+    sizes.map(|size| size.body_dofs()).sum()
 }

@@ -11,7 +11,7 @@ use calyx_runtime::fe::solid::SolidModel;
 use calyx_runtime::fe::{Constraints, SolveError, Solver};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::scene::{Prototype, StructureOptions, Template};
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use faer::sparse::SparseColMat;
 use std::hint::black_box;
 use std::io::Write;
@@ -23,7 +23,7 @@ use std::time::Instant;
 const INCH: f64 = 0.0254;
 
 fn main() {
-    let gear = pinion(20, BoreHold::Rigid);
+    let gear = pinion(20, BoreSupport::Rigid);
     rings();
     let cholmod = Cholmod::compiled();
     for template in [Template::Medium, Template::FineRoot, Template::Finest] {
@@ -86,7 +86,9 @@ fn main() {
 /// like the logarithm of their number, however its bore is held.
 fn rings() {
     println!("{:>40} {:>10} {:>10}", "structure of a gear, medium", "seconds", "ratio");
-    for (bore, hold) in [("rigid", BoreHold::Rigid), ("free", BoreHold::Means { waves: None, degree: 1 })] {
+    for (bore, hold) in
+        [("rigid", BoreSupport::Rigid), ("free", BoreSupport::Means { harmonics: None, degree: 1 })]
+    {
         let mut first = None;
         for teeth in [20, 40, 640] {
             let options = StructureOptions { template: Template::Medium, ..StructureOptions::default() };
@@ -175,7 +177,7 @@ impl Drop for Cholmod {
 }
 
 /// The chapter 5 pinion, or a gear of the same teeth and rim with more of them.
-fn pinion(teeth: u32, hold: BoreHold) -> Arc<GearPrototype> {
+fn pinion(teeth: u32, hold: BoreSupport) -> Arc<GearPrototype> {
     let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), 0.02 * INCH).expect("a rack");
     let pitch = 0.1 * INCH * f64::from(teeth);
     GearBlank::standard(teeth, rack)

@@ -9,7 +9,7 @@ use calyx_runtime::analysis::{AnalysisOptions, Steps, mesh_cycle};
 use calyx_runtime::cache::OperatorCache;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{ObservableId, Prototype, StructureOptions};

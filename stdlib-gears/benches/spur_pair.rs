@@ -10,13 +10,13 @@ mod pair;
 
 use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::contact::active_set::solve_until;
-use calyx_runtime::contact::solid::{Patch, Pose, Side, compliance, first_guess};
+use calyx_runtime::contact::solid::{PatchCells, Pose, Side, compliance, first_guess};
 use calyx_runtime::fe::SolveError;
 use calyx_runtime::fe::dissection::Dissection;
 use calyx_runtime::fe::elimination::eliminate;
 use calyx_runtime::fe::solid::SolidModel;
 use calyx_runtime::interrupt::Interrupt;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
@@ -48,7 +48,7 @@ fn ladder() {
         let positions = timed(|| {
             for at in mesh_cycle(&cycle, STEPS) {
                 let step = system.solve(at.time).expect("equilibrium");
-                for observable in scene.observables.iter().filter(|o| o.needs() <= fidelity.gives()) {
+                for observable in scene.observables.iter().filter(|o| o.needs() <= fidelity.supports()) {
                     black_box(system.value(&step, observable.as_ref()));
                 }
             }
@@ -169,7 +169,7 @@ fn last_rounds(scene: &Scene, plan: &Plan, steps: &[StepResult], line: &dyn Fn(&
     let (mut giving, mut solving) = (0.0, 0.0);
     for step in steps {
         let laid = step.patches.iter().filter_map(|patch| Some((patch, patch.solid()?)));
-        let patches: Vec<Patch> = laid
+        let patches: Vec<PatchCells> = laid
             .map(|(patch, grid)| {
                 let bodies = scene.pairs[patch.pair].bodies;
                 let side = |side: usize| Side {
@@ -179,7 +179,7 @@ fn last_rounds(scene: &Scene, plan: &Plan, steps: &[StepResult], line: &dyn Fn(&
                     // Side faces of spur gears are where they are, however they are turned.
                     pose: Pose::IDENTITY,
                 };
-                Patch { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells }
+                PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells }
             })
             .collect();
         giving += timed(|| {

@@ -12,7 +12,7 @@ use calyx_runtime::structure::RigidStructure;
 use calyx_runtime::structure::analytic::{
     AnalyticSolid, AnalyticStructure, CriticalSection, RingShape, ToothShape,
 };
-use calyx_runtime::structure::solid::SimpleSolid;
+use calyx_runtime::structure::solid::HalfSpaceBody;
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
 
@@ -65,9 +65,9 @@ impl GearPrototype {
     ///
     /// # Errors
     /// As [`GearPrototype::analytic_solid`].
-    pub(crate) fn rigid_solid(&self, options: &StructureOptions) -> Result<SimpleSolid, EngineError> {
+    pub(crate) fn rigid_solid(&self, options: &StructureOptions) -> Result<HalfSpaceBody, EngineError> {
         let surfaces = self.surfaces(options)?.map(|surface| surface as Arc<dyn Surface>);
-        Ok(SimpleSolid::rigid(surfaces.to_vec(), self.gear.teeth()))
+        Ok(HalfSpaceBody::rigid(surfaces.to_vec(), self.gear.teeth()))
     }
 
     /// What the tooth of the plain gear is to closed forms: of helical teeth in the section at right angles to them, on the ring of the transverse one.
@@ -82,7 +82,7 @@ impl GearPrototype {
         let [x, y] = fillet.at(foot).position;
         let ring = RingShape {
             radius: x.hypot(y),
-            held_radius: self.rim.ring_radius(),
+            fixed_radius: self.rim.ring_radius(),
             half_arc: math::atan2(y, x),
             sectors: form.teeth,
         };

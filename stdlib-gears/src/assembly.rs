@@ -6,13 +6,13 @@
 use crate::axes::{Axes, turns_about_e3};
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::gear::Gear;
-use crate::mesh_geometry::{MeshGeometry, Wound};
-use crate::mounting::{Mounting, mesh_as_placed, stand_off};
-use crate::phasing;
+use crate::mesh_geometry::{HelicalTeeth, MeshGeometry};
+use crate::mounting::{Mounting, center_offset, mesh_as_placed};
+use crate::phase_check;
 use crate::prototype::GearPrototype;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::error::{EngineError, Subject};
-use calyx_runtime::motion::{PlanePose, pose_in_space, turning_speed};
+use calyx_runtime::motion::{PlanePose, pose_in_space, rotation_speed};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
 use std::any::Any;
 use std::sync::Arc;
@@ -81,7 +81,7 @@ impl Default for MeshOptions {
 
 /// Two gears in mesh.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Meshed {
+pub struct MeshResult {
     /// Their pair of surfaces in the scene: what observables refer to. Its [`SurfacePair::mesh`] knows the cycle.
     pub pair: PairId,
     /// The pair of the back sides of their teeth, where those may touch too.
@@ -105,7 +105,7 @@ pub fn mesh(
     first: BodyId,
     second: BodyId,
     options: &MeshOptions,
-) -> Result<Meshed, Refusal> {
+) -> Result<MeshResult, Refusal> {
     Pairing::of(scene, [first, second])?.mesh(scene, options)
 }
 
@@ -142,9 +142,9 @@ impl Pairing {
         meet_once(scene, bodies)?;
         let motion = |id: BodyId| scene.bodies[id.0].motion.as_ref();
         let poses = [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
-        let speeds = [turning_speed(motion(bodies[0]), 0.0)?, turning_speed(motion(bodies[1]), 0.0)?];
+        let speeds = [rotation_speed(motion(bodies[0]), 0.0)?, rotation_speed(motion(bodies[1]), 0.0)?];
         let axes = Axes::of(&poses, half_widths)?;
-        let orbit = phasing::orbit(scene, bodies, speeds)?;
+        let orbit = phase_check::orbit(scene, bodies, speeds)?;
         Ok(Pairing { bodies, axes, orbit, speeds: speeds.map(|speed| speed - orbit) })
     }
 
@@ -163,7 +163,7 @@ impl Pairing {
             Gear::External(second) => MeshGeometry::external(first, second, distance),
             Gear::Internal(second) => MeshGeometry::internal(first, second, distance),
         };
-        let wound = Wound { first: prototypes[0].helix, width: self.axes.common_width.max(0.0) };
+        let wound = HelicalTeeth { first: prototypes[0].helix, width: self.axes.common_width.max(0.0) };
         Some(geometry.ok()?.across(first, &wound))
     }
 
@@ -173,14 +173,14 @@ impl Pairing {
     /// Everything that the two gears have against each other: E0630 to E0637; E0650 and E0651: their speeds make no mesh; E0653 as
     /// for [`Pairing::of`]; E0723: a load is not a number at time 0; E0750: the mesh closes a loop whose teeth do not meet; E0751: one of
     /// the gears has no room beside another one.
-    pub fn mesh(&self, scene: &mut Scene, options: &MeshOptions) -> Result<Meshed, Refusal> {
+    pub fn mesh(&self, scene: &mut Scene, options: &MeshOptions) -> Result<MeshResult, Refusal> {
         let [first, second] = self.bodies;
         let (Some(driver), Some(mate)) = (gear_of(scene, first), gear_of(scene, second)) else {
             let error = EngineError::new("E0653", "a body of the mesh carries no gear", "");
             return Err(error.into());
         };
         let (geometry, mut warnings) = check(driver, mate, self.center_distance(), self.axes.common_width)?;
-        phasing::has_room(scene, self.bodies).map_err(|error| vec![error])?;
+        phase_check::clears_neighbours(scene, self.bodies).map_err(|error| vec![error])?;
         let gears = [driver.form(), mate.form()];
         let sense = drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?;
         // Teeth are phased where they are at the middle of the common face.
@@ -196,19 +196,19 @@ impl Pairing {
             sense,
         };
         let mut phases = self.bodies.map(|body| scene.bodies[body.0].phase);
-        let needed = stand_off(gears, &geometry, &mounted(phases[0]));
+        let needed = center_offset(gears, &geometry, &mounted(phases[0]));
         // Of the second gear, to the nearest of its teeth.
         let pitch = gears[1].pitch_angle();
         let off = (needed - phases[1]) - ((needed - phases[1]) / pitch).round() * pitch;
         let mut left = 0.0;
-        match phasing::turnable(scene, self.bodies) {
+        match phase_check::may_rotate(scene, self.bodies) {
             Some(1) => phases[1] = needed,
             Some(_) => {
                 phases[0] += gears[1].sense() * off * f64::from(gears[1].teeth) / f64::from(gears[0].teeth)
             }
             None => {
                 left = off;
-                let judged = phasing::judge(scene, self.bodies, &gears[1], &geometry, off);
+                let judged = phase_check::judge(scene, self.bodies, &gears[1], &geometry, off);
                 warnings.extend(judged.map_err(|error| vec![error])?);
             }
         }
@@ -217,7 +217,7 @@ impl Pairing {
             let mesh = mesh_as_placed(gears, &geometry, mounting, phases[1]);
             mesh.map_err(|error| self.about_speeds(error))
         };
-        let mut mesh = GearMesh { orbit: self.orbit, stand_off: left, ..placed(&mounting)? };
+        let mut mesh = GearMesh { orbit: self.orbit, center_offset: left, ..placed(&mounting)? };
         // Where the body's own angle is zero, rather than that of its section.
         let off_section = first_section.angle - self.axes.angles[0];
         mesh.roll_at_zero += sense * off_section;
@@ -235,7 +235,7 @@ impl Pairing {
             // Back sides push the other way, and have a cycle of their own.
             true => {
                 let mesh = placed(&Mounting { sense: -sense, ..mounting })?;
-                Some(GearMesh { orbit: self.orbit, stand_off: left, ..mesh })
+                Some(GearMesh { orbit: self.orbit, center_offset: left, ..mesh })
             }
             false => None,
         };
@@ -264,7 +264,7 @@ impl Pairing {
                 front: Some(pair),
             })
         });
-        Ok(Meshed { pair, back, geometry, warnings })
+        Ok(MeshResult { pair, back, geometry, warnings })
     }
 
     /// What is wrong with speeds, in words that fit axes that move.
@@ -295,7 +295,7 @@ fn check(
             sentence!["place the frames so that the middles of the faces, their origins, lie less than half of both face widths apart"],
         ));
     }
-    let wound = Wound { first: driver.helix, width };
+    let wound = HelicalTeeth { first: driver.helix, width };
     let checked = match (&driver.gear, &mate.gear) {
         (Gear::External(first), Gear::External(second)) => {
             MeshGeometry::check_external(first, second, center_distance, &wound)

@@ -7,7 +7,9 @@ use crate::assembly::Misalignment;
 use crate::mesh_geometry::MeshGeometry;
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::error::EngineError;
-use calyx_runtime::motion::{Motion, Placed, PlanePose, Stance, angular_velocity, pose_in_space, swung};
+use calyx_runtime::motion::{
+    Motion, Orientation, PlanePose, RelocatedMotion, angular_velocity, pose_in_space, tilted_axes,
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
@@ -24,7 +26,7 @@ pub(crate) struct Axes {
     pub sections: [PlanePose; 2],
     /// From the middle of each gear's face to the section, along the gear's axis, m.
     pub along: [f64; 2],
-    /// Turn of each body about its own axis ([`Stance::angle`]), rad.
+    /// Turn of each body about its own axis ([`Orientation::angle`]), rad.
     pub angles: [f64; 2],
     /// Width that both faces have in common, m; not positive if they pass each other.
     pub common_width: f64,
@@ -40,7 +42,7 @@ impl Axes {
     /// # Errors
     /// E0648: they are not parallel, and not for a misalignment.
     pub fn of(poses: &[Pose; 2], half_widths: [f64; 2]) -> Result<Axes, EngineError> {
-        let stances = [0, 1].map(|member: usize| Stance::of(&poses[member]));
+        let stances = [0, 1].map(|member: usize| Orientation::of(&poses[member]));
         let [first, second] = stances.map(|stance| stance.axis());
         let angle = length(cross(first, second)).atan2(dot(first, second));
         if angle > LARGEST_MISALIGNMENT {
@@ -59,7 +61,7 @@ impl Axes {
         }
         let sum = [0, 1, 2].map(|k| first[k] + second[k]);
         let size = length(sum);
-        let [x, y, normal] = swung(sum.map(|part| part / size));
+        let [x, y, normal] = tilted_axes(sum.map(|part| part / size));
         let places = [0, 1].map(|member: usize| dot(poses[member].origin, normal));
         let low = (places[0] - half_widths[0]).max(places[1] - half_widths[1]);
         let high = (places[0] + half_widths[0]).min(places[1] + half_widths[1]);
@@ -76,7 +78,7 @@ impl Axes {
             // The turn about the mean of the axes.
             let seen =
                 Pose { rotation: [x, y, normal].map(|row| seen_along(row, &poses[member])), ..poses[member] };
-            PlanePose { origin: [dot(at, x), dot(at, y)], angle: Stance::of(&seen).angle }
+            PlanePose { origin: [dot(at, x), dot(at, y)], angle: Orientation::of(&seen).angle }
         });
         Ok(Axes {
             sections,
@@ -95,7 +97,7 @@ impl Axes {
         geometry: &MeshGeometry,
         sense: f64,
         misalignment: Misalignment,
-    ) -> Placed {
+    ) -> RelocatedMotion {
         let [first, second] = self.sections.map(|section| section.origin);
         let centres = (second[1] - first[1]).atan2(second[0] - first[0]);
         // Along the line of action, out of the first gear: a quarter turn on from where it touches the base circle, see `mounting`.
@@ -112,7 +114,7 @@ impl Axes {
         // Where the axis goes for a unit of length along it, and the turn that takes it there.
         let lean = x.hypot(y);
         let tip = [x, y].map(|part| if lean > 0.0 { part / lean * lean.sin() } else { 0.0 });
-        let [swung_x, swung_y, swung_z] = swung([tip[0], tip[1], lean.cos()]);
+        let [swung_x, swung_y, swung_z] = tilted_axes([tip[0], tip[1], lean.cos()]);
         let d = self.directions;
         // The same turn about ground axes: from the plane of the sections, swung, and back.
         let rotation = [0, 1, 2].map(|row: usize| {
@@ -121,7 +123,7 @@ impl Axes {
                 (0..3).map(|k| (0..3).map(|l| d[l][row] * swung[k][l]).sum::<f64>() * d[k][column]).sum()
             })
         });
-        Placed::turned_about(motion, rotation, self.pivot)
+        RelocatedMotion::rotated_about(motion, rotation, self.pivot)
     }
 }
 
@@ -130,7 +132,7 @@ impl Axes {
 /// # Errors
 /// E0610: it does not; E0710: its frame is not a number at time 0.
 pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
-    let lean = Stance::of(&pose_in_space(motion, 0.0)?).tilt();
+    let lean = Orientation::of(&pose_in_space(motion, 0.0)?).tilt();
     let [x, y, z] = angular_velocity(motion, 0.0);
     // A frame that is upright at time 0 may fall over later.
     let falls = x.hypot(y).atan2(z.abs());

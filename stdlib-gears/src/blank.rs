@@ -10,7 +10,7 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use calyx_runtime::material::Material;
-use calyx_runtime::structure::{BoreHold, Lugs};
+use calyx_runtime::structure::{BoreSupport, SplineTeeth};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -20,21 +20,21 @@ pub struct Rim {
     /// Where the toothed part ends and the ring begins.
     pub radius: f64,
     /// Of the bore, or of the outside of an internal gear, where the body's frame holds it.
-    pub held_radius: f64,
+    pub fixed_radius: f64,
     /// What stands between ring and bore, if the ring does not reach so far.
     pub web: Option<Web>,
     /// How the body's frame holds it there.
-    pub hold: BoreHold,
+    pub hold: BoreSupport,
 }
 
 /// Waves around of lugs' series that the mesh of any gear resolves for each of its teeth.
-const LUG_WAVES_BY_TOOTH: u32 = 4;
+const SPLINE_HARMONICS_PER_TOOTH: u32 = 4;
 
 /// How lugs hold a rim: the teeth of a spline, or keys, evenly around, which bear both ways, without play unless they have clearance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spline {
+pub struct SplineSupport {
     /// How many, three at least; they need not be commensurate with the teeth.
-    pub lugs: u16,
+    pub spline_teeth: u16,
     /// Length of each along the bore, m; `None` for half of the distance from one to the next.
     pub width: Option<f64>,
     /// Angle of the middle of the first one from the middle of tooth 0, rad, counter-clockwise.
@@ -57,11 +57,11 @@ pub struct RadialFit {
     pub stiffness: Option<f64>,
 }
 
-impl Spline {
+impl SplineSupport {
     /// Rigid lugs that hold a bore by their flanks.
-    pub fn new(lugs: u16) -> Spline {
-        Spline {
-            lugs,
+    pub fn new(spline_teeth: u16) -> SplineSupport {
+        SplineSupport {
+            spline_teeth,
             width: None,
             first: 0.0,
             stiffness: None,
@@ -72,16 +72,16 @@ impl Spline {
     }
 
     /// The lugs at a radius, m.
-    fn at(&self, radius: f64) -> Result<Lugs, GeometryError> {
+    fn at(&self, radius: f64) -> Result<SplineTeeth, GeometryError> {
         let wrong = |argument, message, help| GeometryError::error("E0655", argument, message, help);
-        if self.lugs < 3 {
+        if self.spline_teeth < 3 {
             return Err(wrong(
                 "lugs",
-                sentence!["a spline needs at least three teeth to centre a rim; it has ", number f64::from(self.lugs)],
+                sentence!["a spline needs at least three teeth to centre a rim; it has ", number f64::from(self.spline_teeth)],
                 sentence!["give at least 3"],
             ));
         }
-        let pitch = TAU * radius / f64::from(self.lugs);
+        let pitch = TAU * radius / f64::from(self.spline_teeth);
         let width = self.width.unwrap_or(0.5 * pitch);
         if !(width > 0.0 && width <= pitch * (1.0 + 1e-9)) {
             return Err(wrong(
@@ -119,8 +119,8 @@ impl Spline {
             Some(fit) => Some(compliance("radial_stiffness", fit.stiffness)?),
             None => None,
         };
-        Ok(Lugs {
-            count: self.lugs,
+        Ok(SplineTeeth {
+            count: self.spline_teeth,
             first: self.first,
             width: width / radius,
             tangential: compliance("stiffness", self.stiffness)?,
@@ -168,9 +168,9 @@ impl Rim {
         }
         Ok(Rim {
             radius: 0.5 * diameter,
-            held_radius: 0.5 * inner_diameter,
+            fixed_radius: 0.5 * inner_diameter,
             web: None,
-            hold: BoreHold::Rigid,
+            hold: BoreSupport::Rigid,
         })
     }
 
@@ -180,9 +180,9 @@ impl Rim {
     /// # Errors
     /// E0665: the ring's inner diameter does not lie between that of the bore and that of the teeth, or the web is not positively thick.
     pub fn on_web(self, thickness: f64, offset: f64, bore_diameter: f64) -> Result<Rim, GeometryError> {
-        let rim_radius = self.held_radius;
-        let held_radius = 0.5 * bore_diameter;
-        if !(held_radius > 0.0 && held_radius < rim_radius && rim_radius < self.radius) {
+        let rim_radius = self.fixed_radius;
+        let fixed_radius = 0.5 * bore_diameter;
+        if !(fixed_radius > 0.0 && fixed_radius < rim_radius && rim_radius < self.radius) {
             return Err(GeometryError::error(
                 "E0665",
                 "bore_diameter",
@@ -200,12 +200,12 @@ impl Rim {
                 sentence!["it is measured along the axis, and at most as large as the face width"],
             ));
         }
-        Ok(Rim { held_radius, web: Some(Web { rim_radius, thickness, offset, disc: None }), ..self })
+        Ok(Rim { fixed_radius, web: Some(Web { rim_radius, thickness, offset, disc: None }), ..self })
     }
 
     /// The ring held in another way at its bore, or its outside.
     #[must_use]
-    pub fn held(self, hold: BoreHold) -> Rim {
+    pub fn held(self, hold: BoreSupport) -> Rim {
         Rim { hold, ..self }
     }
 
@@ -213,8 +213,8 @@ impl Rim {
     ///
     /// # Errors
     /// E0655: it is held in the mean there, or the lugs are none that can hold it. E0754: they cannot have such a clearance.
-    pub fn splined(self, spline: &Spline) -> Result<Rim, GeometryError> {
-        if self.hold != BoreHold::Rigid {
+    pub fn splined(self, spline: &SplineSupport) -> Result<Rim, GeometryError> {
+        if self.hold != BoreSupport::Rigid {
             return Err(GeometryError::error(
                 "E0655",
                 "rim",
@@ -232,13 +232,16 @@ impl Rim {
                 sentence!["take a `webbed_rim`, whose web is in the mesh of the teeth"],
             ));
         }
-        let (lugs, clearance) = (spline.at(self.held_radius)?, spline.clearance);
+        let (spline_teeth, clearance) = (spline.at(self.fixed_radius)?, spline.clearance);
         if clearance == 0.0 {
-            return Ok(self.held(BoreHold::Lugs(lugs)));
+            return Ok(self.held(BoreSupport::SplineTeeth(spline_teeth)));
         }
-        if lugs.radial.is_some() || self.web.is_some() {
-            let what =
-                if lugs.radial.is_some() { "centre on a diameter" } else { "are in the bore of a web" };
+        if spline_teeth.radial.is_some() || self.web.is_some() {
+            let what = if spline_teeth.radial.is_some() {
+                "centre on a diameter"
+            } else {
+                "are in the bore of a web"
+            };
             return Err(GeometryError::error(
                 "E0754",
                 "clearance",
@@ -248,49 +251,58 @@ impl Rim {
                 ],
             ));
         }
-        Ok(self.held(BoreHold::LooseLugs { lugs, clearance }))
+        Ok(self.held(BoreSupport::SplineWithClearance { spline_teeth, clearance }))
     }
 
     /// How a plane model is held: with a web, which it has no room for, rigidly where that begins.
-    pub(crate) fn hold_in_plane(&self) -> BoreHold {
+    pub(crate) fn support_in_plane(&self) -> BoreSupport {
         match (self.web, self.hold) {
-            (Some(_), _) => BoreHold::Rigid,
+            (Some(_), _) => BoreSupport::Rigid,
             // There is one place along the axis.
-            (None, BoreHold::Means { waves, .. }) => BoreHold::Means { waves, degree: 0 },
-            (None, BoreHold::Lugs(lugs)) => BoreHold::Lugs(Lugs { degree: 0, ..lugs }),
-            // Contact knows how they yield, and by how much they stand off.
-            (None, BoreHold::LooseLugs { lugs, .. }) => {
-                BoreHold::LooseLugs { lugs: Lugs { degree: 0, tangential: 0.0, ..lugs }, clearance: 0.0 }
+            (None, BoreSupport::Means { harmonics: waves, .. }) => {
+                BoreSupport::Means { harmonics: waves, degree: 0 }
             }
-            (None, BoreHold::Rigid) => BoreHold::Rigid,
+            (None, BoreSupport::SplineTeeth(spline_teeth)) => {
+                BoreSupport::SplineTeeth(SplineTeeth { degree: 0, ..spline_teeth })
+            }
+            // Contact knows how they yield, and by how much they stand off.
+            (None, BoreSupport::SplineWithClearance { spline_teeth, .. }) => {
+                BoreSupport::SplineWithClearance {
+                    spline_teeth: SplineTeeth { degree: 0, tangential: 0.0, ..spline_teeth },
+                    clearance: 0.0,
+                }
+            }
+            (None, BoreSupport::Rigid) => BoreSupport::Rigid,
         }
     }
 
     /// Numbers that tell ways of being held apart.
-    pub(crate) fn hold_numbers(hold: BoreHold) -> Vec<f64> {
+    pub(crate) fn support_numbers(hold: BoreSupport) -> Vec<f64> {
         match hold {
-            BoreHold::Rigid => vec![0.0; 3],
-            BoreHold::Means { waves: None, .. } => vec![1.0, 0.0, 0.0],
-            BoreHold::Means { waves: Some(waves), degree } => vec![2.0, f64::from(waves), f64::from(degree)],
-            BoreHold::Lugs(lugs) => Self::lug_numbers(3.0, lugs),
-            BoreHold::LooseLugs { lugs, clearance } => {
-                [Self::lug_numbers(4.0, lugs), vec![clearance]].concat()
+            BoreSupport::Rigid => vec![0.0; 3],
+            BoreSupport::Means { harmonics: None, .. } => vec![1.0, 0.0, 0.0],
+            BoreSupport::Means { harmonics: Some(waves), degree } => {
+                vec![2.0, f64::from(waves), f64::from(degree)]
+            }
+            BoreSupport::SplineTeeth(spline_teeth) => Self::spline_numbers(3.0, spline_teeth),
+            BoreSupport::SplineWithClearance { spline_teeth, clearance } => {
+                [Self::spline_numbers(4.0, spline_teeth), vec![clearance]].concat()
             }
         }
     }
 
-    fn lug_numbers(kind: f64, lugs: Lugs) -> Vec<f64> {
-        let Lugs { count, first, width, tangential, radial, degree } = lugs;
+    fn spline_numbers(kind: f64, spline_teeth: SplineTeeth) -> Vec<f64> {
+        let SplineTeeth { count, first, width, tangential, radial, degree } = spline_teeth;
         let outwards = radial.map_or([0.0; 2], |radial| [1.0, radial]);
         let around = [kind, f64::from(count), first, width, tangential];
         [&around[..], &outwards, &[f64::from(degree)]].concat()
     }
 
     /// Whether there are teeth enough for the waves around by which it is held: each brings three nodes at least; eight where lugs hold it.
-    pub(crate) fn check_hold(&self, teeth: u32) -> Result<(), GeometryError> {
+    pub(crate) fn check_support(&self, teeth: u32) -> Result<(), GeometryError> {
         self.check_joint(teeth)?;
-        match self.ring_hold().unwrap_or(BoreHold::Rigid) {
-            BoreHold::Means { waves: Some(waves), .. } if u32::from(waves) > teeth => {
+        match self.ring_support().unwrap_or(BoreSupport::Rigid) {
+            BoreSupport::Means { harmonics: Some(waves), .. } if u32::from(waves) > teeth => {
                 Err(GeometryError::error(
                     "E0649",
                     "rim",
@@ -301,15 +313,16 @@ impl Rim {
                     sentence!["reduce the circumferential order, or use a rigid constraint"],
                 ))
             }
-            BoreHold::Lugs(lugs) | BoreHold::LooseLugs { lugs, .. }
-                if u32::from(lugs.waves()) > LUG_WAVES_BY_TOOTH * teeth =>
+            BoreSupport::SplineTeeth(spline_teeth)
+            | BoreSupport::SplineWithClearance { spline_teeth, .. }
+                if u32::from(spline_teeth.waves()) > SPLINE_HARMONICS_PER_TOOTH * teeth =>
             {
                 Err(GeometryError::error(
                     "E0656",
                     "rim",
                     sentence![
-                        "the spline teeth of the rim need ", number f64::from(lugs.waves()), " harmonics, and a mesh with ",
-                        number f64::from(teeth), " teeth has at most ", number f64::from(LUG_WAVES_BY_TOOTH * teeth)
+                        "the spline teeth of the rim need ", number f64::from(spline_teeth.waves()), " harmonics, and a mesh with ",
+                        number f64::from(teeth), " teeth has at most ", number f64::from(SPLINE_HARMONICS_PER_TOOTH * teeth)
                     ],
                     sentence!["reduce the number of spline teeth or increase their width"],
                 ))
@@ -320,7 +333,7 @@ impl Rim {
 
     /// Where the ring ends on its side without teeth, m.
     pub fn ring_radius(&self) -> f64 {
-        self.web.map_or(self.held_radius, |web| web.rim_radius)
+        self.web.map_or(self.fixed_radius, |web| web.rim_radius)
     }
 
     /// Whether a web lies within the face.
@@ -357,9 +370,9 @@ impl Rim {
         }
         Ok(Rim {
             radius: 0.5 * diameter,
-            held_radius: 0.5 * outer_diameter,
+            fixed_radius: 0.5 * outer_diameter,
             web: None,
-            hold: BoreHold::Rigid,
+            hold: BoreSupport::Rigid,
         })
     }
 }
@@ -422,9 +435,9 @@ impl GearBlank {
             material: Material::STEEL,
             rim: Rim {
                 radius: 0.5 * root_diameter - 0.5 * module,
-                held_radius: 0.5 * root_diameter - 1.5 * module,
+                fixed_radius: 0.5 * root_diameter - 1.5 * module,
                 web: None,
-                hold: BoreHold::Rigid,
+                hold: BoreSupport::Rigid,
             },
             thickness: Thickness::ProfileShift(0.0),
             tip_edge_radius: None,
@@ -495,9 +508,9 @@ impl GearBlank {
             root_radius: 0.5 * self.root_diameter,
             tip_edge_radius: self.tip_edge_radius,
         })?;
-        check_rim(gear.root_radius, self.rim.radius, self.rim.held_radius)?;
+        check_rim(gear.root_radius, self.rim.radius, self.rim.fixed_radius)?;
         self.rim.check_web(self.face_width)?;
-        self.rim.check_hold(gear.teeth)?;
+        self.rim.check_support(gear.teeth)?;
         let pitch_errors = self.pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
         let (material, rim, face_width) = (self.material, self.rim, self.face_width);
         let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);

@@ -72,13 +72,16 @@ impl Deviation {
     ///
     /// # Errors
     /// E0642: it is not a number somewhere, as large as half the tooth is thick, or takes an involute beyond its evolute.
-    pub(crate) fn sampled(&self, gear: &ToothForm) -> Result<Option<Spline>, GeometryError> {
+    pub(crate) fn sampled(&self, gear: &ToothForm) -> Result<Option<CubicSpline>, GeometryError> {
         let amounts = self.samples(gear);
         let step = Self::step(gear);
         for (sample, &amount) in amounts.iter().enumerate() {
             self.check(gear, gear.form_roll + step * sample as f64, amount)?;
         }
-        Ok(amounts.iter().any(|&amount| amount != 0.0).then(|| Spline::new(gear.form_roll, step, amounts)))
+        Ok(amounts
+            .iter()
+            .any(|&amount| amount != 0.0)
+            .then(|| CubicSpline::new(gear.form_roll, step, amounts)))
     }
 
     fn check(&self, gear: &ToothForm, roll: f64, amount: f64) -> Result<(), GeometryError> {
@@ -122,7 +125,7 @@ impl PartialEq for Deviation {
 
 /// A cubic spline through equidistant samples, its second derivative continuous.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Spline {
+pub(crate) struct CubicSpline {
     first: f64,
     step: f64,
     /// Values and second derivatives at the samples.
@@ -130,7 +133,7 @@ pub(crate) struct Spline {
     bends: Vec<f64>,
 }
 
-impl Spline {
+impl CubicSpline {
     /// `values` at `first`, `first + step` and so on; four at least.
     pub fn new(first: f64, step: f64, values: Vec<f64>) -> Self {
         let last = values.len() - 1;
@@ -186,7 +189,7 @@ mod tests {
     fn cubics_are_met_exactly_with_both_derivatives() {
         let cubic = |x: f64| [1.0 + x * (2.0 + x * (-3.0 + x)), 2.0 + x * (-6.0 + 3.0 * x), -6.0 + 6.0 * x];
         let values = (0..=10).map(|i| cubic(0.3 + 0.1 * f64::from(i))[0]).collect();
-        let spline = Spline::new(0.3, 0.1, values);
+        let spline = CubicSpline::new(0.3, 0.1, values);
         for i in 0..=100 {
             let x = 0.3 + 0.01 * f64::from(i);
             let found = spline.at(x);
@@ -204,7 +207,7 @@ mod tests {
         let error = |count: usize| {
             let step = 1.0 / count as f64;
             let values = (0..=count).map(|i| (7.0 * step * i as f64).sin()).collect();
-            let spline = Spline::new(0.0, step, values);
+            let spline = CubicSpline::new(0.0, step, values);
             let at = |i: usize| i as f64 / 1000.0;
             (0..=1000).map(|i| (spline.at(at(i))[0] - (7.0 * at(i)).sin()).abs()).fold(0.0, f64::max)
         };

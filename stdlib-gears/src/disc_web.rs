@@ -7,7 +7,7 @@ use crate::blank::{Rim, Web};
 use crate::error::{GeometryError, sentence};
 use calyx_runtime::fe::{Section, Station};
 use calyx_runtime::material::Material;
-use calyx_runtime::structure::{BoreHold, RevolvedWeb};
+use calyx_runtime::structure::{BoreSupport, RevolvedWeb};
 
 /// Degree along up to which ring and web are joined where nobody says otherwise.
 const DEGREE: u8 = 2;
@@ -30,7 +30,7 @@ pub struct DiscWeb {
     pub material: Option<Material>,
     /// Waves around up to which it is joined to the ring; `None` takes two and a half times the radius over the thickness
     /// of the ring, 8 to 50, or as many as there are teeth.
-    pub waves: Option<u16>,
+    pub harmonics: Option<u16>,
     /// Degree of polynomials along the axis up to which it is joined.
     pub degree: u8,
 }
@@ -43,7 +43,7 @@ impl DiscWeb {
             inner_offset: offset,
             hub: None,
             material: None,
-            waves: None,
+            harmonics: None,
             degree: DEGREE,
         }
     }
@@ -93,12 +93,12 @@ impl Rim {
             );
         }
         if let Some(hub) = disc.hub {
-            if !(hub.radius > rim.held_radius && hub.radius < rim.ring_radius()) {
+            if !(hub.radius > rim.fixed_radius && hub.radius < rim.ring_radius()) {
                 return refusal(
                     "hub_diameter",
                     sentence![
                         "the hub's diameter of ", length 2.0 * hub.radius, " is not between that of the bore, ",
-                        length 2.0 * rim.held_radius, ", and that of the ring's inside, ", length 2.0 * rim.ring_radius()
+                        length 2.0 * rim.fixed_radius, ", and that of the ring's inside, ", length 2.0 * rim.ring_radius()
                     ],
                     sentence!["the web is between hub and rim"],
                 );
@@ -125,7 +125,7 @@ impl Rim {
         let web = self.web?;
         let disc = web.disc?;
         let at = |radius, [from, to]: [f64; 2]| Station { radius, ends: [from, to] };
-        let inside = self.held_radius;
+        let inside = self.fixed_radius;
         let mut stations = match disc.hub {
             Some(hub) => {
                 let width = ends(hub.width, hub.offset);
@@ -138,7 +138,9 @@ impl Rim {
             section: Section::new(stations)?,
             material: disc.material.unwrap_or(of_teeth),
             hold: self.hold,
-            waves: disc.waves.unwrap_or(self.usual_waves(web).min(u16::try_from(teeth).unwrap_or(u16::MAX))),
+            harmonics: disc
+                .harmonics
+                .unwrap_or(self.usual_waves(web).min(u16::try_from(teeth).unwrap_or(u16::MAX))),
             degree: disc.degree,
             fineness: 1,
         })
@@ -156,7 +158,7 @@ impl Rim {
         if let Some(disc) = web.disc {
             let (hub, material) = (disc.hub, disc.material);
             numbers.extend([disc.inner_thickness, disc.inner_offset, f64::from(disc.degree)]);
-            numbers.push(disc.waves.map_or(-1.0, f64::from));
+            numbers.push(disc.harmonics.map_or(-1.0, f64::from));
             numbers.extend(hub.map_or([0.0; 3], |hub| [hub.radius, hub.width, hub.offset]));
             numbers.extend(
                 material.map_or([0.0; 2], |material| [material.youngs_modulus, material.poissons_ratio]),
@@ -167,7 +169,7 @@ impl Rim {
 
     /// Whether there are teeth enough for the waves around by which a ring is joined to its web.
     pub(crate) fn check_joint(&self, teeth: u32) -> Result<(), GeometryError> {
-        let Some(waves) = self.web.and_then(|web| web.disc).and_then(|disc| disc.waves) else {
+        let Some(waves) = self.web.and_then(|web| web.disc).and_then(|disc| disc.harmonics) else {
             return Ok(());
         };
         if u32::from(waves) <= teeth {
@@ -185,7 +187,7 @@ impl Rim {
     }
 
     /// How the ring itself is held: by what its web does, if that has a mesh of its own.
-    pub(crate) fn ring_hold(&self) -> Option<BoreHold> {
+    pub(crate) fn ring_support(&self) -> Option<BoreSupport> {
         match self.web {
             Some(Web { disc: Some(_), .. }) => None,
             _ => Some(self.hold),

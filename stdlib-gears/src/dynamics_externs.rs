@@ -7,7 +7,7 @@ use calyx_abi::externs::Handle;
 use calyx_runtime::dynamics::{DynamicOptions, Scheme, Start, TimeRange, kept_positions};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::inertia::Inertia;
-use calyx_runtime::load::{Blow, Wrench};
+use calyx_runtime::load::{Impulse, Wrench};
 
 calyx_abi::externs! {
     Pure fn calyx_gears_time_range(
@@ -61,7 +61,7 @@ calyx_abi::externs! {
         let host = host(context)?;
         let momentum = Wrench { force: momentum, moment: angular_momentum };
         if let Some(body) = host.scene.bodies.get_mut(id.0) {
-            body.blows.push(Blow { at, duration, momentum });
+            body.impulses.push(Impulse { at, duration, momentum });
         }
         Ok(())
     }

@@ -1,12 +1,12 @@
 //! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
 
 use crate::assembly::{MeshOptions, Misalignment, Pairing, add_body};
-use crate::bearings::GROUND;
+use crate::bearing_externs::GROUND;
 use crate::dynamics_externs::{lumped, motion_in_time};
 use crate::error::Severity;
-use crate::host::{Asked, Finding, How, Meeting, ModelHost, keep};
-use crate::loading::check_loads;
-use crate::plausible::{of_material, pitch_line, uneven_planets};
+use crate::host::{AnalysisKind, AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
+use crate::load_plausibility::check_loads;
+use crate::plausibility::{of_material, pitch_line, unequal_planet_spacing};
 use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle, quasi_static};
@@ -17,13 +17,15 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::{Load, Wrench};
 use calyx_runtime::material::Material;
-use calyx_runtime::motion::{Motion, turning_speed};
+use calyx_runtime::motion::{Motion, rotation_speed};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, PairId, Prototype, StructureOptions, Template};
-use calyx_runtime::structure::BoreHold;
-use calyx_runtime::tolerance::{Chosen, check_tolerance, quasi_static_within};
+use calyx_runtime::scene::{
+    Body, BodyId, DOF_NAMES, Fidelity, PairId, Prototype, StructureOptions, Template,
+};
+use calyx_runtime::structure::BoreSupport;
+use calyx_runtime::tolerance::{ToleranceOutcome, check_tolerance, quasi_static_within};
 use calyx_runtime::validate::Request;
 use std::sync::Arc;
 
@@ -41,7 +43,7 @@ calyx_abi::externs! {
     ) -> Handle {
         let prototype = entry(&host(context)?.gears, blank)?.clone();
         let added = lumped(mass, inertia)?;
-        let frame = Placed { name, frame, free, load: Wrench { force, moment }, added, host_load };
+        let frame = BodyPlacement { name, frame, free, load: Wrench { force, moment }, added, host_load };
         frame.add(context, prototype, Some(blank.0 as usize))
     }
 
@@ -50,7 +52,7 @@ calyx_abi::externs! {
         mass: f64, inertia: f64, host_load: String,
     ) -> Handle {
         let added = lumped(mass, inertia)?;
-        let frame = Placed { name, frame, free, load: Wrench { force, moment }, added, host_load };
+        let frame = BodyPlacement { name, frame, free, load: Wrench { force, moment }, added, host_load };
         frame.add(context, Arc::new(RigidBody), None)
     }
 
@@ -82,14 +84,14 @@ calyx_abi::externs! {
             misalignment: Misalignment { in_action: misalignment, off_action: misalignment_off_action },
             back_side_contact,
         };
-        let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.refused(refusal, place))?;
+        let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.rejected(refusal, place))?;
         // What can touch has a geometry, also where it cannot run.
         if let Some(geometry) = pairing.geometry(&host.scene) {
-            host.meetings.push(Meeting { bodies: ids.map(|id| id.0), geometry, place });
+            host.mesh_records.push(MeshRecord { bodies: ids.map(|id| id.0), geometry, place });
         }
-        let meshed = pairing.mesh(&mut host.scene, &options).map_err(|refusal| host.refused(refusal, place))?;
+        let meshed = pairing.mesh(&mut host.scene, &options).map_err(|refusal| host.rejected(refusal, place))?;
         host.note(&meshed.warnings, place);
-        let speed = turning_speed(host.scene.bodies[ids[0].0].motion.as_ref(), 0.0).unwrap_or(0.0);
+        let speed = rotation_speed(host.scene.bodies[ids[0].0].motion.as_ref(), 0.0).unwrap_or(0.0);
         let radius = host.gear_on("first", ids[0])?.form().pitch_radius;
         host.note(&pitch_line(speed, radius).into_iter().collect::<Vec<_>>(), place);
         Ok(Handle(meshed.pair.0 as u64))
@@ -107,7 +109,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_check_spacing(context, planets: f64, teeth: f64) -> () {
         let (place, host) = (context.place, host(context)?);
-        host.note(&uneven_planets(planets, teeth).into_iter().collect::<Vec<_>>(), place);
+        host.note(&unequal_planet_spacing(planets, teeth).into_iter().collect::<Vec<_>>(), place);
         Ok(())
     }
 
@@ -178,21 +180,21 @@ calyx_abi::externs! {
         let structure = StructureOptions { face_elements, axial_order, ..host.analysis.structure };
         structure.check().map_err(engine)?;
         let structure = overrides.structure(structure);
-        overrides.turn_grids(&mut host.scene);
+        overrides.override_grids(&mut host.scene);
         let options =
             AnalysisOptions { fidelity, structure, highest_frequency, error_estimates, ..host.analysis.clone() };
         let positions = overrides.sample(entry(&host.positions, over)?.clone());
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let how = match method.as_str() {
-            "quasi_static" => How::QuasiStatic(positions),
-            "dynamic" => How::Dynamic(motion_in_time(host, over, &newmark, rayleigh, &start)?),
+            "quasi_static" => AnalysisKind::QuasiStatic(positions),
+            "dynamic" => AnalysisKind::Dynamic(motion_in_time(host, over, &newmark, rayleigh, &start)?),
             _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
                 "choose \"quasi_static\" or \"dynamic\"")),
         };
         crate::signal_externs::check(host)?;
         let (in_time, problems) = match &how {
-            How::QuasiStatic(positions) => (false, positions.len()),
-            How::Dynamic(dynamic) => (true, dynamic.ranges.iter().map(|range| range.steps).sum()),
+            AnalysisKind::QuasiStatic(positions) => (false, positions.len()),
+            AnalysisKind::Dynamic(dynamic) => (true, dynamic.ranges.iter().map(|range| range.steps).sum()),
         };
         if in_time && overrides.every.is_some() {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
@@ -200,7 +202,7 @@ calyx_abi::externs! {
         }
         // Who turns knobs from outside wants that setting and no other.
         let searched = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
-        host.asked = Some(Asked {
+        host.asked = Some(AnalysisRequest {
             fidelity,
             structure,
             in_time,
@@ -226,7 +228,7 @@ calyx_abi::externs! {
 }
 
 /// A body as a model places it: what bodies with and without teeth have in common.
-struct Placed {
+struct BodyPlacement {
     name: String,
     frame: SymbolicTransform,
     free: Vec<String>,
@@ -235,7 +237,7 @@ struct Placed {
     host_load: String,
 }
 
-impl Placed {
+impl BodyPlacement {
     /// Adds the body to the scene; `gear` is its number if it carries one.
     fn add(
         self,
@@ -245,7 +247,7 @@ impl Placed {
     ) -> Result<Handle, RuntimeError> {
         let mut free = [false; 6];
         for freedom in &self.free {
-            let Some(at) = FREEDOMS.iter().position(|known| known == freedom) else {
+            let Some(at) = DOF_NAMES.iter().position(|known| known == freedom) else {
                 return Err(refusal(
                     "E0670",
                     "free",
@@ -265,10 +267,10 @@ impl Placed {
             phase: 0.0,
             free,
             load,
-            blows: Vec::new(),
+            impulses: Vec::new(),
             added: self.added,
         };
-        let id = add_body(&mut host.scene, body).map_err(|refusal| host.refused(refusal, place))?;
+        let id = add_body(&mut host.scene, body).map_err(|refusal| host.rejected(refusal, place))?;
         if !self.host_load.is_empty() {
             host.host_loaded.insert(id.0);
         }
@@ -284,11 +286,11 @@ const MOST_TIMES: f64 = 1e6;
 /// Plans and runs an analysis of the scene, and keeps its result.
 fn analyze(
     host: &mut ModelHost,
-    how: &How,
+    how: &AnalysisKind,
     tolerance: Option<f64>,
     (options, place): (&AnalysisOptions, (u32, u32, u32)),
 ) -> Result<(), RuntimeError> {
-    check_unheld(host);
+    check_unrestrained(host);
     check_loads(host, how, options.fidelity)?;
     let request = Request::new(&host.scene, &host.outputs, how.method(), options);
     host.findings.extend(without_value(host, &request));
@@ -298,16 +300,16 @@ fn analyze(
         observer.as_mut().map_or(&mut unobserved as &mut dyn Observer, |observer| observer.as_mut());
     let (scene, outputs) = (&host.scene, &host.outputs);
     let result = match how {
-        How::QuasiStatic(positions) => match tolerance {
+        AnalysisKind::QuasiStatic(positions) => match tolerance {
             Some(part) => quasi_static_within(part, scene, positions, outputs, options, watching),
             None => quasi_static(scene, positions, outputs, options, watching),
         },
-        How::Dynamic(dynamics) => dynamic(scene, outputs, options, dynamics, watching),
+        AnalysisKind::Dynamic(dynamics) => dynamic(scene, outputs, options, dynamics, watching),
     };
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
-    let result = result.map_err(|error| host.engine_error(host.overrides.told_of(error)))?;
-    if let Some(missed) = result.chosen.as_ref().and_then(Chosen::missed) {
+    let result = result.map_err(|error| host.engine_error(host.overrides.list(error)))?;
+    if let Some(missed) = result.chosen.as_ref().and_then(ToleranceOutcome::missed) {
         let error = RuntimeError { place: Some(place), ..host.engine_error(missed) };
         host.findings.push(Finding { severity: Severity::Warning, error });
     }
@@ -319,7 +321,7 @@ fn analyze(
 /// Warnings about outputs that have no value at the fidelity, while others have one.
 fn without_value(host: &ModelHost, request: &Request<'_>) -> Vec<Finding> {
     let warn = |error| {
-        let error = host.engine_error(host.overrides.told_of(error));
+        let error = host.engine_error(host.overrides.list(error));
         Finding { severity: Severity::Warning, error }
     };
     request.without_value().into_iter().map(warn).collect()
@@ -347,7 +349,7 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
     let how = host.requested.take().unwrap_or_else(|| {
         let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
         let start = starts.fold(f64::INFINITY, f64::min);
-        How::QuasiStatic(vec![Position::at(if start.is_finite() { start } else { 0.0 })])
+        AnalysisKind::QuasiStatic(vec![Position::at(if start.is_finite() { start } else { 0.0 })])
     });
     if let Some(asked) = host.asked {
         check_loads(host, &how, asked.fidelity)?;
@@ -369,17 +371,17 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
         let in_space = Request { fidelity: Fidelity::Solid(Template::Medium), ..request };
         if unasked { in_space.plan(interrupt).map_err(|_| error) } else { Err(error) }
     });
-    let plan = plan.map_err(|error| host.engine_error(host.overrides.told_of(error)))?;
+    let plan = plan.map_err(|error| host.engine_error(host.overrides.list(error)))?;
     let warnings = without_value(host, &request);
     host.findings.extend(warnings);
     Ok(plan)
 }
 
 /// Bodies that may move, and that neither mesh nor bearing holds: an analysis leaves them out.
-pub fn check_unheld(host: &mut ModelHost) {
+pub fn check_unrestrained(host: &mut ModelHost) {
     let meshed = |body: usize| host.scene.pairs.iter().any(|pair| pair.bodies.contains(&BodyId(body)));
     let borne = |body: usize| host.scene.bearings.iter().any(|b| b.bodies().any(|other| other.0 == body));
-    let free = |body: &Body| FREEDOMS.iter().zip(body.free).find(|(_, free)| *free).map(|(name, _)| *name);
+    let free = |body: &Body| DOF_NAMES.iter().zip(body.free).find(|(_, free)| *free).map(|(name, _)| *name);
     let bodies = host.scene.bodies.iter().enumerate().filter(|(index, _)| !meshed(*index) && !borne(*index));
     let unheld: Vec<Finding> = bodies
         .filter_map(|(index, body)| {
@@ -489,10 +491,12 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
 }
 
 /// Checks the number of a lug of a body's rim.
-pub(crate) fn lug_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
+pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
     let lugs = match host.gear_on("body", body)?.rim.hold {
-        BoreHold::Lugs(lugs) | BoreHold::LooseLugs { lugs, .. } => u32::from(lugs.count),
-        BoreHold::Rigid | BoreHold::Means { .. } => 0,
+        BoreSupport::SplineTeeth(lugs) | BoreSupport::SplineWithClearance { spline_teeth: lugs, .. } => {
+            u32::from(lugs.count)
+        }
+        BoreSupport::Rigid | BoreSupport::Means { .. } => 0,
     };
     match lug.fract() == 0.0 && (0.0..f64::from(lugs)).contains(&lug) {
         true => Ok(lug as u32),

@@ -6,7 +6,7 @@
 //! `dP/dg = (r g - a) u - a' v`: tangent, normal and curvature follow exactly. On an internal gear the roll angle is negative
 //! ([`ToothForm`]): `u` then points against the flank's direction, `v` out of the material as before.
 
-use crate::deviation::Spline;
+use crate::deviation::CubicSpline;
 use crate::error::GeometryError;
 use crate::fillet::Side;
 use crate::gear::ToothForm;
@@ -35,7 +35,7 @@ pub struct Flank {
     form_roll: f64,
     tip_roll: f64,
     reliefs: Vec<Relief>,
-    deviations: Vec<Arc<Spline>>,
+    deviations: Vec<Arc<CubicSpline>>,
     /// Material taken off per roll angle from the form circle.
     slope: f64,
     /// Parts of the flank with smooth curvature, ascending; the first starts at the form circle.

@@ -18,10 +18,10 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
-use calyx_runtime::observe::Gauge;
-use calyx_runtime::overriding::Override;
+use calyx_runtime::observables::Gauge;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions};
+use calyx_runtime::settings_override::Override;
 use calyx_runtime::signal::{Signal, SignalRequest};
 use calyx_runtime::validate::Method;
 use std::collections::{BTreeMap, BTreeSet};
@@ -93,7 +93,7 @@ pub struct ModelHost {
     /// Places of the calls that made each output.
     pub output_places: Vec<(u32, u32, u32)>,
     /// Pairs of gears that were to mesh, those refused among them.
-    pub meetings: Vec<Meeting>,
+    pub mesh_records: Vec<MeshRecord>,
     /// Tables that were read.
     pub tables: Vec<Table>,
     /// Lists of positions to analyse.
@@ -113,7 +113,7 @@ pub struct ModelHost {
     /// What the model wants to know.
     pub outputs: Vec<OutputRequest>,
     /// What it wants to know of outputs in the frequency domain.
-    pub asked_signals: Vec<AskedSignal>,
+    pub asked_signals: Vec<RequestedSignal>,
     /// The answers, once the analysis is done.
     pub signals: Vec<Signal>,
     /// Findings beside the one that stopped the model, if any did.
@@ -127,9 +127,9 @@ pub struct ModelHost {
     /// The model is checked: an analysis is asked for, and not done.
     pub checking: bool,
     /// How the program wants the scene to be modelled, if it has asked for an analysis.
-    pub asked: Option<Asked>,
+    pub asked: Option<AnalysisRequest>,
     /// Positions or ranges of time of that analysis, while the model is checked.
-    pub requested: Option<How>,
+    pub requested: Option<AnalysisKind>,
     /// What the last analysis yielded.
     pub result: Option<AnalysisResult>,
     /// Analyses that ended with an error, which the program may have caught.
@@ -201,7 +201,7 @@ impl ModelHost {
     }
 
     /// A refusal in words for the model's author; of several findings the first stops the model, the others are kept.
-    pub(crate) fn refused(&mut self, refusal: Refusal, place: (u32, u32, u32)) -> RuntimeError {
+    pub(crate) fn rejected(&mut self, refusal: Refusal, place: (u32, u32, u32)) -> RuntimeError {
         match refusal {
             Refusal::Engine(error) => {
                 let argument = error.argument.map(str::to_owned);
@@ -212,7 +212,7 @@ impl ModelHost {
     }
 
     /// A finding about a gear or a pair in words for the model's author, who finds it at the call in `place`.
-    pub(crate) fn told(&self, error: &GeometryError, place: (u32, u32, u32)) -> RuntimeError {
+    pub(crate) fn runtime_error(&self, error: &GeometryError, place: (u32, u32, u32)) -> RuntimeError {
         let LengthUnit { name, metres } = self.length_unit;
         let [message, help] =
             [&error.message, &error.help].map(|text| text.in_unit(name, metres).to_string());
@@ -223,7 +223,7 @@ impl ModelHost {
     /// Keeps findings that do not stop the model.
     pub(crate) fn note(&mut self, errors: &[GeometryError], place: (u32, u32, u32)) {
         for error in errors {
-            let finding = Finding { severity: error.severity, error: self.told(error, place) };
+            let finding = Finding { severity: error.severity, error: self.runtime_error(error, place) };
             // Both flanks of a tooth often have the same to say.
             if !self.findings.contains(&finding) {
                 self.findings.push(finding);
@@ -243,13 +243,13 @@ impl ModelHost {
             .iter()
             .filter(|other| *other != first)
             .for_each(|other| self.note(std::slice::from_ref(other), place));
-        self.told(first, place)
+        self.runtime_error(first, place)
     }
 }
 
 /// A request for a signal, with the place of its call.
 #[derive(Clone, Debug, PartialEq)]
-pub struct AskedSignal {
+pub struct RequestedSignal {
     /// What is asked.
     pub request: SignalRequest,
     /// Place of the call.
@@ -258,7 +258,7 @@ pub struct AskedSignal {
 
 /// How an analysis models bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asked {
+pub struct AnalysisRequest {
     /// By kind.
     pub fidelity: Fidelity,
     /// How finely.
@@ -279,26 +279,26 @@ pub struct Asked {
 
 /// Method of an analysis, with its positions or ranges of time.
 #[derive(Clone, Debug, PartialEq)]
-pub enum How {
+pub enum AnalysisKind {
     /// Equilibrium at these positions.
     QuasiStatic(Vec<Position>),
     /// Motion in time.
     Dynamic(DynamicOptions),
 }
 
-impl How {
+impl AnalysisKind {
     /// The same as the engine takes it.
     pub fn method(&self) -> Method<'_> {
         match self {
-            How::QuasiStatic(positions) => Method::QuasiStatic(positions),
-            How::Dynamic(dynamics) => Method::Dynamic(dynamics),
+            AnalysisKind::QuasiStatic(positions) => Method::QuasiStatic(positions),
+            AnalysisKind::Dynamic(dynamics) => Method::Dynamic(dynamics),
         }
     }
 }
 
 /// Two bodies whose gears meet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Meeting {
+pub struct MeshRecord {
     /// Indices in the scene.
     pub bodies: [usize; 2],
     /// How the gears touch.

@@ -30,10 +30,10 @@ impl GearPrototype {
         }
         let web = self.rim.web?;
         let station = |radius: f64| Station { radius, ends: web.ends() };
-        let [inner, outer] = if self.rim.held_radius < web.rim_radius {
-            [self.rim.held_radius, web.rim_radius]
+        let [inner, outer] = if self.rim.fixed_radius < web.rim_radius {
+            [self.rim.fixed_radius, web.rim_radius]
         } else {
-            [web.rim_radius, self.rim.held_radius]
+            [web.rim_radius, self.rim.fixed_radius]
         };
         Some((Section::new(vec![station(inner), station(outer)])?, self.material))
     }
@@ -128,7 +128,7 @@ mod tests {
             add(angle(&pair[0]), angle(&pair[1]), [radius(&pair[0]), radius(&pair[1])]);
         }
         add(angle(&root), pitch, [radius(&root); 2]);
-        let bore = gear.rim.held_radius;
+        let bore = gear.rim.fixed_radius;
         let both = 2.0 * f64::from(TEETH);
         [both * sums[0] - PI * bore.powi(2), both * sums[1] - 0.5 * PI * bore.powi(4)]
     }
@@ -159,7 +159,7 @@ mod tests {
         };
         let without = weigh(rim);
         let (bore, offset) = (10e-3, 1e-3);
-        let radii = [0.5 * bore, rim.held_radius];
+        let radii = [0.5 * bore, rim.fixed_radius];
         let [mass, polar, across] = ring(radii, 0.25 * width);
         let webbed = weigh(rim.on_web(0.25 * width, offset, bore).expect("a web"));
         assert!(is_near(webbed.mass - without.mass, mass));
@@ -172,7 +172,7 @@ mod tests {
         let disc = DiscWeb { hub: Some(hub), material: Some(light), ..DiscWeb::plain(0.25 * width, 0.0) };
         let on_hub = weigh(rim.on_disc(0.25 * width, 0.0, bore, disc).expect("a disc web"));
         let (of_hub, of_web) =
-            (ring([0.5 * bore, hub.radius], width), ring([hub.radius, rim.held_radius], 0.25 * width));
+            (ring([0.5 * bore, hub.radius], width), ring([hub.radius, rim.fixed_radius], 0.25 * width));
         assert!(is_near(on_hub.mass - without.mass, 0.5 * (of_hub[0] + of_web[0])));
         assert!(is_near(on_hub.polar() - without.polar(), 0.5 * (of_hub[1] + of_web[1])));
         assert!(is_near(on_hub.about[0][0] - without.about[0][0], 0.5 * (of_hub[2] + of_web[2])));

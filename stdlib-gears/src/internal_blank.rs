@@ -10,7 +10,7 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::shaper::Shaper;
 use calyx_runtime::material::Material;
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use std::sync::Arc;
 
 /// What is given of an internal gear. Lengths in m.
@@ -60,9 +60,9 @@ impl InternalBlank {
             material: Material::STEEL,
             rim: Rim {
                 radius: 0.5 * root_diameter + 0.5 * module,
-                held_radius: 0.5 * root_diameter + 2.0 * module,
+                fixed_radius: 0.5 * root_diameter + 2.0 * module,
                 web: None,
-                hold: BoreHold::Rigid,
+                hold: BoreSupport::Rigid,
             },
             thickness: Thickness::ProfileShift(0.0),
             tip_edge_radius: None,
@@ -90,8 +90,8 @@ impl InternalBlank {
             root_radius: 0.5 * self.root_diameter,
             tip_edge_radius: self.tip_edge_radius,
         })?;
-        check_outer_rim(gear.root_radius, self.rim.radius, self.rim.held_radius)?;
-        self.rim.check_hold(gear.teeth)?;
+        check_outer_rim(gear.root_radius, self.rim.radius, self.rim.fixed_radius)?;
+        self.rim.check_support(gear.teeth)?;
         let pitch_errors = self.pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
         let (material, rim, face_width) = (self.material, self.rim, self.face_width);
         let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);

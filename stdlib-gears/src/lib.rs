@@ -31,7 +31,7 @@
 //! use calyx_runtime::load::Wrench;
 //! use calyx_runtime::material::Material;
 //! use calyx_runtime::motion::SteadyRotation;
-//! use calyx_runtime::observe::{MaxRootStress, TransmissionError};
+//! use calyx_runtime::observables::{MaxRootStress, TransmissionError};
 //! use calyx_runtime::results::OutputRequest;
 //! use calyx_runtime::scene::{Body, Component, Scene};
 //! use std::f64::consts::TAU;
@@ -92,7 +92,7 @@
 //!
 //! * Loads and flanks of your own: [`calyx_runtime::load::Load`] is a constant or a closure of time,
 //!   [`deviation::Deviation`] a closure of the roll angle.
-//! * Geometry without an analysis: [`external::ExternalGear`], [`internal::InternalGear`], [`mesh_geometry::MeshGeometry`], and [`derived`] for what follows from
+//! * Geometry without an analysis: [`external::ExternalGear`], [`internal::InternalGear`], [`mesh_geometry::MeshGeometry`], and [`derived_quantities`] for what follows from
 //!   both in the terms of ISO 21771.
 //! * What the engine makes of a scene: [`calyx_runtime`].
 //! * The language's library: [`library`] (its source), [`externs`] (its functions), [`host`] (what a running model keeps), [`tables`].
@@ -107,10 +107,10 @@
 mod analytic;
 pub mod assembly;
 mod axes;
-pub mod bearings;
+pub mod bearing_externs;
 pub mod blank;
-pub mod cutting;
-pub mod derived;
+pub mod cutting_externs;
+pub mod derived_quantities;
 pub mod deviation;
 pub mod disc_web;
 pub mod dynamics_externs;
@@ -119,7 +119,7 @@ pub mod external;
 pub mod externs;
 pub mod fillet;
 pub mod flank;
-pub mod gauging;
+pub mod gauge_externs;
 pub mod gear;
 pub mod gear_surface;
 pub mod helix;
@@ -129,19 +129,19 @@ pub mod internal;
 pub mod internal_blank;
 pub mod involute;
 pub mod library;
-mod loading;
+mod load_plausibility;
 pub mod lumped_externs;
 pub mod lumped_planetary;
 pub mod lumped_scene;
 pub mod mesh_externs;
 pub mod mesh_geometry;
 pub mod modification;
-mod modified;
-pub mod modifying;
+pub mod modification_externs;
+mod modified_structure;
 pub mod mounting;
-pub mod observables;
-pub(crate) mod phasing;
-mod plausible;
+pub mod observable_externs;
+pub(crate) mod phase_check;
+mod plausibility;
 pub mod prototype;
 pub mod rack;
 mod root_finding;
@@ -150,6 +150,6 @@ pub mod shaper;
 pub mod signal_externs;
 mod size;
 pub mod solid_prototype;
+pub mod table_splines;
 pub mod tables;
-pub mod tabulated;
 pub mod template;

@@ -7,7 +7,7 @@ use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 
 /// Freedoms of a member, by the names that bodies have for theirs.
-const FREEDOMS: [&str; 3] = ["u_x", "u_y", "theta_z"];
+const DOF_NAMES: [&str; 3] = ["u_x", "u_y", "theta_z"];
 
 calyx_abi::externs! {
     Pure fn calyx_gears_lumped_member(
@@ -16,7 +16,7 @@ calyx_abi::externs! {
     ) -> Handle {
         let mut fixed = [false; 3];
         for freedom in &held {
-            let Some(at) = FREEDOMS.iter().position(|known| known == freedom) else {
+            let Some(at) = DOF_NAMES.iter().position(|known| known == freedom) else {
                 return Err(refusal("E0670", "held", &format!("\"{freedom}\" is not a degree of freedom of a lumped member"),
                     "they are \"u_x\", \"u_y\" and \"theta_z\""));
             };

@@ -10,7 +10,7 @@
 //! stiffness, the singular values are the circular frequencies: to rounding of the largest one, which a stiffness matrix, where frequencies
 //! stand squared, gives the lowest ones with half as many digits.
 
-use calyx_runtime::observe::ModeKind;
+use calyx_runtime::observables::ModeKind;
 use nalgebra::{DMatrix, SVD};
 use std::f64::consts::TAU;
 
@@ -106,20 +106,20 @@ impl LumpedPlanetary {
         self.check()?;
         let members = self.members();
         let free: Vec<[usize; 2]> = (0..members.len())
-            .flat_map(|member| [0, 1, 2].map(|freedom| [member, freedom]))
-            .filter(|&[member, freedom]| !members[member].held[freedom])
+            .flat_map(|member| [0, 1, 2].map(|dof| [member, dof]))
+            .filter(|&[member, dof]| !members[member].held[dof])
             .collect();
-        let root_mass = |[member, freedom]: [usize; 2]| {
+        let root_mass = |[member, dof]: [usize; 2]| {
             let LumpedMember { mass, inertia, .. } = members[member];
-            if freedom < 2 { mass.sqrt() } else { inertia.sqrt() }
+            if dof < 2 { mass.sqrt() } else { inertia.sqrt() }
         };
         let springs = self.springs();
         // As many rows as columns at least: rows of nothing are no springs.
         let mut forms = DMatrix::zeros(springs.len().max(free.len()), free.len());
         for (row, spring) in springs.iter().enumerate() {
-            for (column, &freedom) in free.iter().enumerate() {
-                let form: f64 = spring.form.iter().filter(|(on, _)| *on == freedom).map(|(_, by)| by).sum();
-                forms[(row, column)] = spring.stiffness.sqrt() * form / root_mass(freedom);
+            for (column, &dof) in free.iter().enumerate() {
+                let form: f64 = spring.form.iter().filter(|(on, _)| *on == dof).map(|(_, by)| by).sum();
+                forms[(row, column)] = spring.stiffness.sqrt() * form / root_mass(dof);
             }
         }
         let decomposed = SVD::new(forms, false, true);
@@ -127,10 +127,10 @@ impl LumpedPlanetary {
         let modes = (0..free.len()).rev().map(|index| {
             let mut shape = vec![[0.0; 3]; members.len()];
             let mut energy = vec![[0.0; 3]; members.len()];
-            for (column, &[member, freedom]) in free.iter().enumerate() {
+            for (column, &[member, dof]) in free.iter().enumerate() {
                 let part: f64 = directions[(index, column)];
-                shape[member][freedom] = part / root_mass([member, freedom]);
-                energy[member][freedom] = part * part;
+                shape[member][dof] = part / root_mass([member, dof]);
+                energy[member][dof] = part * part;
             }
             let [moved, turned] = energy[..3]
                 .iter()
@@ -159,8 +159,8 @@ impl LumpedPlanetary {
         let mut springs = Vec::new();
         for (member, of) in [(CARRIER, self.carrier), (RING, self.ring), (SUN, self.sun)] {
             let stiffness = [of.support_stiffness, of.support_stiffness, of.torsional_stiffness];
-            for (freedom, stiffness) in stiffness.into_iter().enumerate() {
-                springs.push(Spring { stiffness, form: vec![([member, freedom], 1.0)] });
+            for (dof, stiffness) in stiffness.into_iter().enumerate() {
+                springs.push(Spring { stiffness, form: vec![([member, dof], 1.0)] });
             }
         }
         for (index, angle) in self.planet_angles.iter().enumerate() {

@@ -3,7 +3,7 @@
 
 use crate::lumped_planetary::{LumpedMember, LumpedMesh, LumpedPlanetary};
 use calyx_runtime::bearing::Support;
-use calyx_runtime::observe::{Equilibrium, MeshStiffness, Observable, Quantity};
+use calyx_runtime::observables::{Equilibrium, MeshStiffness, Observable, Quantity};
 use calyx_runtime::results::Observed;
 use calyx_runtime::scene::{BodyId, Component, PairId, Scene};
 

@@ -39,6 +39,6 @@ calyx_abi::externs! {
 fn geometry(context: &mut Context, mesh: Handle) -> Result<MeshGeometry, RuntimeError> {
     let host = host(context)?;
     let bodies = entry(&host.scene.pairs, mesh)?.bodies.map(|body| body.0);
-    let meeting = host.meetings.iter().find(|meeting| meeting.bodies == bodies);
+    let meeting = host.mesh_records.iter().find(|meeting| meeting.bodies == bodies);
     Ok(meeting.ok_or_else(|| defect("a mesh has no geometry"))?.geometry)
 }

@@ -44,7 +44,7 @@ impl PathOfContact {
 
 /// How teeth wind over the face that two gears have in common.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wound {
+pub struct HelicalTeeth {
     /// Helix of the first gear.
     pub first: Helix,
     /// m
@@ -252,7 +252,7 @@ impl MeshGeometry {
 
     /// The pair with teeth that wind along a helix.
     #[must_use]
-    pub fn across(self, first: &ExternalGear, wound: &Wound) -> Self {
+    pub fn across(self, first: &ExternalGear, wound: &HelicalTeeth) -> Self {
         let twisted = wound.first.twist_per_length(first.pitch_radius).abs() * wound.width;
         Self { overlap_ratio: twisted / first.pitch_angle(), ..self }
     }
@@ -298,7 +298,7 @@ impl MeshGeometry {
         first: &ExternalGear,
         second: &ExternalGear,
         center_distance: f64,
-        wound: &Wound,
+        wound: &HelicalTeeth,
     ) -> Result<(Self, Vec<GeometryError>), Vec<GeometryError>> {
         let mesh = Self::external(first, second, center_distance).map_err(|error| vec![error])?;
         let mesh = mesh.across(first, wound);
@@ -315,7 +315,7 @@ impl MeshGeometry {
         first: &ExternalGear,
         second: &InternalGear,
         center_distance: f64,
-        wound: &Wound,
+        wound: &HelicalTeeth,
     ) -> Result<(Self, Vec<GeometryError>), Vec<GeometryError>> {
         let mesh = Self::internal(first, second, center_distance).map_err(|error| vec![error])?;
         let mesh = mesh.across(first, wound);

@@ -8,7 +8,7 @@
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, sentence};
 use crate::gear::ToothForm;
-use crate::tabulated::{NaturalSpline, TensorSpline};
+use crate::table_splines::{NaturalSpline, TensorSpline};
 use std::sync::Arc;
 
 /// How relief grows from its start to the tip circle.

@@ -41,12 +41,12 @@ pub fn mount(
     geometry: &MeshGeometry,
     mounting: &Mounting,
 ) -> Result<(f64, GearMesh), GeometryError> {
-    let phase = stand_off(gears, geometry, mounting);
+    let phase = center_offset(gears, geometry, mounting);
     Ok((phase, Sides { gears, geometry, mounting }.mesh(phase)?))
 }
 
 /// How far the second gear has to turn for rigid teeth to touch, rad: the nearest way.
-pub fn stand_off(gears: [ToothForm; 2], geometry: &MeshGeometry, mounting: &Mounting) -> f64 {
+pub fn center_offset(gears: [ToothForm; 2], geometry: &MeshGeometry, mounting: &Mounting) -> f64 {
     let sides = Sides { gears, geometry, mounting };
     // Angle of the second gear's tooth that touches the first one's tooth 0, were that in contact.
     let opposite = sides.second_tooth_at(sides.roll_of_zero());
@@ -146,7 +146,7 @@ impl Sides<'_> {
             path: [points.start_of_active_profile - early, points.end_of_active_profile + early],
             roll_at_zero: self.roll_at_zero(),
             orbit: 0.0,
-            stand_off: 0.0,
+            center_offset: 0.0,
         })
     }
 }

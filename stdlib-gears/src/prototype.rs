@@ -7,7 +7,7 @@ use crate::flank::Flank;
 use crate::gear::{Gear, ToothForm};
 use crate::helix::Helix;
 use crate::modification::Modification;
-use crate::modified::reshaped;
+use crate::modified_structure::modified_structure;
 use crate::sector_mesh::{Refinement, TipEdge, sector_mesh};
 use crate::solid_prototype::SolidSector;
 use calyx_runtime::cache::{Key, KeyWriter};
@@ -15,14 +15,14 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::{ElementOrder, PlaneMesh, PlaneModel};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
-use calyx_runtime::lug_contact::LugContact;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions};
+use calyx_runtime::spline_contact::SplineContact;
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
-    BodyModes, BoreHold, Drawable, ElasticStructure, MeshedBody, ReshapedSurface, RingSource, SplitOptions,
-    Structure, StructureSize, SurfaceSource,
+    BodyModes, BoreSupport, ElasticStructure, MeshedBody, ModifiedSurface, RingSource, SplitOptions,
+    Structure, StructureSize, SurfaceSource, VisualizationMesh,
 };
 use calyx_runtime::surface::Surface;
 use std::sync::{Arc, Mutex};
@@ -32,7 +32,7 @@ const SOURCE: &str = env!("CALYX_SOURCE");
 /// Loaded teeth this far apart feel each other's load through the rim; more distant ones hardly do.
 const COUPLED_TEETH: u32 = 3;
 /// Places of recovered stress on each element edge along a fillet.
-pub(crate) const STRESS_PLACES_PER_EDGE: usize = 4;
+pub(crate) const STRESS_POINTS_PER_EDGE: usize = 4;
 /// Modifications up to this depth in modules do without a mesh of their own, so that structures are shared by all of them. Against a
 /// mesh that follows the flank, on the chapter 5 pair at this depth, it moves transmission error by 0.2, mesh stiffness by 0.7 and root
 /// stress by 0.6 thousandths (`tests/pair/sharing.rs`). For root stress that is below what a finer mesh moves it by, for the other two a few
@@ -240,14 +240,14 @@ impl GearPrototype {
                 chain: format!("flank_{surface}"),
                 edges: [None, Some(meshed_tip)],
                 stress_chain: options.stresses.then(|| format!("fillet_{surface}")),
-                stress_places_per_edge: STRESS_PLACES_PER_EDGE,
+                stress_points_per_edge: STRESS_POINTS_PER_EDGE,
             })
             .collect();
         let ring = RingSource {
             sectors: self.gear.teeth(),
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            hold: self.rim.hold_in_plane(),
+            hold: self.rim.support_in_plane(),
             coupled: self.coupled_teeth(),
         };
         let split = self.split_options(options);
@@ -260,7 +260,7 @@ impl GearPrototype {
         let key = self
             .teeth_and_tool(what)
             .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.ring_radius()])
-            .numbers(&Rim::hold_numbers(self.rim.hold_in_plane()))
+            .numbers(&Rim::support_numbers(self.rim.support_in_plane()))
             .numbers(&[options.refinement, options.matching_depth])
             .count(options.order as u64)
             .flag(options.stresses)
@@ -279,19 +279,25 @@ impl GearPrototype {
     }
 
     /// The modified flanks, where [`Prototype::build`] has left the modifications out.
-    fn own_surfaces(&self, options: &StructureOptions) -> Result<Option<Vec<ReshapedSurface>>, EngineError> {
+    fn own_surfaces(&self, options: &StructureOptions) -> Result<Option<Vec<ModifiedSurface>>, EngineError> {
         if !self.is_modified() || !self.meshed_modifications().is_empty() {
             return Ok(None);
         }
         let [tip, _] = self.roundings(options);
         let (modified, plain) = (self.flanks_with(tip, &self.modifications)?, self.flanks_with(tip, &[])?);
-        Ok(Some(modified.iter().zip(&plain).map(|(modified, plain)| reshaped(modified, plain)).collect()))
+        Ok(Some(
+            modified
+                .iter()
+                .zip(&plain)
+                .map(|(modified, plain)| modified_structure(modified, plain))
+                .collect(),
+        ))
     }
 
     pub(crate) fn split_options(&self, options: &StructureOptions) -> SplitOptions {
         SplitOptions {
             matching_depth: options.matching_depth,
-            reshapable: self.is_modified() && self.meshed_modifications().is_empty(),
+            allows_modified_surfaces: self.is_modified() && self.meshed_modifications().is_empty(),
             samples: if options.refinement < COARSE { FEW_SAMPLES } else { SplitOptions::default().samples },
         }
     }
@@ -403,8 +409,11 @@ impl Prototype for GearPrototype {
     }
 
     fn without_modes(&self) -> Option<&'static str> {
-        matches!(self.rim.hold_in_plane(), BoreHold::Lugs(_) | BoreHold::LooseLugs { .. })
-            .then_some("spline teeth support it, which breaks the cyclic symmetry")
+        matches!(
+            self.rim.support_in_plane(),
+            BoreSupport::SplineTeeth(_) | BoreSupport::SplineWithClearance { .. }
+        )
+        .then_some("spline teeth support it, which breaks the cyclic symmetry")
     }
 
     fn inertia(&self) -> Inertia {
@@ -429,7 +438,7 @@ impl Prototype for GearPrototype {
         options: &StructureOptions,
     ) -> Result<Arc<BodyModes>, EngineError> {
         let Some(surfaces) = self.own_surfaces(options)? else { return Ok(shared) };
-        shared.reshaped(surfaces).map(Arc::new).ok_or_else(misshapen)
+        shared.with_modified_surfaces(surfaces).map(Arc::new).ok_or_else(misshapen)
     }
 
     /// The modified flanks on the body without modifications, where [`Self::build`] has left them out.
@@ -443,7 +452,7 @@ impl Prototype for GearPrototype {
             return Ok(shared);
         }
         let Some(surfaces) = self.own_surfaces(options)? else { return Ok(shared) };
-        shared.reshaped(surfaces).ok_or_else(misshapen)
+        shared.with_modified_surfaces(surfaces).ok_or_else(misshapen)
     }
 
     fn meshed(
@@ -451,10 +460,12 @@ impl Prototype for GearPrototype {
         options: &StructureOptions,
         in_space: bool,
         interrupt: &Interrupt,
-    ) -> Result<Drawable, EngineError> {
+    ) -> Result<VisualizationMesh, EngineError> {
         match options.model {
-            BodyModel::Rigid => return Ok(Drawable::Not("is rigid")),
-            BodyModel::Analytic => return Ok(Drawable::Not("has teeth of closed forms, without a mesh")),
+            BodyModel::Rigid => return Ok(VisualizationMesh::Unavailable("is rigid")),
+            BodyModel::Analytic => {
+                return Ok(VisualizationMesh::Unavailable("has teeth of closed forms, without a mesh"));
+            }
             BodyModel::Elements => {}
         }
         let surfaces = [0, 1].map(|side| format!("flank_{side}"));
@@ -465,7 +476,7 @@ impl Prototype for GearPrototype {
             let PlaneSector { model, ring, .. } = self.plane_sector(options, interrupt)?;
             MeshedBody::ring(model, &ring, &surfaces, interrupt)?
         };
-        Ok(Drawable::Mesh(Arc::new(mesh)))
+        Ok(VisualizationMesh::Mesh(Arc::new(mesh)))
     }
 
     /// In space surfaces of either shape have the same coordinates.
@@ -476,7 +487,7 @@ impl Prototype for GearPrototype {
         in_space: bool,
     ) -> Result<Arc<MeshedBody>, EngineError> {
         let surfaces = if in_space { None } else { self.own_surfaces(options)? };
-        Ok(surfaces.map_or(shared.clone(), |surfaces| Arc::new(shared.reshaped(surfaces))))
+        Ok(surfaces.map_or(shared.clone(), |surfaces| Arc::new(shared.with_modified_surfaces(surfaces))))
     }
 
     /// What has no mesh is built faster than looked up.
@@ -531,7 +542,7 @@ impl Prototype for GearPrototype {
 
     fn enclosing_radius(&self) -> f64 {
         // A ring is enclosed by what holds it.
-        self.form().tip_radius.max(self.rim.held_radius)
+        self.form().tip_radius.max(self.rim.fixed_radius)
     }
 
     fn roll_angle(&self, radius: f64) -> Option<f64> {
@@ -548,10 +559,10 @@ impl Prototype for GearPrototype {
         self.pitch_errors.get(tooth as usize).copied().unwrap_or(0.0)
     }
 
-    fn lug_contact(&self) -> Option<LugContact> {
+    fn spline_contact(&self) -> Option<SplineContact> {
         match self.rim.hold {
-            BoreHold::LooseLugs { lugs, clearance } => {
-                Some(LugContact { lugs, clearance, radius: self.rim.held_radius })
+            BoreSupport::SplineWithClearance { spline_teeth, clearance } => {
+                Some(SplineContact { spline_teeth, clearance, radius: self.rim.fixed_radius })
             }
             _ => None,
         }
@@ -565,7 +576,7 @@ impl Prototype for GearPrototype {
         match fidelity {
             Fidelity::Rigid => self.idle(&["material", "rim"], "rigid bodies do not deform"),
             Fidelity::Analytic => match self.rim.hold {
-                BoreHold::Rigid if self.rim.web.is_none() => Vec::new(),
+                BoreSupport::Rigid if self.rim.web.is_none() => Vec::new(),
                 _ => self.idle(
                     &["rim"],
                     "closed forms assume a rim that is rigidly supported, where its web begins if it has one",
@@ -582,13 +593,13 @@ impl Prototype for GearPrototype {
                     reason: "a two-dimensional model has no face-width direction: the rim is supported where the web begins"
                         .into(),
                 });
-                let on_web = self.rim.web.is_some() && matches!(self.rim.hold, BoreHold::Lugs(_));
-                let lugs = on_web.then(|| Ignored {
+                let on_web = self.rim.web.is_some() && matches!(self.rim.hold, BoreSupport::SplineTeeth(_));
+                let spline_teeth = on_web.then(|| Ignored {
                     input: "lugs".into(),
                     reason: "they support the bore of a web, which a two-dimensional model does not have"
                         .into(),
                 });
-                unseen.map(along_face).chain(web).chain(lugs).collect()
+                unseen.map(along_face).chain(web).chain(spline_teeth).collect()
             }
             Fidelity::Solid(_) => Vec::new(),
         }

@@ -1,12 +1,12 @@
 //! What programs ask of outputs in the frequency domain: spectra, spectrograms, order maps, transfer functions.
 
-use crate::bearings::GROUND;
+use crate::bearing_externs::GROUND;
 use crate::error::Severity;
 use crate::externs::{body, host, refusal};
-use crate::host::{AskedSignal, Finding, ModelHost};
+use crate::host::{Finding, ModelHost, RequestedSignal};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
-use calyx_runtime::motion::{Stance, pose_in_space};
+use calyx_runtime::motion::{Orientation, pose_in_space};
 use calyx_runtime::results::StepRow;
 use calyx_runtime::signal::{Scaling, Signal, SignalKind, SignalRequest, Span, Window, evaluate};
 
@@ -93,7 +93,7 @@ fn ask(
     let highest = more_than_none("highest", highest.min(f64::MAX))?;
     let place = context.place;
     let request = SignalRequest { of, span: Span { from, to }, highest, kind };
-    host(context)?.asked_signals.push(AskedSignal { request, place });
+    host(context)?.asked_signals.push(RequestedSignal { request, place });
     Ok(())
 }
 
@@ -102,7 +102,7 @@ fn ask(
 /// # Errors
 /// E0775: one is not.
 pub fn check(host: &ModelHost) -> Result<(), RuntimeError> {
-    for AskedSignal { request, place } in &host.asked_signals {
+    for RequestedSignal { request, place } in &host.asked_signals {
         let ahead = match &request.kind {
             SignalKind::OrderMap { ahead: Some(ahead), .. } => Some(("angle", ahead)),
             _ => None,
@@ -134,14 +134,14 @@ pub(crate) fn answer(host: &mut ModelHost) {
     let Some(result) = &host.result else { return };
     let mut answers: Vec<Signal> = Vec::with_capacity(host.asked_signals.len());
     let mut findings = Vec::new();
-    for AskedSignal { request, place } in &host.asked_signals {
+    for RequestedSignal { request, place } in &host.asked_signals {
         let Some(of) = output(host, &request.of) else { continue };
         let angle = |row: &StepRow| {
             let SignalKind::OrderMap { shaft, ahead, .. } = &request.kind else { return 0.0 };
             let framed = shaft.map_or(0.0, |shaft| {
                 let body = host.scene.bodies.get(shaft.0);
                 let pose = body.and_then(|body| pose_in_space(body.motion.as_ref(), row.position.time).ok());
-                pose.map_or(f64::NAN, |pose| Stance::of(&pose).angle)
+                pose.map_or(f64::NAN, |pose| Orientation::of(&pose).angle)
             });
             let ahead =
                 ahead.as_ref().map_or(Some(0.0), |ahead| Some(row.outputs.get(output(host, ahead)?)?.value));

@@ -1,10 +1,10 @@
 //! How large the equations of a gear's structure are: counted off its mesh, for whoever wants to know before it is condensed.
 
-use crate::prototype::{GearPrototype, STRESS_PLACES_PER_EDGE};
-use crate::solid_prototype::{split_options, stress_places};
+use crate::prototype::{GearPrototype, STRESS_POINTS_PER_EDGE};
+use crate::solid_prototype::{split_options, stress_points};
 use calyx_runtime::fe::solid::ABSENT;
 use calyx_runtime::scene::StructureOptions;
-use calyx_runtime::structure::{BoreHold, StructureSize};
+use calyx_runtime::structure::{BoreSupport, StructureSize};
 use std::collections::BTreeSet;
 
 /// Flanks of a tooth, each with a fillet.
@@ -15,28 +15,30 @@ impl GearPrototype {
     pub(crate) fn size_in_plane(&self, options: &StructureOptions) -> Option<StructureSize> {
         let mesh = self.plane_mesh(options).ok()?;
         let nodes = |chain: &str| Some(mesh.chain_nodes(mesh.chain(chain)?));
-        let hold = self.rim.hold_in_plane();
+        let hold = self.rim.support_in_plane();
         let held: BTreeSet<usize> = match hold {
-            BoreHold::Rigid => nodes("bore")?.into_iter().collect(),
-            BoreHold::Means { .. } | BoreHold::Lugs(_) | BoreHold::LooseLugs { .. } => BTreeSet::new(),
+            BoreSupport::Rigid => nodes("bore")?.into_iter().collect(),
+            BoreSupport::Means { .. }
+            | BoreSupport::SplineTeeth(_)
+            | BoreSupport::SplineWithClearance { .. } => BTreeSet::new(),
         };
         let split = self.split_options(options);
-        let directions = if split.reshapable { 2 } else { 1 };
+        let directions = if split.allows_modified_surfaces { 2 } else { 1 };
         let fillet = mesh.chain("fillet_0")?.edges.len();
         let cut = nodes("cut_right")?.iter().filter(|node| !held.contains(node)).count();
         let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
         Some(StructureSize {
             sectors: teeth,
             elements: mesh.elements.len(),
-            freedoms: 2 * (mesh.nodes.len() - held.len()),
+            dofs: 2 * (mesh.nodes.len() - held.len()),
             cut: 2 * cut,
             means: hold.unknowns(true, teeth, window),
             loads: FLANKS * directions * split.samples,
-            stresses: if options.stresses { FLANKS * fillet * STRESS_PLACES_PER_EDGE } else { 0 },
+            stresses: if options.stresses { FLANKS * fillet * STRESS_POINTS_PER_EDGE } else { 0 },
             components: 1,
             window,
             mirrored: false,
-            far: if hold.carries_far() { (teeth / 2).saturating_sub(window) } else { 0 },
+            far: if hold.couples_all_sectors() { (teeth / 2).saturating_sub(window) } else { 0 },
         })
     }
 
@@ -45,14 +47,14 @@ impl GearPrototype {
         let mesh = self.solid_mesh(options).ok()?;
         let nodes = |faces: &str| Some(mesh.nodes_on(mesh.face_set(faces)?));
         let mut held: BTreeSet<usize> = mesh.node_sets.get(ABSENT).into_iter().flatten().copied().collect();
-        if self.rim.ring_hold() == Some(BoreHold::Rigid) {
+        if self.rim.ring_support() == Some(BoreSupport::Rigid) {
             held.extend(nodes("bore")?);
         }
         let swept = mesh.swept.as_ref()?;
         let layers = swept.stations.len() - 1;
         let order = swept.orders.iter().copied().min().map_or(1, usize::from);
         let split = split_options(options);
-        let [per_edge, per_layer] = stress_places(&mesh, options);
+        let [per_edge, per_layer] = stress_points(&mesh, options);
         let fillet = mesh.face_set("fillet_0")?.chart.as_ref()?.edges.len();
         let cut = nodes("cut_right")?.iter().filter(|node| !held.contains(node)).count();
         let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
@@ -64,7 +66,7 @@ impl GearPrototype {
         Some(StructureSize {
             sectors: teeth,
             elements: mesh.elements.len() - mesh.absent.len(),
-            freedoms: 3 * (mesh.nodes.len() - held.len()),
+            dofs: 3 * (mesh.nodes.len() - held.len()),
             cut: 3 * cut,
             means,
             loads: FLANKS * split.samples * split.polynomials(layers, order),

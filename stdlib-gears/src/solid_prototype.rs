@@ -13,20 +13,20 @@ use calyx_abi::math;
 use calyx_runtime::cache::Key;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::solid::{SolidMesh, SolidModel};
-use calyx_runtime::fe::{Place, PlaneMesh};
+use calyx_runtime::fe::{ElementPoint, PlaneMesh};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::scene::StructureOptions;
 use calyx_runtime::structure::solid::{
-    ElasticSolid, Reshaped, SolidSplitOptions, SolidStructure, SolidSurfaceSource,
+    ElasticSolid, ModifiedStructure, SolidSplitOptions, SolidStructure, SolidSurfaceSource,
 };
 use calyx_runtime::structure::{RevolvedWeb, RingSource};
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
 
 /// Places of recovered stress along a fillet and along the face, at least: root stress is the largest at any of them.
-const STRESS_PLACES: [usize; 2] = [24, 12];
+const STRESS_POINTS: [usize; 2] = [24, 12];
 /// Of them on each element's edge along a fillet, at least: recovered stress is not the same polynomial across elements.
-const STRESS_PLACES_PER_EDGE: usize = 3;
+const STRESS_POINTS_PER_EDGE: usize = 3;
 
 /// Thinnest layer of elements beside a web over the face width; what is thinner counts as the web's.
 const THINNEST_LAYER: f64 = 0.01;
@@ -34,11 +34,11 @@ const THINNEST_LAYER: f64 = 0.01;
 const LONGER_LAYER: f64 = 0.25;
 
 /// Places of recovered stress on each element's edge along a fillet and on each layer of elements.
-pub(crate) fn stress_places(mesh: &SolidMesh, options: &StructureOptions) -> [usize; 2] {
+pub(crate) fn stress_points(mesh: &SolidMesh, options: &StructureOptions) -> [usize; 2] {
     let fillet_elements = refined(section(options.template), options.refinement, options.order).fillet;
     let face_elements = mesh.swept.as_ref().map_or(1, |swept| swept.stations.len() - 1);
-    let [along_fillet, along_face] = STRESS_PLACES;
-    [along_fillet.div_ceil(fillet_elements).max(STRESS_PLACES_PER_EDGE), along_face.div_ceil(face_elements)]
+    let [along_fillet, along_face] = STRESS_POINTS;
+    [along_fillet.div_ceil(fillet_elements).max(STRESS_POINTS_PER_EDGE), along_face.div_ceil(face_elements)]
 }
 
 pub(crate) fn split_options(options: &StructureOptions) -> SolidSplitOptions {
@@ -132,8 +132,8 @@ impl GearPrototype {
         let [tip, _] = self.roundings(options);
         let plain = self.flanks_with(tip, &[])?;
         // A web with a mesh of its own is no part of the teeth's.
-        let own = self.rim.ring_hold().is_some();
-        let inside = if own { self.rim.held_radius } else { self.rim.ring_radius() };
+        let own = self.rim.ring_support().is_some();
+        let inside = if own { self.rim.fixed_radius } else { self.rim.ring_radius() };
         webbed_sector_mesh(&self.gear, plain, [self.rim.ring_radius(), inside], &refinement)
             .map_err(unmeshable)
     }
@@ -153,7 +153,7 @@ impl GearPrototype {
     /// E0675, E0676, E0691: the options or the gear allow none.
     pub fn solid_mesh(&self, options: &StructureOptions) -> Result<SolidMesh, EngineError> {
         let plane = self.section_mesh(options)?;
-        let own = self.rim.ring_hold().is_some();
+        let own = self.rim.ring_support().is_some();
         let [elements, axial_order] = Self::along_face(options);
         let stations = self.stations(elements);
         let twist = self.twist_per_length();
@@ -165,9 +165,9 @@ impl GearPrototype {
         let Some(web) = self.rim.web.filter(|_| own) else { return Ok(mesh) };
         // Beside the web, its elements have no material.
         let of_web = |element: usize| {
-            let [x, y] = plane.position(Place { element, xi: 0.0, eta: 0.0 });
+            let [x, y] = plane.position(ElementPoint { element, xi: 0.0, eta: 0.0 });
             let beyond = x.hypot(y) - web.rim_radius;
-            beyond * (self.rim.held_radius - web.rim_radius) > 0.0
+            beyond * (self.rim.fixed_radius - web.rim_radius) > 0.0
         };
         let of_web: Vec<bool> = (0..plane.elements.len()).map(of_web).collect();
         let [start, end] = web.ends();
@@ -208,7 +208,7 @@ impl GearPrototype {
         interrupt: &Interrupt,
     ) -> Result<ElasticSolid, EngineError> {
         let SolidSector { model, ring, web } = self.solid_sector(options, interrupt)?;
-        let stress_places = stress_places(&model.mesh, options);
+        let stress_points = stress_points(&model.mesh, options);
         let [tip, _] = self.roundings(options);
         let surfaces = self.plain_surfaces(options)?.into_iter().enumerate().map(|(index, surface)| {
             SolidSurfaceSource {
@@ -216,7 +216,7 @@ impl GearPrototype {
                 faces: format!("flank_{index}"),
                 edges: [None, Some(tip)],
                 stress_faces: options.stresses.then(|| format!("fillet_{index}")),
-                stress_places,
+                stress_points,
             }
         });
         let split = split_options(options);
@@ -237,7 +237,7 @@ impl GearPrototype {
             return Ok(shared);
         }
         let surfaces = self.surfaces(options)?.map(|surface| surface as Arc<dyn Surface>);
-        Ok(Arc::new(Reshaped::new(shared, surfaces.to_vec())))
+        Ok(Arc::new(ModifiedStructure::new(shared, surfaces.to_vec())))
     }
 
     /// All that the structure in space depends on: neither modifications nor pitch errors.
@@ -246,9 +246,9 @@ impl GearPrototype {
         // Straight teeth of either hand are one gear: no zero is negative.
         let twist = self.twist_per_length() + 0.0;
         self.teeth_and_tool("solid gear on a rim")
-            .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.held_radius])
+            .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.fixed_radius])
             .numbers(&self.rim.web_numbers())
-            .numbers(&Rim::hold_numbers(self.rim.hold))
+            .numbers(&Rim::support_numbers(self.rim.hold))
             .numbers(&[self.face_width, twist])
             .text(options.template.name())
             .numbers(&[options.refinement, options.matching_depth])

@@ -6,7 +6,7 @@
 use crate::host::ModelHost;
 use calyx_abi::description::{Exponents, UnitDescription};
 use calyx_abi::externs::Handle;
-use calyx_abi::limits::ask_memory;
+use calyx_abi::limits::request_memory;
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::to_si;
 use calyx_abi::{Context, RuntimeError};
@@ -72,7 +72,7 @@ calyx_abi::externs! {
         }
         let text = text_of(context, &path)?;
         let bytes = memory_of(&text);
-        ask_memory(context, bytes)?;
+        request_memory(context, bytes)?;
         let table = parse(&path, text)?;
         context.kept_tables = context.kept_tables.saturating_add(bytes);
         let tables = &mut host(context)?.tables;
@@ -121,7 +121,7 @@ pub type Unreadable = (String, &'static str);
 /// for before it is read.
 fn text_of(context: &Context, path: &str) -> Result<String, RuntimeError> {
     if let Some(table) = context.tables.iter().flat_map(|all| all.iter()).find(|table| table.name == path) {
-        ask_memory(context, table.text.len() as u64)?;
+        request_memory(context, table.text.len() as u64)?;
         return Ok(table.text.clone());
     }
     let refused = |(message, help): Unreadable| match context.tables {
@@ -129,7 +129,7 @@ fn text_of(context: &Context, path: &str) -> Result<String, RuntimeError> {
         None => unreadable(path, &message, help),
     };
     let (file, size) = locate(context.directory.as_deref(), &context.allowed, path).map_err(refused)?;
-    ask_memory(context, size)?;
+    request_memory(context, size)?;
     read(&file, size, "a table is a text file in UTF-8").map_err(refused)
 }
 

@@ -17,7 +17,7 @@ use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, Solved, StructureCounts};
 use calyx_runtime::scene::{BodyModel, Fidelity, ObservableId, Prototype, Scene, StructureOptions, Template};
 use calyx_runtime::structure::Chart;
-use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
+use calyx_runtime::structure::solid::{SegmentLoad, SolidStructure, SurfaceSegment};
 use calyx_runtime::system::System;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
@@ -258,7 +258,7 @@ fn memory_is_asked_for_before_it_is_taken() {
         let pool = Some(Arc::new(rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread")));
         let options = options(Resources { interrupt: interrupt.clone(), pool, ..Resources::default() });
         let ended = EDGES.steps(&options).and_then(Steps::finish);
-        (ended.map(|result| result.timing.memory).map_err(|error| error.code), interrupt.most_asked())
+        (ended.map(|result| result.timing.memory).map_err(|error| error.code), interrupt.largest_request())
     };
     let (told, most) = within(u64::MAX);
     assert_eq!(told, Ok(most));
@@ -346,13 +346,13 @@ fn structures_from_disk_have_the_bits_of_those_made_anew() {
     assert_eq!(again.stored().as_ref(), Some(&stored));
     let [u, v] = made.surface(0).range();
     let place = |share: f64| [u, v].map(|[from, to]| from + share * (to - from));
-    let places = [0.1, 0.4, 0.8].map(|share| Spot { place: place(share), length: 1e-3 });
+    let places = [0.1, 0.4, 0.8].map(|share| SurfaceSegment { place: place(share), length: 1e-3 });
     let [here, there] = [0, 1].map(|tooth| Chart { tooth, surface: 0 });
     for loaded in [here, there] {
         let answer = |structure: &dyn SolidStructure| {
             let mut block = vec![0.0; 9];
             structure.add_compliance(here, &places, loaded, &places, &mut block);
-            let load = SpotLoad { chart: loaded, spot: places[1], force: 100.0 };
+            let load = SegmentLoad { chart: loaded, segment: places[1], force: 100.0 };
             format!("{block:?} {:?}", structure.stresses(0, 0, &[load]))
         };
         assert_eq!(answer(made.as_ref()), answer(again.as_ref()));
@@ -457,7 +457,7 @@ fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
         &|gear| external(gear).rack.tip_radius = external(gear).rack.tip_radius.next_up(),
         &|gear| gear.material.poissons_ratio = gear.material.poissons_ratio.next_up(),
         &|gear| gear.material.youngs_modulus = gear.material.youngs_modulus.next_up(),
-        &|gear| gear.rim.held_radius = gear.rim.held_radius.next_up(),
+        &|gear| gear.rim.fixed_radius = gear.rim.fixed_radius.next_up(),
     ];
     let mut keys: Vec<_> = relevant.iter().map(|change| again(change)).collect();
     keys.extend([

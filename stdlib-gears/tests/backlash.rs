@@ -9,8 +9,8 @@ use calyx_runtime::fe::quadrature::gauss_legendre;
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{MeshForce, Rotation};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{MeshForce, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, Component, PairId, Scene};
 
@@ -66,9 +66,9 @@ fn a_load_that_reverses_sends_the_gear_to_and_fro_without_loss() {
     let inertia = scene.bodies[FIRST.0].inertia().polar();
     let held = strain_energy(&scene);
     let outputs = [
-        OutputRequest::observing("turn", scene.observe(Rotation(FIRST, 2))),
-        OutputRequest::observing("front", scene.observe(MeshForce(front))),
-        OutputRequest::observing("back", scene.observe(MeshForce(back))),
+        OutputRequest::observing("turn", scene.add_observable(Rotation(FIRST, 2))),
+        OutputRequest::observing("front", scene.add_observable(MeshForce(front))),
+        OutputRequest::observing("back", scene.add_observable(MeshForce(back))),
     ];
     let dynamics = DynamicOptions {
         from: 0.0,

@@ -4,7 +4,7 @@ use crate::common::pair::{PairOptions, RELIEVED, pair};
 use crate::common::resources;
 use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, mesh_cycle, quasi_static};
 use calyx_runtime::error::EngineError;
-use calyx_runtime::observe::{Fields, FilletField, SectorField};
+use calyx_runtime::observables::{Fields, FilletField, SectorField};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{ObservableId, Prototype, Scene};
 use std::sync::Arc;

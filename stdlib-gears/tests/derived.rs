@@ -1,14 +1,14 @@
 //! What is told of gears and meshes, against the published geometry, closed forms, and the gears themselves.
 
 use calyx_gears::blank::Rim;
-use calyx_gears::derived::{Quantity, of_gear, of_mesh};
+use calyx_gears::derived_quantities::{Quantity, of_gear, of_mesh};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::material::Material;
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use serde_json::Value;
 
 const ALPHA: f64 = 20.0 * std::f64::consts::PI / 180.0;
@@ -17,9 +17,9 @@ fn prototype(data: ExternalGearData, modifications: Vec<Modification>) -> GearPr
     let gear = ExternalGear::new(data).expect("a sound gear");
     let rim = Rim {
         radius: 0.9 * gear.root_radius,
-        held_radius: 0.5 * gear.root_radius,
+        fixed_radius: 0.5 * gear.root_radius,
         web: None,
-        hold: BoreHold::Rigid,
+        hold: BoreSupport::Rigid,
     };
     let steel = Material { youngs_modulus: 2.06e11, poissons_ratio: 0.3, density: 7850.0 };
     GearPrototype::new(gear, modifications, steel, rim, 0.01, Vec::new()).expect("a sound gear")

@@ -6,14 +6,14 @@ use calyx_gears::error::{GeometryError, Severity};
 use calyx_gears::external::{ExternalGear, ExternalGearData, check_rim};
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
-use calyx_gears::mesh_geometry::{MeshGeometry, Wound};
+use calyx_gears::mesh_geometry::{HelicalTeeth, MeshGeometry};
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Prototype, StructureOptions};
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 
 fn expect(row: &str, errors: &[GeometryError], code: &str, argument: &str, says: &str) {
     let found = errors.iter().find(|error| error.code == code);
@@ -192,32 +192,34 @@ fn impossible_pairs_are_refused() {
         ("tip in root", [&thin[0], &thin[1]], 2.97, "E0636", "second", "0.01 inch into the root circle"),
     ];
     for (row, [first, second], distance, code, argument, says) in rows {
-        let errors =
-            MeshGeometry::check_external(first, second, distance * INCH, &Wound::default()).expect_err(row);
+        let errors = MeshGeometry::check_external(first, second, distance * INCH, &HelicalTeeth::default())
+            .expect_err(row);
         expect(row, &errors, code, argument, says);
     }
     // The thin pair runs without backlash errors a little closer than standard, with a warning about its clearance.
     let (mesh, warnings) =
-        MeshGeometry::check_external(&thin[0], &thin[1], 2.983 * INCH, &Wound::default()).expect("a pair");
+        MeshGeometry::check_external(&thin[0], &thin[1], 2.983 * INCH, &HelicalTeeth::default())
+            .expect("a pair");
     assert!(mesh.backlash > 0.0);
     // Tips in the pinion's root by 0.013 inches (a warning starts at 0.005), in the gear's by 0.003.
     let found: Vec<_> = warnings.iter().map(|warning| (warning.code, warning.argument)).collect();
     assert_eq!(found, [("E0637", "second")]);
     // A pair without backlash runs on its driving flanks, with a warning.
-    let (_, warnings) =
-        MeshGeometry::check_external(&first, &second, 2.995 * INCH, &Wound::default()).expect("a pair");
+    let (_, warnings) = MeshGeometry::check_external(&first, &second, 2.995 * INCH, &HelicalTeeth::default())
+        .expect("a pair");
     let tight = warnings.iter().find(|warning| warning.code == "E0635").expect("a warning");
     assert!(tight.to_string().contains("backlash is negative"), "{tight}");
     // An undercut pinion touches from its form circle on; its mate's tips pass where the rack has cut.
     let [small, large] = [12, 30].map(|teeth| gear(standard_data(teeth, 0.0, 0.3)));
-    let (mesh, _) = MeshGeometry::check_external(&small, &large, 21e-3, &Wound::default()).expect("a pair");
+    let (mesh, _) =
+        MeshGeometry::check_external(&small, &large, 21e-3, &HelicalTeeth::default()).expect("a pair");
     let nominal = (mesh.tangent_distance - large.base_radius * large.tip_roll) / small.base_radius;
     assert!(small.undercut && nominal < small.form_roll, "{nominal} {}", small.form_roll);
     assert!((mesh.first_roll.start_of_active_profile - small.form_roll).abs() < 1e-12);
     assert!((1.0..1.6).contains(&mesh.contact_ratio), "{}", mesh.contact_ratio);
     // The pair of the report has a clearance of 0.03 and 0.02 inches: no findings.
     assert!(
-        MeshGeometry::check_external(&first, &second, 3.0 * INCH, &Wound::default())
+        MeshGeometry::check_external(&first, &second, 3.0 * INCH, &HelicalTeeth::default())
             .is_ok_and(|(_, warnings)| warnings.is_empty())
     );
 }
@@ -225,7 +227,7 @@ fn impossible_pairs_are_refused() {
 /// Options that models do not set, but users of the engine's API do.
 #[test]
 fn a_mesh_of_unknown_order_is_refused() {
-    let rim = Rim { radius: 0.70 * INCH, held_radius: 0.60 * INCH, web: None, hold: BoreHold::Rigid };
+    let rim = Rim { radius: 0.70 * INCH, fixed_radius: 0.60 * INCH, web: None, hold: BoreSupport::Rigid };
     let steel = Material { youngs_modulus: 206e9, poissons_ratio: 0.3, density: 7850.0 };
     let gear = ExternalGear::new(chapter_5_data(20, 0.02, 0.15708)).expect("a sound gear");
     let gear = GearPrototype::new(gear, Vec::new(), steel, rim, INCH, Vec::new()).expect("a gear");

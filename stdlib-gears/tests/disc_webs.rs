@@ -7,9 +7,9 @@ use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Fidelity, Prototype, StructureOptions};
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use calyx_runtime::structure::Chart;
-use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
+use calyx_runtime::structure::solid::{SegmentLoad, SolidStructure, SurfaceSegment};
 use std::sync::Arc;
 
 const MODULE: f64 = 4e-3;
@@ -56,15 +56,17 @@ struct Answers {
 fn answers(structure: &dyn SolidStructure) -> Answers {
     let [_, [from, to]] = structure.surface(0).range();
     let [[start, end], _] = structure.surface(0).range();
-    let at = |share: f64, along: f64| Spot::from([start + share * (end - start), from + along * (to - from)]);
-    let spots = [at(0.4, 0.1), at(0.4, 0.5), at(0.7, 0.9)];
+    let at = |share: f64, along: f64| {
+        SurfaceSegment::from([start + share * (end - start), from + along * (to - from)])
+    };
+    let segments = [at(0.4, 0.1), at(0.4, 0.5), at(0.7, 0.9)];
     let between = |observed: u32| {
         let mut block = vec![0.0; 9];
         let chart = |tooth| Chart { tooth, surface: 0 };
-        structure.add_compliance(chart(observed), &spots, chart(0), &spots, &mut block);
+        structure.add_compliance(chart(observed), &segments, chart(0), &segments, &mut block);
         block
     };
-    let load = SpotLoad { chart: Chart { tooth: 0, surface: 0 }, spot: at(0.7, 0.1), force: 1.0 };
+    let load = SegmentLoad { chart: Chart { tooth: 0, surface: 0 }, segment: at(0.7, 0.1), force: 1.0 };
     let stresses = structure.stresses(0, 0, &[load]);
     let stress = stresses.iter().map(|stress| stress.principal()[0]).fold(0.0, f64::max);
     Answers { own: between(0), next: between(1), stress }
@@ -88,7 +90,7 @@ fn a_joined_web_becomes_the_web_of_the_common_mesh() {
         "waves, degree: compliance of a tooth and of its neighbour, root stress, against the common mesh"
     );
     let off = [(4, 2), (8, 2), (16, 2), (24, 2)].map(|(waves, degree)| {
-        let joined = answers(built(on_disc(DiscWeb { waves: Some(waves), degree, ..plain() })).as_ref());
+        let joined = answers(built(on_disc(DiscWeb { harmonics: Some(waves), degree, ..plain() })).as_ref());
         let off = [
             apart(&joined.own, &common.own) / scale,
             apart(&joined.next, &common.next) / scale,
@@ -110,9 +112,9 @@ fn a_joined_web_becomes_the_web_of_the_common_mesh() {
 #[test]
 fn a_stiff_web_is_a_bore_held_by_its_series() {
     let stiff = Material { youngs_modulus: 1e8 * Material::STEEL.youngs_modulus, ..Material::STEEL };
-    let disc = DiscWeb { waves: Some(6), degree: 2, material: Some(stiff), ..DiscWeb::plain(WIDTH, 0.0) };
+    let disc = DiscWeb { harmonics: Some(6), degree: 2, material: Some(stiff), ..DiscWeb::plain(WIDTH, 0.0) };
     let joined = answers(built(ring().on_disc(WIDTH, 0.0, BORE, disc).expect("a web")).as_ref());
-    let held = answers(built(ring().held(BoreHold::Means { waves: Some(6), degree: 2 })).as_ref());
+    let held = answers(built(ring().held(BoreSupport::Means { harmonics: Some(6), degree: 2 })).as_ref());
     let scale = largest(&held.own);
     let off = [apart(&joined.own, &held.own), apart(&joined.next, &held.next)].map(|off| off / scale);
     assert!(off.iter().all(|off| *off < 1e-6), "{off:?}");
@@ -132,7 +134,7 @@ fn webs_differ_and_are_kept_whole() {
         DiscWeb { inner_offset: -8e-3, ..plain() },
         DiscWeb { material: Some(soft), ..plain() },
     ]
-    .map(|disc| DiscWeb { waves: Some(6), ..disc });
+    .map(|disc| DiscWeb { harmonics: Some(6), ..disc });
     let options = options();
     let mean = |structure: &dyn SolidStructure| answers(structure).own[4];
     let built = webs.map(|disc| (gear(on_disc(disc)), built(on_disc(disc))));
@@ -146,15 +148,15 @@ fn webs_differ_and_are_kept_whole() {
     }
     let (gear, structure) = &built[1];
     let kept = gear.restore_solid(&options, &structure.stored().expect("kept")).expect("read back");
-    let spots = [[0.3, 0.0], [0.7, 0.2]].map(|[share, along]| {
+    let segments = [[0.3, 0.0], [0.7, 0.2]].map(|[share, along]| {
         let [[start, end], [from, to]] = structure.surface(0).range();
-        Spot::from([start + share * (end - start), from + (0.5 + along) * (to - from)])
+        SurfaceSegment::from([start + share * (end - start), from + (0.5 + along) * (to - from)])
     });
     for observed in [0, 1, TEETH / 2] {
         let [first, second] = [structure, &kept].map(|structure| {
             let mut block = vec![0.0; 4];
             let chart = |tooth| Chart { tooth, surface: 0 };
-            structure.add_compliance(chart(observed), &spots, chart(0), &spots, &mut block);
+            structure.add_compliance(chart(observed), &segments, chart(0), &segments, &mut block);
             block
         });
         assert!(first.iter().zip(&second).all(|(a, b)| a.to_bits() == b.to_bits()));

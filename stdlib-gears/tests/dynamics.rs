@@ -10,8 +10,8 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     Displacement, Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, MeshStiffness, ModeShare,
     NaturalFrequency, Reading, Rotation, SupportMoment, TransmissionError,
 };
@@ -79,10 +79,10 @@ fn with_rigid(body: Body, bearing: Option<Bearing>) -> (Scene, BodyId) {
     if let Some(bearing) = bearing {
         scene.add_bearing(Bearing { body: id, ..bearing }).expect("a bearing");
     }
-    scene.observe(Displacement(id, 0));
-    scene.observe(Displacement(id, 1));
-    scene.observe(Rotation(id, 2));
-    scene.observe(TransmissionError(MESH));
+    scene.add_observable(Displacement(id, 0));
+    scene.add_observable(Displacement(id, 1));
+    scene.add_observable(Rotation(id, 2));
+    scene.add_observable(TransmissionError(MESH));
     (scene, id)
 }
 
@@ -142,10 +142,10 @@ fn an_unbalance_shakes_a_rotor_in_a_bearing_at_its_own_speed() {
 fn slow_motion_is_statics() {
     // A turn in half an hour; steps of minutes, by a scheme that damps what they cannot follow.
     let (mut scene, mesh) = at_speed(TAU / 2000.0, &RELIEVED);
-    scene.observe(TransmissionError(MESH));
-    scene.observe(SupportMoment(SECOND, 2));
+    scene.add_observable(TransmissionError(MESH));
+    scene.add_observable(SupportMoment(SECOND, 2));
     // What teeth are stressed by: the one that carries most, and one beside the mesh.
-    scene.observe(MaxRootStress(FIRST));
+    scene.add_observable(MaxRootStress(FIRST));
     let gauge = Gauge {
         body: FIRST,
         place: [0.5e-3, 0.0],
@@ -155,7 +155,7 @@ fn slow_motion_is_statics() {
         tooth: None,
         material: Material::STEEL,
     };
-    scene.observe(GaugeReading(gauge, Reading::Strain));
+    scene.add_observable(GaugeReading(gauge, Reading::Strain));
     let system = system(&scene);
     let [rigid, modal] = [0.0, 60e3].map(|highest_frequency| {
         let dynamics = DynamicOptions {
@@ -187,9 +187,9 @@ fn slow_motion_is_statics() {
 #[test]
 fn slow_motion_without_meshes_is_statics() {
     let (mut scene, mesh) = at_speed(TAU / 2000.0, &RELIEVED);
-    scene.observe(TransmissionError(MESH));
-    scene.observe(SupportMoment(SECOND, 2));
-    scene.observe(MaxRootStress(FIRST));
+    scene.add_observable(TransmissionError(MESH));
+    scene.add_observable(SupportMoment(SECOND, 2));
+    scene.add_observable(MaxRootStress(FIRST));
     let system = built(&scene, Fidelity::Analytic, COARSE);
     let dynamics = DynamicOptions {
         scheme: Scheme::named("backward_difference").expect("known"),
@@ -234,7 +234,7 @@ fn a_pair_vibrates_as_its_reduced_model_says() {
     let speed = 300.0;
     let (mut scene, mesh) = at_speed(speed, &RELIEVED);
     scene.bodies[FIRST.0] = scene.bodies[FIRST.0].clone().with_added(Inertia::axial(0.0, 2e-3, 0.0));
-    scene.observe(Rotation(FIRST, 2));
+    scene.add_observable(Rotation(FIRST, 2));
     let inertia = scene.bodies[FIRST.0].inertia().polar();
     let cycles = 3.0;
     let (steps, damping) = (240, 2000.0);
@@ -280,7 +280,7 @@ fn a_pair_vibrates_as_its_reduced_model_says() {
 #[test]
 fn a_history_goes_on_where_it_was_left() {
     let (mut scene, mesh) = at_speed(200.0, &PLAIN);
-    scene.observe(TransmissionError(MESH));
+    scene.add_observable(TransmissionError(MESH));
     let outputs = requests(&scene);
     let dynamics = moving(vec![TimeRange { keep: 3, ..TimeRange::steady(0.2 * mesh.period, 10) }]);
     let all: Vec<Solved> = History::new(&scene, &outputs, &options(), &dynamics, &mut ())
@@ -364,7 +364,7 @@ fn natural_frequencies_are_those_of_the_closed_form() {
 #[test]
 fn the_stiffness_of_a_mesh_in_time_is_that_of_statics() {
     let (mut scene, mesh) = at_speed(100.0, &PLAIN);
-    scene.observe(MeshStiffness(MESH));
+    scene.add_observable(MeshStiffness(MESH));
     let ranges = vec![TimeRange::steady(0.02 * mesh.period, 4)];
     let [rigid, modal] = [0.0, 60e3].map(|highest| rows_up_to(highest, &scene, &moving(ranges.clone())));
     for ((time, rigid), (_, modal)) in rigid.iter().zip(&modal) {
@@ -388,7 +388,7 @@ fn modes_of_bodies_change_natural_frequencies_and_leave_statics_as_it_is() {
     let plain = Equilibrium::new(&rigid, &step).vibrations().expect("they vibrate");
     let mut last = plain.frequencies[..2].to_vec();
     for highest in [40e3, 80e3] {
-        let elastic = system(&scene).vibrating(&plan, &resources, highest).expect("modes");
+        let elastic = system(&scene).with_modes(&plan, &resources, highest).expect("modes");
         let again = elastic.solve(time).expect("equilibrium");
         assert_eq!((&again.motion, &again.problem.compliance), (&step.motion, &step.problem.compliance));
         let found = Equilibrium::new(&elastic, &again).vibrations().expect("they vibrate");

@@ -7,12 +7,12 @@ use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::rack::Rack;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     Coordinate, Efficiency, Equilibrium, FaceLoadFactor, FrictionLoss, LoadedFace, MaxContactPressure,
-    MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MeshStiffness, Observable,
-    PairLoad, PairsInContact, PlaceOf, SecantStiffness, SupportForce, SupportMoment, TransmissionError,
-    UnloadedTransmissionError,
+    MaxLineLoad, MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation,
+    MeshStiffness, Observable, PairLoad, PairsInContact, SecantStiffness, SupportForce, SupportMoment,
+    TransmissionError, UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, PairId, Scene, StructureOptions, Template};
 
@@ -49,7 +49,7 @@ pub fn scene(helix_angle: f64) -> Scene {
     let options = MeshOptions { tip_corner_contact: false, half_cells: Some(8), ..MeshOptions::default() };
     mesh(&mut scene, bodies[0], bodies[1], &options).expect("they mesh");
     for body in BODIES {
-        scene.observe(MaxRootStress(body));
+        scene.add_observable(MaxRootStress(body));
     }
     scene
 }
@@ -107,7 +107,8 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
                 let stress = seen(&MaxRootStress(body));
                 let place = stress.place.expect("a loaded gear has a place of its largest stress");
                 let axial = place.axial.expect("in space places lie along the face");
-                let told = PlaceOf { body, maximum: Maximum::RootStress, coordinate: Coordinate::Axial };
+                let told =
+                    MaximumLocation { body, maximum: Maximum::RootStress, coordinate: Coordinate::Axial };
                 assert_eq!(value(&told), axial);
                 assert!(value(&MaxRootCompression(body)) > 0.5 * stress.value);
             }

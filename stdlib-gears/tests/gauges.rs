@@ -4,15 +4,15 @@ use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::fillet::Side;
-use calyx_gears::gauging::{Along, Placing};
+use calyx_gears::gauge_externs::{FilletLocation, GaugePlacement};
 use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::results::Observed;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, Scene, StructureOptions, Template};
@@ -21,7 +21,8 @@ use std::sync::Arc;
 
 const FACE: f64 = 30e-3;
 const BODIES: [BodyId; 2] = [BodyId(0), BodyId(1)];
-const MIDDLE: Placing = Placing { along: Along::TangentAngle(0.6), axial: 0.0, direction: 0.0, length: 0.0 };
+const MIDDLE: GaugePlacement =
+    GaugePlacement { along: FilletLocation::TangentAngle(0.6), axial: 0.0, direction: 0.0, length: 0.0 };
 
 /// A gear of 20 teeth of transverse module 4 mm.
 fn gear(helix_angle: f64, hand: Hand, poissons_ratio: f64) -> Arc<GearPrototype> {
@@ -56,7 +57,7 @@ fn with_pair(
     let options = MeshOptions { tip_corner_contact: false, half_cells: Some(8), ..MeshOptions::default() };
     mesh(&mut scene, bodies[0], bodies[1], &options).expect("they mesh");
     for body in BODIES {
-        scene.observe(MaxRootStress(body));
+        scene.add_observable(MaxRootStress(body));
     }
     let structure =
         StructureOptions { face_elements: Some(2), axial_order: Some(2), ..StructureOptions::default() };
@@ -66,9 +67,9 @@ fn with_pair(
     test(&|observable| system.value(&step, observable));
 }
 
-fn gauge(body: BodyId, gear: &GearPrototype, placing: Placing) -> Gauge {
+fn gauge(body: BodyId, gear: &GearPrototype, placing: GaugePlacement) -> Gauge {
     let place = placing.on(gear).expect("within the fillet");
-    let Placing { direction, length, .. } = placing;
+    let GaugePlacement { direction, length, .. } = placing;
     Gauge { body, place, direction, length, side: FilletSide::Loaded, tooth: None, material: gear.material }
 }
 
@@ -78,9 +79,10 @@ fn gauges_are_placed_by_radius_or_tangent_angle() {
     let fillet = gear.gear.root_fillet(Side::CounterClockwise);
     let form = gear.form();
     for degrees in [25.0_f64, 30.0, 60.0] {
-        let [s, axial] = Placing { along: Along::TangentAngle(degrees.to_radians()), ..MIDDLE }
-            .on(&gear)
-            .expect("a place");
+        let [s, axial] =
+            GaugePlacement { along: FilletLocation::TangentAngle(degrees.to_radians()), ..MIDDLE }
+                .on(&gear)
+                .expect("a place");
         let point = fillet.at(s);
         // Towards the root a fillet of the counter-clockwise side leans away from the centre line.
         let [x, y] = point.tangent;
@@ -91,37 +93,48 @@ fn gauges_are_placed_by_radius_or_tangent_angle() {
         );
         assert_eq!(axial, 0.0);
         let radius = point.position[0].hypot(point.position[1]);
-        let [by_radius, _] =
-            Placing { along: Along::Radius(radius), ..MIDDLE }.on(&gear).expect("the same place");
+        let [by_radius, _] = GaugePlacement { along: FilletLocation::Radius(radius), ..MIDDLE }
+            .on(&gear)
+            .expect("the same place");
         assert!((by_radius - s).abs() < 1e-9 * fillet.length());
     }
     for end in [form.form_radius, form.root_radius] {
-        assert!(Placing { along: Along::Radius(end), ..MIDDLE }.on(&gear).is_ok());
+        assert!(GaugePlacement { along: FilletLocation::Radius(end), ..MIDDLE }.on(&gear).is_ok());
     }
-    let refused = |placing: Placing| placing.on(&gear).expect_err("off the fillet").argument;
-    assert_eq!(refused(Placing { along: Along::Radius(1.001 * form.form_radius), ..MIDDLE }), "radius");
-    assert_eq!(refused(Placing { along: Along::Radius(0.999 * form.root_radius), ..MIDDLE }), "radius");
-    assert_eq!(refused(Placing { along: Along::TangentAngle(0.0), ..MIDDLE }), "tangent_angle");
-    assert_eq!(refused(Placing { along: Along::TangentAngle(1.6), ..MIDDLE }), "tangent_angle");
-    assert_eq!(refused(Placing { axial: 0.51 * FACE, ..MIDDLE }), "axial");
-    assert_eq!(refused(Placing { axial: f64::NAN, ..MIDDLE }), "axial");
-    let along = Placing { length: 2.0 * fillet.length(), ..MIDDLE };
+    let refused = |placing: GaugePlacement| placing.on(&gear).expect_err("off the fillet").argument;
+    assert_eq!(
+        refused(GaugePlacement { along: FilletLocation::Radius(1.001 * form.form_radius), ..MIDDLE }),
+        "radius"
+    );
+    assert_eq!(
+        refused(GaugePlacement { along: FilletLocation::Radius(0.999 * form.root_radius), ..MIDDLE }),
+        "radius"
+    );
+    assert_eq!(
+        refused(GaugePlacement { along: FilletLocation::TangentAngle(0.0), ..MIDDLE }),
+        "tangent_angle"
+    );
+    assert_eq!(
+        refused(GaugePlacement { along: FilletLocation::TangentAngle(1.6), ..MIDDLE }),
+        "tangent_angle"
+    );
+    assert_eq!(refused(GaugePlacement { axial: 0.51 * FACE, ..MIDDLE }), "axial");
+    assert_eq!(refused(GaugePlacement { axial: f64::NAN, ..MIDDLE }), "axial");
+    let along = GaugePlacement { length: 2.0 * fillet.length(), ..MIDDLE };
     assert_eq!(refused(along), "length");
-    assert_eq!(refused(Placing { length: -1e-3, ..MIDDLE }), "length");
+    assert_eq!(refused(GaugePlacement { length: -1e-3, ..MIDDLE }), "length");
     // Turned to the face it fits, but not near its end.
-    let across = Placing { direction: FRAC_PI_2, length: 0.2 * FACE, ..MIDDLE };
-    assert!(Placing { axial: 0.39 * FACE, ..across }.on(&gear).is_ok());
-    assert_eq!(refused(Placing { axial: 0.41 * FACE, ..across }), "axial");
+    let across = GaugePlacement { direction: FRAC_PI_2, length: 0.2 * FACE, ..MIDDLE };
+    assert!(GaugePlacement { axial: 0.39 * FACE, ..across }.on(&gear).is_ok());
+    assert_eq!(refused(GaugePlacement { axial: 0.41 * FACE, ..across }), "axial");
 }
 
 /// Without transverse contraction every section of a spur gear is in plane strain, and nothing is strained along the face.
 #[test]
 fn without_transverse_contraction_gauges_read_what_the_plane_says() {
     let gears = || [Hand::Right, Hand::Left].map(|hand| gear(0.0, hand, 0.0));
-    let placings = [(25.0_f64, -9e-3), (35.0, 1.3e-3), (45.0, 14e-3)].map(|(degrees, axial)| Placing {
-        along: Along::TangentAngle(degrees.to_radians()),
-        axial,
-        ..MIDDLE
+    let placings = [(25.0_f64, -9e-3), (35.0, 1.3e-3), (45.0, 14e-3)].map(|(degrees, axial)| {
+        GaugePlacement { along: FilletLocation::TangentAngle(degrees.to_radians()), axial, ..MIDDLE }
     });
     let mut plane = Vec::new();
     let read = |value: &dyn Fn(&dyn Observable) -> Observed| {
@@ -129,7 +142,8 @@ fn without_transverse_contraction_gauges_read_what_the_plane_says() {
         for body in BODIES {
             for placing in placings {
                 for (direction, length) in [(0.0, 0.0), (0.0, 0.8e-3), (FRAC_PI_4, 0.0), (FRAC_PI_2, 1e-3)] {
-                    let gauge = gauge(body, &gears()[body.0], Placing { direction, length, ..placing });
+                    let gauge =
+                        gauge(body, &gears()[body.0], GaugePlacement { direction, length, ..placing });
                     all.push(value(&GaugeReading(gauge, Reading::Strain)).value);
                 }
             }
@@ -162,8 +176,8 @@ fn gauges_read_the_stress_that_is_recovered_and_its_mirror_image() {
                 let stress = value(&MaxRootStress(body));
                 let place = stress.place.expect("a loaded gear has a place of its largest stress");
                 let axial = place.axial.expect("in space places lie along the face");
-                let largest = Placing { along: Along::Radius(place.radius), axial, ..MIDDLE };
-                let read = |placing: Placing, reading| {
+                let largest = GaugePlacement { along: FilletLocation::Radius(place.radius), axial, ..MIDDLE };
+                let read = |placing: GaugePlacement, reading| {
                     value(&GaugeReading(gauge(body, gear, placing), reading)).value
                 };
                 let found = read(largest, Reading::LargestPrincipal);
@@ -173,7 +187,7 @@ fn gauges_read_the_stress_that_is_recovered_and_its_mirror_image() {
                 let around: Vec<f64> = (0..36)
                     .map(|fives| {
                         read(
-                            Placing { direction: f64::from(5 * fives).to_radians(), ..largest },
+                            GaugePlacement { direction: f64::from(5 * fives).to_radians(), ..largest },
                             Reading::Stress,
                         )
                     })
@@ -189,7 +203,7 @@ fn gauges_read_the_stress_that_is_recovered_and_its_mirror_image() {
                 for (axial, direction, length) in [(6e-3, 0.5, 0.0), (-11e-3, -0.8, 1e-3), (9e-3, 1.2, 2e-3)]
                 {
                     let placing =
-                        Placing { axial: sign * axial, direction: sign * direction, length, ..MIDDLE };
+                        GaugePlacement { axial: sign * axial, direction: sign * direction, length, ..MIDDLE };
                     readings.push(read(placing, Reading::Strain));
                 }
             }

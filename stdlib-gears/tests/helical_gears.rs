@@ -2,7 +2,7 @@
 
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Thickness};
-use calyx_gears::derived::{of_gear, of_mesh};
+use calyx_gears::derived_quantities::{of_gear, of_mesh};
 use calyx_gears::error::Refusal;
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
@@ -35,7 +35,7 @@ fn gear(teeth: u32, hand: Hand, angle: f64) -> Arc<GearPrototype> {
     blank.helix = helix;
     blank = blank.diameters(pitch + 2.0 * NORMAL_MODULE, pitch - 2.5 * NORMAL_MODULE);
     blank.rim.radius = 0.5 * pitch - 2.0 * NORMAL_MODULE;
-    blank.rim.held_radius = 0.5 * pitch - 3.5 * NORMAL_MODULE;
+    blank.rim.fixed_radius = 0.5 * pitch - 3.5 * NORMAL_MODULE;
     blank.face_width(30e-3).cut().expect("a gear")
 }
 
@@ -57,7 +57,7 @@ fn a_normal_rack_is_converted_exactly() {
         blank.helix = helix;
         blank = blank.diameters(144e-3, 122e-3);
         blank.rim.radius = 58e-3;
-        blank.rim.held_radius = 50e-3;
+        blank.rim.fixed_radius = 50e-3;
         blank.cut().expect("a gear").form().tooth_thickness
     };
     let by_shift = shifted(Thickness::ProfileShift(0.2));
@@ -193,7 +193,7 @@ fn a_plan_in_the_plane_refuses_helical_gears_of_either_rack() {
             GearBlank::standard(25, rack).diameters(pitch + 2.0 * NORMAL_MODULE, pitch - 2.5 * NORMAL_MODULE);
         blank.helix = helix;
         blank.rim.radius = 0.5 * pitch - 2.0 * NORMAL_MODULE;
-        blank.rim.held_radius = 0.5 * pitch - 3.5 * NORMAL_MODULE;
+        blank.rim.fixed_radius = 0.5 * pitch - 3.5 * NORMAL_MODULE;
         let gear = blank.cut().expect("a gear");
         let check = |in_space| gear.check(&StructureOptions::default(), in_space).map_err(|error| error.code);
         assert_eq!(check(false), Err("E0623"));
@@ -215,7 +215,7 @@ fn what_follows_from_a_helix_is_told() {
     let externals = [0, 1].map(|index: usize| gears[index].gear.external().expect("external").clone());
     let distance = 0.5 * 75.0 * NORMAL_MODULE / BETA.cos();
     let plain = calyx_gears::mesh_geometry::MeshGeometry::external(&externals[0], &externals[1], distance);
-    let wound = calyx_gears::mesh_geometry::Wound { first: gears[0].helix, width: 30e-3 };
+    let wound = calyx_gears::mesh_geometry::HelicalTeeth { first: gears[0].helix, width: 30e-3 };
     let mesh = plain.expect("a mesh").across(&externals[0], &wound);
     let told = of_mesh([gears[0].form(), gears[1].form()], &mesh);
     let value = |symbol: &str| told.iter().find(|quantity| quantity.symbol == symbol).expect("told").value;
@@ -237,7 +237,7 @@ fn derived_values_count_in_the_plane_of_the_rack() {
         .thickness(Thickness::ProfileShift(shift));
     blank.helix = Helix::new(beta, Hand::Right).expect("a helix");
     blank.rim.radius = 0.5 * blank.root_diameter - 0.5 * NORMAL_MODULE;
-    blank.rim.held_radius = 0.5 * blank.root_diameter - 2.0 * NORMAL_MODULE;
+    blank.rim.fixed_radius = 0.5 * blank.root_diameter - 2.0 * NORMAL_MODULE;
     blank.face_width = 40e-3;
     let told = of_gear(&blank.cut().expect("a gear"));
     let quantity = |symbol: &str| told.iter().find(|quantity| quantity.symbol == symbol).expect("told");
@@ -257,7 +257,7 @@ fn derived_values_count_in_the_plane_of_the_rack() {
     close("W_k", NORMAL_MODULE * ALPHA.cos() * turned + raised * ALPHA.sin());
     // Over balls: inv(alpha_K) = D / (z m_n cos(alpha_n)) - (pi/2 - 2 x tan(alpha_n)) / z +
     // inv(alpha_t).
-    let ball = calyx_gears::derived::PIN * NORMAL_MODULE;
+    let ball = calyx_gears::derived_quantities::PIN * NORMAL_MODULE;
     let value = ball / (z * NORMAL_MODULE * ALPHA.cos()) - (0.5 * PI - 2.0 * shift * ALPHA.tan()) / z
         + involute(transverse);
     let (mut low, mut high) = (0.0, 1.5);

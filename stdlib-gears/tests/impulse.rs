@@ -7,8 +7,8 @@ use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{Displacement, NaturalFrequency, Rotation};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{Displacement, NaturalFrequency, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Component, Scene};
 use calyx_runtime::signal::{Shape, Uniform, peaks, transfer_function};
@@ -53,19 +53,19 @@ fn peaks_of_the_transfer_function_are_the_natural_frequencies() {
     let struck = scene.bodies[FIRST.0].clone();
     scene.bodies[FIRST.0] = struck.loaded(|time: f64| {
         let passed = time / (TAKES * STEP);
-        let blow = match (0.0..1.0).contains(&passed) {
+        let impulse = match (0.0..1.0).contains(&passed) {
             true => 2.0 * BLOW / (TAKES * STEP) * (std::f64::consts::PI * passed).sin().powi(2),
             false => 0.0,
         };
-        Wrench::of_moment([0.0, 0.0, TORQUE + blow])
+        Wrench::of_moment([0.0, 0.0, TORQUE + impulse])
     });
     let observed = [
-        scene.observe(Rotation(FIRST, 2)),
-        scene.observe(Displacement(FIRST, 0)),
-        scene.observe(Displacement(FIRST, 1)),
-        scene.observe(Rotation(SECOND, 2)),
-        scene.observe(Displacement(SECOND, 0)),
-        scene.observe(Displacement(SECOND, 1)),
+        scene.add_observable(Rotation(FIRST, 2)),
+        scene.add_observable(Displacement(FIRST, 0)),
+        scene.add_observable(Displacement(FIRST, 1)),
+        scene.add_observable(Rotation(SECOND, 2)),
+        scene.add_observable(Displacement(SECOND, 0)),
+        scene.add_observable(Displacement(SECOND, 1)),
     ];
     let outputs = observed.map(|id| OutputRequest::observing(format!("{}", id.0), id));
     let duration = STEP * STEPS as f64;

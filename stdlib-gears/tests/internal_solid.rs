@@ -10,8 +10,8 @@ use calyx_gears::shaper::Shaper;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     MaxContactPressure, MaxRootStress, MeshStiffness, PairsInContact, SecantStiffness, TransmissionError,
     UnloadedTransmissionError,
 };
@@ -51,8 +51,8 @@ fn scene(helix_angle: f64, moment: f64) -> Scene {
     let bodies = [add_body(&mut scene, pinion).expect("a body"), add_body(&mut scene, ring).expect("a body")];
     let options = MeshOptions { tip_corner_contact: false, half_cells: Some(8), ..MeshOptions::default() };
     mesh(&mut scene, bodies[0], bodies[1], &options).expect("they mesh");
-    scene.observe(MaxRootStress(FIRST));
-    scene.observe(MaxRootStress(SECOND));
+    scene.add_observable(MaxRootStress(FIRST));
+    scene.add_observable(MaxRootStress(SECOND));
     scene
 }
 
@@ -80,8 +80,9 @@ fn ratios_of_torques_and_axial_forces_are_exact() {
                 assert!((pinion[axis] + ring[axis]).abs() < 1e-10 * size, "{pinion:?} {ring:?}");
             }
             assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
-            let value =
-                |observable: &dyn calyx_runtime::observe::Observable| system.value(&step, observable).value;
+            let value = |observable: &dyn calyx_runtime::observables::Observable| {
+                system.value(&step, observable).value
+            };
             let error = value(&TransmissionError(PairId(0)));
             // Unmodified teeth touch without transmission error before they are loaded.
             let unloaded = value(&UnloadedTransmissionError(PairId(0)));

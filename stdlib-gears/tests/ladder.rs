@@ -6,8 +6,8 @@ use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::disc::Disc;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     HighestContact, MaxContactPressure, MaxRootStress, MaxSlidingVelocity, PairsInContact, TransmissionError,
     UnloadedTransmissionError,
 };
@@ -147,8 +147,9 @@ fn rigid_teeth_are_the_limit_of_elastic_ones() {
 }
 
 fn analyse(scene: &mut Scene, mesh: &GearMesh, fidelity: Fidelity) -> Result<AnalysisResult, &'static str> {
-    let error = scene.observe(TransmissionError(MESH));
-    let [stress, pressure] = [scene.observe(MaxRootStress(FIRST)), scene.observe(MaxContactPressure(MESH))];
+    let error = scene.add_observable(TransmissionError(MESH));
+    let [stress, pressure] =
+        [scene.add_observable(MaxRootStress(FIRST)), scene.add_observable(MaxContactPressure(MESH))];
     let outputs = [("error", error), ("stress", stress), ("pressure", pressure)];
     let outputs = outputs.map(|(name, of)| OutputRequest::observing(name, of));
     let options = AnalysisOptions { fidelity, ..AnalysisOptions::default() };

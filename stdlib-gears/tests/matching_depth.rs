@@ -11,7 +11,7 @@ use calyx_runtime::contact::pressure::{hertz_half_width, peak};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Fidelity, Prototype, StructureOptions};
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use calyx_runtime::system::System;
 use std::f64::consts::PI;
 
@@ -171,8 +171,8 @@ fn root_stress_is_that_of_a_fine_mesh() {
     for (tip_radius, thickness, expected) in rows {
         let gears = [(20, [0.7, 0.6]), (40, [1.7, 1.2])].map(|(teeth, rim)| {
             let gear = ExternalGear::new(chapter_5_data(teeth, tip_radius, thickness)).expect("a sound gear");
-            let [radius, held_radius] = rim.map(|radius: f64| radius * INCH);
-            let rim = Rim { radius, held_radius, web: None, hold: BoreHold::Rigid };
+            let [radius, fixed_radius] = rim.map(|radius: f64| radius * INCH);
+            let rim = Rim { radius, fixed_radius, web: None, hold: BoreSupport::Rigid };
             Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, INCH, Vec::new()).expect("a gear"))
         });
         let (scene, mesh) = pair(&PairOptions::chapter_5(&gears));

@@ -1,6 +1,6 @@
 //! Component modes of gears: they go with the compliance that statics uses, whatever holds the gear and whatever its flanks are.
 
-use calyx_gears::blank::{GearBlank, Rim, Spline};
+use calyx_gears::blank::{GearBlank, Rim, SplineSupport};
 use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::modification::{Modification, ReliefShape};
 use calyx_gears::prototype::GearPrototype;
@@ -8,15 +8,15 @@ use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::scene::{Prototype, StructureOptions};
-use calyx_runtime::structure::{BodyModes, BoreHold, Chart, Structure};
+use calyx_runtime::structure::{BodyModes, BoreSupport, Chart, Structure};
 use std::sync::Arc;
 
 const MODULE: f64 = 4e-3;
 const TEETH: u32 = 24;
-const FREE: BoreHold = BoreHold::Means { waves: None, degree: 0 };
+const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 0 };
 const HIGHEST: f64 = 1.0e6;
 
-fn blank(hold: BoreHold) -> GearBlank {
+fn blank(hold: BoreSupport) -> GearBlank {
     let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
     let blank = GearBlank::standard(TEETH, rack);
     let root = blank.root_diameter;
@@ -64,7 +64,7 @@ fn worst_difference(gear: &GearPrototype) -> f64 {
 
 #[test]
 fn modes_go_with_the_compliance_of_statics() {
-    for hold in [FREE, BoreHold::Means { waves: Some(4), degree: 0 }] {
+    for hold in [FREE, BoreSupport::Means { harmonics: Some(4), degree: 0 }] {
         let gear = blank(hold).cut().expect("a gear");
         let difference = worst_difference(&gear);
         assert!(difference < 0.05, "{hold:?}: {difference}");
@@ -74,7 +74,7 @@ fn modes_go_with_the_compliance_of_statics() {
 #[test]
 fn a_relief_turns_what_is_pressed() {
     let relief = Modification::tip_relief(0.02e-3, 28_f64.to_radians(), ReliefShape::Quadratic);
-    let gear = blank(BoreHold::Rigid).modified(relief).cut().expect("a gear");
+    let gear = blank(BoreSupport::Rigid).modified(relief).cut().expect("a gear");
     let difference = worst_difference(&gear);
     assert!(difference < 0.05, "{difference}");
 }
@@ -84,8 +84,8 @@ fn gears_without_component_modes_are_refused() {
     let refused = |gear: Arc<GearPrototype>| {
         Resources::default().modes(gear.as_ref(), &options(), HIGHEST).err().expect("refused").code
     };
-    let free = blank(BoreHold::Rigid);
-    let splined = free.rim.splined(&Spline::new(7)).expect("a splined rim");
+    let free = blank(BoreSupport::Rigid);
+    let splined = free.rim.splined(&SplineSupport::new(7)).expect("a splined rim");
     assert_eq!(refused(free.clone().rim(splined).cut().expect("a gear")), "E0759");
     let helix = Helix::new(15_f64.to_radians(), Hand::Right).expect("a helix");
     let helical = GearBlank { helix, ..free };

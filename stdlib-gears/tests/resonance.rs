@@ -9,8 +9,8 @@ use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::motion::Motion;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{MeshForce, MeshStiffness, Rotation};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{MeshForce, MeshStiffness, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::Scene;
 use std::f64::consts::TAU;
@@ -102,8 +102,9 @@ impl Statics {
         let system = system(&scene);
         let row = |k: usize| {
             let step = system.solve(TAU / TEETH * k as f64 / POSITIONS as f64).expect("equilibrium");
-            let value =
-                |observable: &dyn calyx_runtime::observe::Observable| system.value(&step, observable).value;
+            let value = |observable: &dyn calyx_runtime::observables::Observable| {
+                system.value(&step, observable).value
+            };
             [value(&Rotation(FIRST, 2)), value(&MeshStiffness(MESH)) * lever * lever]
         };
         Statics { rows: (0..POSITIONS).map(row).collect(), inertia: scene.bodies[FIRST.0].inertia().polar() }
@@ -135,8 +136,8 @@ fn course_of_the_pair(from: f64, rate: f64, step: f64, damping: f64) -> Course {
         scene.bodies[body.0].motion = Arc::new(sweep);
     }
     let outputs = [
-        OutputRequest::observing("turn", scene.observe(Rotation(FIRST, 2))),
-        OutputRequest::observing("force", scene.observe(MeshForce(MESH))),
+        OutputRequest::observing("turn", scene.add_observable(Rotation(FIRST, 2))),
+        OutputRequest::observing("force", scene.add_observable(MeshForce(MESH))),
     ];
     let steps = STEPS * CYCLES;
     let dynamics = DynamicOptions {

@@ -2,30 +2,30 @@
 
 use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
-use calyx_gears::blank::{GearBlank, RadialFit, Rim, Spline};
+use calyx_gears::blank::{GearBlank, RadialFit, Rim, SplineSupport};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
-    LugLoad, MaxRootCompression, Observable, SupportForce, SupportMoment, TransmissionError,
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
+    MaxRootCompression, Observable, SplineToothLoad, SupportForce, SupportMoment, TransmissionError,
 };
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, PairId, Prototype, Scene, StructureOptions, Template,
 };
-use calyx_runtime::structure::{BoreHold, Chart, SurfaceLoad};
+use calyx_runtime::structure::{BoreSupport, Chart, SurfaceLoad};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 const MODULE: f64 = 4e-3;
 const TEETH: u32 = 40;
-const FREE: BoreHold = BoreHold::Means { waves: None, degree: 1 };
+const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 1 };
 
 /// A gear on a rim below its spaces as thick as so many tooth heights (backup ratio).
-fn gear(teeth: u32, backup: f64, hold: BoreHold) -> Arc<GearPrototype> {
+fn gear(teeth: u32, backup: f64, hold: BoreSupport) -> Arc<GearPrototype> {
     let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
     let blank = GearBlank::standard(teeth, rack);
     let (root, height) = (0.5 * blank.root_diameter, 2.25 * MODULE);
@@ -37,7 +37,7 @@ fn gear(teeth: u32, backup: f64, hold: BoreHold) -> Arc<GearPrototype> {
 
 /// Stresses in the fillets as a tooth goes round, with a force high on the flank of another, in the plane: the largest tension, the largest
 /// compression, the largest range at any place.
-fn root_stresses(backup: f64, hold: BoreHold, options: &StructureOptions) -> [f64; 3] {
+fn root_stresses(backup: f64, hold: BoreSupport, options: &StructureOptions) -> [f64; 3] {
     let gear = gear(TEETH, backup, hold);
     let structure = gear.build(options, &Interrupt::never()).expect("a structure");
     let s = 0.8 * gear.flanks()[0].length();
@@ -64,13 +64,13 @@ fn root_stress_grows_as_a_free_rim_gets_thin() {
     let options = StructureOptions::default();
     let thick = root_stresses(3.0, FREE, &options);
     let ratios = [0.5, 0.7, 1.0, 1.5, 2.0];
-    let factors = |hold: BoreHold| {
+    let factors = |hold: BoreSupport| {
         ratios.map(|backup| {
             let found = root_stresses(backup, hold, &options);
             [0, 1, 2].map(|kind| found[kind] / thick[kind])
         })
     };
-    let (free, rigid) = (factors(FREE), factors(BoreHold::Rigid));
+    let (free, rigid) = (factors(FREE), factors(BoreSupport::Rigid));
     println!("backup ratio: tension, compression, range on a free bore; on a rigid one");
     for ((ratio, free), rigid) in ratios.iter().zip(&free).zip(&rigid) {
         println!("{ratio}: {free:.3?} {rigid:.3?}");
@@ -91,14 +91,14 @@ fn root_stress_grows_as_a_free_rim_gets_thin() {
 #[test]
 fn a_thick_rim_hides_its_bore() {
     let options = StructureOptions::default();
-    let [free, rigid] = [FREE, BoreHold::Rigid].map(|hold| root_stresses(4.0, hold, &options)[0]);
+    let [free, rigid] = [FREE, BoreSupport::Rigid].map(|hold| root_stresses(4.0, hold, &options)[0]);
     assert!((free / rigid - 1.0).abs() < 0.02, "{free:e}, {rigid:e}");
 }
 
 /// A pair of which the second gear stands on a thin rim, held so.
-fn pair(hold: BoreHold) -> Scene {
+fn pair(hold: BoreSupport) -> Scene {
     let mut scene = Scene::default();
-    let gears = [gear(20, 1.0, BoreHold::Rigid), gear(TEETH, 0.8, hold)];
+    let gears = [gear(20, 1.0, BoreSupport::Rigid), gear(TEETH, 0.8, hold)];
     let speed = TAU;
     let motion = SteadyRotation { origin: [0.0; 2], start: 0.0, speed };
     let moment = Wrench::of_moment([0.0, 0.0, 200.0]);
@@ -113,7 +113,7 @@ fn pair(hold: BoreHold) -> Scene {
 }
 
 /// Forces and moment that the support of the second gear of [`pair`] bears, its transmission error, its root compression.
-fn solved(hold: BoreHold, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
+fn solved(hold: BoreSupport, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
     let coarse = StructureOptions {
         refinement: 0.5,
         face_elements: Some(2),
@@ -121,7 +121,7 @@ fn solved(hold: BoreHold, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
         ..StructureOptions::default()
     };
     let mut scene = pair(hold);
-    scene.observe(MaxRootCompression(BodyId(1)));
+    scene.add_observable(MaxRootCompression(BodyId(1)));
     let system = built(&scene, fidelity, coarse);
     let mesh = scene.pairs[0].mesh.clone().expect("a mesh");
     let step = system.solve(mesh.start + 0.8 * mesh.period).expect("it can be solved");
@@ -132,12 +132,12 @@ fn solved(hold: BoreHold, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
         value(&SupportForce(BodyId(1), 1)),
         value(&SupportMoment(BodyId(1), 2)),
     ];
-    if let BoreHold::Lugs(lugs) = hold {
+    if let BoreSupport::SplineTeeth(spline_teeth) = hold {
         // About the gear's axis they bear what its support does.
-        let radius = gear(TEETH, 0.8, hold).rim.held_radius;
-        let around = |lug| value(&LugLoad { body: BodyId(1), lug, radial: false });
-        let torque = radius * (0..u32::from(lugs.count)).map(around).sum::<f64>();
-        println!("{} lugs bear {torque} of {} N m", lugs.count, supports[2]);
+        let radius = gear(TEETH, 0.8, hold).rim.fixed_radius;
+        let around = |spline_tooth| value(&SplineToothLoad { body: BodyId(1), spline_tooth, radial: false });
+        let torque = radius * (0..u32::from(spline_teeth.count)).map(around).sum::<f64>();
+        println!("{} lugs bear {torque} of {} N m", spline_teeth.count, supports[2]);
         assert!((torque / supports[2] - 1.0).abs() < 1e-3);
     }
     (supports, value(&TransmissionError(PairId(0))), value(&MaxRootCompression(BodyId(1))))
@@ -156,7 +156,7 @@ fn bear_the_same(fidelity: Fidelity, answers: &[([f64; 3], f64, f64)]) {
 #[test]
 fn supports_bear_the_same_however_a_bore_is_held() {
     for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
-        let answers = [BoreHold::Rigid, BoreHold::Means { waves: Some(2), degree: 1 }, FREE]
+        let answers = [BoreSupport::Rigid, BoreSupport::Means { harmonics: Some(2), degree: 1 }, FREE]
             .map(|hold| solved(hold, fidelity));
         bear_the_same(fidelity, &answers);
         let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
@@ -167,26 +167,26 @@ fn supports_bear_the_same_however_a_bore_is_held() {
     }
 }
 
-fn splined(spline: &Spline, backup: f64) -> BoreHold {
-    let rigid = gear(TEETH, backup, BoreHold::Rigid);
+fn splined(spline: &SplineSupport, backup: f64) -> BoreSupport {
+    let rigid = gear(TEETH, backup, BoreSupport::Rigid);
     rigid.rim.splined(spline).expect("lugs").hold
 }
 
 /// Lugs bear all of the load, whatever their number has to do with that of the teeth, and more where they are fewer, softer, or hold the
 /// bore around alone.
 #[test]
-fn lugs_of_a_spline_bear_the_load() {
-    let seven = Spline::new(7);
+fn spline_teeth_of_a_spline_bear_the_load() {
+    let seven = SplineSupport::new(7);
     let soft = Some(5e9);
     let diameter = RadialFit { stiffness: None };
     let ways = [
-        Spline { lugs: 26, radial: Some(diameter), ..seven },
-        Spline { radial: Some(diameter), ..seven },
+        SplineSupport { spline_teeth: 26, radial: Some(diameter), ..seven },
+        SplineSupport { radial: Some(diameter), ..seven },
         seven,
-        Spline { stiffness: soft, ..seven },
+        SplineSupport { stiffness: soft, ..seven },
     ];
     for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
-        let holds = [BoreHold::Rigid].into_iter().chain(ways.iter().map(|spline| splined(spline, 0.8)));
+        let holds = [BoreSupport::Rigid].into_iter().chain(ways.iter().map(|spline| splined(spline, 0.8)));
         let answers: Vec<_> = holds.map(|hold| solved(hold, fidelity)).collect();
         bear_the_same(fidelity, &answers);
         let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
@@ -197,19 +197,23 @@ fn lugs_of_a_spline_bear_the_load() {
 
 /// As many waves around as a gear is granted are resolved by its coarsest mesh.
 #[test]
-fn the_coarsest_mesh_resolves_the_lugs_that_a_gear_may_have() {
+fn the_coarsest_mesh_resolves_the_spline_teeth_that_a_gear_may_have() {
     let coarse = StructureOptions {
         refinement: 0.5,
         face_elements: Some(1),
         axial_order: Some(2),
         ..StructureOptions::default()
     };
-    let spline = Spline { axial_order: 2, ..Spline::new(26) };
-    let rim = gear(20, 1.0, BoreHold::Rigid).rim;
+    let spline = SplineSupport { axial_order: 2, ..SplineSupport::new(26) };
+    let rim = gear(20, 1.0, BoreSupport::Rigid).rim;
     let gear = gear(20, 1.0, rim.splined(&spline).expect("lugs").hold);
     gear.build(&coarse, &Interrupt::never()).expect("a structure in the plane");
     gear.build_solid(&coarse, &Interrupt::never()).expect("a structure in space");
-    let found = gear.rim.held(BoreHold::Rigid).splined(&Spline { lugs: 27, ..spline }).expect("lugs");
+    let found = gear
+        .rim
+        .held(BoreSupport::Rigid)
+        .splined(&SplineSupport { spline_teeth: 27, ..spline })
+        .expect("lugs");
     let blank =
         GearBlank::standard(20, Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack"));
     let refused = blank.rim(Rim { hold: found.hold, ..gear.rim }).cut().err().expect("too many");
@@ -221,13 +225,13 @@ fn the_coarsest_mesh_resolves_the_lugs_that_a_gear_may_have() {
 fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
     let options = StructureOptions::default();
     let ways = [
-        BoreHold::Rigid,
+        BoreSupport::Rigid,
         FREE,
-        BoreHold::Means { waves: Some(3), degree: 1 },
-        BoreHold::Means { waves: Some(3), degree: 2 },
-        splined(&Spline::new(9), 1.0),
-        splined(&Spline { first: 0.1, ..Spline::new(9) }, 1.0),
-        splined(&Spline { axial_order: 0, first: 0.1, ..Spline::new(9) }, 1.0),
+        BoreSupport::Means { harmonics: Some(3), degree: 1 },
+        BoreSupport::Means { harmonics: Some(3), degree: 2 },
+        splined(&SplineSupport::new(9), 1.0),
+        splined(&SplineSupport { first: 0.1, ..SplineSupport::new(9) }, 1.0),
+        splined(&SplineSupport { axial_order: 0, first: 0.1, ..SplineSupport::new(9) }, 1.0),
     ];
     let gears = ways.map(|hold| gear(TEETH, 1.0, hold));
     for (index, one) in gears.iter().enumerate() {
@@ -235,13 +239,18 @@ fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
             assert!(one.solid_key(&options) != other.solid_key(&options));
         }
     }
-    let [rigid, free, third, fourth, lugs, turned, mean] = gears.map(|gear| gear.key(&options));
-    assert!(lugs != free && lugs != turned && turned == mean);
+    let [rigid, free, third, fourth, spline_teeth, turned, mean] = gears.map(|gear| gear.key(&options));
+    assert!(spline_teeth != free && spline_teeth != turned && turned == mean);
     assert!(rigid != free && free != third && rigid != third);
     assert!(third == fourth, "there is nothing along the axis in the plane");
     // Contact alone knows by how much lugs stand off, and how they yield.
-    let loose = [(50e-6, None), (80e-6, Some(1e9))].map(|(clearance, stiffness)| {
-        gear(TEETH, 1.0, splined(&Spline { clearance, stiffness, ..Spline::new(9) }, 1.0)).key(&options)
+    let with_clearance = [(50e-6, None), (80e-6, Some(1e9))].map(|(clearance, stiffness)| {
+        gear(TEETH, 1.0, splined(&SplineSupport { clearance, stiffness, ..SplineSupport::new(9) }, 1.0))
+            .key(&options)
     });
-    assert!(loose[0] == loose[1] && loose[0] != lugs && loose[0] != free);
+    assert!(
+        with_clearance[0] == with_clearance[1]
+            && with_clearance[0] != spline_teeth
+            && with_clearance[0] != free
+    );
 }

@@ -7,7 +7,7 @@ use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::rack::Rack;
 use calyx_gears::sector_mesh::{Refinement, THINNEST_RIM, sector_mesh};
-use calyx_runtime::fe::{Place, PlaneMesh};
+use calyx_runtime::fe::{ElementPoint, PlaneMesh};
 use calyx_runtime::profile::Profile;
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ fn worst_distortion(mesh: &PlaneMesh) -> f64 {
         let mut values = Vec::new();
         for xi in places {
             for eta in places {
-                let [[a, b], [c, d]] = mesh.jacobian(Place { element, xi, eta });
+                let [[a, b], [c, d]] = mesh.jacobian(ElementPoint { element, xi, eta });
                 values.push(a * d - b * c);
             }
         }

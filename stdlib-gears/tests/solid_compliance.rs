@@ -9,7 +9,7 @@ use calyx_runtime::fe::quadrature::gauss_legendre;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Prototype, StructureOptions};
-use calyx_runtime::structure::solid::{SolidStructure, Spot, SpotLoad};
+use calyx_runtime::structure::solid::{SegmentLoad, SolidStructure, SurfaceSegment};
 use calyx_runtime::structure::{Chart, Structure, SurfaceLoad};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -42,7 +42,8 @@ fn in_the_plane(structure: &dyn Structure, observe: (Chart, f64), load: (Chart, 
 /// Its mean over the face in space: the half-space's part with its images in both faces in closed form.
 fn in_space(structure: &dyn SolidStructure, observe: (Chart, f64), load: (Chart, f64)) -> f64 {
     let rule = gauss_legendre(16);
-    let along = |u: f64| rule.iter().map(|(x, _)| Spot::from([u, 0.5 * WIDTH * x])).collect::<Vec<_>>();
+    let along =
+        |u: f64| rule.iter().map(|(x, _)| SurfaceSegment::from([u, 0.5 * WIDTH * x])).collect::<Vec<_>>();
     let (rows, columns) = (along(observe.1), along(load.1));
     let mut block = vec![0.0; rows.len() * columns.len()];
     structure.add_compliance(observe.0, &rows, load.0, &columns, &mut block);
@@ -101,9 +102,9 @@ fn line_loads_meet_the_plane() {
         let load = SurfaceLoad { chart: chart(0), s, force: 1.0 / WIDTH };
         let flat = flat.stresses(3, 0, &[load]).iter().map(|(_, stress)| *stress).fold(0.0, f64::max);
         let rule = gauss_legendre(16);
-        let point = |&(x, weight): &(f64, f64)| SpotLoad {
+        let point = |&(x, weight): &(f64, f64)| SegmentLoad {
             chart: chart(0),
-            spot: [s, 0.5 * WIDTH * x].into(),
+            segment: [s, 0.5 * WIDTH * x].into(),
             force: 0.5 * weight,
         };
         let stresses = solid.stresses(3, 0, &rule.iter().map(point).collect::<Vec<_>>());

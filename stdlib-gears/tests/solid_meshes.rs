@@ -7,7 +7,7 @@ use calyx_gears::internal_blank::InternalBlank;
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
-use calyx_runtime::fe::solid::{Cell, SolidPlace};
+use calyx_runtime::fe::solid::{Cell, SolidElementPoint};
 use calyx_runtime::scene::{Prototype, StructureOptions, Template};
 use calyx_runtime::surface::Surface;
 use std::f64::consts::PI;
@@ -143,10 +143,10 @@ fn a_web_stands_where_it_is_said_and_nothing_stands_beside_it() {
         let rule = Cell::Hexahedron.quadrature([4, 2]);
         let mut volume = 0.0;
         for element in (0..section * layers).filter(|element| !mesh.absent.contains(element)) {
-            let [x, y, _] = mesh.position(SolidPlace { element, local: [0.0; 3] });
+            let [x, y, _] = mesh.position(SolidElementPoint { element, local: [0.0; 3] });
             if x.hypot(y) < 1.5 * INCH {
                 for &(local, weight) in &rule {
-                    let [a, b, c] = mesh.jacobian(SolidPlace { element, local });
+                    let [a, b, c] = mesh.jacobian(SolidElementPoint { element, local });
                     let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
                     volume += weight * (a[0] * minor(1, 2) - a[1] * minor(0, 2) + a[2] * minor(0, 1));
                 }

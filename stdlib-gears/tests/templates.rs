@@ -14,7 +14,7 @@ use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::Template;
 use calyx_runtime::structure::{
-    BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
+    BoreSupport, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
 };
 use std::sync::Arc;
 
@@ -37,13 +37,13 @@ fn answers(gear: &ExternalGear, mesh: PlaneMesh) -> ([f64; 4], [f64; 3]) {
         chain: format!("flank_{surface}"),
         edges: [None, Some(gear.tip_edge_radius)],
         stress_chain: Some(format!("fillet_{surface}")),
-        stress_places_per_edge: 8,
+        stress_points_per_edge: 8,
     });
     let ring = RingSource {
         sectors: gear.teeth,
         cuts: ["cut_right", "cut_left"],
         bore: "bore",
-        hold: BoreHold::Rigid,
+        hold: BoreSupport::Rigid,
         coupled: 2,
     };
     let structure =

@@ -10,7 +10,7 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
 use calyx_runtime::structure::{
-    BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
+    BoreSupport, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad, SurfaceSource,
 };
 use std::sync::Arc;
 
@@ -36,13 +36,13 @@ impl Member {
             chain: format!("flank_{surface}"),
             edges: [None, Some(gear.tip_edge_radius)],
             stress_chain: Some(format!("fillet_{surface}")),
-            stress_places_per_edge: 4,
+            stress_points_per_edge: 4,
         });
         let ring = RingSource {
             sectors: teeth,
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            hold: BoreHold::Rigid,
+            hold: BoreSupport::Rigid,
             coupled: 2,
         };
         let structure =

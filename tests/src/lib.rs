@@ -4,7 +4,7 @@ pub mod coverage;
 pub mod document;
 pub mod judge;
 pub mod modules;
-pub mod pictures;
+pub mod plots;
 
 use std::path::PathBuf;
 

@@ -1,9 +1,9 @@
 //! Every example is right as it stands, and runs.
 
-use calyx::rt::{Given, RunError, RunOptions, run};
+use calyx::rt::{ParamAssignment, RunError, RunOptions, run};
 use calyx::{Engine, Module, Override, check_file};
 use calyx_runtime::estimate::Estimates;
-use calyx_tests::pictures::{self, Expected};
+use calyx_tests::plots::{self, Expected};
 use calyx_tests::root;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -35,8 +35,10 @@ fn every_example_checks_without_a_word_and_runs() {
         let has = |name: &str| description.params.iter().any(|param| param.name == name);
         // Few positions and small meshes, where the example lets them be chosen.
         let small = [("steps", "2"), ("face_elements", "2"), ("displacement_order", "2")];
-        let given =
-            small.iter().filter(|(name, _)| has(name)).map(|(name, value)| Given::text(*name, *value));
+        let given = small
+            .iter()
+            .filter(|(name, _)| has(name))
+            .map(|(name, value)| ParamAssignment::text(*name, *value));
         let given = given.collect();
         let directory = tempfile::tempdir().expect("a directory");
         let options = RunOptions {
@@ -58,7 +60,7 @@ fn every_example_checks_without_a_word_and_runs() {
         }
         let source = std::fs::read_to_string(&path).expect("a source");
         let stress = ["gears.max_root_stress(", "gears.gauge_stress("].iter().any(|ask| source.contains(ask));
-        pictures::check(directory.path(), Expected { positions: rows - 1, stress, bodies: true });
+        plots::check(directory.path(), Expected { positions: rows - 1, stress, bodies: true });
     }
 }
 
@@ -84,11 +86,11 @@ fn examples_run_at_the_levels_without_meshes() {
             }
             let mut given = Vec::new();
             match offers {
-                true => given.push(Given::text("fidelity", level)),
+                true => given.push(ParamAssignment::text("fidelity", level)),
                 false => overrides.set("fidelity", level).expect("a knob"),
             }
             if params.iter().any(|param| param.name == "steps") {
-                given.push(Given::text("steps", "2"));
+                given.push(ParamAssignment::text("steps", "2"));
             }
             let directory = tempfile::tempdir().expect("a directory");
             let options = RunOptions {

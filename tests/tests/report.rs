@@ -1,6 +1,6 @@
 //! The two programs that the report prints compile, and do the same interpreted and as machine code.
 
-use calyx::rt::{Given, Program, apply};
+use calyx::rt::{ParamAssignment, Program, apply};
 use calyx::{Engine, Interpreted, Module, check_file};
 use calyx_abi::{Context, Purity};
 use calyx_gears::host::ModelHost;
@@ -14,7 +14,8 @@ fn printed(program: &dyn Program, set: &[(&str, &str)]) -> Vec<String> {
     context.kernels = program.kernels();
     let kept = lines.clone();
     context.print = Box::new(move |line| kept.lock().expect("one thread").push(line.to_string()));
-    let given: Vec<Given> = set.iter().map(|(name, value)| Given::text(*name, *value)).collect();
+    let given: Vec<ParamAssignment> =
+        set.iter().map(|(name, value)| ParamAssignment::text(*name, *value)).collect();
     apply(program, &given, &mut context).expect("params");
     program.main(&mut context).expect("the model runs");
     let lines = lines.lock().expect("one thread");

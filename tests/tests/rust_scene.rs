@@ -1,6 +1,6 @@
 //! The spur pair of the examples, described in Calyx and built in Rust: one scene, the same numbers to the last bit.
 
-use calyx::rt::{Given, Program, apply};
+use calyx::rt::{ParamAssignment, Program, apply};
 use calyx::{Interpreted, check_text};
 use calyx_abi::{Context, Purity};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -13,7 +13,7 @@ use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::{
     LoadShare, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, TransmissionError,
 };
 use calyx_runtime::results::{OutputRequest, StepRow};
@@ -71,13 +71,13 @@ fn built_in_rust() -> Result<(Scene, PairId), Refusal> {
     let pinion = add_body(&mut scene, pinion)?;
     let wheel = add_body(&mut scene, Body::new("gear", wheel, turning(3.0 * inch, -speed * 20.0 / 40.0)))?;
     let meshed = mesh(&mut scene, pinion, wheel, &MeshOptions::default())?;
-    scene.observe(TransmissionError(meshed.pair));
-    scene.observe(LoadShare(meshed.pair));
-    scene.observe(MeshStiffness(meshed.pair));
-    scene.observe(MaxContactPressure(meshed.pair));
-    scene.observe(MaxEdgePressure(meshed.pair));
-    scene.observe(MaxRootStress(pinion));
-    scene.observe(MaxRootStress(wheel));
+    scene.add_observable(TransmissionError(meshed.pair));
+    scene.add_observable(LoadShare(meshed.pair));
+    scene.add_observable(MeshStiffness(meshed.pair));
+    scene.add_observable(MaxContactPressure(meshed.pair));
+    scene.add_observable(MaxEdgePressure(meshed.pair));
+    scene.add_observable(MaxRootStress(pinion));
+    scene.add_observable(MaxRootStress(wheel));
     Ok((scene, meshed.pair))
 }
 
@@ -91,7 +91,7 @@ fn described_in_calyx() -> Context {
     context.kernels = interpreted.kernels();
     apply(
         &interpreted,
-        &[Given::text("steps", STEPS.to_string()), Given::text("fidelity", "plane")],
+        &[ParamAssignment::text("steps", STEPS.to_string()), ParamAssignment::text("fidelity", "plane")],
         &mut context,
     )
     .unwrap();

@@ -3,7 +3,7 @@
 #![cfg(unix)]
 
 use calyx::build::{BuildOptions, build};
-use calyx::rt::{Given, Program, RunOptions, apply, run};
+use calyx::rt::{ParamAssignment, Program, RunOptions, apply, run};
 use calyx::{Engine, Interpreted, Module, check_file, check_text};
 use calyx_abi::{Context, Purity, SymbolicValue};
 use calyx_gears::host::ModelHost;
@@ -16,8 +16,8 @@ use std::sync::{Arc, OnceLock};
 const SET: [(&str, &str); 4] =
     [("steps", "2"), ("torque", "700"), ("tip_radius", "0.5 mm"), ("fidelity", "plane")];
 
-fn given() -> Vec<Given> {
-    SET.map(|(name, value)| Given::text(name, value)).to_vec()
+fn given() -> Vec<ParamAssignment> {
+    SET.map(|(name, value)| ParamAssignment::text(name, value)).to_vec()
 }
 
 fn example() -> PathBuf {

@@ -5,11 +5,11 @@
 //! Values that a later function needs are stored in scratch memory in the kernel's frame. Scratch
 //! slots are reused after the last use of their values.
 
+use crate::batched_sincos;
 use crate::error::CodegenError;
 use crate::function::{SLOT, TRUSTED};
 use crate::module::ModuleLowering;
 use crate::operation::{self, References};
-use crate::together;
 use calyx_symbolic::{Instruction, Tape};
 use cranelift_codegen::ir::{
     AbiParam, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
@@ -35,7 +35,7 @@ pub fn lower<M: Module>(
     if !tape.is_well_formed() {
         return Err(CodegenError::Malformed("a tape that uses a value before it is there"));
     }
-    let tape = &*together::gathered(tape);
+    let tape = &*batched_sincos::gathered(tape);
     let plan = Plan::new(tape)?;
     let pointers = |count: usize| {
         let mut signature = module.module.make_signature();
@@ -161,7 +161,7 @@ fn define_chunk<M: Module>(
             wanted.entry(output as usize).or_default().push(position);
         }
         let pairs = sine_cosine_pairs(tape, &range);
-        let mut runs = together::runs(tape, &range).into_iter().peekable();
+        let mut runs = batched_sincos::runs(tape, &range).into_iter().peekable();
         let mut chunk = Chunk {
             module,
             builder,
@@ -262,7 +262,7 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
 
     /// Computes the sines and cosines of several angles with one call.
     fn take_together(&mut self, angles: &[u32]) -> Result<(), CodegenError> {
-        let count = angles.len().next_multiple_of(together::WIDTH);
+        let count = angles.len().next_multiple_of(batched_sincos::WIDTH);
         let block = (count * SLOT) as i32;
         let data = StackSlotData::new(StackSlotKind::ExplicitSlot, 3 * block as u32, 3);
         let buffer = self.builder.create_sized_stack_slot(data);

@@ -10,6 +10,7 @@
 
 mod backend;
 mod batch;
+mod batched_sincos;
 mod code;
 mod error;
 mod expression;
@@ -25,7 +26,6 @@ mod place;
 mod recorder;
 mod scalar;
 mod statement;
-mod together;
 
 pub use backend::{Backend, TargetCpu};
 pub use batch::{Batch, BatchError, BatchKernel, compile_batch};

@@ -9,7 +9,7 @@ use cranelift_codegen::ir::{InstBuilder, Value, types};
 use cranelift_module::Module;
 
 /// The slots of a place, from its first slot on.
-enum Spot {
+enum Storage {
     /// The index of a slot in the place's local.
     Local(usize),
     /// The address of an element, valid until the next call, and a slot offset.
@@ -25,8 +25,8 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
     /// Stores the slots of a value in a place.
     pub fn store(&mut self, place: &Place, indices: &[Value], values: &[Value]) -> Result<(), CodegenError> {
         match self.spot(place, indices)? {
-            Spot::Local(first) => self.assign_slots(place.local, first, values),
-            Spot::Element(element, first) => {
+            Storage::Local(first) => self.assign_slots(place.local, first, values),
+            Storage::Element(element, first) => {
                 for (slot, &value) in values.iter().enumerate() {
                     self.builder.ins().store(TRUSTED, value, element, ((first + slot) * SLOT) as i32);
                 }
@@ -41,21 +41,21 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         self.array_at(place, &spot)
     }
 
-    fn array_at(&mut self, place: &Place, spot: &Spot) -> Result<Value, CodegenError> {
+    fn array_at(&mut self, place: &Place, spot: &Storage) -> Result<Value, CodegenError> {
         match *spot {
-            Spot::Local(first) => {
+            Storage::Local(first) => {
                 let slots = self.local(place.local)?;
                 slots.get(first).copied().ok_or(CodegenError::Malformed("a place that is no array"))
             }
-            Spot::Element(element, first) => {
+            Storage::Element(element, first) => {
                 Ok(self.builder.ins().load(types::I64, TRUSTED, element, (first * SLOT) as i32))
             }
         }
     }
 
-    fn spot(&mut self, place: &Place, indices: &[Value]) -> Result<Spot, CodegenError> {
+    fn spot(&mut self, place: &Place, indices: &[Value]) -> Result<Storage, CodegenError> {
         let mut repr = self.local_repr(place.local)?;
-        let mut spot = Spot::Local(0);
+        let mut spot = Storage::Local(0);
         let mut indices = indices.iter();
         for step in &place.steps {
             match step {
@@ -63,7 +63,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                     let part = tuple_part(repr, *at);
                     let (before, part) =
                         part.ok_or(CodegenError::Malformed("an element of what is no tuple"))?;
-                    let (Spot::Local(first) | Spot::Element(_, first)) = &mut spot;
+                    let (Storage::Local(first) | Storage::Element(_, first)) = &mut spot;
                     *first += before;
                     repr = part;
                 }
@@ -73,7 +73,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                     };
                     let array = self.array_at(place, &spot)?;
                     self.at(expr.span);
-                    spot = Spot::Element(self.element(array, index)?, 0);
+                    spot = Storage::Element(self.element(array, index)?, 0);
                     repr = element;
                 }
             }

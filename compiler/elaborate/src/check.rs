@@ -11,7 +11,7 @@ use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
-use calyx_rt::{Given, Override, Refused};
+use calyx_rt::{InvalidParam, Override, ParamAssignment};
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub struct Checked {
     /// The plan of the analysis; `None` if the model has no valid analysis.
     pub plan: Option<Planned>,
     /// The reason why the given params were rejected.
-    pub refused: Option<Refused>,
+    pub refused: Option<InvalidParam>,
 }
 
 impl Checked {
@@ -67,7 +67,7 @@ pub fn check_file_allowing(path: &Path, allowed: &Arc<[PathBuf]>) -> io::Result<
 ///
 /// # Errors
 /// As for [`check_file`].
-pub fn check_run(path: &Path, given: &[Given], overrides: Override) -> io::Result<Checked> {
+pub fn check_run(path: &Path, given: &[ParamAssignment], overrides: Override) -> io::Result<Checked> {
     check_run_within(path, &Arc::default(), given, overrides, None)
 }
 
@@ -79,7 +79,7 @@ pub fn check_run(path: &Path, given: &[Given], overrides: Override) -> io::Resul
 pub fn check_run_within(
     path: &Path,
     allowed: &Arc<[PathBuf]>,
-    given: &[Given],
+    given: &[ParamAssignment],
     overrides: Override,
     memory: Option<u64>,
 ) -> io::Result<Checked> {

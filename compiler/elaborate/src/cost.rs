@@ -3,7 +3,7 @@
 use crate::plan::{Planned, PlannedWork};
 use calyx_runtime::cost::{AnalysisCost, Rates};
 use calyx_runtime::estimate::Estimates;
-use calyx_runtime::overriding::Grid;
+use calyx_runtime::settings_override::Grid;
 use calyx_runtime::tolerance::{SearchCost, search_cost};
 
 /// The costs of the parts of a plan.
@@ -37,8 +37,8 @@ impl PlannedCost {
 
     /// Returns the peak memory use, bytes.
     pub fn memory(&self) -> f64 {
-        let rungs = self.search.iter().flat_map(|(_, search)| &search.rungs);
-        rungs.map(|rung| rung.memory).fold(self.analysis.memory(), f64::max)
+        let candidates = self.search.iter().flat_map(|(_, search)| &search.candidates);
+        candidates.map(|rung| rung.memory).fold(self.analysis.memory(), f64::max)
     }
 
     /// Returns the predictions as a section of a plan.
@@ -81,7 +81,7 @@ fn search_lines(tolerance: f64, search: &SearchCost) -> Vec<String> {
         "settings are tried in this order until the estimated error meets it; error estimates included"
             .into(),
     ];
-    for rung in &search.rungs {
+    for rung in &search.candidates {
         lines.push(format!(
             "{}: {} to compare at a few positions, {} for all positions",
             rung.setting.describe(),

@@ -9,7 +9,7 @@ use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::{FileDescription, ModelDescription};
 use calyx_abi::{Cancel, Context, Purity, RuntimeError};
-use calyx_gears::externs::{check_plan, check_unheld};
+use calyx_gears::externs::{check_plan, check_unrestrained};
 use calyx_gears::host::ModelHost;
 use calyx_gears::signal_externs::check as check_signals;
 use calyx_lang::diagnostic::Diagnostic;
@@ -18,10 +18,10 @@ use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::lower_site;
 use calyx_rt::results::no_analysis;
-use calyx_rt::{Error, Given, Program as _, Refused, Seen, apply};
+use calyx_rt::{Error, InvalidParam, NanLog, ParamAssignment, Program as _, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
-use calyx_runtime::overriding::Override;
+use calyx_runtime::settings_override::Override;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex};
@@ -66,7 +66,7 @@ pub enum Params<'a> {
     Defaults,
     /// The params of a run, the settings that override its analysis, and its memory limit in bytes,
     /// if any. A run has no time limit.
-    Given(&'a [Given], Override, Option<u64>),
+    Given(&'a [ParamAssignment], Override, Option<u64>),
 }
 
 /// The description of a model for particular params.
@@ -77,7 +77,7 @@ pub struct Elaboration {
     /// Problems of the gears and the scene, and failures, in order of file and position.
     pub found: Vec<Diagnostic>,
     /// The reason why the given params were rejected.
-    pub refused: Option<Refused>,
+    pub refused: Option<InvalidParam>,
     /// `false` if the program cannot run for any params; `found` has the reason.
     pub runnable: bool,
     /// The plan of the analysis; `None` if there is no analysis or the scene has errors.
@@ -131,7 +131,7 @@ fn elaborate_with(
         }
     }
     let mut interpreted = match Interpreted::with_tapes(program, Purity::Scene, tapes) {
-        Ok(interpreted) => interpreted.going_on(),
+        Ok(interpreted) => interpreted.recovering(),
         Err(found) => return Ok(unrunnable(found)),
     };
     go_on(cancel)?;
@@ -145,7 +145,7 @@ fn elaborate_with(
     context.fuel = FUEL;
     let memory = if let Params::Given(_, _, Some(limit)) = params { limit.min(MEMORY) } else { MEMORY };
     context.limits.memory = Some(memory);
-    let seen = Seen::new(cancel.clone(), context.limits);
+    let seen = NanLog::new(cancel.clone(), context.limits);
     context.kernels = seen.watched(interpreted.kernels());
     context.keeps_output = print.is_some();
     context.print = print.unwrap_or_else(|| Box::new(|_| {}));
@@ -172,7 +172,7 @@ fn elaborate_with(
     if let Some(host) = context.host::<ModelHost>() {
         // An incomplete scene has no meaningful analysis.
         if ran.is_ok() && survived.is_empty() {
-            check_unheld(host);
+            check_unrestrained(host);
             if !host.scene.pairs.is_empty() || host.asked.is_some() {
                 match check_plan(host, &interrupt(cancel)) {
                     Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
@@ -234,7 +234,7 @@ fn unrunnable(found: Box<Diagnostic>) -> Elaboration {
 }
 
 /// Returns the diagnostic for a default that its param does not allow.
-fn wrong_default(program: &Program, Refused { message, help, .. }: Refused) -> Diagnostic {
+fn wrong_default(program: &Program, InvalidParam { message, help, .. }: InvalidParam) -> Diagnostic {
     // Messages about params start with the name.
     let name = message.split('`').nth(1).unwrap_or_default();
     let param = program.params.iter().find(|param| param.name == name);

@@ -1,7 +1,7 @@
 //! Derived geometry of gears and meshes, by the call that created them, for display in the source.
 
-use calyx_gears::derived::{Quantity, of_gear, of_mesh};
-use calyx_gears::host::{Meeting, ModelHost};
+use calyx_gears::derived_quantities::{Quantity, of_gear, of_mesh};
+use calyx_gears::host::{MeshRecord, ModelHost};
 use calyx_lang::span::Span;
 
 use crate::diagnostics::place;
@@ -14,13 +14,13 @@ pub const MOST_PER_CALL: usize = 4;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Geometry {
     /// Gears, in order of first execution.
-    pub gears: Vec<Made<GearGeometry>>,
-    pub meshes: Vec<Made<MeshGeometry>>,
+    pub gears: Vec<CreatedAt<GearGeometry>>,
+    pub meshes: Vec<CreatedAt<MeshGeometry>>,
 }
 
 /// The gears or meshes created by one call, which may run many times.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Made<T> {
+pub struct CreatedAt<T> {
     /// Source range of the whole call.
     pub span: Span,
     /// Number of objects that the call created.
@@ -62,12 +62,12 @@ pub struct MeshGeometry {
 
 impl Geometry {
     /// Returns the innermost gear call that contains an offset of a file.
-    pub fn gear_at(&self, file: u32, offset: u32) -> Option<&Made<GearGeometry>> {
+    pub fn gear_at(&self, file: u32, offset: u32) -> Option<&CreatedAt<GearGeometry>> {
         at(&self.gears, file, offset)
     }
 
     /// Returns the innermost mesh call that contains an offset of a file.
-    pub fn mesh_at(&self, file: u32, offset: u32) -> Option<&Made<MeshGeometry>> {
+    pub fn mesh_at(&self, file: u32, offset: u32) -> Option<&CreatedAt<MeshGeometry>> {
         at(&self.meshes, file, offset)
     }
 
@@ -91,7 +91,7 @@ impl Geometry {
                 gear.bodies.push(body.name.clone());
             }
         }
-        for meeting in &host.meetings {
+        for meeting in &host.mesh_records {
             let Some((mesh, gears)) = mesh(host, meeting) else { continue };
             let Some((call, index)) = add(&mut geometry.meshes, place(Some(meeting.place)), || mesh) else {
                 continue;
@@ -111,8 +111,8 @@ impl Geometry {
     }
 }
 
-fn at<T>(calls: &[Made<T>], file: u32, offset: u32) -> Option<&Made<T>> {
-    let around = |made: &&Made<T>| {
+fn at<T>(calls: &[CreatedAt<T>], file: u32, offset: u32) -> Option<&CreatedAt<T>> {
+    let around = |made: &&CreatedAt<T>| {
         let Span { file: of, start, end } = made.span;
         of.0 == file && (start..=end).contains(&offset)
     };
@@ -121,10 +121,10 @@ fn at<T>(calls: &[Made<T>], file: u32, offset: u32) -> Option<&Made<T>> {
 
 /// Counts one more object of a call and stores it if it is among the first. Returns the index of
 /// the call and the index within the call.
-fn add<T>(calls: &mut Vec<Made<T>>, span: Span, make: impl FnOnce() -> T) -> Option<(usize, usize)> {
+fn add<T>(calls: &mut Vec<CreatedAt<T>>, span: Span, make: impl FnOnce() -> T) -> Option<(usize, usize)> {
     // A loop repeats the last few calls, so the search starts at the end.
     let call = calls.iter().rposition(|made| made.span == span).unwrap_or_else(|| {
-        calls.push(Made { span, count: 0, first: Vec::new() });
+        calls.push(CreatedAt { span, count: 0, first: Vec::new() });
         calls.len() - 1
     });
     let made = calls.get_mut(call)?;
@@ -136,7 +136,7 @@ fn add<T>(calls: &mut Vec<Made<T>>, span: Span, make: impl FnOnce() -> T) -> Opt
 }
 
 /// Returns the geometry of a mesh between two bodies, and the indices of their gears.
-fn mesh(host: &ModelHost, meeting: &Meeting) -> Option<(MeshGeometry, [usize; 2])> {
+fn mesh(host: &ModelHost, meeting: &MeshRecord) -> Option<(MeshGeometry, [usize; 2])> {
     let [first, second] = meeting.bodies;
     let numbers = [(*host.body_gears.get(first)?)?, (*host.body_gears.get(second)?)?];
     let gears = [host.gears.get(numbers[0])?, host.gears.get(numbers[1])?];

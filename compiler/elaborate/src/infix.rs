@@ -42,14 +42,14 @@ enum Binding {
 
 /// A text with the properties that determine whether it needs brackets.
 #[derive(Clone)]
-struct Piece {
+struct InfixText {
     text: String,
     binding: Binding,
 }
 
-impl Piece {
-    fn atom(text: impl Into<String>) -> Piece {
-        Piece { text: text.into(), binding: Binding::Atom }
+impl InfixText {
+    fn atom(text: impl Into<String>) -> InfixText {
+        InfixText { text: text.into(), binding: Binding::Atom }
     }
 
     /// Returns the text, in brackets if its precedence is lower than `least`.
@@ -103,7 +103,7 @@ struct Writer<'a> {
     uses: HashMap<NodeId, usize>,
     /// Repeated products: the base and the exponent.
     powers: HashMap<NodeId, (NodeId, u32)>,
-    pieces: HashMap<NodeId, Piece>,
+    pieces: HashMap<NodeId, InfixText>,
     out: Infix,
     prefix: &'static str,
 }
@@ -130,14 +130,14 @@ impl Writer<'_> {
         }
     }
 
-    fn piece(&self, id: NodeId) -> Piece {
-        self.pieces.get(&id).cloned().unwrap_or_else(|| Piece::atom("..."))
+    fn piece(&self, id: NodeId) -> InfixText {
+        self.pieces.get(&id).cloned().unwrap_or_else(|| InfixText::atom("..."))
     }
 
     fn write(&mut self, id: NodeId) {
         let node = self.definition.graph.node(id);
         let piece = match self.powers.get(&id) {
-            Some((base, times)) => Piece {
+            Some((base, times)) => InfixText {
                 text: format!("{}^{times}", self.piece(*base).within(Binding::Atom)),
                 binding: Binding::Power,
             },
@@ -149,25 +149,25 @@ impl Writer<'_> {
         let piece = if named {
             let name = format!("{}{}", self.prefix, self.out.parts.len() + 1);
             self.out.parts.push((name.clone(), piece.text));
-            Piece::atom(name)
+            InfixText::atom(name)
         } else {
             piece
         };
         self.pieces.insert(id, piece);
     }
 
-    fn node(&mut self, node: Node) -> Piece {
+    fn node(&mut self, node: Node) -> InfixText {
         match node {
             Node::Constant(bits) => self.constant(bits),
             Node::Symbol(index) => {
                 let input = self.definition.inputs.get(index as usize);
-                Piece::atom(input.map_or("?", |input| input.text.as_str()))
+                InfixText::atom(input.map_or("?", |input| input.text.as_str()))
             }
             Node::Unary(operation, a) => self.unary(operation, a),
             Node::Binary(operation, a, b) => self.binary(operation, a, b),
             Node::Select(c, a, b) => {
                 let [c, a] = [c, a].map(|id| self.piece(id));
-                Piece {
+                InfixText {
                     text: format!("if ({}) {} else {}", c.text, a.within(Binding::Or), self.piece(b).text),
                     binding: Binding::Choice,
                 }
@@ -175,28 +175,28 @@ impl Writer<'_> {
         }
     }
 
-    fn constant(&mut self, bits: u64) -> Piece {
+    fn constant(&mut self, bits: u64) -> InfixText {
         if let Some(literal) = self.literals.get(&bits) {
-            return Piece::atom(literal);
+            return InfixText::atom(literal);
         }
         let value = f64::from_bits(bits);
         if let Some(literal) = self.literals.get(&(-value).to_bits()) {
-            return Piece { text: format!("-{literal}"), binding: Binding::Sign };
+            return InfixText { text: format!("-{literal}"), binding: Binding::Sign };
         }
         // Small integers are exponents, orders and counts and have no unit.
         self.out.bare |= value.fract() != 0.0 || value.abs() >= 100.0;
         if value < 0.0 {
-            return Piece { text: rounded(value), binding: Binding::Sign };
+            return InfixText { text: rounded(value), binding: Binding::Sign };
         }
-        Piece::atom(rounded(value))
+        InfixText::atom(rounded(value))
     }
 
-    fn unary(&mut self, operation: Unary, a: NodeId) -> Piece {
+    fn unary(&mut self, operation: Unary, a: NodeId) -> InfixText {
         let inner = self.piece(a);
         let name = match operation {
             Unary::Negate => {
                 let text = format!("-{}", inner.within(Binding::Product));
-                return Piece { text, binding: Binding::Sign };
+                return InfixText { text, binding: Binding::Sign };
             }
             Unary::Not => {
                 let equality = match self.definition.graph.node(a) {
@@ -206,7 +206,10 @@ impl Writer<'_> {
                 if let Some((x, y)) = equality {
                     return self.between(x, "!=", y, Binding::Comparison);
                 }
-                return Piece { text: format!("!{}", inner.within(Binding::Atom)), binding: Binding::Sign };
+                return InfixText {
+                    text: format!("!{}", inner.within(Binding::Atom)),
+                    binding: Binding::Sign,
+                };
             }
             Unary::Abs => "abs",
             Unary::Sqrt => "sqrt",
@@ -222,12 +225,12 @@ impl Writer<'_> {
             Unary::Ceil => "ceil",
             Unary::Round => "round",
         };
-        Piece::atom(format!("{name}({})", inner.text))
+        InfixText::atom(format!("{name}({})", inner.text))
     }
 
-    fn binary(&mut self, operation: Binary, a: NodeId, b: NodeId) -> Piece {
+    fn binary(&mut self, operation: Binary, a: NodeId, b: NodeId) -> InfixText {
         let call =
-            |name: &str| Piece::atom(format!("{name}({}, {})", self.piece(a).text, self.piece(b).text));
+            |name: &str| InfixText::atom(format!("{name}({}, {})", self.piece(a).text, self.piece(b).text));
         match operation {
             Binary::Add => {
                 let second = self.piece(b);
@@ -236,7 +239,7 @@ impl Writer<'_> {
                     second.text.strip_prefix('-').filter(|_| second.binding == Binding::Sign)
                 {
                     let text = format!("{} - {positive}", self.piece(a).within(Binding::Sum));
-                    return Piece { text, binding: Binding::Sum };
+                    return InfixText { text, binding: Binding::Sum };
                 }
                 self.between(a, "+", b, Binding::Sum)
             }
@@ -245,7 +248,7 @@ impl Writer<'_> {
             Binary::Divide => self.between(a, "/", b, Binding::Product),
             Binary::Power => {
                 let [a, b] = [self.piece(a).within(Binding::Atom), self.piece(b).within(Binding::Power)];
-                Piece { text: format!("{a}^{b}"), binding: Binding::Power }
+                InfixText { text: format!("{a}^{b}"), binding: Binding::Power }
             }
             Binary::Less => self.between(a, "<", b, Binding::Comparison),
             Binary::LessEqual => self.between(a, "<=", b, Binding::Comparison),
@@ -260,7 +263,7 @@ impl Writer<'_> {
 
     /// Formats a binary operation. The right operand needs a higher precedence, unless the
     /// operation is associative.
-    fn between(&self, a: NodeId, sign: &str, b: NodeId, binding: Binding) -> Piece {
+    fn between(&self, a: NodeId, sign: &str, b: NodeId, binding: Binding) -> InfixText {
         let tighter = match binding {
             Binding::Sum => Binding::Product,
             Binding::Product => Binding::Power,
@@ -271,10 +274,10 @@ impl Writer<'_> {
         // Sums of sums and products of products need no brackets.
         let right = if matches!(sign, "+" | "*") { binding } else { tighter };
         let text = format!("{} {sign} {}", self.piece(a).within(left), self.piece(b).within(right));
-        Piece { text, binding }
+        InfixText { text, binding }
     }
 
-    fn shape(&self, shape: &Shape) -> Option<Piece> {
+    fn shape(&self, shape: &Shape) -> Option<InfixText> {
         Some(match shape {
             Shape::Number(node) => self.piece(*node),
             Shape::Vector(vector) => self.vector(*vector),
@@ -282,20 +285,20 @@ impl Writer<'_> {
             Shape::Brackets(parts) => {
                 let parts: Vec<String> =
                     parts.iter().map(|part| self.shape(part).map(|part| part.text)).collect::<Option<_>>()?;
-                Piece::atom(format!("[{}]", parts.join(", ")))
+                InfixText::atom(format!("[{}]", parts.join(", ")))
             }
         })
     }
 
     /// Formats a vector as a sum over the axes.
-    fn vector(&self, vector: [NodeId; 3]) -> Piece {
+    fn vector(&self, vector: [NodeId; 3]) -> InfixText {
         let whole: Vec<String> = vector.iter().map(|id| self.piece(*id).text).collect();
         if let [Some(x), Some(y), Some(z)] =
             [(0, ".x"), (1, ".y"), (2, ".z")].map(|(at, end)| whole[at].strip_suffix(end))
             && x == y
             && y == z
         {
-            return Piece::atom(x);
+            return InfixText::atom(x);
         }
         let graph = &self.definition.graph;
         let mut text = String::new();
@@ -317,16 +320,16 @@ impl Writer<'_> {
             terms += 1;
         }
         match terms {
-            0 => Piece { text: "0 * e1".into(), binding: Binding::Product },
-            1 if !text.contains(' ') => Piece::atom(text),
-            1 => Piece { text, binding: Binding::Product },
-            _ => Piece { text, binding: Binding::Sum },
+            0 => InfixText { text: "0 * e1".into(), binding: Binding::Product },
+            1 if !text.contains(' ') => InfixText::atom(text),
+            1 => InfixText { text, binding: Binding::Product },
+            _ => InfixText { text, binding: Binding::Sum },
         }
     }
 
     /// Formats a chain of transformations, from right to left starting at ground. Returns `None` if
     /// a factor has no notation.
-    fn frame(&self, factors: &[Factor]) -> Option<Piece> {
+    fn frame(&self, factors: &[Factor]) -> Option<InfixText> {
         let factor = |factor: &Factor| match factor {
             Factor::Translate(vector) => Some(format!("Translate({})", self.vector(*vector).text)),
             Factor::Rotate { angle, axis } => {
@@ -340,9 +343,9 @@ impl Writer<'_> {
         };
         let texts: Vec<String> = factors.iter().rev().map(factor).collect::<Option<_>>()?;
         match texts.len() {
-            0 => Some(Piece::atom("Translate(0 * e1)")),
-            1 => Some(Piece::atom(texts.concat())),
-            _ => Some(Piece { text: texts.join(" * "), binding: Binding::Product }),
+            0 => Some(InfixText::atom("Translate(0 * e1)")),
+            1 => Some(InfixText::atom(texts.concat())),
+            _ => Some(InfixText { text: texts.join(" * "), binding: Binding::Product }),
         }
     }
 }

@@ -49,8 +49,8 @@ impl<'p> Interpreted<'p> {
 
     /// Continues after library calls that report a problem of the model; see
     /// [`Interpreted::failures`].
-    pub fn going_on(mut self) -> Self {
-        self.interpreter = self.interpreter.going_on();
+    pub fn recovering(mut self) -> Self {
+        self.interpreter = self.interpreter.recovering();
         self
     }
 

@@ -41,15 +41,15 @@ pub mod shown;
 pub mod values;
 
 pub use calyx_abi::Cancel;
-pub use calyx_gears::derived::{Kind, Quantity};
+pub use calyx_gears::derived_quantities::{Kind, Quantity};
 pub use calyx_lower::kernels::SymbolKind;
-pub use calyx_rt::{Given, Override, Refused};
+pub use calyx_rt::{InvalidParam, Override, ParamAssignment};
 pub use check::{
     Checked, check_file, check_file_allowing, check_run, check_run_within, check_sources, check_text, render,
 };
 pub use cost::PlannedCost;
 pub use elaboration::{Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, elaborate_printing};
-pub use geometry::{GearGeometry, Geometry, Made, Membership, MeshGeometry};
+pub use geometry::{CreatedAt, GearGeometry, Geometry, Membership, MeshGeometry};
 pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};
 pub use loader::{ModelLoader, allowed_path, read_module};

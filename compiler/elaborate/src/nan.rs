@@ -14,7 +14,7 @@ use calyx_lang::span::{FileId, Span};
 use calyx_lower::kernels::trace_nan;
 use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
-use calyx_rt::{Given, Program as _, Seen, apply};
+use calyx_rt::{NanLog, ParamAssignment, Program as _, apply};
 
 /// Codes of errors that a NaN causes: in a frame, an argument, an output.
 const FRAME: &str = "E0710";
@@ -23,7 +23,7 @@ const OUTPUT: &str = "E0721";
 
 /// Returns the site that is responsible for an error, and the inputs for which its kernel returned
 /// NaN.
-fn blamed(program: &Program, seen: &Seen, code: &str) -> Option<(usize, Vec<f64>)> {
+fn blamed(program: &Program, seen: &NanLog, code: &str) -> Option<(usize, Vec<f64>)> {
     let inputs = |site| Some((site, seen.inputs(site)?));
     match code {
         // The error reports the first output that is NaN.
@@ -34,11 +34,11 @@ fn blamed(program: &Program, seen: &Seen, code: &str) -> Option<(usize, Vec<f64>
 
 /// Adds the origin of a NaN to the error that the NaN caused. `given` are the params of the failed
 /// run.
-pub fn explain(program: &Program, given: &[Given], seen: &Seen, error: &mut RuntimeError) {
+pub fn explain(program: &Program, given: &[ParamAssignment], seen: &NanLog, error: &mut RuntimeError) {
     error.details.notes.extend(found(program, given, seen, &error.code));
 }
 
-fn found(program: &Program, given: &[Given], seen: &Seen, code: &str) -> Option<(Place, String)> {
+fn found(program: &Program, given: &[ParamAssignment], seen: &NanLog, code: &str) -> Option<(Place, String)> {
     match code {
         ARGUMENT => {
             let source = retrace(program, given, seen, |interpreted| interpreted.trace()?.in_call())?;
@@ -101,8 +101,8 @@ fn from_outside(program: &Program, site: SiteId, input: u32, span: Span) -> (Pla
 /// `ask`.
 fn retrace<R>(
     program: &Program,
-    given: &[Given],
-    seen: &Seen,
+    given: &[ParamAssignment],
+    seen: &NanLog,
     ask: impl FnOnce(&Interpreted) -> Option<R>,
 ) -> Option<R> {
     let interpreted = Interpreted::new(program, Purity::Scene).ok()?.tracing();

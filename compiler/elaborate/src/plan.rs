@@ -10,10 +10,10 @@ use calyx_runtime::bearing::Support;
 use calyx_runtime::cost::Task;
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Wrench;
-use calyx_runtime::overriding::Grid;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::scene::{Body, BodyId, FREEDOMS, Fidelity, Prototype, Scene, StructureOptions};
+use calyx_runtime::scene::{Body, BodyId, DOF_NAMES, Fidelity, Prototype, Scene, StructureOptions};
+use calyx_runtime::settings_override::Grid;
 use calyx_runtime::structure::StructureSize;
 use std::fmt::{self, Write};
 use std::sync::Arc;
@@ -40,7 +40,7 @@ pub struct Planned {
     /// Outputs that this fidelity level does not support, each with its requirement.
     pub refused: Vec<(String, &'static str)>,
     /// Inputs that this fidelity level ignores, each with the reason.
-    pub not_seen: Vec<(String, String)>,
+    pub ignored_inputs: Vec<(String, String)>,
     /// The work on which the predicted cost is based.
     pub work: PlannedWork,
 }
@@ -214,7 +214,7 @@ impl Planned {
         });
         let meshes = scene.pairs.iter().map(|pair| {
             let numbers = pair.bodies.map(|body| body.0);
-            let meeting = host.meetings.iter().find(|meeting| meeting.bodies == numbers);
+            let meeting = host.mesh_records.iter().find(|meeting| meeting.bodies == numbers);
             PlannedMesh {
                 bodies: numbers
                     .map(|body| scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone())),
@@ -268,13 +268,13 @@ impl Planned {
                 .map(|refused| (refused.name.clone(), refused.needs.name()))
                 .collect(),
             work: PlannedWork::of(host, plan),
-            not_seen: plan.ignored.iter().map(|i| (i.input.clone(), i.reason.clone())).collect(),
+            ignored_inputs: plan.ignored.iter().map(|i| (i.input.clone(), i.reason.clone())).collect(),
         }
     }
 
     /// Returns the degrees of freedom of the modelled bodies: the unknowns other than the
     /// pressures.
-    pub fn freedoms(&self) -> usize {
+    pub fn dofs(&self) -> usize {
         self.bodies.iter().filter(|body| !body.left_out).map(|body| body.free.len()).sum()
     }
 
@@ -313,7 +313,7 @@ impl Planned {
         let idle = self.bearings.iter().filter(|bearing| bearing.left_out);
         let idle =
             idle.map(|bearing| format!("bearing \"{}\": {}", bearing.name, without_verdict(bearing.reason)));
-        let not_seen = self.not_seen.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
+        let not_seen = self.ignored_inputs.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
         let refused = self.refused.iter().map(|(output, needs)| {
             format!(
                 "output `{output}`: it needs {needs}, which the fidelity \"{}\" does not support",
@@ -346,7 +346,7 @@ impl Planned {
         let bodies = self.bodies.iter().filter(|body| !body.left_out);
         let free: Vec<String> = bodies
             .flat_map(|body| {
-                body.free.iter().map(move |(freedom, load)| format!("{freedom} of \"{}\", {load}", body.name))
+                body.free.iter().map(move |(dof, load)| format!("{dof} of \"{}\", {load}", body.name))
             })
             .collect();
         if free.is_empty() { vec!["none: the motion of every frame is prescribed".into()] } else { free }
@@ -380,8 +380,8 @@ impl Planned {
                     names.join(", "),
                     grouped(size.sectors as usize),
                     grouped(size.elements),
-                    grouped(size.freedoms),
-                    grouped(size.body_freedoms())
+                    grouped(size.dofs),
+                    grouped(size.body_dofs())
                 ),
                 format!("  condensed to {} interface unknowns{means}", grouped(2 * size.cut)),
                 format!("  per tooth: {} unit loads on the flanks, {stress}", grouped(size.loads)),
@@ -411,11 +411,11 @@ impl Planned {
             ));
         }
         let cells = self.cells_in_contact();
-        let freedoms = match self.freedoms() {
+        let dofs = match self.dofs() {
             1 => "1 degree of freedom".to_owned(),
             count => format!("{count} degrees of freedom"),
         };
-        let unknowns = format!("about {cells} contact pressures and {freedoms}");
+        let unknowns = format!("about {cells} contact pressures and {dofs}");
         lines.push(match self.positions[..] {
             [] => format!("no positions are given; each position is a contact problem with {unknowns}"),
             [count] => format!("{count} positions, each a contact problem with {unknowns}"),
@@ -472,7 +472,7 @@ fn free(body: &Body, system: &str) -> Vec<(&'static str, String)> {
     let Wrench { force, moment } = body.load.at(0.0);
     let loads = force.iter().chain(&moment);
     let at_start = if body.load.is_constant() { "" } else { " at Time = 0" };
-    let each = FREEDOMS.iter().zip(body.free).zip(loads).enumerate().filter(|(_, ((_, free), _))| *free);
+    let each = DOF_NAMES.iter().zip(body.free).zip(loads).enumerate().filter(|(_, ((_, free), _))| *free);
     each.map(|(index, ((name, _), load))| {
         let (kind, unit) = if index < 3 { ("force", of("Force")) } else { ("moment", of("Moment")) };
         let load = if *load == 0.0 { "no load".into() } else { format!("{kind} {}", in_unit(*load, &unit)) };

@@ -1,7 +1,7 @@
 //! Display of quantities: rounded, in the unit of the file.
 
 use calyx_abi::units::from_si;
-use calyx_gears::derived::{Kind, Quantity};
+use calyx_gears::derived_quantities::{Kind, Quantity};
 use calyx_gears::host::LengthUnit;
 use calyx_lang::dimension::{Base, Dimension};
 use calyx_lang::ir::DisplayUnit;

@@ -1,7 +1,9 @@
 //! Tests that elaboration ends, can be cancelled, and continues after problems of the model.
 
 use calyx_elaborate::values::{default_of, range_of};
-use calyx_elaborate::{Cancel, Cancelled, Elaboration, Given, ModelLoader, Override, Params, elaborate};
+use calyx_elaborate::{
+    Cancel, Cancelled, Elaboration, ModelLoader, Override, ParamAssignment, Params, elaborate,
+};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::ir::Program;
 use std::thread;
@@ -50,7 +52,7 @@ fn a_loop_without_end_is_found() {
 #[test]
 fn params_from_outside_are_used_or_refused() {
     let program = program("param n = 3 in 1 .. 5; assert(n < 4);");
-    let given = |text: &str| [Given::text("n", text)];
+    let given = |text: &str| [ParamAssignment::text("n", text)];
     let ended = |text: &str| {
         elaborate(&program, Params::Given(&given(text), Override::default(), None), &Cancel::default())
             .unwrap()

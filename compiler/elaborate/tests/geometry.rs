@@ -1,6 +1,6 @@
 //! Tests the derived geometry by call: in the examples, in loops, and next to impossible gears.
 
-use calyx_elaborate::{Cancel, Elaboration, Made, ModelLoader, Params, Quantity, elaborate, shown};
+use calyx_elaborate::{Cancel, CreatedAt, Elaboration, ModelLoader, Params, Quantity, elaborate, shown};
 
 fn elaborated(text: &str) -> Elaboration {
     let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
@@ -11,7 +11,7 @@ fn elaborated(text: &str) -> Elaboration {
 const PAIR: &str = include_str!("../../../examples/spur_pair.cx");
 
 /// Returns the text of a call and the values of what it created.
-fn told<T>(text: &str, made: &Made<T>, system: &str, quantities: &[Quantity]) -> Vec<String> {
+fn told<T>(text: &str, made: &CreatedAt<T>, system: &str, quantities: &[Quantity]) -> Vec<String> {
     let head = text[made.span.start as usize..made.span.end as usize].lines().next().unwrap_or_default();
     let mut lines = vec![head.to_owned()];
     lines.extend(quantities.iter().filter(|quantity| quantity.essential).map(|quantity| {

@@ -1,6 +1,6 @@
 //! Tests the text of a model's plan.
 
-use calyx_elaborate::{Cancel, Given, ModelLoader, Override, Params, Planned, elaborate};
+use calyx_elaborate::{Cancel, ModelLoader, Override, ParamAssignment, Params, Planned, elaborate};
 use calyx_runtime::cost::Rates;
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::scene::Fidelity;
@@ -15,7 +15,8 @@ fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
 fn planned_with(text: &str, set: &[(&str, &str)], overrides: Override) -> Option<Planned> {
     let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
     let program = checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
-    let given: Vec<Given> = set.iter().map(|(name, text)| Given::text(*name, *text)).collect();
+    let given: Vec<ParamAssignment> =
+        set.iter().map(|(name, text)| ParamAssignment::text(*name, *text)).collect();
     elaborate(&program, Params::Given(&given, overrides, None), &Cancel::default())
         .expect("nobody cancels")
         .plan
@@ -69,7 +70,7 @@ Cost
 fn params_change_the_plan() {
     let plan = planned(PAIR, &[("steps", "4"), ("tip_corner_contact", "FALSE"), ("lead_crown", "0")])
         .expect("a plan");
-    assert_eq!((plan.positions, plan.meshes[0].edges, plan.not_seen.len()), (vec![7], false, 0));
+    assert_eq!((plan.positions, plan.meshes[0].edges, plan.ignored_inputs.len()), (vec![7], false, 0));
 }
 
 #[test]
@@ -88,7 +89,7 @@ fn bodies_of_one_gear_share_a_structure() {
         &[],
     )
     .expect("a plan");
-    assert_eq!((plan.bodies.len(), plan.structures, plan.meshes.len(), plan.freedoms()), (3, 2, 2, 2));
+    assert_eq!((plan.bodies.len(), plan.structures, plan.meshes.len(), plan.dofs()), (3, 2, 2, 2));
 }
 
 #[test]
@@ -126,10 +127,10 @@ fn the_cost_of_a_tolerance_is_that_of_its_settings() {
     let cost = planned(&text, &[]).expect("a plan").cost(&RATES);
     let (tolerance, search) = cost.search.as_ref().expect("a search");
     assert_eq!((*tolerance, search.most), (0.03, MOST_WORK));
-    let names: Vec<&str> = search.rungs.iter().map(|rung| rung.setting.fidelity.name()).collect();
+    let names: Vec<&str> = search.candidates.iter().map(|rung| rung.setting.fidelity.name()).collect();
     let expected = ["rigid", "analytic", "plane", "plane", "plane", "medium", "fineroot", "finest", "finest"];
     assert_eq!(names, expected);
-    assert!(search.rungs.iter().all(|rung| rung.few > 0.0 && rung.all > 0.0), "{search:?}");
+    assert!(search.candidates.iter().all(|rung| rung.few > 0.0 && rung.all > 0.0), "{search:?}");
     let said = cost.text();
     for part in ["to a tolerance of 3 %", "\"medium\": ", "at most 10 min; "] {
         assert!(said.contains(part), "{part} in {said}");

@@ -7,11 +7,11 @@
 //! [`calyx_abi::helpers`].
 
 mod blame;
+mod error_recovery;
 mod expression;
 mod place;
 mod scalar;
 mod statement;
-mod survive;
 mod trace;
 
 pub use blame::CallSites;
@@ -35,7 +35,7 @@ pub struct Interpreter<'p> {
     /// For each param, the number of slots of all params before it.
     param_offsets: Vec<usize>,
     /// Library failures after which the program continued; `None` if it stops at the first failure.
-    failures: Option<survive::Failures>,
+    failures: Option<error_recovery::Failures>,
     /// The NaN trace, if tracing is enabled.
     trace: Option<NanTrace>,
 }

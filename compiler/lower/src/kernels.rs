@@ -7,7 +7,7 @@ use calyx_lang::ir::{Capture, Op, Program, Site, SiteId, SymExpr, SymKind, Symbo
 use calyx_lang::span::Span;
 use calyx_symbolic::{Binary, Frame, Graph, Node, NodeId, Pose, Tape, Unary, Vector3};
 use functions::{Free, Scope};
-use motion::{Carried, Motion};
+use motion::{Motion, TransformedQuantity};
 use std::collections::HashMap;
 use std::fmt;
 
@@ -383,9 +383,9 @@ impl<'a> Lowering<'a> {
             }
         }
         let carried = match (op, operands) {
-            (Op::Apply, [F(frame), V(point)]) => Some((frame, Carried::Point(*point))),
-            (Op::Origin, [F(frame)]) => Some((frame, Carried::Origin)),
-            (Op::Direction, [F(frame), V(vector)]) => Some((frame, Carried::Direction(*vector))),
+            (Op::Apply, [F(frame), V(point)]) => Some((frame, TransformedQuantity::Point(*point))),
+            (Op::Origin, [F(frame)]) => Some((frame, TransformedQuantity::Origin)),
+            (Op::Direction, [F(frame), V(vector)]) => Some((frame, TransformedQuantity::Direction(*vector))),
             _ => None,
         };
         if let Some((frame, carried)) = carried {

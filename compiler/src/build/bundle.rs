@@ -16,15 +16,15 @@ const TRAILER: usize = 32 + 8 + 8;
 
 /// A bundle whose module cannot be used: the file was cut or changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Damaged;
+pub struct DamagedBundle;
 
-impl fmt::Display for Damaged {
+impl fmt::Display for DamagedBundle {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str("the model in this executable is damaged")
     }
 }
 
-impl std::error::Error for Damaged {}
+impl std::error::Error for DamagedBundle {}
 
 /// Writes a copy of an executable with a module behind it.
 ///
@@ -44,7 +44,7 @@ pub(super) fn write(executable: &Path, module: &[u8], target: &Path) -> io::Resu
 ///
 /// # Errors
 /// The file cannot be read. Within: it is a bundle and is damaged.
-pub fn read(executable: &Path) -> io::Result<Option<Result<Vec<u8>, Damaged>>> {
+pub fn read(executable: &Path) -> io::Result<Option<Result<Vec<u8>, DamagedBundle>>> {
     let mut file = File::open(executable)?;
     let size = file.metadata()?.len();
     let Some(end) = size.checked_sub(TRAILER as u64) else { return Ok(None) };
@@ -57,12 +57,12 @@ pub fn read(executable: &Path) -> io::Result<Option<Result<Vec<u8>, Damaged>>> {
         return Ok(None);
     }
     let length = length.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte));
-    let Some(begin) = end.checked_sub(length) else { return Ok(Some(Err(Damaged))) };
+    let Some(begin) = end.checked_sub(length) else { return Ok(Some(Err(DamagedBundle))) };
     file.seek(SeekFrom::Start(begin))?;
     let mut module = Vec::new();
     file.take(length).read_to_end(&mut module)?;
     let whole = Sha256::digest(&module)[..] == *checksum;
-    Ok(Some(if whole { Ok(module) } else { Err(Damaged) }))
+    Ok(Some(if whole { Ok(module) } else { Err(DamagedBundle) }))
 }
 
 #[cfg(test)]
@@ -86,7 +86,7 @@ mod tests {
                     let mut damaged = bytes.clone();
                     damaged[place] ^= 1;
                     fs::write(&plain, &damaged).unwrap();
-                    assert_eq!(read(&plain).unwrap(), Some(Err(Damaged)), "{place}");
+                    assert_eq!(read(&plain).unwrap(), Some(Err(DamagedBundle)), "{place}");
                 }
                 fs::write(&plain, program).unwrap();
             }

@@ -141,13 +141,13 @@ pub fn build(checked: &Checked, options: &BuildOptions) -> Result<Vec<Built>, Bu
         let unfinished = staging.path(&options.path(emit));
         match emit {
             Emit::Executable => match executable_from(options)? {
-                Made::Copied(calyx, why) => {
+                OutputOrigin::Copied(calyx, why) => {
                     let module = serialize(program, &checked.description, options.cpu)?;
                     bundle::write(&calyx, &module, &unfinished)
                         .map_err(|error| BuildError::unwritable(&unfinished, error))?;
                     why_bundled = why;
                 }
-                Made::Linked(library) => {
+                OutputOrigin::Linked(library) => {
                     let file = staging.write("model.o", &object(true)?)?;
                     executable::link(&file, &library, &unfinished, options)?;
                 }
@@ -195,7 +195,7 @@ fn keep_foreign(options: &BuildOptions) -> Result<(), BuildError> {
 }
 
 /// How an executable is made.
-enum Made {
+enum OutputOrigin {
     /// Linked with this library.
     Linked(PathBuf),
     /// As a copy of this `calyx`, and why, if that was not asked for.
@@ -204,15 +204,15 @@ enum Made {
 
 /// # Errors
 /// There is no runtime library that fits, and nothing to copy.
-fn executable_from(options: &BuildOptions) -> Result<Made, BuildError> {
+fn executable_from(options: &BuildOptions) -> Result<OutputOrigin, BuildError> {
     if let Some(calyx) = &options.bundle {
-        return Ok(Made::Copied(calyx.clone(), None));
+        return Ok(OutputOrigin::Copied(calyx.clone(), None));
     }
     match (library::find(options.library.as_deref(), Needs::Command), &options.bundle_without_library) {
         (Err(error), Some(calyx)) if options.library.is_none() && !library::is_named() => {
-            Ok(Made::Copied(calyx.clone(), Some(error.to_string())))
+            Ok(OutputOrigin::Copied(calyx.clone(), Some(error.to_string())))
         }
-        (library, _) => library.map(Made::Linked),
+        (library, _) => library.map(OutputOrigin::Linked),
     }
 }
 

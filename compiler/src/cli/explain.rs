@@ -3,9 +3,9 @@
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::explain::{all, page, similar_codes};
-use calyx::rt::Given;
+use calyx::rt::ParamAssignment;
 use calyx::rt::options::rates_file;
-use calyx::rt::overriding::OverrideArguments;
+use calyx::rt::settings_override::OverrideArguments;
 use calyx::{Checked, check_run_within};
 use calyx_abi::visible::visible;
 use calyx_runtime::cost::Rates;
@@ -26,8 +26,8 @@ pub struct Explain {
     #[arg(value_name = "CODE or FILE")]
     subject: Option<String>,
     /// Set a param of the model, see `calyx run`
-    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
-    set: Vec<Given>,
+    #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
+    set: Vec<ParamAssignment>,
     #[command(flatten)]
     overrides: OverrideArguments,
     /// Measure the speed of this machine again, for predictions of computing time
@@ -49,7 +49,7 @@ impl Explain {
             return ExitCode::SUCCESS;
         };
         if Path::new(&subject).extension().is_some_and(|extension| extension == "cx") {
-            let overrides = self.overrides.knobs();
+            let overrides = self.overrides.to_override();
             let check = |file: &Path| check_run_within(file, &self.allow.paths(), &self.set, overrides, None);
             return plan(Path::new(&subject), check, self.recalibrate);
         }

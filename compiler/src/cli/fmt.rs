@@ -2,7 +2,7 @@
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::replace::replace;
-use calyx_lang::format::{NotFormatted, format};
+use calyx_lang::format::{FormatError, format};
 use calyx_lang::ir::SourceFile;
 use clap::Args;
 use std::io::{self, Read};
@@ -33,7 +33,7 @@ pub struct Fmt {
 
 /// What became of a file.
 enum Outcome {
-    AsItWas,
+    Unchanged,
     Changed,
     Failed,
 }
@@ -58,7 +58,7 @@ impl Fmt {
                 Outcome::Failed
             });
             match outcome {
-                Outcome::AsItWas => {}
+                Outcome::Unchanged => {}
                 Outcome::Changed if self.check => {
                     println!("{}", file.display());
                     status = ExitCode::from(MODEL_ERROR);
@@ -76,7 +76,7 @@ impl Fmt {
             return Ok(Outcome::Failed);
         };
         if formatted == text {
-            return Ok(Outcome::AsItWas);
+            return Ok(Outcome::Unchanged);
         }
         if !self.check {
             replace(path, &formatted)?;
@@ -104,13 +104,13 @@ impl Fmt {
 fn formatted(name: &str, text: &str) -> Option<String> {
     match format(text) {
         Ok(formatted) => Some(formatted),
-        Err(NotFormatted::Errors(errors)) => {
+        Err(FormatError::Errors(errors)) => {
             let files = [SourceFile { name: name.into(), text: text.into() }];
             MessageFormat::Human.diagnostics(&errors, &files);
             MessageFormat::Human.note(&format!("{name} is left as it is\n"));
             None
         }
-        Err(NotFormatted::WouldChange) => {
+        Err(FormatError::WouldChange) => {
             let message = format!("{name} is left as it is: formatted, it would not be the same program");
             MessageFormat::Human.failure(&message, "this is a defect of calyx fmt; please report it");
             None

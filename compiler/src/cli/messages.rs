@@ -2,7 +2,7 @@
 //! output holds what the model prints and nothing else.
 
 use calyx::render;
-use calyx::rt::{Refused, report};
+use calyx::rt::{InvalidParam, report};
 use calyx_abi::visible::visible;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::SourceFile;
@@ -52,7 +52,7 @@ impl MessageFormat {
     }
 
     /// Says why a value given for a param cannot be used.
-    pub fn refused(self, refused: &Refused) {
+    pub fn refused(self, refused: &InvalidParam) {
         match self {
             MessageFormat::Human => eprint!("{}", report::refused(refused)),
             MessageFormat::Json => {

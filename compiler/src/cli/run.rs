@@ -3,7 +3,7 @@
 use crate::allow::AllowPath;
 use crate::compile::{checked, compile};
 use crate::messages::{MessageFormat, USAGE};
-use calyx::rt::Refused;
+use calyx::rt::InvalidParam;
 use calyx::rt::command::{Messages, RunCommand, refused_by_check};
 use calyx::rt::directory::default_directory;
 use calyx::rt::options::RunArguments;
@@ -59,14 +59,14 @@ impl Run {
                 return ExitCode::from(USAGE);
             }
         };
-        let overrides = arguments.overrides.knobs();
+        let overrides = arguments.overrides.to_override();
         let check = || check_run_within(&file, &allowed, &given, overrides, arguments.memory_limit);
         let (module, before) = match compile(&file, arguments.quiet, format, check) {
             Ok(compiled) => compiled,
             Err(status) => return status,
         };
         let directory = arguments.out.clone().unwrap_or_else(|| default_directory(&file));
-        let messages = Said { module: &module, format };
+        let messages = RunMessages { module: &module, format };
         if module.has_errors() {
             return ExitCode::from(refused_by_check(&directory, &messages));
         }
@@ -94,13 +94,13 @@ fn print_params(file: &Path, allowed: &Arc<[PathBuf]>, quiet: bool, format: Mess
 }
 
 /// What a run says, with the source beside it.
-struct Said<'m> {
+struct RunMessages<'m> {
     module: &'m Module,
     format: MessageFormat,
 }
 
-impl Messages for Said<'_> {
-    fn refused(&self, why: &Refused) {
+impl Messages for RunMessages<'_> {
+    fn refused(&self, why: &InvalidParam) {
         self.format.refused(why);
     }
 

@@ -5,16 +5,16 @@ use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::elaborate::Planned;
 use calyx::rt::options::given_of;
-use calyx::rt::progress::{ProgressFormat, Tour};
+use calyx::rt::progress::{CampaignProgress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::tradeoff::campaign::{Campaign, Outcome};
-use calyx::rt::tradeoff::text::{LeftOut, left_out, recommendations, seconds, table};
-use calyx::rt::tradeoff::{Comparison, Measured, Setting, files, picture, references, settings};
-use calyx::rt::{Error, Given, Override, RunError, budget, interrupt};
+use calyx::rt::tradeoff::text::{OmittedSetting, left_out, recommendations, seconds, table};
+use calyx::rt::tradeoff::{Comparison, Measurement, Setting, files, plot, references, settings};
+use calyx::rt::{Error, Override, ParamAssignment, RunError, budget, interrupt};
 use calyx::{Severity, check_run_within};
 use calyx_runtime::cost::Rates;
-use calyx_runtime::overriding::Grid;
 use calyx_runtime::scene::Fidelity;
+use calyx_runtime::settings_override::Grid;
 use clap::Args;
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
@@ -45,8 +45,8 @@ pub struct Tradeoff {
     /// The model (.cx file)
     file: PathBuf,
     /// Set a param of the model, see `calyx run`
-    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value)]
-    set: Vec<Given>,
+    #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
+    set: Vec<ParamAssignment>,
     /// Read params from FILE.json or FILE.toml, see `calyx run`
     #[arg(long, value_name = "FILE")]
     params: Option<PathBuf>,
@@ -162,7 +162,7 @@ impl Tradeoff {
         // Should the reference have failed, the finest that there is takes its place.
         let finest = measured.iter().max_by_key(|measured| {
             let level = Fidelity::ALL.iter().position(|level| level.name() == measured.setting.level());
-            (level, measured.setting.knobs().is_empty())
+            (level, measured.setting.overridden().is_empty())
         });
         let reference = chosen.filter(|name| known(name)).or_else(|| Some(finest?.setting.name.clone()));
         let Some(comparison) = reference.and_then(|reference| Comparison::new(measured, &reference)) else {
@@ -181,8 +181,8 @@ impl Tradeoff {
     /// The settings to run, in order, and the name of the reference; what is left out is noted.
     fn plan(
         &self,
-        given: &[Given],
-        left: &mut Vec<LeftOut>,
+        given: &[ParamAssignment],
+        left: &mut Vec<OmittedSetting>,
     ) -> Result<(Vec<Expected>, Option<String>), String> {
         let wanted = |level: &Fidelity| self.levels.is_empty() || self.levels.contains(level);
         let levels = Fidelity::ALL.into_iter().filter(wanted);
@@ -206,7 +206,7 @@ impl Tradeoff {
             let own = match planned(Override { fidelity: Some(level), ..Override::default() }) {
                 Ok(own) => own,
                 Err(reason) => {
-                    left.push(LeftOut { name: level.name().into(), reason });
+                    left.push(OmittedSetting { name: level.name().into(), reason });
                     continue;
                 }
             };
@@ -214,7 +214,7 @@ impl Tradeoff {
             let finest = references(level, grid);
             let mut of_level = settings(level, grid, own.is_sampled());
             let turned = |knob: &str| self.knobs.is_empty() || self.knobs.iter().any(|known| known == knob);
-            of_level.retain(|setting| setting.knobs().iter().all(|(knob, _)| turned(knob)));
+            of_level.retain(|setting| setting.overridden().iter().all(|(knob, _)| turned(knob)));
             for finest in &finest {
                 if !of_level.contains(finest) {
                     // Settings of one mesh stand together; a mesh of its own comes last.
@@ -229,7 +229,7 @@ impl Tradeoff {
                 let cost = match planned(setting.overrides) {
                     Ok(plan) => plan.cost(&rates),
                     Err(reason) => {
-                        left.push(LeftOut { name: setting.name, reason });
+                        left.push(OmittedSetting { name: setting.name, reason });
                         continue;
                     }
                 };
@@ -252,7 +252,7 @@ impl Tradeoff {
                         continue;
                     }
                 };
-                left.push(LeftOut { name: setting.name, reason });
+                left.push(OmittedSetting { name: setting.name, reason });
             }
             let best = finest.into_iter().map(|setting| setting.name).find(|name| affordable.contains(name));
             best_of_levels.extend(best);
@@ -281,10 +281,10 @@ impl Tradeoff {
         &self,
         campaign: &Campaign,
         expected: &[Expected],
-        left: &mut Vec<LeftOut>,
-    ) -> Result<Option<Vec<Measured>>, RunError> {
-        let mut measured: Vec<Measured> = Vec::new();
-        let tour = Tour::new(
+        left: &mut Vec<OmittedSetting>,
+    ) -> Result<Option<Vec<Measurement>>, RunError> {
+        let mut measured: Vec<Measurement> = Vec::new();
+        let tour = CampaignProgress::new(
             self.progress,
             self.quiet,
             expected.iter().map(|(_, time)| time.unwrap_or(0.0)).collect(),
@@ -297,7 +297,7 @@ impl Tradeoff {
             tour.begin(index, &setting.name);
             match campaign.run(setting, *predicted, &measured)? {
                 Outcome::Measured(run) => measured.push(*run),
-                Outcome::Refused(reason) => left.push(LeftOut { name: setting.name.clone(), reason }),
+                Outcome::Refused(reason) => left.push(OmittedSetting { name: setting.name.clone(), reason }),
                 Outcome::Ended => {
                     tour.finish();
                     return Ok(None);
@@ -311,7 +311,7 @@ impl Tradeoff {
     }
 
     /// Writes the comparison and prints it.
-    fn tell(&self, comparison: &Comparison, left: &[LeftOut], directory: &Path) -> ExitCode {
+    fn tell(&self, comparison: &Comparison, left: &[OmittedSetting], directory: &Path) -> ExitCode {
         let format = MessageFormat::Human;
         let name = self.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let reference = &comparison.settings[comparison.reference].setting;
@@ -324,7 +324,7 @@ impl Tradeoff {
         if let Err(error) = written {
             return unwritable(format, directory, &error.to_string());
         }
-        if let Err(error) = picture::draw(&path("tradeoff.svg"), &name, comparison) {
+        if let Err(error) = plot::draw(&path("tradeoff.svg"), &name, comparison) {
             return unwritable(format, &path("tradeoff.svg"), &error.to_string());
         }
         if self.json {

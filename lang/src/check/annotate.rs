@@ -2,7 +2,7 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
-use super::symbols::{Res, similar};
+use super::symbols::{Resolution, similar};
 use super::types::Type;
 use crate::ast::{FunctionBody, FunctionDecl, Ident, Mode, StmtKind, TypeExpr, TypeKind};
 use crate::diagnostic::Diagnostic;
@@ -94,9 +94,9 @@ impl<'a> Checker<'a> {
     /// Returns the type for a name that the program declares.
     fn declared_type(&mut self, name: &Ident) -> Option<Type> {
         match self.names.uses.get(&name.span).copied()? {
-            Res::Record(id) => Some(Type::Record(id)),
-            Res::Dimension(id) => self.own_dimension(id).map(Type::quantity),
-            Res::Unknown => None,
+            Resolution::Record(id) => Some(Type::Record(id)),
+            Resolution::Dimension(id) => self.own_dimension(id).map(Type::quantity),
+            Resolution::Unknown => None,
             _ => Some(self.bad_annotation(format!("`{}` is not a type", name.name), name.span)),
         }
     }
@@ -104,7 +104,7 @@ impl<'a> Checker<'a> {
     fn dimension(&mut self, annotation: &TypeExpr) -> Option<Dimension> {
         match &annotation.kind {
             TypeKind::Name(name) => {
-                if let Some(Res::Dimension(id)) = self.names.uses.get(&name.span).copied() {
+                if let Some(Resolution::Dimension(id)) = self.names.uses.get(&name.span).copied() {
                     return self.own_dimension(id);
                 }
                 let found = counted_dimension(&name.name);

@@ -6,8 +6,8 @@ use super::symbols::with_article;
 use super::tree::Expr;
 use super::types::Type;
 use crate::ast::{self, ExprKind};
+use crate::common_units::{usual, written};
 use crate::dimension::Dimension;
-use crate::usual_units::{usual, written};
 
 /// A parameter that the call omits.
 pub(super) struct Free<'a> {

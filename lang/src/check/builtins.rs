@@ -1,6 +1,6 @@
 //! Built-in names: names that every program can use without a declaration or an import.
 
-use super::schemes::Shown;
+use super::schemes::ShownScheme;
 use super::symbols::{Constant, NumberConstant};
 use crate::analysis::{CallParameter, Callable, NameKind};
 use crate::ast::Mode;
@@ -231,7 +231,7 @@ pub fn shown(name: &str) -> Option<String> {
     }
     let callable = callable(name)?;
     let parameters = callable.parameters.iter().map(|p| (p.mode, p.name.to_string(), p.ty.clone()));
-    let shown = Shown {
+    let shown = ShownScheme {
         name: name.into(),
         parameters: parameters.collect(),
         result: callable.result,

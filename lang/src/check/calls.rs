@@ -2,9 +2,9 @@
 //! function.
 
 use super::infer::Checker;
-use super::meanings::note_arguments;
+use super::name_resolution::note_arguments;
 use super::places::place_value;
-use super::symbols::{Res, similar, with_article};
+use super::symbols::{Resolution, similar, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
@@ -13,7 +13,7 @@ use crate::span::Span;
 use std::collections::HashMap;
 
 /// The argument of each parameter, and the fields of spread records by name.
-pub(super) type Given<'a> = (Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>);
+pub(super) type MatchedArguments<'a> = (Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>);
 
 impl<'a> Checker<'a> {
     pub(super) fn call(&mut self, callee: &'a ast::Expr, arguments: &'a [ast::Argument], span: Span) -> Expr {
@@ -25,11 +25,11 @@ impl<'a> Checker<'a> {
             }
         };
         match self.names.uses.get(&name.span).copied() {
-            Some(Res::Function(id)) => self.user_call(id, name, arguments, span),
-            Some(Res::Record(id)) => self.record_call(id, arguments, span),
-            Some(Res::Extern(id)) => self.extern_call(id, name, arguments, span),
-            Some(Res::Builtin(builtin)) => self.builtin_call(builtin, name, arguments, span),
-            Some(Res::Unknown) | None => {
+            Some(Resolution::Function(id)) => self.user_call(id, name, arguments, span),
+            Some(Resolution::Record(id)) => self.record_call(id, arguments, span),
+            Some(Resolution::Extern(id)) => self.extern_call(id, name, arguments, span),
+            Some(Resolution::Builtin(builtin)) => self.builtin_call(builtin, name, arguments, span),
+            Some(Resolution::Unknown) | None => {
                 // Check the arguments for further errors.
                 if self.names.uses.contains_key(&name.span) || !matches!(callee.kind, ExprKind::Field { .. })
                 {
@@ -314,7 +314,9 @@ impl<'a> Checker<'a> {
                 let domain = parameter.domain.as_ref();
                 let demand =
                     self.in_file(file, |c| c.domain(&ty, domain, Some(&value), &parameter.name.name));
-                demands.extend(demand.map(|demand| (values.len(), Demand { nan_passes: true, ..demand })));
+                demands.extend(
+                    demand.map(|demand| (values.len(), ArgumentRange { nan_passes: true, ..demand })),
+                );
             }
             values.push(value);
         }
@@ -416,7 +418,7 @@ impl<'a> Checker<'a> {
         decl: &ast::FunctionDecl,
         arguments: &'a [ast::Argument],
         span: Span,
-    ) -> Option<Given<'a>> {
+    ) -> Option<MatchedArguments<'a>> {
         let places = decl.parameters.iter().map(|p| (p.name.name.clone(), p.name.span));
         note_arguments(&mut self.named_parts, places, arguments);
         let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();

@@ -1,11 +1,11 @@
 //! Type constraints of operators, which are solved as soon as the types of the operands are known.
 
+use super::angles::turn_in_format;
 use super::dim::Dim;
 use super::infer::{Checker, too_large};
 use super::rules::{self, Rule};
 use super::symbols::with_article;
 use super::tree::{Constraint, ConstraintKind, RecordId};
-use super::turns::turn_in_format;
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
@@ -87,7 +87,7 @@ impl Checker<'_> {
     }
 
     /// Solves the constraints on types before a decision depends on them. Known types cost nothing.
-    pub fn settle<'t>(&mut self, types: impl Iterator<Item = &'t Type>) {
+    pub fn solve_open_constraints<'t>(&mut self, types: impl Iterator<Item = &'t Type>) {
         let (mut unknown, mut dims) = Default::default();
         types.for_each(|ty| self.store.unknowns(ty, &mut unknown, &mut dims));
         if !unknown.is_empty() || !dims.is_empty() {

@@ -4,7 +4,7 @@
 use super::constant;
 use super::infer::Checker;
 use super::order::MOST_OPEN;
-use super::symbols::Res;
+use super::symbols::Resolution;
 use super::tree::*;
 use super::types::Type;
 use crate::diagnostic::Diagnostic;
@@ -19,7 +19,7 @@ impl<'a> Checker<'a> {
     pub(super) fn declare_consts(&mut self) {
         let texts: Vec<Span> = self.names.consts.iter().map(|declared| declared.decl.value.span).collect();
         let of = |res| match res {
-            Res::Const(id) => Some(id),
+            Resolution::Const(id) => Some(id),
             _ => None,
         };
         for id in self.by_dependence(&texts, of) {

@@ -6,7 +6,7 @@
 //! and of earlier errors. The analysis is flow-insensitive and conservative: it may reject a
 //! correct derivative, but it accepts no incorrect one.
 
-use super::graphs::Graphs;
+use super::runtime_definitions::RuntimeDefinitions;
 use super::tree::{Call, Def, DefId, Expr, FuncId, Function, Kind, Place, Sym, VarId};
 use crate::ast::BinaryOp;
 use crate::ir::Op;
@@ -66,7 +66,7 @@ pub enum Question {
 
 /// The reason why the operation would return an incorrect value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Blind {
+pub enum MissedDependence {
     /// The captured variable was computed from the param.
     Computed(VarId),
     /// The captured variable was assigned under a condition on the param.
@@ -78,7 +78,7 @@ pub enum Blind {
 }
 
 #[derive(Debug)]
-struct Asked {
+struct DependenceQuery {
     question: Question,
     param: u32,
     named: Named,
@@ -96,7 +96,7 @@ struct Named {
 
 /// The function and the statements that contain the current position.
 #[derive(Debug, Default)]
-pub struct Around {
+pub struct ControlContext {
     function: FuncId,
     regions: Vec<(Region, u32)>,
 }
@@ -104,8 +104,8 @@ pub struct Around {
 #[derive(Debug, Default)]
 pub struct Dependence {
     edges: HashMap<Node, BTreeSet<Node>>,
-    asked: Vec<Asked>,
-    around: Around,
+    asked: Vec<DependenceQuery>,
+    around: ControlContext,
     controls: u32,
     /// Number of regions around the declaration of a variable. The conditions of these regions do
     /// not matter, because the variable exists only inside them.
@@ -116,11 +116,11 @@ impl Dependence {
     // The current position.
 
     /// Enters the body of a function, and returns the previous position.
-    pub fn enter(&mut self, function: FuncId) -> Around {
-        std::mem::replace(&mut self.around, Around { function, regions: Vec::new() })
+    pub fn enter(&mut self, function: FuncId) -> ControlContext {
+        std::mem::replace(&mut self.around, ControlContext { function, regions: Vec::new() })
     }
 
-    pub fn leave(&mut self, around: Around) {
+    pub fn leave(&mut self, around: ControlContext) {
         self.around = around;
     }
 
@@ -344,7 +344,7 @@ impl Dependence {
     pub fn asked(&mut self, question: Question, by: Sym, expr: &Expr, defs: &[Def], span: Span) {
         let Sym::Param(param) = by else { return };
         let named = Named::of(expr, defs);
-        self.asked.push(Asked { question, param, named, span });
+        self.asked.push(DependenceQuery { question, param, named, span });
     }
 
     fn add(&mut self, node: Node, value: &Expr) {
@@ -376,29 +376,29 @@ impl Dependence {
     pub fn blind(
         &self,
         defs: &[Def],
-        graphs: &Graphs,
+        graphs: &RuntimeDefinitions,
         functions: &HashMap<FuncId, Function>,
-    ) -> Vec<(Question, u32, Blind, Span)> {
-        let why = |asked: &Asked| {
+    ) -> Vec<(Question, u32, MissedDependence, Span)> {
+        let why = |asked: &DependenceQuery| {
             let param = asked.param;
             let named = asked.named.with_functions(functions, defs);
             let (values, names) = through_graphs(&named.captured, defs, graphs);
             let mut values = values.into_iter().map(Node::Variable);
             let hidden = values.find(|value| self.depends(*value, param, false));
             let hidden = hidden.map(|node| match node {
-                Node::Variable(id) if !self.depends(node, param, true) => Blind::Conditional(id),
-                Node::Variable(id) => Blind::Computed(id),
-                _ => Blind::Follows(param),
+                Node::Variable(id) if !self.depends(node, param, true) => MissedDependence::Conditional(id),
+                Node::Variable(id) => MissedDependence::Computed(id),
+                _ => MissedDependence::Follows(param),
             });
             let chosen = || {
                 let chosen = |id: &VarId| self.depends(Node::Choice(*id), param, false);
-                names.into_iter().find(chosen).map(Blind::Chosen)
+                names.into_iter().find(chosen).map(MissedDependence::Chosen)
             };
             let follows = || {
                 let mut others = named.params.iter().filter(|other| **other != param);
                 others
                     .find(|other| self.depends(Node::Param(**other), param, false))
-                    .map(|id| Blind::Follows(*id))
+                    .map(|id| MissedDependence::Follows(*id))
             };
             hidden.or_else(chosen).or_else(follows)
         };
@@ -480,7 +480,7 @@ impl Named {
 fn through_graphs(
     captured: &BTreeSet<VarId>,
     defs: &[Def],
-    graphs: &Graphs,
+    graphs: &RuntimeDefinitions,
 ) -> (BTreeSet<VarId>, BTreeSet<VarId>) {
     let (mut values, mut seen, mut met) = (BTreeSet::new(), Seen::new(), BTreeSet::new());
     let mut pending: Vec<VarId> = captured.iter().copied().collect();

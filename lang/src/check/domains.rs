@@ -1,11 +1,11 @@
 //! Checks the ranges and choices of params and parameters. Constant values are checked at compile
 //! time, others at run time: params when they are set, arguments of library functions by the
-//! library, other arguments by the caller ([`Demand`]).
+//! library, other arguments by the caller ([`ArgumentRange`]).
 
 use super::constant;
 use super::infer::Checker;
 use super::symbols::similar;
-use super::tree::{Demand, Expr, Kind};
+use super::tree::{ArgumentRange, Expr, Kind};
 use super::types::{Store, Type};
 use crate::ast::{Domain, Parameter};
 use crate::diagnostic::Diagnostic;
@@ -26,7 +26,7 @@ pub struct Check {
     text: String,
 }
 
-impl Demand {
+impl ArgumentRange {
     /// Returns `true` if the value and the domain are constant, so that the check happens at
     /// compile time.
     pub fn is_decided(&self, value: &Expr, store: &Store) -> bool {
@@ -58,7 +58,7 @@ impl<'a> Checker<'a> {
         domain: Option<&'a Domain>,
         value: Option<&Expr>,
         name: &str,
-    ) -> Option<Demand> {
+    ) -> Option<ArgumentRange> {
         let ty = &self.scalar(ty);
         let check = match domain {
             None => return None,
@@ -107,7 +107,7 @@ impl<'a> Checker<'a> {
                 }
             }
         };
-        let demand = Demand {
+        let demand = ArgumentRange {
             name: check.name.clone(),
             low: check.low.clone(),
             high: check.high.clone(),

@@ -2,7 +2,7 @@
 
 use super::dependence::Region;
 use super::infer::Checker;
-use super::symbols::Res;
+use super::symbols::Resolution;
 use super::tree::*;
 use super::types::Type;
 use crate::ast;
@@ -55,7 +55,7 @@ impl<'a> Checker<'a> {
         handler: &'a ast::Stmt,
     ) -> StmtKind {
         let error = error.and_then(|name| match self.names.uses.get(&name.span) {
-            Some(Res::Var(id)) => Some(*id),
+            Some(Resolution::Var(id)) => Some(*id),
             _ => None,
         });
         self.dependence.open(Region::Try);

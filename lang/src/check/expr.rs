@@ -4,7 +4,7 @@ use super::builtins::Builtin;
 use super::dim::Dim;
 use super::infer::Checker;
 use super::rules::{self, Rule};
-use super::symbols::{Constant, NumberConstant, Res, VarKind};
+use super::symbols::{Constant, NumberConstant, Resolution, VarKind};
 use super::tree::*;
 use super::types::{Store, Type};
 use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
@@ -123,11 +123,11 @@ impl<'a> Checker<'a> {
 
     fn quantity(&mut self, value: f64, unit: &ast::Ident, exponent: i32) -> (Kind, Type) {
         let known = self.unit_named(unit);
-        if known.is_none() && !matches!(self.names.uses.get(&unit.span), Some(Res::OwnUnit(_))) {
+        if known.is_none() && !matches!(self.names.uses.get(&unit.span), Some(Resolution::OwnUnit(_))) {
             self.unknown_unit(unit, "a name right after a number must be a unit");
         }
         let counts = match self.names.uses.get(&unit.span) {
-            Some(Res::Unit(unit)) => unit.counted().power(Rational::integer(exponent)),
+            Some(Resolution::Unit(unit)) => unit.counted().power(Rational::integer(exponent)),
             _ => None,
         };
         let unit = known.and_then(|unit| powered(&unit, exponent));
@@ -141,20 +141,20 @@ impl<'a> Checker<'a> {
     }
 
     fn string(&mut self, parts: &'a [ast::StringPart]) -> (Kind, Type) {
-        let pieces: Vec<Piece> = parts
+        let pieces: Vec<TextPart> = parts
             .iter()
             .map(|part| match part {
-                ast::StringPart::Text(text) => Piece::Text(text.clone()),
+                ast::StringPart::Text(text) => TextPart::Text(text.clone()),
                 ast::StringPart::Value(value, format) => {
                     let value = self.printable(value);
                     let style = format.as_ref().map(|format| self.style(&value, format));
-                    Piece::Value(Box::new(value), style)
+                    TextPart::Value(Box::new(value), style)
                 }
             })
             .collect();
         let kind = match pieces.as_slice() {
             [] => Kind::Text(String::new()),
-            [Piece::Text(text)] => Kind::Text(text.clone()),
+            [TextPart::Text(text)] => Kind::Text(text.clone()),
             _ => Kind::Format(pieces, self.system().unwrap_or_default()),
         };
         (kind, Type::String)
@@ -184,9 +184,9 @@ impl<'a> Checker<'a> {
     }
 
     fn name(&mut self, name: &ast::Ident, span: Span) -> Expr {
-        let res = self.names.uses.get(&name.span).copied().unwrap_or(Res::Unknown);
+        let res = self.names.uses.get(&name.span).copied().unwrap_or(Resolution::Unknown);
         let (kind, ty) = match res {
-            Res::Var(id) => {
+            Resolution::Var(id) => {
                 if let Some(place) = self.constant_place {
                     self.report(
                         Diagnostic::error(
@@ -204,7 +204,7 @@ impl<'a> Checker<'a> {
                 }
                 (Kind::Var(id), self.variable_type(id))
             }
-            Res::Param(id) => match self.params.get(id as usize) {
+            Resolution::Param(id) => match self.params.get(id as usize) {
                 Some(param) => (Kind::Param(id), param.ty.clone()),
                 None => {
                     let place = self.constant_place.unwrap_or("this");
@@ -220,13 +220,13 @@ impl<'a> Checker<'a> {
                     (Kind::Error, Type::Error)
                 }
             },
-            Res::Output(id) => match self.output_defs.get(&id).copied() {
+            Resolution::Output(id) => match self.output_defs.get(&id).copied() {
                 Some(def) => return self.use_def(def, span),
                 None => (Kind::Error, Type::Error),
             },
-            Res::Constant(constant) => return self.constant(constant, span),
-            Res::Const(id) => return self.const_use(id, span),
-            Res::Record(_) => {
+            Resolution::Constant(constant) => return self.constant(constant, span),
+            Resolution::Const(id) => return self.const_use(id, span),
+            Resolution::Record(_) => {
                 self.report(
                     Diagnostic::error(
                         "E0306",
@@ -243,7 +243,7 @@ impl<'a> Checker<'a> {
                 );
                 (Kind::Error, Type::Error)
             }
-            Res::Dimension(_) => {
+            Resolution::Dimension(_) => {
                 self.report(
                     Diagnostic::error(
                         "E0306",
@@ -255,21 +255,21 @@ impl<'a> Checker<'a> {
                 );
                 (Kind::Error, Type::Error)
             }
-            Res::OwnUnit(id) => {
+            Resolution::OwnUnit(id) => {
                 let unit = self.own_unit(id);
                 match unit.and_then(|unit| Some((unit.factor, Dimension::from_exponents(unit.dimension)?))) {
                     Some((factor, dimension)) => (Kind::Number(factor), Type::quantity(dimension)),
                     None => (Kind::Error, Type::Error),
                 }
             }
-            Res::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.counted())),
-            Res::Builtin(_) if Unit::find(&name.name).is_some() => {
+            Resolution::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.counted())),
+            Resolution::Builtin(_) if Unit::find(&name.name).is_some() => {
                 // `min` is a function if it is called, and otherwise the minute.
                 let unit = Unit::find(&name.name);
                 let (factor, dimension) = unit.map_or((1.0, Dimension::NONE), |u| (u.factor, u.dimension));
                 (Kind::Number(factor), Type::quantity(dimension))
             }
-            Res::Builtin(_) | Res::Function(_) | Res::Extern(_) => {
+            Resolution::Builtin(_) | Resolution::Function(_) | Resolution::Extern(_) => {
                 self.report(
                     Diagnostic::error(
                         "E0306",
@@ -286,14 +286,14 @@ impl<'a> Checker<'a> {
                 );
                 (Kind::Error, Type::Error)
             }
-            Res::Module(_) => {
+            Resolution::Module(_) => {
                 self.report(
                     Diagnostic::error("E0306", format!("`{}` is a module", name.name), span, "not a value")
                         .help(format!("use one of its names: `{}.name`", name.name)),
                 );
                 (Kind::Error, Type::Error)
             }
-            Res::Unknown => (Kind::Error, Type::Error),
+            Resolution::Unknown => (Kind::Error, Type::Error),
         };
         self.observed(Expr { kind, ty, span })
     }
@@ -343,7 +343,7 @@ impl<'a> Checker<'a> {
 
     fn field(&mut self, base: &'a ast::Expr, field: &'a ast::Ident, span: Span) -> Expr {
         if let ExprKind::Name(name) = &base.kind
-            && let Some(Res::Module(_)) = self.names.uses.get(&name.span)
+            && let Some(Resolution::Module(_)) = self.names.uses.get(&name.span)
         {
             return self.name(field, span);
         }
@@ -418,7 +418,7 @@ impl<'a> Checker<'a> {
     /// Checks a bracket expression: an array, unless the types of its elements differ.
     fn list(&mut self, elements: &'a [ast::Expr], given: Position, span: Span) -> Expr {
         let elements: Vec<Expr> = elements.iter().map(|e| self.expr_at(e, given)).collect();
-        self.settle(elements.iter().map(|e| &e.ty));
+        self.solve_open_constraints(elements.iter().map(|e| &e.ty));
         let first = elements.first().map(|e| e.ty.clone());
         if first.is_none_or(|first| elements.iter().all(|e| !self.store.differ(&first, &e.ty))) {
             let element = self.store.fresh();
@@ -541,8 +541,10 @@ impl<'a> Checker<'a> {
     /// Returns a symbol that can be differentiated or replaced: `Time` or a number param.
     pub(super) fn symbol(&mut self, name: &ast::Ident) -> Option<(Sym, Dim)> {
         match self.names.uses.get(&name.span).copied() {
-            Some(Res::Constant(Constant::Time)) => Some((Sym::Time, Dim::known(Dimension::of(Base::Time)))),
-            Some(Res::Param(id)) => {
+            Some(Resolution::Constant(Constant::Time)) => {
+                Some((Sym::Time, Dim::known(Dimension::of(Base::Time))))
+            }
+            Some(Resolution::Param(id)) => {
                 match self.params.get(id as usize).map(|param| self.store.shallow(&param.ty)) {
                     Some(Type::Number(dim)) => Some((Sym::Param(id), dim)),
                     Some(Type::Error) | None => None,
@@ -552,7 +554,7 @@ impl<'a> Checker<'a> {
                     }
                 }
             }
-            Some(Res::Var(id)) if self.is_argument(id) => {
+            Some(Resolution::Var(id)) if self.is_argument(id) => {
                 let dim = self.store.fresh_dim();
                 let ty = self.variable_type(id);
                 if self.store.unify(&ty, &Type::Number(dim.clone())).is_err() {
@@ -561,7 +563,7 @@ impl<'a> Checker<'a> {
                 }
                 Some((Sym::Argument(id), dim))
             }
-            Some(Res::Unknown) | None => None,
+            Some(Resolution::Unknown) | None => None,
             Some(_) => {
                 self.bad_symbol(name, "not a symbol");
                 None
@@ -584,7 +586,7 @@ impl<'a> Checker<'a> {
     /// Returns the built-in function that a name denotes if it is called.
     pub(super) fn builtin(&self, name: &ast::Ident) -> Option<Builtin> {
         match self.names.uses.get(&name.span) {
-            Some(Res::Builtin(builtin)) => Some(*builtin),
+            Some(Resolution::Builtin(builtin)) => Some(*builtin),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 //! The typed expressions at a source location, for editors.
 
-use super::meanings::dimension;
+use super::name_resolution::dimension;
 use super::tree::{Expr, Kind, Stmt};
 use super::typed::Typed;
 use crate::analysis;

@@ -6,10 +6,10 @@
 
 use super::ModuleData;
 use super::dim::Dim;
-use super::elsewhere;
 use super::excerpt::Layout;
 use super::generalise::recursive_groups;
-use super::symbols::{Names, Res, VarKind, Variable, with_article};
+use super::other_modules;
+use super::symbols::{Names, Resolution, VarKind, Variable, with_article};
 use super::tree::*;
 use super::types::{Mismatch, Store, Substitution, Type};
 use crate::ast;
@@ -57,7 +57,7 @@ pub struct Checker<'a> {
     pub(super) reaching: HashMap<VarId, Reaching>,
     /// Symbolic names whose expression is selected at run time, and the definitions of every
     /// symbolic name.
-    pub(super) graphs: super::graphs::Graphs,
+    pub(super) graphs: super::runtime_definitions::RuntimeDefinitions,
     /// Symbolic names that are bound more than once.
     pub(super) rebound: HashSet<VarId>,
     /// Definitions of outputs, which later expressions may use.
@@ -81,7 +81,7 @@ pub struct Checker<'a> {
     pub(super) own_dimensions: HashMap<u32, Option<Dimension>>,
     pub(super) own_units: HashMap<u32, Option<DisplayUnit>>,
     /// Dimensions and units being computed.
-    pub(super) opening: Vec<Res>,
+    pub(super) opening: Vec<Resolution>,
     /// Records whose defaults are being inserted, outermost first.
     pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
@@ -95,7 +95,7 @@ pub struct Checker<'a> {
     /// `true` if the type of a literal or field in a declaration depends on its uses.
     pub(super) unsettled: bool,
     /// Data for the lints of cycles and angles.
-    pub(super) turns: super::turns::Turns,
+    pub(super) turns: super::angles::AngleChecks,
     pub(super) groups: HashMap<FuncId, Rc<[FuncId]>>,
     /// Nested functions, by the enclosing function.
     pub(super) nested: HashMap<FuncId, Vec<FuncId>>,
@@ -312,7 +312,7 @@ impl<'a> Checker<'a> {
             (Type::Transform, Type::Vector(_)) => "convert it to a frame: `Translate(...)`".into(),
             (Type::Handle(name), _) => {
                 let makers = self.names.around.map(|around| around.makers(name)).unwrap_or_default();
-                elsewhere::handle(&makers, name, &self.store.show(found))
+                other_modules::handle(&makers, name, &self.store.show(found))
             }
             _ => format!("give {}", with_article(&self.store.show(expected))),
         }

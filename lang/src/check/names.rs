@@ -19,7 +19,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 
 #[derive(Default)]
 struct Scope {
-    names: HashMap<String, (Res, Span)>,
+    names: HashMap<String, (Resolution, Span)>,
 }
 
 struct Resolver<'a> {
@@ -27,7 +27,7 @@ struct Resolver<'a> {
     modules: &'a [ModuleData],
     around: &'a dyn Surroundings,
     /// Functions and externs by module and name.
-    exports: Vec<HashMap<String, (Res, Span)>>,
+    exports: Vec<HashMap<String, (Resolution, Span)>>,
     /// Names of each module that are private.
     private: Vec<HashSet<&'a str>>,
     scopes: Vec<Scope>,
@@ -168,26 +168,31 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn declare_item(&mut self, statement: &'a Stmt, names: &mut HashMap<String, (Res, Span)>, module: &str) {
+    fn declare_item(
+        &mut self,
+        statement: &'a Stmt,
+        names: &mut HashMap<String, (Resolution, Span)>,
+        module: &str,
+    ) {
         let file = self.file;
         let (name, res) = match &statement.kind {
             StmtKind::Function(decl) => return self.declare_function(decl, names, module),
             StmtKind::Const { name, value } => {
                 self.names.consts.push(Declared { decl: ConstDecl { name, value }, file });
-                (name, Res::Const(self.names.consts.len() as u32 - 1))
+                (name, Resolution::Const(self.names.consts.len() as u32 - 1))
             }
             StmtKind::Record(decl) => {
                 self.names.records.push(Declared { decl, file });
-                (&decl.name, Res::Record(RecordId(self.names.records.len() as u32 - 1)))
+                (&decl.name, Resolution::Record(RecordId(self.names.records.len() as u32 - 1)))
             }
             StmtKind::Dimension { name, value } => {
                 let decl = DimensionDecl { name, value: value.as_ref() };
                 self.names.dimensions.push(Declared { decl, file });
-                (name, Res::Dimension(self.names.dimensions.len() as u32 - 1))
+                (name, Resolution::Dimension(self.names.dimensions.len() as u32 - 1))
             }
             StmtKind::Unit(decl) => {
                 self.names.units.push(Declared { decl, file });
-                (&decl.name, Res::OwnUnit(self.names.units.len() as u32 - 1))
+                (&decl.name, Resolution::OwnUnit(self.names.units.len() as u32 - 1))
             }
             _ => return,
         };
@@ -198,7 +203,7 @@ impl<'a> Resolver<'a> {
     fn declare_function(
         &mut self,
         decl: &'a FunctionDecl,
-        names: &mut HashMap<String, (Res, Span)>,
+        names: &mut HashMap<String, (Resolution, Span)>,
         module: &str,
     ) {
         let name = &decl.name;
@@ -214,7 +219,7 @@ impl<'a> Resolver<'a> {
                 symbol: format!("calyx_{prefix}_{}", name.name),
                 file: self.file,
             });
-            Res::Extern(self.names.externs.len() as u32 - 1)
+            Resolution::Extern(self.names.externs.len() as u32 - 1)
         } else {
             self.names.functions.push(FunctionInfo {
                 decl: Some(decl),
@@ -225,7 +230,7 @@ impl<'a> Resolver<'a> {
                 outer: BTreeSet::new(),
                 callees: BTreeSet::new(),
             });
-            Res::Function(FuncId(self.names.functions.len() as u32 - 1))
+            Resolution::Function(FuncId(self.names.functions.len() as u32 - 1))
         };
         self.names.uses.insert(name.span, res);
         self.insert(names, name, res);
@@ -233,7 +238,12 @@ impl<'a> Resolver<'a> {
 
     /// Declares a name in a block. Returns `false` and reports an error if the name is reserved or
     /// already declared.
-    fn insert(&mut self, names: &mut HashMap<String, (Res, Span)>, name: &Ident, res: Res) -> bool {
+    fn insert(
+        &mut self,
+        names: &mut HashMap<String, (Resolution, Span)>,
+        name: &Ident,
+        res: Resolution,
+    ) -> bool {
         if builtins::constant(&name.name).is_some() {
             self.report(
                 Diagnostic::error(
@@ -262,7 +272,7 @@ impl<'a> Resolver<'a> {
         true
     }
 
-    fn declare(&mut self, name: &Ident, res: Res) -> bool {
+    fn declare(&mut self, name: &Ident, res: Resolution) -> bool {
         self.names.uses.insert(name.span, res);
         let mut names = self.scopes.pop().unwrap_or_default().names;
         let sound = self.insert(&mut names, name, res);
@@ -279,7 +289,7 @@ impl<'a> Resolver<'a> {
             owner: self.function,
             reads: 0,
         });
-        if !self.declare(name, Res::Var(id)) {
+        if !self.declare(name, Resolution::Var(id)) {
             // The variable cannot be used, which has already been reported.
             self.names.variables[id.0 as usize].reads = 1;
         }
@@ -332,7 +342,7 @@ impl<'a> Resolver<'a> {
                 }
                 let id = self.names.params.len() as u32;
                 self.names.params.push((decl, statement.doc.as_deref()));
-                self.declare(&decl.name, Res::Param(id));
+                self.declare(&decl.name, Resolution::Param(id));
             }
             StmtKind::Output { name, value } => {
                 self.expr(value);
@@ -342,7 +352,7 @@ impl<'a> Resolver<'a> {
                 }
                 let id = self.names.outputs.len() as u32;
                 self.names.outputs.push((name, value, statement.doc.as_deref()));
-                self.declare(name, Res::Output(id));
+                self.declare(name, Resolution::Output(id));
             }
             StmtKind::Var(decls) => {
                 for decl in decls {
@@ -421,11 +431,11 @@ impl<'a> Resolver<'a> {
         let name = path.iter().map(|ident| ident.name.as_str()).collect::<Vec<_>>().join(".");
         match self.modules.iter().position(|module| module.name == name) {
             Some(index) => {
-                self.declare(last, Res::Module(index as u32));
+                self.declare(last, Resolution::Module(index as u32));
             }
             // Already reported by the loader.
             None => {
-                self.declare(last, Res::Unknown);
+                self.declare(last, Resolution::Unknown);
                 self.meant_module(&name, last);
             }
         };
@@ -439,7 +449,7 @@ impl<'a> Resolver<'a> {
         if self.modules.iter().all(|module| module.name != near)
             && let (Some(scope), Some(last)) = (self.scopes.last_mut(), near.rsplit('.').next())
         {
-            scope.names.entry(last.into()).or_insert((Res::Unknown, declared.span));
+            scope.names.entry(last.into()).or_insert((Resolution::Unknown, declared.span));
         }
     }
 
@@ -503,7 +513,7 @@ impl<'a> Resolver<'a> {
             }
         }
         let id = match self.names.uses.get(&decl.name.span) {
-            Some(Res::Function(id)) => *id,
+            Some(Resolution::Function(id)) => *id,
             // An extern function has no body, but the names of its parameters must differ.
             _ => {
                 let mut seen = HashSet::new();
@@ -557,7 +567,7 @@ impl<'a> Resolver<'a> {
                 let res = self.lookup(name);
                 self.names.uses.insert(name.span, res);
                 self.names.written.insert(name.span);
-                if let Res::Var(id) = res {
+                if let Resolution::Var(id) = res {
                     self.outer(id);
                     self.refuse_in_test(name, id);
                 }

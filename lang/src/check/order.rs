@@ -4,7 +4,7 @@
 //! chain of declarations, each using a later one, would cause deep recursion.
 
 use super::infer::Checker;
-use super::symbols::Res;
+use super::symbols::Resolution;
 use crate::components::components;
 use crate::span::Span;
 
@@ -16,7 +16,7 @@ impl Checker<'_> {
     /// Returns the indices of declarations in dependence order: each follows the declarations that
     /// it uses, and cycles are in source order. `texts` are the source ranges of their values; `of`
     /// selects the uses of declarations of this kind.
-    pub(super) fn by_dependence(&self, texts: &[Span], of: impl Fn(Res) -> Option<u32>) -> Vec<u32> {
+    pub(super) fn by_dependence(&self, texts: &[Span], of: impl Fn(Resolution) -> Option<u32>) -> Vec<u32> {
         let mut uses: Vec<(Span, u32)> =
             self.names.uses.iter().filter_map(|(span, res)| Some((*span, of(*res)?))).collect();
         uses.sort_by_key(|(span, _)| (span.file, span.start));

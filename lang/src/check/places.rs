@@ -2,7 +2,7 @@
 
 use super::constant;
 use super::infer::{Checker, too_large};
-use super::symbols::{Res, VarKind, with_article};
+use super::symbols::{Resolution, VarKind, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, ExprKind};
@@ -83,14 +83,14 @@ impl<'a> Checker<'a> {
     pub(super) fn place(&mut self, e: &'a ast::Expr) -> Option<Place> {
         match &e.kind {
             ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
-                Some(Res::Var(id)) if self.variable(id).kind != VarKind::Symbolic => {
+                Some(Resolution::Var(id)) if self.variable(id).kind != VarKind::Symbolic => {
                     Some(Place { variable: id, steps: Vec::new(), ty: self.variable_type(id), span: e.span })
                 }
-                Some(Res::Var(id)) => {
+                Some(Resolution::Var(id)) => {
                     self.report(self.keeps_expression(id, e.span));
                     None
                 }
-                Some(Res::Param(id)) => {
+                Some(Resolution::Param(id)) => {
                     let declared = self.params.get(id as usize).map(|p| p.span);
                     let diagnostic = Diagnostic::error(
                         "E0207",
@@ -106,7 +106,7 @@ impl<'a> Checker<'a> {
                     self.report(diagnostic);
                     None
                 }
-                Some(Res::Const(id)) => {
+                Some(Resolution::Const(id)) => {
                     let declared = self.names.consts[id as usize].decl.name.span;
                     self.report(
                         Diagnostic::error(
@@ -120,7 +120,7 @@ impl<'a> Checker<'a> {
                     );
                     None
                 }
-                Some(Res::Unknown) | None => None,
+                Some(Resolution::Unknown) | None => None,
                 Some(_) => {
                     self.no_place(e.span);
                     None
@@ -135,7 +135,7 @@ impl<'a> Checker<'a> {
             }
             ExprKind::Field { base, field } => {
                 let module = matches!(&base.kind, ExprKind::Name(name)
-                    if matches!(self.names.uses.get(&name.span), Some(Res::Module(_))));
+                    if matches!(self.names.uses.get(&name.span), Some(Resolution::Module(_))));
                 if module {
                     self.expr(e);
                     self.no_place(e.span);
@@ -260,7 +260,7 @@ impl<'a> Checker<'a> {
     pub(super) fn symbolic_target(&self, e: &ast::Expr) -> Option<VarId> {
         let ExprKind::Name(name) = &e.kind else { return None };
         match self.names.uses.get(&name.span) {
-            Some(Res::Var(id)) if self.variable(*id).kind == VarKind::Symbolic => Some(*id),
+            Some(Resolution::Var(id)) if self.variable(*id).kind == VarKind::Symbolic => Some(*id),
             _ => None,
         }
     }

@@ -1,11 +1,11 @@
 //! Checks records: their fields, their construction, and the use of their fields as arguments.
 
-use super::extent::{MOST_FIELDS, MOST_NESTED};
 use super::infer::Checker;
-use super::meanings::note_arguments;
+use super::name_resolution::note_arguments;
 use super::order::MOST_OPEN;
-use super::symbols::{Res, similar, with_article};
+use super::symbols::{Resolution, similar, with_article};
 use super::tree::*;
+use super::type_extent::{MOST_FIELDS, MOST_NESTED};
 use super::types::{Mismatch, RecordType, Type};
 use crate::ast;
 use crate::diagnostic::Diagnostic;
@@ -49,7 +49,7 @@ impl<'a> Checker<'a> {
         }
         let texts: Vec<Span> = records.iter().map(|record| record.decl.span_of_fields()).collect();
         let of_records = |res| match res {
-            Res::Record(id) => Some(id.0),
+            Resolution::Record(id) => Some(id.0),
             _ => None,
         };
         let order = self.by_dependence(&texts, of_records);

@@ -13,7 +13,7 @@ use std::fmt::{self, Display, Formatter};
 
 /// The displayed scheme of a function.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Shown {
+pub struct ShownScheme {
     pub name: String,
     /// Mode, name and type of each parameter.
     pub parameters: Vec<(Mode, String, String)>,
@@ -23,7 +23,7 @@ pub struct Shown {
     pub demands: Vec<String>,
 }
 
-impl Display for Shown {
+impl Display for ShownScheme {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let parameters = self.parameters.iter().map(|(mode, name, ty)| {
             let mode = match mode {
@@ -46,10 +46,10 @@ impl Display for Shown {
 
 impl Checker<'_> {
     /// Returns the scheme of a function; `None` for the top level.
-    pub(super) fn shown_scheme(&self, id: FuncId) -> Option<Shown> {
+    pub(super) fn shown_scheme(&self, id: FuncId) -> Option<ShownScheme> {
         let (function, signature) = (self.names.functions.get(id.0 as usize)?, self.signatures.get(&id)?);
         let mut letters = Letters { store: &self.store, types: Vec::new(), dims: Vec::new() };
-        let mut shown = Shown { name: function.name.clone(), ..Shown::default() };
+        let mut shown = ShownScheme { name: function.name.clone(), ..ShownScheme::default() };
         for (parameter, ty) in function.decl?.parameters.iter().zip(&signature.parameters) {
             shown.parameters.push((parameter.mode, parameter.name.name.clone(), letters.ty(ty)));
         }

@@ -4,7 +4,7 @@ use super::builtins::Builtin;
 use super::constant;
 use super::dependence::Region;
 use super::infer::Checker;
-use super::symbols::{Res, VarKind, similar};
+use super::symbols::{Resolution, VarKind, similar};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, Bind, ExprKind};
@@ -51,7 +51,7 @@ impl<'a> Checker<'a> {
                 StmtKind::Nothing
             }
             Ast::Output { name, value } => match self.names.uses.get(&name.span) {
-                Some(Res::Output(id)) => self.output(*id, name, value),
+                Some(Resolution::Output(id)) => self.output(*id, name, value),
                 _ => StmtKind::Nothing,
             },
             Ast::Var(decls) => {
@@ -70,7 +70,7 @@ impl<'a> Checker<'a> {
             Ast::Assign { place, bind, value } => self.assign(place, *bind, value),
             Ast::Expr(e) => self.expression(e),
             Ast::Function(decl) => {
-                if let Some(Res::Function(id)) = self.names.uses.get(&decl.name.span) {
+                if let Some(Resolution::Function(id)) = self.names.uses.get(&decl.name.span) {
                     self.ensure_inferred(*id);
                 }
                 StmtKind::Nothing
@@ -228,7 +228,7 @@ impl<'a> Checker<'a> {
     }
 
     fn variable_decl(&mut self, decl: &'a ast::VarDecl) -> StmtKind {
-        let Some(Res::Var(id)) = self.names.uses.get(&decl.name.span).copied() else {
+        let Some(Resolution::Var(id)) = self.names.uses.get(&decl.name.span).copied() else {
             return StmtKind::Nothing;
         };
         self.dependence.declare(id);
@@ -283,7 +283,7 @@ impl<'a> Checker<'a> {
 
     fn rebind(&mut self, place: &'a ast::Expr, value: &'a ast::Expr) -> StmtKind {
         if let ExprKind::Name(name) = &place.kind
-            && let Some(Res::Var(id)) = self.names.uses.get(&name.span).copied()
+            && let Some(Resolution::Var(id)) = self.names.uses.get(&name.span).copied()
         {
             let variable = self.variable(id).clone();
             if variable.kind == VarKind::Symbolic {

@@ -9,7 +9,7 @@ use super::axes::has_symbols;
 use super::dependence::Question;
 use super::dim::Dim;
 use super::infer::{Checker, Reaching};
-use super::symbols::{Res, with_article};
+use super::symbols::{Resolution, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, Bind, ExprKind};
@@ -208,7 +208,7 @@ impl<'a> Checker<'a> {
             by.push(sym);
             types.push(quotient);
         }
-        self.settle(types.iter());
+        self.solve_open_constraints(types.iter());
         let differ = |types: &[Type]| types.iter().any(|ty| self.store.differ(&types[0], ty));
         let ty = if differ(&types) {
             Type::Tuple(types)
@@ -473,7 +473,7 @@ impl<'a> Checker<'a> {
         match &statement.kind {
             Assign { place, bind: Bind::Symbolic, .. } => {
                 if let ExprKind::Name(name) = &place.kind
-                    && let Some(Res::Var(id)) = self.names.uses.get(&name.span)
+                    && let Some(Resolution::Var(id)) = self.names.uses.get(&name.span)
                 {
                     bound.insert(*id);
                 }

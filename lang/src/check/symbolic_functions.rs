@@ -8,7 +8,7 @@
 
 use super::builtins::Builtin;
 use super::infer::Checker;
-use super::symbols::{Constant, Res, VarKind};
+use super::symbols::{Constant, Resolution, VarKind};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
@@ -194,8 +194,8 @@ impl<'a> Checker<'a> {
         while let Some(e) = pending.pop() {
             if let ExprKind::Name(name) = &e.kind {
                 let symbol = match self.names.uses.get(&name.span) {
-                    Some(Res::Constant(Constant::Time)) => true,
-                    Some(Res::Var(id)) => {
+                    Some(Resolution::Constant(Constant::Time)) => true,
+                    Some(Resolution::Var(id)) => {
                         self.variable(*id).kind == VarKind::Symbolic || self.is_argument(*id)
                     }
                     _ => false,
@@ -223,7 +223,7 @@ impl<'a> Checker<'a> {
                 self.names_brackets(then) && self.names_brackets(otherwise)
             }
             ExprKind::Name(name) => match self.names.uses.get(&name.span) {
-                Some(Res::Var(id)) => self.variable(*id).kind == VarKind::Symbolic,
+                Some(Resolution::Var(id)) => self.variable(*id).kind == VarKind::Symbolic,
                 _ => false,
             },
             ExprKind::Call { callee, .. } => {
@@ -231,10 +231,10 @@ impl<'a> Checker<'a> {
                     return false;
                 };
                 match self.names.uses.get(&name.span) {
-                    Some(Res::Function(id)) => self.names.functions[id.0 as usize]
+                    Some(Resolution::Function(id)) => self.names.functions[id.0 as usize]
                         .decl
                         .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_))),
-                    Some(Res::Builtin(builtin)) => {
+                    Some(Resolution::Builtin(builtin)) => {
                         matches!(builtin, Builtin::Gradient | Builtin::Derivative)
                     }
                     _ => false,

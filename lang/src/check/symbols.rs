@@ -11,7 +11,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// The meaning of an identifier.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Res {
+pub enum Resolution {
     Var(VarId),
     Param(u32),
     Output(u32),
@@ -117,7 +117,7 @@ pub struct Names<'a> {
     /// The rest of the program, for suggestions.
     pub around: Option<&'a dyn Surroundings>,
     /// Meanings by the location of the identifier, including declarations.
-    pub uses: HashMap<Span, Res>,
+    pub uses: HashMap<Span, Resolution>,
     /// Names that are assigned to.
     pub written: HashSet<Span>,
     pub variables: Vec<Variable>,

@@ -76,7 +76,7 @@ pub enum Kind {
     SymbolicCall(Box<Call>),
     /// A call of a library function: its index, its arguments, and the domains of arguments by
     /// position.
-    CallExtern(u32, Vec<Expr>, Vec<(usize, Demand)>),
+    CallExtern(u32, Vec<Expr>, Vec<(usize, ArgumentRange)>),
     Print(Vec<Expr>, UnitSystem),
     Assert(Box<Assertion>),
     Array(Vec<Expr>),
@@ -90,7 +90,7 @@ pub enum Kind {
     UnitAxis(Box<Expr>),
     Len(Box<Expr>),
     /// Alternating text and values; numbers are displayed in units of the system.
-    Format(Vec<Piece>, UnitSystem),
+    Format(Vec<TextPart>, UnitSystem),
     Derivative(Box<Expr>, Sym),
     /// The gradient: derivatives in brackets.
     Gradient(Box<Expr>, Vec<Sym>),
@@ -98,7 +98,7 @@ pub enum Kind {
 }
 
 #[derive(Clone, Debug)]
-pub enum Piece {
+pub enum TextPart {
     Text(String),
     Value(Box<Expr>, Option<Style>),
 }
@@ -133,12 +133,12 @@ pub struct Call {
     /// Pairs of positions in `copy_back` whose places are the same if their indices are equal.
     pub perhaps_same: Vec<(usize, usize)>,
     /// The domains of arguments, by position.
-    pub demands: Vec<(usize, Demand)>,
+    pub demands: Vec<(usize, ArgumentRange)>,
 }
 
 /// The domain of a parameter, with the types of one call.
 #[derive(Clone, Debug)]
-pub struct Demand {
+pub struct ArgumentRange {
     pub name: String,
     pub low: Option<Expr>,
     pub high: Option<Expr>,
@@ -386,8 +386,8 @@ impl Expr {
             Kind::Format(pieces, _) => pieces
                 .iter()
                 .filter_map(|piece| match piece {
-                    Piece::Text(_) => None,
-                    Piece::Value(value, _) => Some(&**value),
+                    TextPart::Text(_) => None,
+                    TextPart::Value(value, _) => Some(&**value),
                 })
                 .collect(),
         }

@@ -3,7 +3,7 @@
 //! It does not refer to syntax trees, so it can be stored while texts change.
 
 use super::infer::Checker;
-use super::symbols::{Res, Variable};
+use super::symbols::{Resolution, Variable};
 use super::tree::{Def, Expr, FuncId, Function, Output, Param, VarId};
 use super::types::{Store, Substitution, Type};
 use crate::ast::{FunctionBody, Ident};
@@ -54,7 +54,7 @@ impl Typed {
 impl Checker<'_> {
     /// Converts to data without references to syntax trees. The meanings of identifiers are
     /// returned separately, because only editors need them.
-    pub fn into_typed(self) -> (Typed, HashMap<Span, Res>) {
+    pub fn into_typed(self) -> (Typed, HashMap<Span, Resolution>) {
         let externs = self.names.externs.iter().map(|info| {
             let purity = match &info.decl.body {
                 FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => Purity::Pure,
@@ -62,8 +62,8 @@ impl Checker<'_> {
                 _ => Purity::Effect,
             };
             let declared = |name: &Ident| match self.names.uses.get(&name.span)? {
-                Res::Record(id) => Some(self.store.repr(&Type::Record(*id))),
-                Res::Dimension(_) => Some(Repr::Number),
+                Resolution::Record(id) => Some(self.store.repr(&Type::Record(*id))),
+                Resolution::Dimension(_) => Some(Repr::Number),
                 _ => None,
             };
             let repr = |annotation| super::lower::annotated_repr(annotation, &declared);

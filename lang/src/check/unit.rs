@@ -6,8 +6,8 @@ use super::excerpt::{Excerpt, ItemId, Layout, Part, RecordKey};
 use super::infer::Checker;
 use super::interface::Interface;
 use super::lower::{self, Closure};
-use super::meanings::Meanings;
-use super::schemes::Shown;
+use super::name_resolution::NameTable;
+use super::schemes::ShownScheme;
 use super::tree::{FuncId, RecordId, VarId};
 use super::typed::Typed;
 use super::{has_errors, names};
@@ -56,7 +56,7 @@ pub struct Unit {
     /// Schemes of the functions checked in this unit, as displayed.
     pub schemes: BTreeMap<String, String>,
     /// Meanings of names, for editors.
-    pub meanings: Meanings,
+    pub meanings: NameTable,
 }
 
 /// Information about the rest of the program that a check needs.
@@ -98,10 +98,11 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
     diagnostics.append(&mut checker.diagnostics);
     let types = checker.shown_types();
     let own = (1..checker.names.functions.len() as u32).map(FuncId).filter(|id| !foreign.contains_key(id));
-    let own: HashMap<FuncId, Shown> = own.filter_map(|id| Some((id, checker.shown_scheme(id)?))).collect();
+    let own: HashMap<FuncId, ShownScheme> =
+        own.filter_map(|id| Some((id, checker.shown_scheme(id)?))).collect();
     let schemes = functions.values().filter_map(|id| own.get(id));
     let schemes = schemes.map(|scheme| (scheme.name.clone(), scheme.to_string())).collect();
-    let meanings = Meanings::of(&mut checker, own);
+    let meanings = NameTable::of(&mut checker, own);
     let members: Option<Vec<FuncId>> = group.iter().map(|item| functions.get(item).copied()).collect();
     let interfaces = match checker.unsettled {
         true => None,

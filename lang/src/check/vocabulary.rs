@@ -3,7 +3,7 @@
 use super::constant;
 use super::infer::Checker;
 use super::order::MOST_OPEN;
-use super::symbols::Res;
+use super::symbols::Resolution;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind, UnitMeaning};
 use crate::diagnostic::Diagnostic;
@@ -25,7 +25,7 @@ impl<'a> Checker<'a> {
             None => declared.decl.name.span,
         });
         let of_dimensions = |res| match res {
-            Res::Dimension(id) => Some(id),
+            Resolution::Dimension(id) => Some(id),
             _ => None,
         };
         for id in self.by_dependence(&texts.collect::<Vec<_>>(), of_dimensions) {
@@ -36,7 +36,7 @@ impl<'a> Checker<'a> {
             UnitMeaning::Equal(value) => value.span,
         });
         let of_units = |res| match res {
-            Res::OwnUnit(id) => Some(id),
+            Resolution::OwnUnit(id) => Some(id),
             _ => None,
         };
         for id in self.by_dependence(&texts.collect::<Vec<_>>(), of_units) {
@@ -64,7 +64,7 @@ impl<'a> Checker<'a> {
             (declared.decl, declared.file)
         };
         if let Some(known) = self.own_dimensions.get(&id).copied() {
-            if known.is_none() && self.opening.contains(&Res::Dimension(id)) {
+            if known.is_none() && self.opening.contains(&Resolution::Dimension(id)) {
                 self.made_of_itself("dimension", decl.name);
             }
             return known;
@@ -74,7 +74,7 @@ impl<'a> Checker<'a> {
             return None;
         }
         self.own_dimensions.insert(id, None);
-        self.opening.push(Res::Dimension(id));
+        self.opening.push(Resolution::Dimension(id));
         let found = match decl.value {
             Some(value) => self.in_file(file, |c| match c.annotation(value, false) {
                 Type::Number(dim) => dim.as_known(),
@@ -122,7 +122,7 @@ impl<'a> Checker<'a> {
             (declared.decl, declared.file)
         };
         if let Some(known) = self.own_units.get(&id).cloned() {
-            if known.is_none() && self.opening.contains(&Res::OwnUnit(id)) {
+            if known.is_none() && self.opening.contains(&Resolution::OwnUnit(id)) {
                 self.made_of_itself("unit", &decl.name);
             }
             return known;
@@ -132,7 +132,7 @@ impl<'a> Checker<'a> {
             return None;
         }
         self.own_units.insert(id, None);
-        self.opening.push(Res::OwnUnit(id));
+        self.opening.push(Resolution::OwnUnit(id));
         if Unit::find(&decl.name.name).is_some() {
             self.taken("unit", &decl.name);
         }
@@ -228,9 +228,15 @@ impl<'a> Checker<'a> {
     /// Returns the unit that an identifier denotes after a number or in a format.
     pub(super) fn unit_named(&mut self, name: &ast::Ident) -> Option<DisplayUnit> {
         match self.names.uses.get(&name.span).copied() {
-            Some(Res::OwnUnit(id)) => self.own_unit(id),
+            Some(Resolution::OwnUnit(id)) => self.own_unit(id),
             // A variable may have the name of a unit.
-            Some(Res::Var(_) | Res::Param(_) | Res::Const(_) | Res::Output(_) | Res::Unknown) => None,
+            Some(
+                Resolution::Var(_)
+                | Resolution::Param(_)
+                | Resolution::Const(_)
+                | Resolution::Output(_)
+                | Resolution::Unknown,
+            ) => None,
             _ => Unit::find(&name.name).map(|unit| DisplayUnit {
                 name: name.name.clone(),
                 factor: unit.factor,
@@ -286,7 +292,7 @@ impl<'a> Checker<'a> {
     fn counted_unit(&mut self, e: &ast::Expr) -> Option<Dimension> {
         match &e.kind {
             ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
-                Some(Res::Unit(unit)) => Some(unit.counted()),
+                Some(Resolution::Unit(unit)) => Some(unit.counted()),
                 _ => Dimension::from_exponents(self.unit_named(name)?.dimension),
             },
             ExprKind::Paren(inner) => self.counted_unit(inner),
@@ -304,7 +310,7 @@ impl<'a> Checker<'a> {
 
     fn check_unit_names(&mut self, e: &ast::Expr, sound: &mut bool) {
         match &e.kind {
-            ExprKind::Name(name) if self.names.uses.get(&name.span) == Some(&Res::Unknown) => {
+            ExprKind::Name(name) if self.names.uses.get(&name.span) == Some(&Resolution::Unknown) => {
                 *sound = false;
                 self.unknown_unit(name, "a format must end with a unit");
             }

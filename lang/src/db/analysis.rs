@@ -10,13 +10,13 @@ use crate::analysis::*;
 use crate::ast::{Bind, FunctionBody, StmtKind};
 use crate::check::excerpt::ItemId;
 use crate::check::item::ItemKind;
-use crate::check::meanings::Declared as Target;
+use crate::check::name_resolution::Declared as Target;
 use crate::check::unit::Unit;
-use crate::check::{Shown, builtins, expressions};
+use crate::check::{ShownScheme, builtins, expressions};
 use crate::declared::{self, Declared};
-use crate::deep::deep;
+use crate::deep_recursion::with_deep_stack;
 use crate::lexer::Tokens;
-use crate::parser::{self, pieces::Placed};
+use crate::parser::{self, chunks::PlacedChunk};
 use crate::relocate;
 use crate::scope::{self, Local};
 use crate::span::{FileId, Span};
@@ -28,11 +28,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 /// What is known of a name that is declared in a file.
-pub(super) struct Known {
+pub(super) struct NameInfo {
     pub kind: NameKind,
     pub ty: Option<Arc<str>>,
     /// What a module's name stands for.
-    pub module: Option<Place>,
+    pub module: Option<SourceRange>,
 }
 
 /// A name in an item, with places relative to the items they are in.
@@ -73,7 +73,7 @@ pub(super) fn unit_of<'db>(
 }
 
 /// The scheme of a function that is an item.
-fn scheme<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Option<&'db Shown> {
+fn scheme<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Option<&'db ShownScheme> {
     let unit = unit_of(db, item, library)?;
     unit.meanings.scheme(*unit.functions.get(&id(item))?)
 }
@@ -114,7 +114,7 @@ fn relative_names<'db>(
                     let to = item_of(to);
                     let elsewhere = || match (meaning.kind, to.kind(db)) {
                         (NameKind::Extern, _) => extern_scheme(db, to).map(|shown| shown.to_string()),
-                        (_, ItemKind::Function) => scheme(db, to, library).map(Shown::to_string),
+                        (_, ItemKind::Function) => scheme(db, to, library).map(ShownScheme::to_string),
                         _ => None,
                     };
                     meaning.ty.clone().or_else(elsewhere).map(Arc::from)
@@ -144,7 +144,7 @@ fn item_of<'db>(id: ItemId) -> Item<'db> {
 }
 
 /// The types of a function of the engine, as declared.
-pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<Shown> {
+pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<ShownScheme> {
     let content = item.content(db);
     let StmtKind::Function(decl) = &content.statement.kind else { return None };
     let text =
@@ -153,7 +153,7 @@ pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<
         let ty = parameter.annotation.as_ref().map_or_else(|| "_".into(), |annotation| text(annotation.span));
         (parameter.mode, parameter.name.name.clone(), ty)
     });
-    Some(Shown {
+    Some(ShownScheme {
         name: decl.name.name.clone(),
         parameters: parameters.collect(),
         result: decl.result.as_ref().map(|result| text(result.span)),
@@ -256,13 +256,13 @@ impl Database {
     /// The tree of a file; places have file 0.
     pub fn tree(&self, file: &str) -> Option<Arc<Parsed>> {
         let text = self.find(file)?;
-        Some(deep(|| parse(&self.salsa, text).clone()))
+        Some(with_deep_stack(|| parse(&self.salsa, text).clone()))
     }
 
     /// The names of a file that mean something, in order.
     pub fn names(&self, file: &str) -> Vec<Name> {
         let Some(text) = self.find(file) else { return Vec::new() };
-        deep(|| {
+        with_deep_stack(|| {
             let each = items(&self.salsa, text).iter();
             each.flat_map(|item| self.names_of(*item)).collect()
         })
@@ -271,7 +271,7 @@ impl Database {
     /// The names of a file's top-level statements that a range touches, in order.
     pub fn names_in(&self, file: &str, range: Range<u32>) -> Vec<Name> {
         let Some(text) = self.find(file) else { return Vec::new() };
-        deep(|| {
+        with_deep_stack(|| {
             let touched = self.items_in(text, range);
             touched.into_iter().flat_map(|item| self.names_of(item)).collect()
         })
@@ -280,7 +280,7 @@ impl Database {
     /// The name at an offset, or that ends there.
     pub fn name_at(&self, file: &str, offset: u32) -> Option<Name> {
         let text = self.find(file)?;
-        deep(|| {
+        with_deep_stack(|| {
             // Of two that meet there the later one.
             self.items_in(text, offset..offset).into_iter().rev().find_map(|item| self.name_in(item, offset))
         })
@@ -314,11 +314,13 @@ impl Database {
         let start = item.start(db);
         let declared = match name.target {
             RelativeTarget::Nowhere => None,
-            RelativeTarget::Module(text) => Some(Place { file: text.name(db).clone(), start: 0, end: 0 }),
+            RelativeTarget::Module(text) => {
+                Some(SourceRange { file: text.name(db).clone(), start: 0, end: 0 })
+            }
             RelativeTarget::In(to, from, end) => {
                 let to = item_of(to);
                 let base = to.start(db);
-                Some(Place { file: to.file(db).name(db).clone(), start: base + from, end: base + end })
+                Some(SourceRange { file: to.file(db).name(db).clone(), start: base + from, end: base + end })
             }
         };
         Name {
@@ -334,7 +336,7 @@ impl Database {
     }
 
     /// Every name in any file that means what is declared at a place, the declaration included, by file.
-    pub fn references(&self, place: &Place) -> Vec<(Arc<str>, Name)> {
+    pub fn references(&self, place: &SourceRange) -> Vec<(Arc<str>, Name)> {
         let db = &self.salsa;
         let Some(target) = self.find(&place.file) else { return Vec::new() };
         let name = match place.end {
@@ -345,7 +347,7 @@ impl Database {
                 .unwrap_or(""),
         };
         let mut found = Vec::new();
-        deep(|| {
+        with_deep_stack(|| {
             for file in self.files() {
                 let Some(text) = self.find(&file) else { continue };
                 for &item in items(db, text) {
@@ -363,7 +365,7 @@ impl Database {
     /// The expressions of the checked program that a range touches, in order of their starts, outer before inner.
     pub fn expressions(&self, file: &str, range: Range<u32>) -> Vec<Typed> {
         let Some(text) = self.find(file) else { return Vec::new() };
-        let mut found = deep(|| {
+        let mut found = with_deep_stack(|| {
             let units = self.excerpts(text, range.clone()).into_values();
             units.flat_map(|(unit, parts)| expressions_of(unit, &parts, &range)).collect::<Vec<_>>()
         });
@@ -404,11 +406,11 @@ impl Database {
             // In a broken text perhaps nothing.
             let name = self.name_at(file, local.span.start)?;
             match local.kind {
-                NameKind::Module => Some(Known { kind: local.kind, ty: None, module: name.declared }),
-                _ => name.declares.then_some(Known { kind: name.kind, ty: name.ty, module: None }),
+                NameKind::Module => Some(NameInfo { kind: local.kind, ty: None, module: name.declared }),
+                _ => name.declares.then_some(NameInfo { kind: name.kind, ty: name.ty, module: None }),
             }
         };
-        deep(|| self.seen_by(file, offset, &known))
+        with_deep_stack(|| self.seen_by(file, offset, &known))
     }
 
     /// [`Database::visible`], where `known` says what is known of a name of the file itself.
@@ -416,7 +418,7 @@ impl Database {
         &self,
         file: &str,
         offset: u32,
-        known: &dyn Fn(&Local, &str) -> Option<Known>,
+        known: &dyn Fn(&Local, &str) -> Option<NameInfo>,
     ) -> Vec<Visible> {
         let (Some(text), Some(tokens)) = (self.find(file), self.tokens(file)) else { return Vec::new() };
         let db = &self.salsa;
@@ -432,7 +434,7 @@ impl Database {
             let known = known(&local, name);
             let declared = match local.kind {
                 NameKind::Module => known.as_ref().and_then(|known| known.module.clone()),
-                _ => Some(Place { file: own.clone(), start: local.span.start, end: local.span.end }),
+                _ => Some(SourceRange { file: own.clone(), start: local.span.start, end: local.span.end }),
             };
             found.push(Visible {
                 name: name.into(),
@@ -469,7 +471,7 @@ impl Database {
         let db = &self.salsa;
         let own: Arc<str> = text.name(db).clone();
         let mut found = Vec::new();
-        deep(|| {
+        with_deep_stack(|| {
             for &item in items(db, text) {
                 let named =
                     matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration);
@@ -484,7 +486,7 @@ impl Database {
                     name: name.text.clone(),
                     kind: name.kind,
                     ty: name.ty.clone(),
-                    declared: Some(Place {
+                    declared: Some(SourceRange {
                         file: own.clone(),
                         start: start + name.start,
                         end: start + name.end,
@@ -512,7 +514,7 @@ impl Database {
     /// The part of a file that an offset lies in.
     pub(super) fn part_at(&self, file: &str, offset: u32) -> Option<&Part> {
         let text = self.find(file)?;
-        let all = deep(|| parts(&self.salsa, text));
+        let all = with_deep_stack(|| parts(&self.salsa, text));
         all.get(all.partition_point(|part| part.start <= offset).checked_sub(1)?)
     }
 
@@ -521,7 +523,7 @@ impl Database {
     pub fn around(&self, file: &str, offset: u32) -> Option<Arc<Parsed>> {
         let part = self.part_at(file, offset)?;
         let start = part.start as usize;
-        let placed = Placed { range: start..start, piece: part.piece.clone() };
+        let placed = PlacedChunk { range: start..start, piece: part.piece.clone() };
         let (module, diagnostics) = parser::assemble(FileId(0), &Tokens::default(), &[placed]);
         Some(Arc::new(Parsed { module, diagnostics }))
     }
@@ -532,7 +534,7 @@ impl Database {
     }
 
     /// What the declaration of a name says. `place` is that of the name.
-    pub fn declaration(&self, place: &Place) -> Option<Declaration> {
+    pub fn declaration(&self, place: &SourceRange) -> Option<Declaration> {
         let part = self.part_at(&place.file, place.start)?;
         let text = self.text(&place.file)?.get(part.start as usize..)?;
         let (item, found) = declared::find_in(&part.piece.statements, place.start - part.start)?;
@@ -557,7 +559,11 @@ impl Database {
             header: declared::header(found, text),
             doc,
             ty: name.and_then(|name| name.ty),
-            item: Place { file: place.file.clone(), start: of.start + part.start, end: of.end + part.start },
+            item: SourceRange {
+                file: place.file.clone(),
+                start: of.start + part.start,
+                end: of.end + part.start,
+            },
         })
     }
 

@@ -3,29 +3,29 @@
 use super::Database;
 use super::analysis::{extern_scheme, unit_of};
 use super::units::id;
-use crate::analysis::{CallParameter, Callable, NameKind, Place};
+use crate::analysis::{CallParameter, Callable, NameKind, SourceRange};
 use crate::ast::{Bind, FunctionBody, FunctionDecl, Mode, RecordDecl, RecordField, Stmt, StmtKind};
-use crate::check::Shown;
+use crate::check::ShownScheme;
 use crate::declared::{self, Declared};
-use crate::deep::deep;
+use crate::deep_recursion::with_deep_stack;
 use crate::dimension::Dimension;
 use crate::span::Span;
 
 /// What is known of the types of a declaration.
 pub(super) struct Types<'t> {
-    pub scheme: &'t dyn Fn(&FunctionDecl) -> Shown,
+    pub scheme: &'t dyn Fn(&FunctionDecl) -> ShownScheme,
     pub field: &'t dyn Fn(&RecordDecl, &RecordField) -> String,
     pub dimension: &'t dyn Fn(Span) -> Option<Dimension>,
 }
 
 impl Database {
     /// How the function or record that is declared at a place is called.
-    pub fn callable(&self, place: &Place) -> Option<Callable> {
+    pub fn callable(&self, place: &SourceRange) -> Option<Callable> {
         let db = &self.salsa;
         let text = self.find(&place.file)?;
         let part = self.part_at(&place.file, place.start)?;
-        let item = deep(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
-        let unit = deep(|| unit_of(db, item, self.library));
+        let item = with_deep_stack(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
+        let unit = with_deep_stack(|| unit_of(db, item, self.library));
         // To places in the unit's excerpt.
         let base = unit.and_then(|unit| unit.layout.start(id(item)));
         let moved = |span: Span| {
@@ -52,7 +52,7 @@ impl Database {
     }
 
     /// The same with types from elsewhere.
-    pub(super) fn called(&self, place: &Place, types: &Types<'_>) -> Option<Callable> {
+    pub(super) fn called(&self, place: &SourceRange, types: &Types<'_>) -> Option<Callable> {
         let part = self.part_at(&place.file, place.start)?;
         let content = self.text(&place.file)?.get(part.start as usize..)?;
         let found = declared::find_in(&part.piece.statements, place.start - part.start)?;
@@ -63,7 +63,7 @@ impl Database {
 
 /// `content` is the text from `start` on, where the places of the statement are counted from.
 fn described(
-    place: &Place,
+    place: &SourceRange,
     start: u32,
     content: &str,
     statement: &Stmt,
@@ -71,7 +71,7 @@ fn described(
 ) -> Option<Callable> {
     let slice = |span: Span| content.get(span.start as usize..span.end as usize).map(str::to_string);
     let at = |span: Span| {
-        Some(Place { file: place.file.clone(), start: span.start + start, end: span.end + start })
+        Some(SourceRange { file: place.file.clone(), start: span.start + start, end: span.end + start })
     };
     let mut callable = Callable {
         name: content.get((place.start - start) as usize..(place.end - start) as usize)?.into(),

@@ -7,7 +7,7 @@ use crate::check::{handles_of, model_doc};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{self, Tokens};
 use crate::parser;
-use crate::parser::pieces::{Piece, Placed, pieces};
+use crate::parser::chunks::{Chunk, PlacedChunk, pieces};
 use crate::span::FileId;
 use crate::units::UnitSystem;
 use std::collections::{BTreeSet, HashMap};
@@ -23,17 +23,17 @@ pub(super) fn tokens(db: &dyn salsa::Database, text: Text) -> Arc<Tokens> {
 #[derive(Debug)]
 pub(super) struct Part {
     pub start: u32,
-    pub piece: Arc<Piece>,
+    pub piece: Arc<Chunk>,
     pub splits: Arc<Vec<Split>>,
 }
 
 /// Pieces of a text by what is written in them, from one revision to the next: whoever edits a text parses little of it.
 #[derive(Debug, Default)]
-pub(super) struct Kept(Mutex<HashMap<Arc<str>, Known>>);
+pub(super) struct ChunkCache(Mutex<HashMap<Arc<str>, KnownChunk>>);
 
 #[derive(Clone, Debug)]
-struct Known {
-    piece: Arc<Piece>,
+struct KnownChunk {
+    piece: Arc<Chunk>,
     splits: Arc<Vec<Split>>,
 }
 
@@ -43,9 +43,9 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
     let mut kept = text.kept(db).0.lock().unwrap_or_else(PoisonError::into_inner);
     let pieces = pieces(content, tokens(db, text), |slice| Some(kept.get(slice)?.piece.clone()));
     let count = pieces.len();
-    let mut next: HashMap<Arc<str>, Known> = HashMap::with_capacity(count);
+    let mut next: HashMap<Arc<str>, KnownChunk> = HashMap::with_capacity(count);
     let mut parts = Vec::with_capacity(count);
-    for Placed { range, piece } in pieces {
+    for PlacedChunk { range, piece } in pieces {
         let start = range.start as u32;
         let slice = content.get(range).unwrap_or_default();
         let last = parts.len() + 1 == count;
@@ -61,7 +61,7 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
         };
         // What the last one is depends on the file's end.
         if !last {
-            next.insert(written, Known { piece: piece.clone(), splits: splits.clone() });
+            next.insert(written, KnownChunk { piece: piece.clone(), splits: splits.clone() });
         }
         parts.push(Part { start, piece, splits });
     }
@@ -80,9 +80,10 @@ pub(super) fn problems(db: &dyn salsa::Database, text: Text) -> Vec<Diagnostic> 
 /// The tree of a file as a whole.
 #[salsa::tracked(no_eq)]
 pub(super) fn parse(db: &dyn salsa::Database, text: Text) -> Arc<Parsed> {
-    let placed = parts(db, text)
-        .iter()
-        .map(|part| Placed { range: part.start as usize..part.start as usize, piece: part.piece.clone() });
+    let placed = parts(db, text).iter().map(|part| PlacedChunk {
+        range: part.start as usize..part.start as usize,
+        piece: part.piece.clone(),
+    });
     let (module, diagnostics) = parser::assemble(FileId(0), tokens(db, text), &placed.collect::<Vec<_>>());
     Arc::new(Parsed { module, diagnostics })
 }

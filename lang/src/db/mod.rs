@@ -18,9 +18,9 @@ mod units;
 use crate::ast::Module;
 use crate::check::item::ItemKind;
 use crate::check::{Checked, Loader};
-use crate::deep::deep;
+use crate::deep_recursion::with_deep_stack;
 use crate::diagnostic::Diagnostic;
-use items::{Kept, declarations, parse};
+use items::{ChunkCache, declarations, parse};
 use program::check;
 use salsa::{Cancelled, Setter};
 use std::collections::{BTreeMap, BTreeSet};
@@ -70,7 +70,7 @@ struct Text {
     module: String,
     content: String,
     /// Never changes; what it holds speeds up parsing and decides nothing.
-    kept: Kept,
+    kept: ChunkCache,
 }
 
 /// What can be imported.
@@ -103,7 +103,7 @@ impl Database {
 
     fn with_storage(salsa: Storage, loader: &dyn Loader) -> Self {
         let (name, content) = loader.prelude();
-        let prelude = Text::new(&salsa, name.into(), "prelude".into(), content, Kept::default());
+        let prelude = Text::new(&salsa, name.into(), "prelude".into(), content, ChunkCache::default());
         let library = Library::new(&salsa, BTreeMap::new(), prelude, loader.names(), BTreeMap::new());
         Database { salsa, models: BTreeMap::new(), library, recent: Arc::default() }
     }
@@ -114,7 +114,7 @@ impl Database {
             Some(text) => set(&mut self.salsa, *text, content),
             None => {
                 let text =
-                    Text::new(&self.salsa, name.into(), String::new(), content.into(), Kept::default());
+                    Text::new(&self.salsa, name.into(), String::new(), content.into(), ChunkCache::default());
                 self.models.insert(name.into(), text);
             }
         }
@@ -126,7 +126,8 @@ impl Database {
         match known {
             Some(text) => set(&mut self.salsa, text, content),
             None => {
-                let text = Text::new(&self.salsa, name.into(), path.into(), content.into(), Kept::default());
+                let text =
+                    Text::new(&self.salsa, name.into(), path.into(), content.into(), ChunkCache::default());
                 let mut modules = self.library.modules(&self.salsa).clone();
                 modules.insert(path.into(), text);
                 self.library.set_modules(&mut self.salsa).to(modules);
@@ -184,7 +185,7 @@ impl Database {
     /// The tree of a model; `None` if it was never set.
     pub fn parse(&self, name: &str) -> Option<Arc<Parsed>> {
         let model = *self.models.get(name)?;
-        Some(deep(|| parse(&self.salsa, model).clone()))
+        Some(with_deep_stack(|| parse(&self.salsa, model).clone()))
     }
 
     /// Asks the loader for every module that a model imports, directly or through others, and that is not yet
@@ -211,7 +212,9 @@ impl Database {
     }
 
     fn imports(&self, text: Text) -> Vec<String> {
-        let all = deep(|| declarations(&self.salsa, text)).iter().map(|item| item.kind(&self.salsa).clone());
+        let all = with_deep_stack(|| declarations(&self.salsa, text))
+            .iter()
+            .map(|item| item.kind(&self.salsa).clone());
         let paths = all.filter_map(|kind| match kind {
             ItemKind::Import(path) => Some(path),
             _ => None,
@@ -222,7 +225,7 @@ impl Database {
     /// The typed program of a model and everything wrong with it; `None` if the model was never set.
     pub fn check(&self, name: &str) -> Option<Arc<Checked>> {
         let model = *self.models.get(name)?;
-        Some(deep(|| check(&self.salsa, model, self.library).clone()))
+        Some(with_deep_stack(|| check(&self.salsa, model, self.library).clone()))
     }
 }
 

@@ -4,14 +4,14 @@
 //! the text as it is.
 
 use super::Database;
-use super::analysis::Known;
+use super::analysis::NameInfo;
 use super::callables::Types;
 use super::items::items;
-use crate::analysis::{Callable, NameKind, Place, Visible};
+use crate::analysis::{Callable, NameKind, SourceRange, Visible};
 use crate::ast::{FunctionDecl, RecordDecl, RecordField};
-use crate::check::Shown;
+use crate::check::ShownScheme;
 use crate::check::item::ItemKind;
-use crate::deep::deep;
+use crate::deep_recursion::with_deep_stack;
 use crate::lexer::{Kind, Token};
 use crate::scope::Local;
 use std::collections::HashMap;
@@ -32,7 +32,7 @@ impl Database {
         let db = &self.salsa;
         let before = self.recent(file);
         let mut names = Names::new();
-        deep(|| {
+        with_deep_stack(|| {
             for &item in items(db, text) {
                 let own = item.name(db);
                 let holds =
@@ -68,7 +68,7 @@ impl Database {
         let lookup = |local: &Local, name: &str| {
             if local.kind == NameKind::Module {
                 let module = self.module_named(text, &tokens.tokens, local);
-                return Some(Known { kind: local.kind, ty: None, module });
+                return Some(NameInfo { kind: local.kind, ty: None, module });
             }
             let top = || names.get("")?.get(name);
             let (kind, ty) = match function {
@@ -87,13 +87,13 @@ impl Database {
                 }
                 other => *kind == other,
             };
-            alike.then(|| Known { kind: *kind, ty: ty.clone(), module: None })
+            alike.then(|| NameInfo { kind: *kind, ty: ty.clone(), module: None })
         };
-        deep(|| self.seen_by(file, offset, &lookup))
+        with_deep_stack(|| self.seen_by(file, offset, &lookup))
     }
 
     /// [`Database::callable`] with types as they were last noted, if any were noted of the file.
-    pub fn callable_as_seen(&self, place: &Place) -> Option<Callable> {
+    pub fn callable_as_seen(&self, place: &SourceRange) -> Option<Callable> {
         let Some(names) = self.recent(&place.file) else { return self.callable(place) };
         let ty = |around: &str, name: &str| {
             let (_, ty) = names.get(around)?.get(name)?;
@@ -111,7 +111,7 @@ impl Database {
             });
             let result = result.map(|result| result.split(" where ").next().unwrap_or(result).to_string());
             let parameters = parameters.collect();
-            Shown { name: decl.name.name.clone(), parameters, result, demands: Vec::new() }
+            ShownScheme { name: decl.name.name.clone(), parameters, result, demands: Vec::new() }
         };
         let field = |decl: &RecordDecl, field: &RecordField| {
             ty(&decl.name.name, &field.name.name).unwrap_or_default()
@@ -120,14 +120,14 @@ impl Database {
     }
 
     /// The file of the module that an `import` names.
-    fn module_named(&self, text: &str, tokens: &[Token], local: &Local) -> Option<Place> {
+    fn module_named(&self, text: &str, tokens: &[Token], local: &Local) -> Option<SourceRange> {
         let mut first = tokens.iter().position(|token| token.span == local.span)?;
         while first >= 2 && tokens.get(first - 1).is_some_and(|token| token.kind == Kind::Dot) {
             first -= 2;
         }
         let start = tokens.get(first)?.span.start;
         let path: String = text.get(start as usize..local.span.end as usize)?.split_whitespace().collect();
-        Some(Place { file: self.file_of(&path)?, start: 0, end: 0 })
+        Some(SourceRange { file: self.file_of(&path)?, start: 0, end: 0 })
     }
 }
 

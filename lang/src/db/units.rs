@@ -225,7 +225,7 @@ impl<'db> Gathered<'db> {
         let context = Context {
             interfaces: &self.interfaces,
             handles: handles(db, self.file, self.library),
-            surroundings: &Around { db, library: self.library, file: self.file },
+            surroundings: &GroupContext { db, library: self.library, file: self.file },
         };
         let mut excerpt = Excerpt::new(extracts);
         excerpt.layout.bases = library_bases(db, self.library).clone();
@@ -289,7 +289,7 @@ fn type_name(ty: &TypeExpr) -> Option<&str> {
 }
 
 /// What a check asks where something is wrong.
-struct Around<'db> {
+struct GroupContext<'db> {
     db: &'db dyn salsa::Database,
     library: Library,
     file: Text,
@@ -298,7 +298,7 @@ struct Around<'db> {
 /// In a file that declares more names nobody waits for suggestions.
 const MOST_NAMES: usize = 2000;
 
-impl Around<'_> {
+impl GroupContext<'_> {
     /// The file of a module, of the prelude, or of the model itself.
     fn file_of(&self, name: &str) -> Option<Text> {
         let prelude = self.library.prelude(self.db);
@@ -310,7 +310,7 @@ impl Around<'_> {
     }
 }
 
-impl Surroundings for Around<'_> {
+impl Surroundings for GroupContext<'_> {
     fn doc(&self, name: &str) -> String {
         self.file_of(name).map(|file| facts(self.db, file).doc.clone()).unwrap_or_default()
     }

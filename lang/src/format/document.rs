@@ -110,7 +110,7 @@ fn look_ahead(items: &[Item<'_>]) -> Vec<Ahead> {
     let mut ahead = vec![Ahead::default(); items.len()];
     // Backwards: columns up to the next place where a line may end, and the groups that the item lies in.
     let mut next_break = total;
-    let mut around: Vec<Around> = Vec::new();
+    let mut around: Vec<LineContext> = Vec::new();
     for (index, item) in items.iter().enumerate().rev() {
         match item {
             Item::Line | Item::SoftLine => {
@@ -128,7 +128,7 @@ fn look_ahead(items: &[Item<'_>]) -> Vec<Ahead> {
                     group.next_line = columns[index];
                 }
             }
-            Item::Close => around.push(Around { end: next_break, next_line: next_break, forced: false }),
+            Item::Close => around.push(LineContext { end: next_break, next_line: next_break, forced: false }),
             Item::Open(_) => {
                 let Some(group) = around.pop() else { continue };
                 ahead[index] = Ahead { width: group.end - columns[index], forced: group.forced };
@@ -143,7 +143,7 @@ fn look_ahead(items: &[Item<'_>]) -> Vec<Ahead> {
 }
 
 /// A group, seen from behind.
-struct Around {
+struct LineContext {
     /// Columns up to the first place after the group where a line may end.
     end: usize,
     /// Columns up to the next such place that is the group's own, or behind it.

@@ -11,7 +11,7 @@ mod printer;
 mod statements;
 
 use crate::ast::{Module, StmtKind};
-use crate::deep::deep;
+use crate::deep_recursion::with_deep_stack;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::lexer::{self, Kind, Tokens};
 use crate::parser;
@@ -25,7 +25,7 @@ pub const WIDTH: usize = 100;
 
 /// Why a text is left as it is.
 #[derive(Clone, Debug, PartialEq)]
-pub enum NotFormatted {
+pub enum FormatError {
     /// It has these errors.
     Errors(Vec<Diagnostic>),
     /// The result would not have been the same program: a defect of the formatter.
@@ -40,32 +40,32 @@ pub struct Edit {
 }
 
 /// The text of a file in its canonical layout.
-pub fn format(text: &str) -> Result<String, NotFormatted> {
-    format_in(text, &Place::default())
+pub fn format(text: &str) -> Result<String, FormatError> {
+    format_in(text, &FormatContext::default())
 }
 
 /// Where a part of a file stands: what its layout depends on beside its own text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Place {
+pub struct FormatContext {
     /// Units that the file declares in another part.
     pub units: BTreeSet<String>,
     /// Columns before its lines.
     pub indent: usize,
 }
 
-fn format_in(text: &str, place: &Place) -> Result<String, NotFormatted> {
+fn format_in(text: &str, place: &FormatContext) -> Result<String, FormatError> {
     let tokens = lexer::lex(FileId(0), text);
     let formatted = lay_out(text, &tokens, place)?;
     let again = lexer::lex(FileId(0), &formatted);
     if meaning(text, &tokens) == meaning(&formatted, &again) {
         Ok(formatted)
     } else {
-        Err(NotFormatted::WouldChange)
+        Err(FormatError::WouldChange)
     }
 }
 
 /// The changes that [`format()`] makes between two bytes of a text.
-pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, NotFormatted> {
+pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, FormatError> {
     let formatted = format(text)?;
     let mut edits = edits(text, &formatted)?;
     edits.retain(|edit| edit.span.start <= range.end && range.start <= edit.span.end);
@@ -74,7 +74,7 @@ pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, NotForma
 
 /// The changes that lay out a part of a file, whatever the rest of it is like. The part begins and ends with statements
 /// or comments; changes are counted from its beginning, and none is before its first or behind its last word.
-pub fn format_part(part: &str, place: &Place) -> Result<Vec<Edit>, NotFormatted> {
+pub fn format_part(part: &str, place: &FormatContext) -> Result<Vec<Edit>, FormatError> {
     let formatted = format_in(part, place)?;
     let mut edits = edits(part, &formatted)?;
     edits.retain(|edit| edit.span.start > 0 && (edit.span.end as usize) < part.len());
@@ -91,10 +91,10 @@ pub fn declared_units(module: &Module) -> BTreeSet<String> {
 }
 
 /// What has to change between the words of a text to make another with the same words.
-fn edits(text: &str, formatted: &str) -> Result<Vec<Edit>, NotFormatted> {
+fn edits(text: &str, formatted: &str) -> Result<Vec<Edit>, FormatError> {
     let (before, after) = (pieces(text), pieces(formatted));
     if before.len() != after.len() {
-        return Err(NotFormatted::WouldChange);
+        return Err(FormatError::WouldChange);
     }
     let mut edits = Vec::new();
     let mut change = |old: Range<u32>, new: Range<u32>| {
@@ -112,7 +112,7 @@ fn edits(text: &str, formatted: &str) -> Result<Vec<Edit>, NotFormatted> {
             let run = index..index + length;
             same_words(text, &before[run.clone()], formatted, &after[run])
         });
-        let Some(length) = length else { return Err(NotFormatted::WouldChange) };
+        let Some(length) = length else { return Err(FormatError::WouldChange) };
         let last = index + length - 1;
         change(from..before[index].start, to..after[index].start);
         if length > 1 {
@@ -149,16 +149,16 @@ fn slice(text: &str, from: u32, to: u32) -> &str {
     text.get(from as usize..to as usize).unwrap_or_default()
 }
 
-fn lay_out(text: &str, tokens: &Tokens, place: &Place) -> Result<String, NotFormatted> {
+fn lay_out(text: &str, tokens: &Tokens, place: &FormatContext) -> Result<String, FormatError> {
     let (module, diagnostics) = parser::parse_tokens(FileId(0), text, tokens);
     let errors: Vec<_> = diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect();
     if !errors.is_empty() {
-        return Err(NotFormatted::Errors(errors));
+        return Err(FormatError::Errors(errors));
     }
     let units = &declared_units(&module) | &place.units;
     let mut printer = Printer::new(text, tokens, units);
-    deep(|| printer.file(&module));
-    let items = printer.finish().ok_or(NotFormatted::WouldChange)?;
+    with_deep_stack(|| printer.file(&module));
+    let items = printer.finish().ok_or(FormatError::WouldChange)?;
     Ok(document::lay_out(&items, WIDTH, place.indent))
 }
 

@@ -4,17 +4,17 @@
 //! does, it reports what is missing and goes on, so that one error hides no other and a tree always results.
 //! Rules are boxed: unboxed ones make types that take minutes to compile.
 
+pub(crate) mod chunks;
 mod declarations;
 mod definitions;
 mod expressions;
 mod nesting;
-pub(crate) mod pieces;
 mod recovery;
 mod source;
 mod statements;
 
 use crate::ast::{Module, Stmt};
-use crate::deep::deep;
+use crate::deep_recursion::with_deep_stack;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{self, Kind, Tokens};
 use crate::relocate;
@@ -22,7 +22,7 @@ use crate::span::FileId;
 use chumsky::error::{Error, LabelError};
 use chumsky::prelude::*;
 use chumsky::util::MaybeRef;
-use pieces::Placed;
+use chunks::PlacedChunk;
 use source::Source;
 
 /// The tree of a file and everything wrong with its text, in order of place.
@@ -32,14 +32,14 @@ pub fn parse(file: FileId, text: &str) -> (Module, Vec<Diagnostic>) {
 
 /// The same, for who needs the tokens too.
 pub fn parse_tokens(file: FileId, text: &str, tokens: &Tokens) -> (Module, Vec<Diagnostic>) {
-    assemble(file, tokens, &pieces::pieces(text, tokens, |_| None))
+    assemble(file, tokens, &chunks::pieces(text, tokens, |_| None))
 }
 
 /// A file of its pieces.
-pub(crate) fn assemble(file: FileId, tokens: &Tokens, pieces: &[Placed]) -> (Module, Vec<Diagnostic>) {
+pub(crate) fn assemble(file: FileId, tokens: &Tokens, pieces: &[PlacedChunk]) -> (Module, Vec<Diagnostic>) {
     let mut module = Module { statements: Vec::new(), doc: tokens.file_doc.clone() };
     let mut diagnostics = tokens.diagnostics.clone();
-    for Placed { range, piece } in pieces {
+    for PlacedChunk { range, piece } in pieces {
         let start = range.start as u32;
         module.statements.extend(piece.statements.iter().map(|statement| {
             let mut statement = statement.clone();
@@ -56,12 +56,12 @@ pub(crate) fn assemble(file: FileId, tokens: &Tokens, pieces: &[Placed]) -> (Mod
 fn parse_run(text: &str, tokens: &Tokens, ends_file: bool) -> (Vec<Stmt>, Vec<Diagnostic>) {
     let Tokens { tokens, docs, diagnostics, .. } = tokens;
     let source = Source::new(FileId(0), text, tokens, docs, ends_file);
-    if let Some(too_deep) = nesting::too_deep(&source) {
+    if let Some(too_deep) = nesting::exceeds_nesting(&source) {
         return (Vec::new(), vec![too_deep]);
     }
     let kinds: Vec<Kind> = tokens.iter().map(|t| t.kind).collect();
     let (statements, problems) =
-        deep(|| statements::file(&source).parse(kinds.as_slice()).into_output_errors());
+        with_deep_stack(|| statements::file(&source).parse(kinds.as_slice()).into_output_errors());
     let problems: Vec<Diagnostic> = problems.into_iter().filter_map(|p| p.0).map(|d| *d).collect();
     (statements.unwrap_or_default(), in_order(without_consequences(&source, diagnostics, problems)))
 }

@@ -7,12 +7,12 @@ use crate::lexer::Kind;
 /// Brackets, interpolations and blocks inside one another.
 const MAX_BRACKETS: usize = 256;
 /// Levels of the tree: brackets, and everything that puts one node under the next (operators of one expression,
-/// `else if` chains, labels in a row). Walks over such a tree have the stack of [`crate::deep`].
+/// `else if` chains, labels in a row). Walks over such a tree have the stack of [`crate::deep_recursion`].
 const MAX_LEVELS: usize = 400;
 
 /// An error at the first token that goes too deep. A bound from above: each operator counts as one level until
 /// the next separator, as it is in `a - b - c`.
-pub(super) fn too_deep(source: &Source<'_>) -> Option<Diagnostic> {
+pub(super) fn exceeds_nesting(source: &Source<'_>) -> Option<Diagnostic> {
     // Levels opened at each bracket that is open, outermost first.
     let mut open = vec![0_usize];
     let mut levels = 0_usize;

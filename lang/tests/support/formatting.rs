@@ -1,6 +1,6 @@
 //! What formatting must never do to a text.
 
-use calyx_lang::format::{NotFormatted, format, format_range};
+use calyx_lang::format::{FormatError, format, format_range};
 use calyx_lang::lexer::lex;
 use calyx_lang::parser::parse;
 use calyx_lang::span::FileId;
@@ -14,8 +14,8 @@ fn comments(text: &str) -> Vec<&str> {
 pub fn judge(text: &str) -> Result<String, String> {
     let formatted = match format(text) {
         Ok(formatted) => formatted,
-        Err(NotFormatted::Errors(_)) => return Ok(text.into()),
-        Err(NotFormatted::WouldChange) => return Err("it would be changed".into()),
+        Err(FormatError::Errors(_)) => return Ok(text.into()),
+        Err(FormatError::WouldChange) => return Err("it would be changed".into()),
     };
     let (before, _) = parse(FileId(0), text);
     let (after, _) = parse(FileId(0), &formatted);
@@ -41,7 +41,7 @@ pub fn judge(text: &str) -> Result<String, String> {
 }
 
 /// The text after all edits that formatting makes.
-fn applied(text: &str) -> Result<String, NotFormatted> {
+fn applied(text: &str) -> Result<String, FormatError> {
     let mut result = text.to_string();
     for edit in format_range(text, 0..text.len() as u32)?.iter().rev() {
         result.replace_range(edit.span.start as usize..edit.span.end as usize, &edit.replacement);

@@ -3,7 +3,7 @@
 use super::source::Source;
 use super::walk::Node;
 use super::{Position, Snapshot};
-use calyx_lang::analysis::{Name, NameKind, Place};
+use calyx_lang::analysis::{Name, NameKind, SourceRange};
 use calyx_lang::ast::{FunctionDecl, Stmt, StmtKind};
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ pub struct Item {
     /// What it takes and gives.
     pub detail: Option<Arc<str>>,
     /// Of its name; at the beginning of the file for the top level.
-    pub place: Place,
+    pub place: SourceRange,
     /// All of it.
     pub start: u32,
     pub end: u32,
@@ -43,7 +43,7 @@ fn is_function(kind: NameKind) -> bool {
 }
 
 /// The function declared at a place, or the top level of a file at its beginning.
-fn item(snapshot: &Snapshot, place: &Place) -> Option<Item> {
+fn item(snapshot: &Snapshot, place: &SourceRange) -> Option<Item> {
     if place.end == 0 {
         let end = snapshot.database.text(&place.file)?.len() as u32;
         let name = place.file.rsplit('/').next().unwrap_or(&place.file).to_string();
@@ -61,8 +61,8 @@ fn item(snapshot: &Snapshot, place: &Place) -> Option<Item> {
 }
 
 /// Who calls the function declared at a place, in order of file and place.
-pub fn incoming(snapshot: &Snapshot, place: &Place) -> Vec<Calls> {
-    let mut by_caller: Vec<(Place, Vec<(u32, u32)>)> = Vec::new();
+pub fn incoming(snapshot: &Snapshot, place: &SourceRange) -> Vec<Calls> {
+    let mut by_caller: Vec<(SourceRange, Vec<(u32, u32)>)> = Vec::new();
     let mut source: Option<(Arc<str>, Source<'_>)> = None;
     for (file, name) in snapshot.database.references(place) {
         if name.declares {
@@ -75,9 +75,9 @@ pub fn incoming(snapshot: &Snapshot, place: &Place) -> Vec<Calls> {
         let caller = match function_around(&source.tree.module.statements, name.start) {
             Some(function) => {
                 let span = function.name.span;
-                Place { file: file.clone(), start: span.start, end: span.end }
+                SourceRange { file: file.clone(), start: span.start, end: span.end }
             }
-            None => Place { file: file.clone(), start: 0, end: 0 },
+            None => SourceRange { file: file.clone(), start: 0, end: 0 },
         };
         let range = (name.start, name.end);
         match by_caller.iter_mut().find(|(known, _)| *known == caller) {
@@ -90,7 +90,7 @@ pub fn incoming(snapshot: &Snapshot, place: &Place) -> Vec<Calls> {
 }
 
 /// Whom the function declared at a place calls, or the top level of a file at its beginning; in order of first calls.
-pub fn outgoing(snapshot: &Snapshot, place: &Place) -> Vec<Calls> {
+pub fn outgoing(snapshot: &Snapshot, place: &SourceRange) -> Vec<Calls> {
     let Some(source) = Source::of(snapshot, &place.file) else { return Vec::new() };
     let statements = &source.tree.module.statements;
     let whole = (0, source.text.len() as u32);
@@ -98,7 +98,7 @@ pub fn outgoing(snapshot: &Snapshot, place: &Place) -> Vec<Calls> {
         0 => whole,
         _ => item(snapshot, place).map_or(whole, |item| (item.start, item.end)),
     };
-    let mut by_callee: Vec<(Place, Vec<(u32, u32)>)> = Vec::new();
+    let mut by_callee: Vec<(SourceRange, Vec<(u32, u32)>)> = Vec::new();
     for name in snapshot.database.names_in(&place.file, start..end) {
         let Name { declared: Some(callee), .. } = &name else { continue };
         let inside = start <= name.start && name.end <= end && !name.declares && is_function(name.kind);

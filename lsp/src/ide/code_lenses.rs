@@ -2,7 +2,7 @@
 
 use super::Snapshot;
 use super::source::Source;
-use calyx_lang::analysis::{Name, Place};
+use calyx_lang::analysis::{Name, SourceRange};
 use calyx_lang::ast::{Expr, ExprKind, Ident, Stmt, StmtKind};
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub enum Lens {
     /// Runs the test of this name.
     RunTest(String),
     /// The uses of what is declared at a place; counted by [`uses`] when the lens is seen.
-    Uses(Place),
+    Uses(SourceRange),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,7 +52,7 @@ pub fn lenses(source: &Source<'_>, file: &Arc<str>) -> Vec<CodeLens> {
         let (start, end) = (name.span.start, name.span.end);
         let lens = match test {
             true => Lens::RunTest(name.name.clone()),
-            false => Lens::Uses(Place { file: file.clone(), start, end }),
+            false => Lens::Uses(SourceRange { file: file.clone(), start, end }),
         };
         lenses.push(CodeLens { start, end, lens });
     }
@@ -72,7 +72,7 @@ fn analysis(statement: &Stmt) -> Option<&Ident> {
 }
 
 /// Where what is declared at a place is used, in all files.
-pub fn uses(snapshot: &Snapshot, place: &Place) -> Vec<(Arc<str>, Name)> {
+pub fn uses(snapshot: &Snapshot, place: &SourceRange) -> Vec<(Arc<str>, Name)> {
     let mut found = snapshot.database.references(place);
     found.retain(|(_, name)| !name.declares);
     found

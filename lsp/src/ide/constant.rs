@@ -2,7 +2,7 @@
 
 use calyx_abi::math;
 use calyx_abi::units::to_si;
-use calyx_lang::analysis::{NameKind, Place};
+use calyx_lang::analysis::{NameKind, SourceRange};
 use calyx_lang::ast::{BinaryOp, Expr, ExprKind, StmtKind, UnaryOp};
 use calyx_lang::db::Database;
 use calyx_lang::declared::{Declared, find};
@@ -15,14 +15,14 @@ const DEEPEST: usize = 20;
 
 /// A number known from the text, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Known {
+pub struct ConstantValue {
     pub si: f64,
     pub dimension: Option<Dimension>,
 }
 
 /// The value of the constant or param that is declared at a place; `None` if it is no number, or more than literals, units,
 /// constants and functions of the language.
-pub fn of_declaration(database: &Database, place: &Place) -> Option<Known> {
+pub fn of_declaration(database: &Database, place: &SourceRange) -> Option<ConstantValue> {
     let file = Evaluation::new(database, &place.file, DEEPEST);
     let tree = database.around(&place.file, place.start)?;
     let (_, Declared::Statement(statement)) = find(&tree.module, place.start)? else { return None };
@@ -34,7 +34,7 @@ pub fn of_declaration(database: &Database, place: &Place) -> Option<Known> {
     let si = file.value(value)?;
     let typed = database.expressions(&place.file, value.span.start..value.span.end);
     let whole = typed.iter().find(|typed| (typed.start, typed.end) == (value.span.start, value.span.end));
-    Some(Known { si, dimension: whole.and_then(|typed| typed.dimension) })
+    Some(ConstantValue { si, dimension: whole.and_then(|typed| typed.dimension) })
 }
 
 /// Where expressions are evaluated.

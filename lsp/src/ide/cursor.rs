@@ -7,7 +7,7 @@ use calyx_lang::lexer::{CommentKind, Kind, Token, Tokens};
 use std::ops::Range;
 
 /// A cursor among the tokens of a text.
-pub struct Around<'a> {
+pub struct CursorContext<'a> {
     pub text: &'a str,
     tokens: &'a [Token],
     /// How many tokens end before the word under the cursor, or before the cursor where there is none.
@@ -19,7 +19,7 @@ pub struct Around<'a> {
 
 /// What a cursor must not stand in to be offered names.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Standing {
+pub enum CursorRegion {
     Code,
     Comment,
     /// In a number or right behind its digits.
@@ -30,7 +30,7 @@ pub enum Standing {
 
 /// A bracket that is open at the cursor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Open {
+pub struct OpenDelimiter {
     /// Its token.
     pub at: usize,
     pub kind: Bracket,
@@ -68,7 +68,7 @@ pub struct Statement {
     /// Its first token.
     pub start: usize,
     /// Brackets open in it, innermost first.
-    pub open: Vec<Open>,
+    pub open: Vec<OpenDelimiter>,
 }
 
 /// A `{` of statements or fields that is open at the cursor.
@@ -97,14 +97,14 @@ pub struct Call {
     pub path: Vec<String>,
     /// Where the path stands.
     pub callee: Range<usize>,
-    pub arguments: Vec<Given>,
+    pub arguments: Vec<WrittenArgument>,
     /// The argument the cursor is in.
     pub active: usize,
 }
 
 /// An argument as written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Given {
+pub struct WrittenArgument {
     pub name: Option<String>,
     /// `..record`; the name of the record if it is one.
     pub spread: Option<String>,
@@ -112,11 +112,11 @@ pub struct Given {
     pub empty: bool,
 }
 
-impl<'a> Around<'a> {
+impl<'a> CursorContext<'a> {
     pub fn new(text: &'a str, tokens: &'a Tokens, offset: usize) -> Self {
         let tokens = tokens.tokens.as_slice();
         let before = tokens.partition_point(|token| (token.span.start as usize) < offset);
-        let mut around = Around { text, tokens, before, word: offset..offset, offset };
+        let mut around = CursorContext { text, tokens, before, word: offset..offset, offset };
         if let Some(last) = before.checked_sub(1)
             && around.range(last).end >= offset
             && around.is_word(last)
@@ -191,7 +191,7 @@ impl<'a> Around<'a> {
     }
 
     /// What the cursor stands in.
-    pub fn standing(&self, tokens: &Tokens) -> Standing {
+    pub fn standing(&self, tokens: &Tokens) -> CursorRegion {
         let offset = self.offset;
         let comments = &tokens.comments;
         let last = comments.partition_point(|comment| (comment.span.start as usize) < offset);
@@ -206,17 +206,17 @@ impl<'a> Around<'a> {
                 _ => self.text.get(end..offset.max(end)).is_some_and(|rest| !rest.contains('\n')),
             };
             if open {
-                return Standing::Comment;
+                return CursorRegion::Comment;
             }
         }
         let begun = self.tokens.partition_point(|token| (token.span.start as usize) < offset);
-        let Some(last) = begun.checked_sub(1) else { return Standing::Code };
+        let Some(last) = begun.checked_sub(1) else { return CursorRegion::Code };
         match self.kind(last) {
-            Some(Kind::Number) if self.range(last).end >= offset => Standing::Number,
+            Some(Kind::Number) if self.range(last).end >= offset => CursorRegion::Number,
             Some(Kind::StringOpen | Kind::StringText | Kind::InterpolationClose) => {
-                Standing::Text(self.plain_text(last))
+                CursorRegion::Text(self.plain_text(last))
             }
-            _ => Standing::Code,
+            _ => CursorRegion::Code,
         }
     }
 
@@ -259,7 +259,7 @@ impl<'a> Around<'a> {
 
     /// The statement around the token before `end`.
     pub fn statement(&self, end: usize) -> Statement {
-        let mut open: Vec<Open> = Vec::new();
+        let mut open: Vec<OpenDelimiter> = Vec::new();
         // Where a statement would begin if the line above were one without its `;`.
         let mut unended: Option<(usize, usize)> = None;
         let mut at = end;
@@ -280,17 +280,17 @@ impl<'a> Around<'a> {
                         return self.begun(line, open, end);
                     }
                     unended = None;
-                    open.push(Open { at: index, kind: self.bracket(index) });
+                    open.push(OpenDelimiter { at: index, kind: self.bracket(index) });
                 }
                 Kind::InterpolationOpen => {
-                    open.push(Open { at: index, kind: Bracket::Interpolation });
+                    open.push(OpenDelimiter { at: index, kind: Bracket::Interpolation });
                     // The text before it belongs to the same string.
                     at = self.string_of(index);
                     continue;
                 }
                 Kind::Semicolon => match self.for_header(index) {
                     Some(paren) => {
-                        open.push(Open { at: paren, kind: Bracket::For });
+                        open.push(OpenDelimiter { at: paren, kind: Bracket::For });
                         return Statement { start: index + 1, open };
                     }
                     None => break,
@@ -319,7 +319,7 @@ impl<'a> Around<'a> {
     }
 
     /// Leaves out labels and the heads of `if`, `while`, ... that stand before a statement.
-    fn begun(&self, mut start: usize, open: Vec<Open>, end: usize) -> Statement {
+    fn begun(&self, mut start: usize, open: Vec<OpenDelimiter>, end: usize) -> Statement {
         let outermost = open.last().map_or(end, |open| open.at.min(end));
         while start < outermost {
             let next = match self.kind(start) {
@@ -585,16 +585,16 @@ impl<'a> Around<'a> {
         index
     }
 
-    fn given(&self, start: usize, end: usize) -> Given {
+    fn given(&self, start: usize, end: usize) -> WrittenArgument {
         if self.kind(start) == Some(Kind::DotDot) {
             let name = self.kind(start + 1) == Some(Kind::Identifier) && end == start + 2;
             let spread = if name { self.source(start + 1).to_string() } else { String::new() };
-            return Given { spread: Some(spread), ..Given::default() };
+            return WrittenArgument { spread: Some(spread), ..WrittenArgument::default() };
         }
         let bound = matches!(self.kind(start + 1), Some(Kind::Assign | Kind::Bind)) && start + 1 < end;
         let name =
             (bound && self.kind(start) == Some(Kind::Identifier)).then(|| self.source(start).to_string());
         let empty = end == start || (start == self.before && end == self.next());
-        Given { name, spread: None, empty }
+        WrittenArgument { name, spread: None, empty }
     }
 }

@@ -1,9 +1,9 @@
 //! Where what a name means is declared.
 
+use super::enclosing::EnclosingNodes;
 use super::labels::label_at;
-use super::near::Around;
 use super::{Position, Snapshot};
-use calyx_lang::analysis::{Name, NameKind, Place, Visible};
+use calyx_lang::analysis::{Name, NameKind, SourceRange, Visible};
 use calyx_lang::declared::{Declared, find};
 use calyx_lang::span::Span;
 use std::ops::Range;
@@ -60,7 +60,7 @@ pub fn type_definition(snapshot: &Snapshot, at: &Position) -> Option<Definition>
     declared(snapshot, &name, &place)
 }
 
-fn declared(snapshot: &Snapshot, name: &Name, place: &Place) -> Option<Definition> {
+fn declared(snapshot: &Snapshot, name: &Name, place: &SourceRange) -> Option<Definition> {
     let whole = match place.end {
         // A module.
         0 => 0..0,
@@ -75,7 +75,7 @@ fn declared(snapshot: &Snapshot, name: &Name, place: &Place) -> Option<Definitio
 }
 
 /// The statement that declares what is declared at a place.
-fn item(snapshot: &Snapshot, place: &Place) -> Option<Range<u32>> {
+fn item(snapshot: &Snapshot, place: &SourceRange) -> Option<Range<u32>> {
     let tree = snapshot.database.around(&place.file, place.start)?;
     let (top, found) = find(&tree.module, place.start)?;
     let span = match found {
@@ -83,7 +83,7 @@ fn item(snapshot: &Snapshot, place: &Place) -> Option<Range<u32>> {
             statement.span
         }
         Declared::Parameter(..) | Declared::Field(..) => {
-            let around = Around::new(&tree.module, place.start..place.end);
+            let around = EnclosingNodes::new(&tree.module, place.start..place.end);
             around.statements().next_back().map_or(top.span, |inner| inner.span)
         }
     };

@@ -3,8 +3,8 @@
 //! A model is elaborated in the background, on a text that may have changed since. What was said of places that no change has
 //! touched still holds, and is found where those places are now.
 
-use calyx_elaborate::{Elaboration, GearGeometry, Made, MeshGeometry};
-use calyx_lang::analysis::Place;
+use calyx_elaborate::{CreatedAt, Elaboration, GearGeometry, MeshGeometry};
+use calyx_lang::analysis::SourceRange;
 use calyx_lang::check::Checked;
 use calyx_lang::db::Database;
 use calyx_lang::diagnostic::{Diagnostic, Fix};
@@ -105,22 +105,22 @@ impl Elaborated {
     }
 
     /// The gear that the call around an offset of a file makes.
-    pub fn gear_at(&self, database: &Database, file: &str, offset: u32) -> Option<&Made<GearGeometry>> {
+    pub fn gear_at(&self, database: &Database, file: &str, offset: u32) -> Option<&CreatedAt<GearGeometry>> {
         let (file, offset) = self.before(database, file, offset)?;
         self.elaboration.geometry.gear_at(file.0, offset)
     }
 
     /// The mesh that the call around an offset of a file makes.
-    pub fn mesh_at(&self, database: &Database, file: &str, offset: u32) -> Option<&Made<MeshGeometry>> {
+    pub fn mesh_at(&self, database: &Database, file: &str, offset: u32) -> Option<&CreatedAt<MeshGeometry>> {
         let (file, offset) = self.before(database, file, offset)?;
         self.elaboration.geometry.mesh_at(file.0, offset)
     }
 
     /// Where a place in the texts it was made from is now.
-    pub fn now(&self, database: &Database, span: Span) -> Option<Place> {
+    pub fn now(&self, database: &Database, span: Span) -> Option<SourceRange> {
         let file = self.files().get(span.file.0 as usize)?;
         let (start, end) = change(file, database)?.moved(span.start, span.end)?;
-        Some(Place { file: file.name.as_str().into(), start, end })
+        Some(SourceRange { file: file.name.as_str().into(), start, end })
     }
 }
 

@@ -6,7 +6,7 @@ use super::lines::Lines;
 use super::source::Source;
 use super::walk::Node;
 use calyx_lang::ast::{Stmt, StmtKind};
-use calyx_lang::format::{self, Place};
+use calyx_lang::format::{self, FormatContext};
 use std::ops::Range;
 
 /// Replaces bytes `start..end` of a file.
@@ -26,7 +26,7 @@ pub fn format_file(source: &Source<'_>) -> Vec<Change> {
 /// The changes to the top-level statements and comments that a selection touches.
 pub fn format_selection(source: &Source<'_>, selection: Range<u32>) -> Vec<Change> {
     let lines = Lines::new(source.text);
-    let place = Place { units: format::declared_units(&source.tree.module), indent: 0 };
+    let place = FormatContext { units: format::declared_units(&source.tree.module), indent: 0 };
     let parts = parts(source, &lines, &selection);
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Vec::new() };
     let whole = (first.0, last.1);
@@ -80,7 +80,7 @@ fn format_piece(
     source: &Source<'_>,
     lines: &Lines<'_>,
     (start, end): (u32, u32),
-    place: &Place,
+    place: &FormatContext,
 ) -> Option<Vec<Change>> {
     let edits = format::format_part(source.slice(start, end), place).ok()?;
     let mut changes = Vec::new();
@@ -120,7 +120,7 @@ pub(super) fn format_ended(source: &Source<'_>, lines: &Lines<'_>, offset: u32) 
         return None;
     }
     let units = format::declared_units(&source.tree.module);
-    format_piece(source, lines, (start, end), &Place { units, indent: before.len() })
+    format_piece(source, lines, (start, end), &FormatContext { units, indent: before.len() })
 }
 
 /// The innermost statement around a byte that stands in the file or in a block, not behind a head such as `if (c)`, and

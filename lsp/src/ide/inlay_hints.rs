@@ -4,7 +4,7 @@ use super::Snapshot;
 use super::formatting::Change;
 use super::source::Source;
 use super::walk::Node;
-use calyx_lang::analysis::{Callable, Name, Place};
+use calyx_lang::analysis::{Callable, Name, SourceRange};
 use calyx_lang::ast::*;
 use calyx_lang::units::UnitSystem;
 use std::collections::HashMap;
@@ -27,7 +27,7 @@ pub struct Hint {
     pub label: String,
     pub kind: HintKind,
     /// What the label names.
-    pub declared: Option<Place>,
+    pub declared: Option<SourceRange>,
     /// What writes it into the text.
     pub change: Option<Change>,
     pub tooltip: Option<String>,
@@ -35,16 +35,16 @@ pub struct Hint {
 
 /// Which hints are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Wanted {
+pub struct HintSettings {
     pub types: bool,
     pub parameters: bool,
     pub units: bool,
     pub results: bool,
 }
 
-impl Default for Wanted {
-    fn default() -> Wanted {
-        Wanted { types: true, parameters: true, units: true, results: true }
+impl Default for HintSettings {
+    fn default() -> HintSettings {
+        HintSettings { types: true, parameters: true, units: true, results: true }
     }
 }
 
@@ -71,7 +71,7 @@ pub fn hints(
     source: &Source<'_>,
     file: &str,
     range: Range<u32>,
-    wanted: Wanted,
+    wanted: HintSettings,
     results: &Results,
 ) -> Vec<Hint> {
     let statements = &source.tree.module.statements;
@@ -105,11 +105,11 @@ struct Hints<'a> {
     source: &'a Source<'a>,
     /// In order of place.
     names: &'a [Name],
-    wanted: Wanted,
+    wanted: HintSettings,
     results: &'a Results,
     /// Numbers whose unit is that of the file: where they start and end, and the unit.
     bare: HashMap<u32, (u32, String)>,
-    callables: HashMap<Place, Option<Callable>>,
+    callables: HashMap<SourceRange, Option<Callable>>,
     found: Vec<Hint>,
 }
 

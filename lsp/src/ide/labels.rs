@@ -73,7 +73,7 @@ pub fn exits_at(module: &Module, offset: u32) -> Vec<Span> {
 }
 
 /// What a word can leave.
-struct Open {
+struct OpenBlock {
     words: Vec<Span>,
     function: bool,
     /// Takes `continue`.
@@ -82,7 +82,7 @@ struct Open {
 
 struct Exits {
     offset: u32,
-    open: Vec<Open>,
+    open: Vec<OpenBlock>,
     found: Vec<Span>,
 }
 
@@ -108,7 +108,7 @@ impl Exits {
             _ => {}
         }
         if let Some((word, function, is_loop)) = opened {
-            self.open.push(Open { words: vec![word], function, is_loop });
+            self.open.push(OpenBlock { words: vec![word], function, is_loop });
         }
         children(statement).into_iter().for_each(|inner| self.statement(inner));
         if opened.is_some()
@@ -119,7 +119,7 @@ impl Exits {
         }
     }
 
-    fn leave(&mut self, word: Span, what: impl Fn(&Open) -> bool) {
+    fn leave(&mut self, word: Span, what: impl Fn(&OpenBlock) -> bool) {
         // Nothing but `return` leaves a function.
         let inner = self.open.iter().rposition(|open| open.function).unwrap_or(0);
         let target =

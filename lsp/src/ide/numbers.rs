@@ -4,10 +4,10 @@ use super::walk::Node;
 use calyx_abi::text::number;
 use calyx_abi::units::{from_si, to_si};
 use calyx_lang::ast::{BinaryOp, Expr, ExprKind, Module, StmtKind, UnaryOp};
+use calyx_lang::common_units::{usual, written};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::ir::DisplayUnit;
 use calyx_lang::units::{Unit, UnitSystem, combined, powered, pure};
-use calyx_lang::usual_units::{usual, written};
 
 /// The system that a file names with `units`.
 pub fn system(module: &Module) -> Option<UnitSystem> {
@@ -19,30 +19,30 @@ pub fn system(module: &Module) -> Option<UnitSystem> {
 
 /// A literal with the units it is multiplied and divided by: `25.4 mm`, `1000 lbf*inch`, `10 / inch`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
+pub struct LiteralWithUnit {
     pub start: u32,
     pub end: u32,
     pub value: f64,
     pub unit: DisplayUnit,
 }
 
-impl Measured {
+impl LiteralWithUnit {
     /// `None` if an expression is anything else, or has units that the language does not have. `is_unit` says whether the
     /// name at a place is a unit and not a variable of that name.
-    pub fn new(e: &Expr, is_unit: &dyn Fn(u32) -> bool) -> Option<Measured> {
+    pub fn new(e: &Expr, is_unit: &dyn Fn(u32) -> bool) -> Option<LiteralWithUnit> {
         let (value, unit) = match &e.kind {
             ExprKind::Number(value) => (*value, pure()),
             ExprKind::Quantity { value, unit, exponent, .. } => {
                 (*value, powered(&known(&unit.name)?, *exponent)?)
             }
             ExprKind::Binary { op: op @ (BinaryOp::Multiply | BinaryOp::Divide), left, right, .. } => {
-                let left = Measured::new(left, is_unit)?;
+                let left = LiteralWithUnit::new(left, is_unit)?;
                 let right = factor(right, is_unit)?;
                 (left.value, combined(&left.unit, &right, *op == BinaryOp::Multiply)?)
             }
             _ => return None,
         };
-        Some(Measured { start: e.span.start, end: e.span.end, value, unit })
+        Some(LiteralWithUnit { start: e.span.start, end: e.span.end, value, unit })
     }
 
     pub fn si(&self) -> f64 {

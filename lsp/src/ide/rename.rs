@@ -5,7 +5,7 @@
 
 use super::labels::label_at;
 use super::{Edit, Position, Snapshot};
-use calyx_lang::analysis::{Name, NameKind, Place, Visible};
+use calyx_lang::analysis::{Name, NameKind, SourceRange, Visible};
 use calyx_lang::check::{Checked, Loader, builtin_names};
 use calyx_lang::db::Database;
 use calyx_lang::diagnostic::Severity;
@@ -86,7 +86,7 @@ pub fn rename(snapshot: &Snapshot, at: &Position, to: &str) -> Answer<Vec<Edit>>
     if snapshot.database.visible(&at.file, at.offset).iter().any(reserved) {
         return refuse(format!("`{to}` is reserved and cannot be declared"));
     }
-    Trial::new(snapshot, &edits).judge(to)?;
+    RenameTrial::new(snapshot, &edits).judge(to)?;
     Ok(edits)
 }
 
@@ -152,7 +152,7 @@ fn label_is_free(snapshot: &Snapshot, at: &Position, to: &str) -> Answer<()> {
 }
 
 /// The texts before and after.
-struct Trial<'a> {
+struct RenameTrial<'a> {
     before: &'a Database,
     after: Database,
     models: Vec<String>,
@@ -160,8 +160,8 @@ struct Trial<'a> {
     edits: BTreeMap<&'a str, Vec<&'a Edit>>,
 }
 
-impl<'a> Trial<'a> {
-    fn new(snapshot: &'a Snapshot, edits: &'a [Edit]) -> Trial<'a> {
+impl<'a> RenameTrial<'a> {
+    fn new(snapshot: &'a Snapshot, edits: &'a [Edit]) -> RenameTrial<'a> {
         let before = &snapshot.database;
         let mut by_file: BTreeMap<&str, Vec<&Edit>> = BTreeMap::new();
         for edit in edits {
@@ -182,7 +182,7 @@ impl<'a> Trial<'a> {
             files.insert(Arc::from(model.as_str()));
             files.extend(before.imported(model));
         }
-        Trial { before, after, models, files, edits: by_file }
+        RenameTrial { before, after, models, files, edits: by_file }
     }
 
     /// Where a place of the texts before is after the edits.
@@ -257,7 +257,7 @@ impl<'a> Trial<'a> {
         None
     }
 
-    fn is_same(&self, before: Option<&Place>, after: Option<&Place>) -> bool {
+    fn is_same(&self, before: Option<&SourceRange>, after: Option<&SourceRange>) -> bool {
         match (before, after) {
             (None, None) => true,
             (Some(before), Some(after)) => {

@@ -104,7 +104,7 @@ pub struct SemanticToken {
     pub modifiers: Modifiers,
 }
 
-type Meaning = (TokenKind, Modifiers);
+type NameMeaning = (TokenKind, Modifiers);
 
 /// The tokens that a range touches. `names` are those of the file, at least of the top-level statements the range touches, in order.
 pub fn tokens(source: &Source<'_>, names: &[Name], range: Range<u32>) -> Vec<SemanticToken> {
@@ -124,7 +124,7 @@ pub fn tokens(source: &Source<'_>, names: &[Name], range: Range<u32>) -> Vec<Sem
         }
         while names.next_if(|name| name.start < token.span.start).is_some() {}
         let name = names.peek().filter(|name| name.start == token.span.start);
-        let around = Around { source, index };
+        let around = TokenContext { source, index };
         let meaning = match token.kind {
             Kind::Identifier => match (name, written.get(&token.span.start)) {
                 (Some(name), _) => Some(around.named(name)),
@@ -172,7 +172,7 @@ fn comment_lines(source: &Source<'_>, comment: &Comment, found: &mut Vec<Semanti
 }
 
 /// What a token other than a name is; brackets and separators have no colour.
-fn of_kind(kind: Kind, before: Option<Kind>) -> Option<Meaning> {
+fn of_kind(kind: Kind, before: Option<Kind>) -> Option<NameMeaning> {
     let kind = match kind {
         Kind::Number => TokenKind::Number,
         Kind::StringOpen | Kind::StringText | Kind::StringClose | Kind::Format => TokenKind::String,
@@ -219,12 +219,12 @@ fn of_kind(kind: Kind, before: Option<Kind>) -> Option<Meaning> {
 }
 
 /// A name and what stands beside it.
-struct Around<'a> {
+struct TokenContext<'a> {
     source: &'a Source<'a>,
     index: usize,
 }
 
-impl Around<'_> {
+impl TokenContext<'_> {
     fn kind(&self, index: Option<usize>) -> Option<Kind> {
         Some(self.source.tokens.tokens.get(index?)?.kind)
     }
@@ -248,7 +248,7 @@ impl Around<'_> {
     }
 
     /// What a name is whose meaning is known.
-    fn named(&self, name: &Name) -> Meaning {
+    fn named(&self, name: &Name) -> NameMeaning {
         let none = Modifiers::NONE;
         let argument =
             if !name.declares && !name.writes && self.is_argument() { Modifiers::ARGUMENT } else { none };
@@ -285,7 +285,7 @@ impl Around<'_> {
     }
 
     /// What a name may be of which nothing is known.
-    fn unknown(&self) -> Option<Meaning> {
+    fn unknown(&self) -> Option<NameMeaning> {
         let kind = match (self.before(), self.after()) {
             (Some(Kind::Number), _) => TokenKind::Unit,
             (_, Some(Kind::OpenParen)) => TokenKind::Function,
@@ -302,7 +302,7 @@ impl Around<'_> {
 }
 
 /// Names that mean something by where they stand in the tree: types, labels, systems of units, words of `extern`.
-fn written(source: &Source<'_>, range: &Range<u32>) -> HashMap<u32, Meaning> {
+fn written(source: &Source<'_>, range: &Range<u32>) -> HashMap<u32, NameMeaning> {
     let mut found = HashMap::new();
     let statements = &source.tree.module.statements;
     let first = statements.partition_point(|statement| statement.span.end < range.start);
@@ -317,7 +317,7 @@ fn written(source: &Source<'_>, range: &Range<u32>) -> HashMap<u32, Meaning> {
     found
 }
 
-fn of_statement(statement: &Stmt, found: &mut HashMap<u32, Meaning>) {
+fn of_statement(statement: &Stmt, found: &mut HashMap<u32, NameMeaning>) {
     let mut is = |name: &Ident, kind, modifiers| {
         found.insert(name.span.start, (kind, modifiers));
     };
@@ -337,7 +337,7 @@ fn of_statement(statement: &Stmt, found: &mut HashMap<u32, Meaning>) {
     }
 }
 
-fn of_type(source: &Source<'_>, ty: &TypeExpr, found: &mut HashMap<u32, Meaning>) {
+fn of_type(source: &Source<'_>, ty: &TypeExpr, found: &mut HashMap<u32, NameMeaning>) {
     let name = match &ty.kind {
         TypeKind::Name(name) | TypeKind::Apply(name, _) => name,
         TypeKind::Member(module, name) => {

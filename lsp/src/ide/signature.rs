@@ -2,7 +2,7 @@
 
 use super::callee::{self, matched, position};
 use super::completion::parameter_text;
-use super::cursor::{Around, Call, Standing};
+use super::cursor::{Call, CursorContext, CursorRegion};
 use super::{Position, Snapshot};
 use calyx_lang::analysis::{CallParameter, Callable, Visible};
 use calyx_lang::ast::Mode;
@@ -19,14 +19,14 @@ pub struct Signature {
     /// `gears.lead_crown(depth: Length) -> Modification`
     pub label: String,
     pub doc: Option<String>,
-    pub parameters: Vec<Shown>,
+    pub parameters: Vec<ShownParameter>,
     /// Of the parameters; `None` where the cursor gives none of them.
     pub active: Option<usize>,
 }
 
 /// A parameter in a signature.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct ShownParameter {
     /// Its bytes in the label.
     pub label: Range<usize>,
     /// What it is, its default, and what it may be.
@@ -37,11 +37,11 @@ pub struct Shown {
 pub fn signature(snapshot: &Snapshot, at: &Position) -> Option<Signature> {
     let database = &snapshot.database;
     let (text, tokens) = (database.text(&at.file)?, database.tokens(&at.file)?);
-    let around = Around::new(text, &tokens, at.offset as usize);
+    let around = CursorContext::new(text, &tokens, at.offset as usize);
     let end = match around.standing(&tokens) {
-        Standing::Comment => return None,
-        Standing::Text(_) => around.string_open()?,
-        Standing::Code | Standing::Number => around.before,
+        CursorRegion::Comment => return None,
+        CursorRegion::Text(_) => around.string_open()?,
+        CursorRegion::Code | CursorRegion::Number => around.before,
     };
     let calls = around.calls(&around.statement(end));
     if calls.is_empty() {
@@ -94,7 +94,7 @@ fn show(call: &Call, callable: Callable, active: Option<usize>) -> Signature {
         }
         let start = label.len();
         label.push_str(&written(parameter));
-        parameters.push(Shown { label: start..label.len(), doc: parameter_text(parameter) });
+        parameters.push(ShownParameter { label: start..label.len(), doc: parameter_text(parameter) });
     }
     if callable.open {
         label.push_str(", ...");

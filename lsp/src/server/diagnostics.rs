@@ -25,32 +25,32 @@ use tower_lsp_server::ls_types::{
 
 /// Rouses the thread.
 #[derive(Default)]
-pub(crate) struct Wake {
-    state: Mutex<Waking>,
+pub(crate) struct PublishSignal {
+    state: Mutex<SignalState>,
     roused: Condvar,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
-enum Waking {
+enum SignalState {
     #[default]
     Asleep,
     Roused,
     Stopped,
 }
 
-impl Wake {
+impl PublishSignal {
     pub fn wake(&self) {
-        self.set(Waking::Roused);
+        self.set(SignalState::Roused);
     }
 
     /// Ends the thread.
     pub fn stop(&self) {
-        self.set(Waking::Stopped);
+        self.set(SignalState::Stopped);
     }
 
-    fn set(&self, to: Waking) {
+    fn set(&self, to: SignalState) {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        if *state != Waking::Stopped {
+        if *state != SignalState::Stopped {
             *state = to;
         }
         self.roused.notify_all();
@@ -59,12 +59,12 @@ impl Wake {
     /// Sleeps until something has changed; returns whether to go on.
     fn wait(&self) -> bool {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        while *state == Waking::Asleep {
+        while *state == SignalState::Asleep {
             state = self.roused.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
-        let goes_on = *state == Waking::Roused;
+        let goes_on = *state == SignalState::Roused;
         if goes_on {
-            *state = Waking::Asleep;
+            *state = SignalState::Asleep;
         }
         goes_on
     }

@@ -5,7 +5,7 @@ use super::log::Log;
 use super::router::Route;
 use super::view::View;
 use calyx_lang::db::{Canceller, Superseded, attempt};
-use calyx_lang::deep::deep;
+use calyx_lang::deep_recursion::with_deep_stack;
 use serde_json::Value;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -94,9 +94,9 @@ impl Job {
             // Of a document that is not known nothing can be said.
             (Route::OfDocument(_), []) => Ok(Ok(Value::Null)),
             (Route::OfDocument(answer), [view, ..]) => {
-                view.snapshot.database.attempt(|_| deep(|| answer(view, params)))
+                view.snapshot.database.attempt(|_| with_deep_stack(|| answer(view, params)))
             }
-            (Route::OfWorkspace(answer), all) => attempt(|| deep(|| answer(all, params))),
+            (Route::OfWorkspace(answer), all) => attempt(|| with_deep_stack(|| answer(all, params))),
         }));
         drop(views);
         match answered {

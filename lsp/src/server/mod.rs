@@ -29,7 +29,7 @@ pub mod workspace;
 
 use backend::Backend;
 use background::Background;
-use diagnostics::Wake;
+use diagnostics::PublishSignal;
 use framing::Reader;
 use ingress::{Ingress, Phase};
 use library::Library;
@@ -111,7 +111,7 @@ pub(crate) struct Shared {
     workspace: Mutex<Workspace>,
     phase: Mutex<Phase>,
     pub log: Log,
-    pub wake: Wake,
+    pub wake: PublishSignal,
     pub background: Background,
     pub runs: Runs,
     pub executable: PathBuf,
@@ -124,7 +124,7 @@ impl Shared {
             workspace: Mutex::new(workspace),
             phase: Mutex::new(Phase::Waiting),
             log,
-            wake: Wake::default(),
+            wake: PublishSignal::default(),
             background: Background::default(),
             runs: Runs::default(),
             executable,

@@ -68,12 +68,12 @@ impl Runs {
 }
 
 /// Takes a run out of the list however it ends.
-struct Entered<'a> {
+struct RegisteredRun<'a> {
     runs: &'a Runs,
     uri: &'a Uri,
 }
 
-impl Drop for Entered<'_> {
+impl Drop for RegisteredRun<'_> {
     fn drop(&mut self) {
         self.runs.lock().remove(self.uri);
     }
@@ -108,7 +108,7 @@ pub(crate) async fn run(
     let Some((token, stop)) = shared.runs.enter(uri) else {
         return Err(format!("{name} is running already: cancel that run first"));
     };
-    let _entered = Entered { runs: &shared.runs, uri };
+    let _entered = RegisteredRun { runs: &shared.runs, uri };
     let bar = Bar::begin(shared, client, token, format!("Running {name}")).await;
     let outcome = tokio::select! {
         outcome = solve(shared, client, model, &bar) => outcome,

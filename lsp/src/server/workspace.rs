@@ -80,13 +80,13 @@ impl Disk {
 }
 
 /// Files as a project sees them: open ones as they are in the editor.
-struct Seen<'a> {
+struct FileView<'a> {
     documents: &'a Documents,
     allowed: &'a [PathBuf],
     imported: BTreeSet<String>,
 }
 
-impl Sources for Seen<'_> {
+impl Sources for FileView<'_> {
     fn text(&self, path: &Path) -> Option<Arc<Text>> {
         let open = self.documents.values().find(|document| Path::new(&*document.name) == path);
         open.map(|document| document.text.clone())
@@ -318,7 +318,7 @@ impl Workspace {
             Key::Alone(_) => BTreeSet::new(),
             Key::Folder(folder) => self.disk.imported(folder, &self.allowed).clone(),
         };
-        project.settle(&Seen { documents: &self.documents, allowed: &self.allowed, imported });
+        project.settle(&FileView { documents: &self.documents, allowed: &self.allowed, imported });
         // What is imported here is at home here, not a model of its own folder.
         let adopted: Vec<(Uri, Document)> = self
             .documents

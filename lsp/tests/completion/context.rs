@@ -4,7 +4,7 @@ use crate::support;
 use calyx_lang::ast::Bind;
 use calyx_lang::lexer::lex;
 use calyx_lang::span::FileId;
-use calyx_lsp::ide::completion::context::{Context, Operator, Slot, Spot, Value};
+use calyx_lsp::ide::completion::context::{CompletionSite, Context, Operator, Slot, Value};
 use std::ops::Range;
 
 #[test]
@@ -28,8 +28,8 @@ struct Shown<'a> {
 impl Shown<'_> {
     fn spot(&self) -> String {
         let spot = match &self.context.spot {
-            Spot::Nothing => "nothing".into(),
-            Spot::Statement => {
+            CompletionSite::Nothing => "nothing".into(),
+            CompletionSite::Statement => {
                 let blocks: Vec<String> = self
                     .context
                     .blocks
@@ -38,21 +38,23 @@ impl Shown<'_> {
                     .collect();
                 format!("statement ({})", blocks.join(" in "))
             }
-            Spot::Words(words) => format!("one of {}", words.join(", ")),
-            Spot::Import(path) => format!("module after `{}`", path.join(".")),
-            Spot::System => "unit system".into(),
-            Spot::Label => "label".into(),
-            Spot::Symbol => "symbol".into(),
-            Spot::Type => "type".into(),
-            Spot::TypeMember(module) => format!("type of `{module}`"),
-            Spot::Member(base, value) => format!("member of `{}`{}", self.tokens(base), self.value(value)),
-            Spot::Unit(value, _) => format!("unit{}", self.value(value)),
-            Spot::FormatUnit(shown) => format!("unit for `{}`", self.tokens(shown)),
-            Spot::Text(value, range) => {
+            CompletionSite::Words(words) => format!("one of {}", words.join(", ")),
+            CompletionSite::Import(path) => format!("module after `{}`", path.join(".")),
+            CompletionSite::System => "unit system".into(),
+            CompletionSite::Label => "label".into(),
+            CompletionSite::Symbol => "symbol".into(),
+            CompletionSite::Type => "type".into(),
+            CompletionSite::TypeMember(module) => format!("type of `{module}`"),
+            CompletionSite::Member(base, value) => {
+                format!("member of `{}`{}", self.tokens(base), self.value(value))
+            }
+            CompletionSite::Unit(value, _) => format!("unit{}", self.value(value)),
+            CompletionSite::FormatUnit(shown) => format!("unit for `{}`", self.tokens(shown)),
+            CompletionSite::Text(value, range) => {
                 format!("text `{}`{}", self.text.get(range.clone()).unwrap_or_default(), self.value(value))
             }
-            Spot::Value(value) => format!("value{}", self.value(value)),
-            Spot::After(words) => format!("behind a value: {}", words.join(", ")),
+            CompletionSite::Value(value) => format!("value{}", self.value(value)),
+            CompletionSite::After(words) => format!("behind a value: {}", words.join(", ")),
         };
         match self.context.around.prefix() {
             "" => spot,

@@ -2,9 +2,9 @@
 
 use crate::support;
 use calyx_lsp::ide::Position;
-use calyx_lsp::ide::completion::{Asked, Item, ItemKind, complete};
+use calyx_lsp::ide::completion::{CompletionTrigger, Item, ItemKind, complete};
 
-const ASKED: Asked<'static> = Asked { typed: None, beside: &Vec::new };
+const ASKED: CompletionTrigger<'static> = CompletionTrigger { typed: None, beside: &Vec::new };
 
 /// As many as a window shows at a glance.
 const SHOWN: usize = 10;

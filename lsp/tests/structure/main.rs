@@ -9,12 +9,12 @@ use calyx_lsp::ide::code_lenses::{Lens, lenses, uses};
 use calyx_lsp::ide::document_links::links;
 use calyx_lsp::ide::folding::{FoldKind, folds};
 use calyx_lsp::ide::formatting::{Change, format_file, format_selection};
-use calyx_lsp::ide::inlay_hints::{OutputResult, Results, Wanted, hints};
+use calyx_lsp::ide::inlay_hints::{HintSettings, OutputResult, Results, hints};
+use calyx_lsp::ide::on_type_formatting::typed;
 use calyx_lsp::ide::selection::selections;
 use calyx_lsp::ide::semantic_tokens::{self, KINDS, MODIFIERS};
 use calyx_lsp::ide::source::Source;
 use calyx_lsp::ide::symbols::{Symbol, find, symbols, types};
-use calyx_lsp::ide::typing::typed;
 use std::fmt::Write;
 use std::ops::Range;
 use support::{Case, run};
@@ -245,7 +245,7 @@ fn inlay_hints() {
         let results =
             Results { outputs: outputs.collect(), outdated: lines.clone().any(|line| line == "outdated") };
         let source = source(case);
-        let found = hints(&case.snapshot, &source, MODEL, range(case), Wanted::default(), &results);
+        let found = hints(&case.snapshot, &source, MODEL, range(case), HintSettings::default(), &results);
         let mut text = source.text.to_string();
         for hint in found.iter().rev() {
             text.insert_str(hint.offset as usize, &format!("«{}»", hint.label));

@@ -9,12 +9,12 @@ use calyx_lsp::ide::code_lenses::lenses;
 use calyx_lsp::ide::document_links::links;
 use calyx_lsp::ide::folding::folds;
 use calyx_lsp::ide::formatting::{format_file, format_selection};
-use calyx_lsp::ide::inlay_hints::{Results, Wanted, hints};
+use calyx_lsp::ide::inlay_hints::{HintSettings, Results, hints};
+use calyx_lsp::ide::on_type_formatting::typed;
 use calyx_lsp::ide::selection::selections;
 use calyx_lsp::ide::semantic_tokens::{SemanticToken, difference, tokens};
 use calyx_lsp::ide::source::Source;
 use calyx_lsp::ide::symbols::{Symbol, Types, symbols};
-use calyx_lsp::ide::typing::typed;
 use calyx_lsp::ide::{Position, Snapshot};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -398,12 +398,14 @@ fn checked_texts_are_answered_however_broken() {
         let names = snapshot.database.names(MODEL);
         let all = tokens(&source, &names, whole.clone());
         assert!(all.windows(2).all(|pair| pair[0].end <= pair[1].start), "{text}");
-        let found = hints(&snapshot, &source, MODEL, whole.clone(), Wanted::default(), &Results::default());
+        let found =
+            hints(&snapshot, &source, MODEL, whole.clone(), HintSettings::default(), &Results::default());
         assert!(found.windows(2).all(|pair| pair[0].offset <= pair[1].offset));
         assert!(found.iter().all(|hint| text.is_char_boundary(hint.offset as usize)), "{found:?}");
         let range = place(&source, &mut random)..place(&source, &mut random);
         let range = range.start.min(range.end)..range.start.max(range.end);
-        let part = hints(&snapshot, &source, MODEL, range.clone(), Wanted::default(), &Results::default());
+        let part =
+            hints(&snapshot, &source, MODEL, range.clone(), HintSettings::default(), &Results::default());
         let expected = found.iter().filter(|hint| range.start <= hint.offset && hint.offset <= range.end);
         assert_eq!(part.iter().collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{range:?}\n{text}");
         let places = lenses(&source, &MODEL.into()).into_iter().map(|lens| lens.start);

@@ -178,7 +178,7 @@ entry_points! {
     /// Creates an array of `count` slots; stores its id in `result`.
     fn calyx_array_new(ctx, stride, address, count, result) {
         let elements = slots(address, count);
-        limits::ask_memory(ctx, size_of_val(elements) as u64)?;
+        limits::request_memory(ctx, size_of_val(elements) as u64)?;
         let elements = elements.to_vec();
         slots_mut(result, 1)[0] = helpers::new_array(ctx, stride as usize, elements)?;
         Ok(())

@@ -190,7 +190,7 @@ impl Arguments<'_> {
         let count = T::SHAPE.slots().min(self.slots.len());
         let (now, rest) = self.slots.split_at(count);
         self.slots = rest;
-        limits::ask_memory(context, T::bytes_to_read(context, now))?;
+        limits::request_memory(context, T::bytes_to_read(context, now))?;
         T::read(context, now).ok_or_else(|| {
             RuntimeError::new(
                 codes::INTERNAL,
@@ -221,7 +221,7 @@ pub unsafe fn call<T: Value>(
         // SAFETY: as above.
         let ret =
             if width == 0 { &mut [][..] } else { unsafe { std::slice::from_raw_parts_mut(ret, width) } };
-        limits::ask_memory(context, value.bytes_to_write())?;
+        limits::request_memory(context, value.bytes_to_write())?;
         value.write(context, ret);
         Ok(())
     };

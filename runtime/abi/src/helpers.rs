@@ -7,7 +7,7 @@ use crate::call::{Extern, Repr, Slot, Status};
 use crate::context::{Context, RuntimeError, codes};
 use crate::display::Display;
 use crate::heap::{HeapId, OBJECT, Object, SymbolicValue};
-use crate::limits::{ask_memory, check_memory};
+use crate::limits::{check_memory, request_memory};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ pub fn outcome(ctx: &mut Context, status: i32) -> Result<(), RuntimeError> {
 /// # Errors
 /// E0707 if it takes too much memory.
 pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> Result<HeapId, RuntimeError> {
-    ask_memory(ctx, OBJECT + size_of_val(slots.as_slice()) as u64)?;
+    request_memory(ctx, OBJECT + size_of_val(slots.as_slice()) as u64)?;
     Ok(ctx.heap.insert(Object::Array { stride, slots }))
 }
 
@@ -63,7 +63,7 @@ pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> Result<H
 /// # Errors
 /// E0707 if it takes too much memory.
 pub fn new_string(ctx: &mut Context, text: &str) -> Result<HeapId, RuntimeError> {
-    ask_memory(ctx, OBJECT + text.len() as u64)?;
+    request_memory(ctx, OBJECT + text.len() as u64)?;
     Ok(ctx.heap.string(text))
 }
 
@@ -127,7 +127,7 @@ pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), Runtime
     if value.len() != stride {
         return Err(malformed("an element of the wrong size"));
     }
-    ask_memory(ctx, size_of_val(value) as u64)?;
+    request_memory(ctx, size_of_val(value) as u64)?;
     let (slots, _) = array(ctx, id)?;
     slots.extend_from_slice(value);
     ctx.heap.grown(value.len());
@@ -147,7 +147,7 @@ pub fn copy(ctx: &mut Context, repr: &Repr, slots: &mut [Slot]) -> Result<(), Ru
 /// # Errors
 /// E0707 if it takes too much memory.
 pub fn append_text(ctx: &mut Context, text: &str) -> Result<(), RuntimeError> {
-    ask_memory(ctx, text.len() as u64)?;
+    request_memory(ctx, text.len() as u64)?;
     ctx.text.push_str(text);
     Ok(())
 }
@@ -165,7 +165,7 @@ pub fn append_value(
     let others = ctx.heap.bytes().saturating_add(ctx.kept_output);
     let limits = ctx.limits;
     let room = |length: usize| limits.check_memory(others.saturating_add(length as u64));
-    let mut text = crate::text::Growing::new(&mut ctx.text, &room);
+    let mut text = crate::text::BoundedText::new(&mut ctx.text, &room);
     text.append(&ctx.heap, repr, slots, display)
 }
 
@@ -175,7 +175,7 @@ pub fn append_value(
 /// E0707 if it takes too much memory.
 pub fn finish_text(ctx: &mut Context) -> Result<HeapId, RuntimeError> {
     // The string is a copy of the text.
-    ask_memory(ctx, OBJECT + ctx.text.len() as u64)?;
+    request_memory(ctx, OBJECT + ctx.text.len() as u64)?;
     let text = std::mem::take(&mut ctx.text);
     Ok(ctx.heap.string(&text))
 }

@@ -195,7 +195,7 @@ pub struct HostFunctions(Arc<BTreeMap<String, Provided>>);
 
 /// Mismatch between provided functions and a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unfit {
+pub struct HostMismatch {
     pub message: String,
     /// Remedy.
     pub help: String,
@@ -224,7 +224,7 @@ impl HostFunctions {
     ///
     /// # Errors
     /// The model has no such function, or one with other arguments or another result.
-    pub fn resolve(&self, functions: &[HostFunctionDescription]) -> Result<Resolved, Unfit> {
+    pub fn resolve(&self, functions: &[HostFunctionDescription]) -> Result<Resolved, HostMismatch> {
         for (name, provided) in self.0.iter() {
             match functions.iter().find(|function| function.name == *name) {
                 Some(function) => fits(function, provided)?,
@@ -236,16 +236,16 @@ impl HostFunctions {
     }
 }
 
-fn unknown(name: &str, functions: &[HostFunctionDescription]) -> Unfit {
+fn unknown(name: &str, functions: &[HostFunctionDescription]) -> HostMismatch {
     let names: Vec<String> = functions.iter().map(|function| format!("`{}`", function.name)).collect();
     let help = match names.as_slice() {
         [] => format!("declare it in the model: `host function {name}(...) -> ... {{ ... }}`"),
         names => format!("its host functions are {}", names.join(", ")),
     };
-    Unfit { message: format!("the model has no host function `{name}`"), help }
+    HostMismatch { message: format!("the model has no host function `{name}`"), help }
 }
 
-fn fits(function: &HostFunctionDescription, provided: &Provided) -> Result<(), Unfit> {
+fn fits(function: &HostFunctionDescription, provided: &Provided) -> Result<(), HostMismatch> {
     let declared: Vec<Repr> = function.parameters.iter().map(|parameter| parameter.repr.clone()).collect();
     if declared == provided.parameters && function.result.repr == provided.result {
         return Ok(());
@@ -253,7 +253,7 @@ fn fits(function: &HostFunctionDescription, provided: &Provided) -> Result<(), U
     let mut expected = String::new();
     // Writing to a string cannot fail.
     let _ = write_closure(&mut expected, &declared, &function.result.repr);
-    Err(Unfit {
+    Err(HostMismatch {
         message: format!("`{}` is given as `{provided}`, and the model declares `{function}`", function.name),
         help: format!("give a closure `{expected}`; numbers are in SI units"),
     })

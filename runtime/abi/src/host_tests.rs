@@ -92,7 +92,7 @@ fn a_cancelled_run_calls_nothing_more() {
 #[test]
 fn what_does_not_fit_is_refused_with_both_signatures() {
     let refusal = |functions: &HostFunctions, described: &[HostFunctionDescription]| {
-        let Unfit { message, help } = functions.resolve(described).err().unwrap();
+        let HostMismatch { message, help } = functions.resolve(described).err().unwrap();
         (message, help)
     };
     let mut functions = HostFunctions::default();

@@ -80,14 +80,14 @@ pub fn check(ctx: &Context) -> Result<(), RuntimeError> {
 /// # Errors
 /// E0707.
 pub fn check_memory(ctx: &Context) -> Result<(), RuntimeError> {
-    ask_memory(ctx, 0)
+    request_memory(ctx, 0)
 }
 
 /// Checks the memory of the program's values with an allocation of `more` bytes, before it is made.
 ///
 /// # Errors
 /// E0707.
-pub fn ask_memory(ctx: &Context, more: u64) -> Result<(), RuntimeError> {
+pub fn request_memory(ctx: &Context, more: u64) -> Result<(), RuntimeError> {
     let taken = [ctx.heap.bytes(), ctx.kept_output, ctx.kept_tables, ctx.text.len() as u64, more];
     ctx.limits.check_memory(taken.into_iter().fold(0, u64::saturating_add))
 }

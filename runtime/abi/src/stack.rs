@@ -64,18 +64,18 @@ pub fn with_stack<R: Send>(body: impl FnOnce() -> R + Send) -> Result<R, Runtime
 /// Internal errors if the thread cannot be created; when it is joined, if the closure panicked.
 pub fn beside<R: Send + 'static>(
     body: impl FnOnce() -> R + Send + 'static,
-) -> Result<Beside<R>, RuntimeError> {
+) -> Result<LargeStackThread<R>, RuntimeError> {
     let body = || {
         LARGE.set(true);
         body()
     };
-    thread().spawn(body).map(Beside).map_err(|error| no_thread(&error))
+    thread().spawn(body).map(LargeStackThread).map_err(|error| no_thread(&error))
 }
 
 /// Running closure of [`beside`].
-pub struct Beside<R>(JoinHandle<R>);
+pub struct LargeStackThread<R>(JoinHandle<R>);
 
-impl<R> Beside<R> {
+impl<R> LargeStackThread<R> {
     /// Waits for its end.
     ///
     /// # Errors

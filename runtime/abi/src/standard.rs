@@ -10,7 +10,7 @@ crate::externs! {
     Scene fn calyx_std_print(context, line: String) -> () {
         if context.keeps_output {
             let bytes = (size_of::<String>() + line.len()) as u64;
-            limits::ask_memory(context, bytes)?;
+            limits::request_memory(context, bytes)?;
             context.kept_output += bytes;
         }
         (context.print)(&line);

@@ -63,15 +63,15 @@ pub fn quantity(x: f64, style: &NumberStyle) -> String {
 }
 
 /// Text under construction with a memory limit.
-pub struct Growing<'t> {
+pub struct BoundedText<'t> {
     text: &'t mut String,
     /// Fails if the text may not have this length in bytes.
     room: &'t dyn Fn(usize) -> Result<(), RuntimeError>,
 }
 
-impl<'t> Growing<'t> {
-    pub fn new(text: &'t mut String, room: &'t dyn Fn(usize) -> Result<(), RuntimeError>) -> Growing<'t> {
-        Growing { text, room }
+impl<'t> BoundedText<'t> {
+    pub fn new(text: &'t mut String, room: &'t dyn Fn(usize) -> Result<(), RuntimeError>) -> BoundedText<'t> {
+        BoundedText { text, room }
     }
 
     fn push(&mut self, text: &str) -> Result<(), RuntimeError> {
@@ -251,7 +251,7 @@ mod tests {
             let slots: Vec<Slot> = numbers.iter().map(|x| x.to_bits()).collect();
             let mut text = String::new();
             let endless = |_| Ok(());
-            Growing::new(&mut text, &endless).append(&Heap::default(), &repr, &slots, &display).unwrap();
+            BoundedText::new(&mut text, &endless).append(&Heap::default(), &repr, &slots, &display).unwrap();
             text
         };
         let pair = Repr::Tuple(vec![Repr::Number, Repr::Vector]);

@@ -3,11 +3,11 @@
 //! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs all of it and reports to an
 //! observer.
 
-use crate::estimate::{self, Estimates, Judged, quasi_static_siblings};
-use crate::observe::Observe;
-use crate::observe::{Equilibrium, Fields, MeshedBodies, ModesTable};
+use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
+use crate::observables::Observe;
+use crate::observables::{Equilibrium, Fields, MeshedBodies, ModesTable};
 pub use crate::options::AnalysisOptions;
-use crate::results::Choosing;
+use crate::results::SearchProgress;
 use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
 use crate::scene::Scene;
@@ -30,7 +30,7 @@ use std::iter::FusedIterator;
 use std::time::{Duration, Instant};
 
 /// Analysis that has passed planning and the restraint check, before anything expensive.
-pub struct Planned<'s> {
+pub struct PlannedAnalysis<'s> {
     scene: &'s Scene,
     positions: &'s [Position],
     outputs: &'s [OutputRequest],
@@ -43,7 +43,7 @@ pub struct Planned<'s> {
     timing: Timing,
 }
 
-impl<'s> Planned<'s> {
+impl<'s> PlannedAnalysis<'s> {
     /// Plans the quasi-static analysis (equilibrium without inertia) of a scene at some positions.
     ///
     /// # Errors
@@ -61,7 +61,7 @@ impl<'s> Planned<'s> {
         // Check this first: structures are expensive, and the check does not need them.
         let request = Request::new(scene, outputs, Method::QuasiStatic(positions), options);
         let plan = timing.stage("plan", || request.plan(&options.resources.interrupt))?;
-        Ok(Planned {
+        Ok(PlannedAnalysis {
             scene,
             positions,
             outputs,
@@ -85,13 +85,14 @@ impl<'s> Planned<'s> {
     /// # Errors
     /// A structure cannot be built, or those of the interrupt.
     pub fn build(self) -> Result<Steps<'s>, EngineError> {
-        let Planned { scene, positions, outputs, resources, solved, highest_frequency, plan, .. } = self;
+        let PlannedAnalysis { scene, positions, outputs, resources, solved, highest_frequency, plan, .. } =
+            self;
         let (structure, error_estimates, mut timing) = (self.structure, self.error_estimates, self.timing);
         let system = timing.stage("structures", || System::with(scene, &plan, &resources))?;
         timing.structures = system.structure_counts();
         let system = match highest_frequency {
             0.0 => system,
-            highest => timing.stage("modes", || system.vibrating(&plan, &resources, highest))?,
+            highest => timing.stage("modes", || system.with_modes(&plan, &resources, highest))?,
         };
         check_vibrations(&system, scene)?;
         Ok(Steps {
@@ -148,14 +149,14 @@ impl<'s> Steps<'s> {
     /// Plans an analysis and builds its structures.
     ///
     /// # Errors
-    /// Those of [`Planned::new`] and [`Planned::build`].
+    /// Those of [`PlannedAnalysis::new`] and [`PlannedAnalysis::build`].
     pub fn new(
         scene: &'s Scene,
         positions: &'s [Position],
         outputs: &'s [OutputRequest],
         options: &AnalysisOptions,
     ) -> Result<Self, EngineError> {
-        Planned::new(scene, positions, outputs, options)?.build()
+        PlannedAnalysis::new(scene, positions, outputs, options)?.build()
     }
 
     /// Returns the plan.
@@ -208,7 +209,7 @@ impl<'s> Steps<'s> {
         self.timing.add("positions", self.solving);
         if self.error_estimates != Estimates::None {
             let started = Instant::now();
-            let judged = Judged {
+            let judged = BaseAnalysis {
                 scene: self.scene,
                 system: &self.system,
                 plan: &self.plan,
@@ -219,11 +220,11 @@ impl<'s> Steps<'s> {
                 outputs: self.outputs,
                 rows: &rows,
             };
-            let evidence = quasi_static_siblings(&judged, self.error_estimates)?;
+            let evidence = quasi_static_perturbed_solves(&judged, self.error_estimates)?;
             estimate::attach(&mut summaries, &rows, self.outputs, &self.scene.observables, &evidence);
             self.timing.add(ERRORS, started.elapsed());
         }
-        self.timing.memory = self.resources.interrupt.most_asked();
+        self.timing.memory = self.resources.interrupt.largest_request();
         Ok(AnalysisResult {
             plan: self.plan,
             rows,
@@ -318,7 +319,7 @@ pub enum Event<'a> {
     /// A stage begins: `structures`, `positions` or, if errors are estimated, `errors`.
     Stage(&'static str),
     /// The tolerance search tries a setting.
-    Choosing(&'a Choosing),
+    SearchProgress(&'a SearchProgress),
     /// A position is solved. `index` runs from 0 to `count` - 1 and starts after the positions of
     /// an earlier run.
     Step {
@@ -349,7 +350,7 @@ impl Observer for () {
     }
 }
 
-/// Runs a quasi-static analysis from planning to results ([`Planned`], [`Steps`]) and reports its
+/// Runs a quasi-static analysis from planning to results ([`PlannedAnalysis`], [`Steps`]) and reports its
 /// events to an observer.
 ///
 /// # Errors
@@ -361,7 +362,7 @@ pub fn quasi_static(
     options: &AnalysisOptions,
     observer: &mut dyn Observer,
 ) -> Result<AnalysisResult, EngineError> {
-    let planned = Planned::new(scene, positions, outputs, options)?;
+    let planned = PlannedAnalysis::new(scene, positions, outputs, options)?;
     observer.observe(Event::Planned(planned.plan()))?;
     observer.observe(Event::Stage("structures"))?;
     let mut steps = planned.build()?;
@@ -370,7 +371,7 @@ pub fn quasi_static(
     while let Some(solved) = steps.next() {
         let solved = &solved?;
         let index = steps.solved().len() - 1;
-        let told = tells_fields(options.fields, index, positions.len());
+        let told = requests_fields(options.fields, index, positions.len());
         let equilibrium = steps.equilibrium().filter(|_| told);
         let fields = equilibrium.map(|at| at.fields_with(meshed.as_ref())).transpose()?;
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
@@ -396,7 +397,7 @@ impl Timing {
 }
 
 /// Returns whether the fields of a position are reported, if at most `wanted` positions are.
-pub(crate) fn tells_fields(wanted: usize, index: usize, count: usize) -> bool {
+pub(crate) fn requests_fields(wanted: usize, index: usize, count: usize) -> bool {
     wanted > 0 && index.is_multiple_of(count.div_ceil(wanted).max(1))
 }
 

@@ -118,31 +118,30 @@ pub struct Cost {
 /// takes a time proportional to the number of pairs of loads. Joining the sectors takes products of
 /// dense matrices, in three dimensions usually by mirror-symmetric halves.
 pub fn structure(size: &StructureSize, in_space: bool, rates: &Rates) -> Cost {
-    let freedoms = size.freedoms as f64;
+    let dofs = size.dofs as f64;
     let whole = in_space && !size.mirrored;
     let [time_of_whole, memory_of_whole] = if whole { WHOLE } else { [1.0; 2] };
     let logarithms = match in_space {
-        true => LOGARITHMS_PER_FREEDOM_IN_SPACE * freedoms,
+        true => LOGARITHMS_PER_DOF_IN_SPACE * dofs,
         false => {
-            LOGARITHMS_PER_FREEDOM_IN_PLANE * freedoms
-                + LOGARITHMS_PER_PAIR_OF_LOADS * (size.loads as f64).powi(2)
+            LOGARITHMS_PER_DOF_IN_PLANE * dofs + LOGARITHMS_PER_PAIR_OF_LOADS * (size.loads as f64).powi(2)
         }
     };
     let time = time_of_whole
         * (logarithms / rates.logarithms + PRODUCTS_OF_HALVES * size.operations() / rates.products);
-    let bytes = if in_space { BYTES_PER_FREEDOM_IN_SPACE } else { BYTES_PER_FREEDOM_IN_PLANE };
+    let bytes = if in_space { BYTES_PER_DOF_IN_SPACE } else { BYTES_PER_DOF_IN_PLANE };
     let bytes = memory_of_whole * bytes;
     Cost {
         time: time / (EFFICIENCY * rates.threads.max(1) as f64),
-        memory: bytes * freedoms + size.bytes() as f64,
+        memory: bytes * dofs + size.bytes() as f64,
     }
 }
 
 /// Time per DOF of a sector, in logarithms: 41 to 56 microseconds on a machine that takes 3.6
 /// nanoseconds per logarithm, for up to 127,000 DOFs in three dimensions; 10 microseconds in plane
 /// models of 7,000 to 35,000 DOFs.
-const LOGARITHMS_PER_FREEDOM_IN_SPACE: f64 = 13_000.0;
-const LOGARITHMS_PER_FREEDOM_IN_PLANE: f64 = 2_900.0;
+const LOGARITHMS_PER_DOF_IN_SPACE: f64 = 13_000.0;
+const LOGARITHMS_PER_DOF_IN_PLANE: f64 = 2_900.0;
 /// Time per pair of loads in a plane model: 5 microseconds on the same machine, for meshes of
 /// different density with 256 loads.
 const LOGARITHMS_PER_PAIR_OF_LOADS: f64 = 1_450.0;
@@ -154,8 +153,8 @@ const WHOLE: [f64; 2] = [4.6, 5.4];
 /// Parallel efficiency of an analysis.
 const EFFICIENCY: f64 = 0.8;
 /// Memory for the elimination of a sector's mesh, per DOF.
-const BYTES_PER_FREEDOM_IN_PLANE: f64 = 1_100.0;
-const BYTES_PER_FREEDOM_IN_SPACE: f64 = 3_900.0;
+const BYTES_PER_DOF_IN_PLANE: f64 = 1_100.0;
+const BYTES_PER_DOF_IN_SPACE: f64 = 3_900.0;
 
 /// Returns the cost of a number of positions, each a contact problem of so many cells, solved in
 /// parallel or one after the other.
@@ -191,7 +190,7 @@ mod tests {
     const SIZE: StructureSize = StructureSize {
         sectors: 20,
         elements: 424,
-        freedoms: 39_078,
+        dofs: 39_078,
         cut: 585,
         means: 0,
         loads: 336,
@@ -206,7 +205,7 @@ mod tests {
     fn costs_grow_with_what_is_computed_and_shrink_with_the_machine() {
         let own = structure(&SIZE, true, &RATES);
         assert!(own.time > 0.0 && own.memory > SIZE.bytes() as f64);
-        let finer = structure(&StructureSize { freedoms: 80_000, cut: 800, ..SIZE }, true, &RATES);
+        let finer = structure(&StructureSize { dofs: 80_000, cut: 800, ..SIZE }, true, &RATES);
         assert!(finer.time > own.time && finer.memory > own.memory);
         let whole = structure(&StructureSize { mirrored: false, ..SIZE }, true, &RATES);
         assert!(whole.time > own.time && whole.memory > own.memory);

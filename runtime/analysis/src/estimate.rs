@@ -7,7 +7,7 @@
 //! as here). Perturbed solves are coarser than the analysis and cost a part of it: a mesh of half
 //! as many elements along every direction, a contact grid of half as many cells. Only the next
 //! fidelity level, which estimates the model error, costs more than the analysis. A transient
-//! analysis is repeated with steps of twice the length ([`in_time`]). The error between positions
+//! analysis is repeated with steps of twice the length ([`time_integration`]). The error between positions
 //! is estimated from the positions and from a few more between them ([`sampling`]). Values that
 //! consist of rounding are identified from the scales of the scene ([`rounding`]).
 //!
@@ -15,26 +15,26 @@
 //! the effectivity, the ratio of estimated to true error (`stdlib-gears/tests/estimates.rs`). See
 //! `docs/theory/error-estimates.md`.
 
-mod besides;
 mod continuation;
-mod in_time;
+mod perturbed_solve_count;
+mod perturbed_solves;
 mod rounding;
 mod sampling;
-mod siblings;
+mod time_integration;
 
-pub(crate) use besides::{Sibling, siblings_of};
-pub(crate) use in_time::Moved;
+pub(crate) use perturbed_solve_count::{PerturbedSolve, perturbed_solves_of};
+pub(crate) use perturbed_solves::{BaseAnalysis, quasi_static_perturbed_solves};
 pub(crate) use rounding::of_outputs as rounding_of;
-pub(crate) use siblings::{Judged, quasi_static_siblings};
+pub(crate) use time_integration::BaseMotion;
 
 pub use crate::results::{ErrorEstimate, Part, Statistics};
 
-use crate::observe::Observable;
+use crate::observables::Observable;
 use crate::results::OutputSummary;
 use crate::rows::StepRow;
 use crate::summary;
 use calyx_model::observed::OutputRequest;
-use sampling::Course;
+use sampling::SamplingContext;
 use std::sync::Arc;
 
 /// Selection of the errors that an analysis estimates.
@@ -70,7 +70,7 @@ impl Estimates {
 const FEWEST: usize = 3;
 
 /// Part of the error from perturbed solves, or the reason why it is missing.
-pub(crate) struct Found {
+pub(crate) struct ErrorPart {
     pub part: Part,
     /// Errors by output.
     pub errors: Result<Vec<Statistics>, String>,
@@ -80,7 +80,7 @@ pub(crate) struct Found {
 #[derive(Default)]
 pub(crate) struct Evidence {
     /// Parts from perturbed solves.
-    pub found: Vec<Found>,
+    pub found: Vec<ErrorPart>,
     /// Rows of the analysis with others between them; may be empty.
     pub rows: Vec<StepRow>,
     /// Magnitude up to which an output may consist of rounding, by output. Empty if unknown.
@@ -102,7 +102,8 @@ pub(crate) fn attach(
     for (index, (summary, request)) in summaries.iter_mut().zip(outputs).enumerate() {
         let closed = summary::is_closed(rows, request, observables);
         let known = known[usize::from(closed)];
-        let between = match (Course::of(rows, Some(index)), Course::of(known, Some(index))) {
+        let between = match (SamplingContext::of(rows, Some(index)), SamplingContext::of(known, Some(index)))
+        {
             (Some(_), Some(_)) if known.len() < FEWEST => {
                 Err("between two positions none could be solved to see what lies there".to_owned())
             }
@@ -111,7 +112,7 @@ pub(crate) fn attach(
             }
             _ => Err("the positions do not go anywhere".to_owned()),
         };
-        let own = |Found { part, errors }: &Found| {
+        let own = |ErrorPart { part, errors }: &ErrorPart| {
             let error = errors.as_ref().map(|errors| errors.get(index).copied().unwrap_or(Statistics::NONE));
             (*part, error.map_err(String::clone))
         };

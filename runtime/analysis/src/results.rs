@@ -4,13 +4,13 @@ mod chosen;
 mod error_estimate;
 
 pub use crate::rows::{Solved, StepRow};
-pub use calyx_model::building::StructureCounts;
-pub use calyx_model::observed::{Observed, OutputRequest, Place};
-pub use chosen::{Choosing, Chosen, Setting, Tried};
+pub use calyx_model::observed::{Location, Observed, OutputRequest};
+pub use calyx_model::structure_building::StructureCounts;
+pub use chosen::{Attempt, SearchProgress, Setting, ToleranceOutcome};
 pub(crate) use chosen::{EXHAUSTED, LARGER, percent};
 pub use error_estimate::{ErrorEstimate, Part, Statistics};
 
-use crate::observe::ModesTable;
+use crate::observables::ModesTable;
 use calyx_contact::problem::Certificate;
 use calyx_model::plan::Plan;
 use std::time::{Duration, Instant};
@@ -42,7 +42,7 @@ pub struct OutputSummary {
     /// Index of the position of the maximum.
     pub at_max: usize,
     /// Location of the maximum on a body.
-    pub place: Option<Place>,
+    pub place: Option<Location>,
     /// Harmonics of the tooth mesh frequency, if the positions are a mesh cycle and the output
     /// repeats in every cycle.
     pub harmonics: Vec<Harmonic>,
@@ -84,7 +84,7 @@ pub struct AnalysisResult {
     /// Timings.
     pub timing: Timing,
     /// Outcome of the tolerance search, if a tolerance was given.
-    pub chosen: Option<Chosen>,
+    pub chosen: Option<ToleranceOutcome>,
 }
 
 /// Wall time of each stage, in order.

@@ -1,14 +1,14 @@
 //! Everything that a model says, before anything is built: a mechanism, and what is to be observed of it.
 
 pub use calyx_model::body::Body;
+pub use calyx_model::dof::{Component, DOF_NAMES};
 pub use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions, Template};
-pub use calyx_model::freedom::{Component, FREEDOMS};
 pub use calyx_model::ids::{BearingId, BodyId, ObservableId, PairId};
 pub use calyx_model::mechanism::Mechanism;
 pub use calyx_model::pairs::{CharacteristicPoint, GearMesh, GridOptions, SurfacePair};
 pub use calyx_model::prototype::{Ignored, Prototype};
 
-use crate::observe::{ModesRequest, Observable};
+use crate::observables::{ModesRequest, Observable};
 use calyx_model::target::{Examined, Target};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -28,7 +28,7 @@ pub struct Scene {
 
 impl Scene {
     /// Adds an observable, or returns the existing id of an equal one.
-    pub fn observe(&mut self, observable: impl Observable) -> ObservableId {
+    pub fn add_observable(&mut self, observable: impl Observable) -> ObservableId {
         let known = self.observables.iter().position(|known| known.as_ref().equals(observable.as_any()));
         let at = known.unwrap_or_else(|| {
             self.observables.push(Arc::new(observable));

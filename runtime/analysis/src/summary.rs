@@ -1,8 +1,8 @@
 //! Statistics of outputs over the positions: extremes, mean, and harmonics of quantities that
 //! repeat in every mesh cycle.
 
-use crate::observe::Course;
-use crate::observe::Observable;
+use crate::observables::Observable;
+use crate::observables::Periodicity;
 pub use crate::results::Harmonic;
 use crate::results::OutputSummary;
 use crate::rows::StepRow;
@@ -19,7 +19,7 @@ const TOGETHER: f64 = 1e-4;
 
 /// Squared pivot, of at most a half, below which a term is not distinguishable from the others at
 /// these positions.
-const TOLD_APART: f64 = 0.05;
+const DISTINCT: f64 = 0.05;
 
 /// Summarizes every output over the rows.
 pub fn summarize(
@@ -72,8 +72,9 @@ pub(crate) fn is_closed(
 /// Whether every mesh cycle gives the same values of an output, if teeth are alike: it observes something, nothing that follows
 /// one tooth, and does not depend on time itself.
 fn repeats(request: &OutputRequest, observables: &[Arc<dyn Observable>], times: [f64; 2]) -> bool {
-    let passes =
-        |index: usize| observables.get(index).is_none_or(|seen| seen.quantity().course == Course::Passes);
+    let passes = |index: usize| {
+        observables.get(index).is_none_or(|seen| seen.quantity().course == Periodicity::Passes)
+    };
     // Use arbitrary values to test for a dependence on time.
     let [now, later] = times.map(|time| request.at(time, &|index| 0.7 + 0.1 * index as f64).to_bits());
     request.observes(|_| true) && !request.observes(passes) && now == later
@@ -154,7 +155,7 @@ impl Cycle {
         let right = weighted.transpose() * DVector::from_column_slice(values);
         let factor = (weighted.transpose() * terms).cholesky()?;
         // Pivots of sines and cosines are one half at uniform positions.
-        let told = factor.l_dirty().diagonal().iter().all(|pivot| pivot * pivot > TOLD_APART);
+        let told = factor.l_dirty().diagonal().iter().all(|pivot| pivot * pivot > DISTINCT);
         told.then(|| factor.solve(&right))
     }
 }

@@ -10,31 +10,31 @@
 //! setting. The number of positions is doubled if the variation between them is too large. An
 //! output without an error estimate fails the tolerance.
 //!
-//! Decisions depend on estimates and on counted work ([`bound`]), never on times, so they are equal
+//! Decisions depend on estimates and on counted work ([`search_cost`]), never on times, so they are equal
 //! on every machine. A search that would take too much work, or that is interrupted, ends with the
-//! best results so far and reports this ([`Chosen::ended`]).
+//! best results so far and reports this ([`ToleranceOutcome::ended`]).
 //!
 //! See `docs/theory/fidelity.md`.
 
-mod best;
-mod bound;
+mod best_result;
+mod search_cost;
 
-pub use crate::results::{Choosing, Chosen, Setting, Tried};
-pub use bound::{MOST_WORK, Rung, SearchCost, search_cost};
+pub use crate::results::{Attempt, SearchProgress, Setting, ToleranceOutcome};
+pub use search_cost::{CandidateSetting, MOST_WORK, SearchCost, search_cost};
 
 use crate::analysis::{Event, Observer, quasi_static};
 use crate::estimate::Estimates;
 use crate::options::AnalysisOptions;
 use crate::results::{AnalysisResult, EXHAUSTED, LARGER, OutputSummary, Part, Statistics, percent};
 use crate::scene::Scene;
-use best::Best;
-use bound::Work;
+use best_result::Best;
 use calyx_model::fidelity::{BodyModel, Fidelity, Template};
 use calyx_model::observed::OutputRequest;
 use calyx_model::pairs::SurfacePair;
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 use calyx_structure::cache::OperatorCache;
+use search_cost::SearchWork;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -70,7 +70,7 @@ fn meshes(fidelity: Fidelity) -> &'static [f64] {
 /// [`quasi_static`].
 ///
 /// If no setting meets the tolerance, the results are those with the least estimated error, and
-/// [`Chosen::missed`] is the warning about them.
+/// [`ToleranceOutcome::missed`] is the warning about them.
 pub fn quasi_static_within(
     tolerance: f64,
     scene: &Scene,
@@ -100,7 +100,7 @@ pub fn quasi_static_within(
         options,
         missing: None,
         tried: Vec::new(),
-        work: Work::default(),
+        work: SearchWork::default(),
         best: None,
         observed: None,
     };
@@ -148,8 +148,8 @@ struct Search<'a> {
     options: AnalysisOptions,
     /// First level that does not support the scene, and the reason.
     missing: Option<(Fidelity, EngineError)>,
-    tried: Vec<Tried>,
-    work: Work,
+    tried: Vec<Attempt>,
+    work: SearchWork,
     /// Results with the smallest estimated error.
     best: Option<Best>,
     /// Index of the attempt whose positions the observer received last.
@@ -172,12 +172,12 @@ impl From<EngineError> for Stop {
 }
 
 /// Observer, with a flag that it ended an analysis.
-struct Heard<'a> {
+struct ObserverState<'a> {
     observer: &'a mut dyn Observer,
     refused: bool,
 }
 
-impl Observer for Heard<'_> {
+impl Observer for ObserverState<'_> {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
         let heard = self.observer.observe(event);
         self.refused |= heard.is_err();
@@ -187,7 +187,7 @@ impl Observer for Heard<'_> {
 
 /// Errors of a setting by cause, each the largest relative to an output's magnitude.
 #[derive(Clone, Copy, Debug)]
-struct Wanting {
+struct Shortfall {
     /// True if an output has no value.
     values: bool,
     level: f64,
@@ -200,8 +200,8 @@ struct Wanting {
 
 impl Ladder {
     /// Moves to a better setting according to the errors of this one; false if there is none.
-    fn better(&mut self, wanting: Wanting) -> bool {
-        let Wanting { values, level, beyond_mesh, grid, between } = wanting;
+    fn better(&mut self, wanting: Shortfall) -> bool {
+        let Shortfall { values, level, beyond_mesh, grid, between } = wanting;
         let Setting { fidelity, refinement, cells, positions } = self.setting;
         let finer = meshes(fidelity).iter().copied().find(|&finer| finer > refinement);
         let next = self.levels.first().copied();
@@ -246,7 +246,7 @@ impl Search<'_> {
         let mut compared = few_are_all;
         loop {
             observer.observe(Event::Stage("choosing"))?;
-            observer.observe(Event::Choosing(&self.choosing(compared)))?;
+            observer.observe(Event::SearchProgress(&self.choosing(compared)))?;
             if !compared && !self.attempt(&few, false, &mut ())? {
                 continue;
             }
@@ -264,8 +264,8 @@ impl Search<'_> {
     }
 
     /// Returns the progress of the search.
-    fn choosing(&self, whole: bool) -> Choosing {
-        Choosing {
+    fn choosing(&self, whole: bool) -> SearchProgress {
+        SearchProgress {
             setting: self.ladder.setting,
             whole,
             best: self.best.as_ref().and_then(|best| self.tried.get(best.tried)).cloned(),
@@ -306,7 +306,7 @@ impl Search<'_> {
         if whole {
             self.observed = Some(self.tried.len());
         }
-        let mut heard = Heard { observer, refused: false };
+        let mut heard = ObserverState { observer, refused: false };
         let result = match quasi_static(&scene, positions, self.outputs, &options, &mut heard) {
             Err(error) if heard.refused => return Err(error.into()),
             Err(error) if options.resources.interrupt.check().is_err() => {
@@ -330,12 +330,12 @@ impl Search<'_> {
             Part::ALL.into_iter().filter(|&part| whole || part != Part::Positions).collect();
         let (output, error) = worst_in(&counted);
         let name = self.outputs.get(output).map(|request| request.name.clone()).unwrap_or_default();
-        self.tried.push(Tried { setting: self.ladder.setting, whole, worst: (name, error) });
+        self.tried.push(Attempt { setting: self.ladder.setting, whole, worst: (name, error) });
         let beyond_mesh = |summary: &OutputSummary| {
             let of = |part: Part| relative(summary, &[part], fidelity, several);
             of(Part::Level) - of(Part::Discretization)
         };
-        let wanting = Wanting {
+        let wanting = Shortfall {
             values: result.summaries.iter().any(|summary| !summary.max.is_finite()),
             level: worst_in(&[Part::Level]).1,
             beyond_mesh: result.summaries.iter().map(beyond_mesh).fold(0.0, f64::max),
@@ -405,7 +405,7 @@ impl Search<'_> {
         });
         let last = self.tried.len().saturating_sub(1);
         let (ended, taken) = ended.map_or((None, last), |(reason, taken)| (Some(reason), taken));
-        result.chosen = Some(Chosen {
+        result.chosen = Some(ToleranceOutcome {
             tolerance: self.ladder.tolerance,
             setting: self.ladder.setting,
             tried: self.tried,

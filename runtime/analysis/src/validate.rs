@@ -10,16 +10,16 @@ use crate::options::AnalysisOptions;
 use crate::scene::Scene;
 use calyx_fe::inertia::Inertia;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
-use calyx_model::frames::number_freedoms;
+use calyx_model::frames::number_dofs;
 use calyx_model::motion::axle;
 use calyx_model::observed::OutputRequest;
-use calyx_model::plan::{Plan, Refused};
+use calyx_model::plan::{Plan, UnsupportedOutput};
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_solve::holding;
 use calyx_solve::integration::{check_in_section, check_inertia, check_section};
 use calyx_solve::modal::check_modes;
+use calyx_solve::restraint_check;
 use calyx_solve::vibration::check_mode_count;
 
 /// Method of an analysis.
@@ -80,7 +80,7 @@ impl<'a> Request<'a> {
             Method::Dynamic(dynamics) => (dynamics.start == Start::Equilibrium).then_some(dynamics.from),
         };
         if let Some(time) = first {
-            holding::check(self.scene, &plan, time, interrupt)?;
+            restraint_check::check(self.scene, &plan, time, interrupt)?;
         }
         Ok(plan)
     }
@@ -88,11 +88,11 @@ impl<'a> Request<'a> {
     /// Returns the outputs that have no value at the requested fidelity while others have one, each
     /// as the error to report.
     pub fn without_value(&self) -> Vec<EngineError> {
-        let refused = Refused::of(self.scene, self.outputs, self.fidelity);
+        let refused = UnsupportedOutput::of(self.scene, self.outputs, self.fidelity);
         if refused.len() == self.outputs.len() {
             return Vec::new();
         }
-        let report = |refused: &Refused| {
+        let report = |refused: &UnsupportedOutput| {
             let own = self.outputs.get(refused.output..=refused.output).unwrap_or_default();
             let about_it = Request { outputs: own, ..*self };
             about_it.advise(refused.error(self.fidelity))
@@ -113,7 +113,7 @@ impl<'a> Request<'a> {
             Method::QuasiStatic(_) => Plan::new(scene, fidelity, structure)?,
             Method::Dynamic(_) => Plan::in_time(scene, fidelity, structure)?,
         };
-        let plan = plan.yielding(scene, self.outputs)?.vibrating(scene, highest_frequency);
+        let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if matches!(self.method, Method::Dynamic(_)) {
             check_in_section(&plan)?;
@@ -126,21 +126,20 @@ impl<'a> Request<'a> {
 
     /// Checks that free bodies have inertia and that the scene has the modes that outputs request.
     fn check_vibrations(&self, plan: &Plan) -> Result<(), EngineError> {
-        let freedoms = number_freedoms(self.scene, plan);
+        let dofs = number_dofs(self.scene, plan);
         // The inertia of a gear requires its mesh, so only that of free bodies is computed.
-        let inertia = |(index, body): (usize, &calyx_model::body::Body)| match freedoms
-            .iter()
-            .any(|freedom| freedom.body == index)
-        {
-            true => body.inertia().from(axle(body.motion.as_ref())),
-            false => Inertia::default(),
-        };
+        let inertia =
+            |(index, body): (usize, &calyx_model::body::Body)| match dofs.iter().any(|dof| dof.body == index)
+            {
+                true => body.inertia().from(axle(body.motion.as_ref())),
+                false => Inertia::default(),
+            };
         let inertias: Vec<Inertia> = self.scene.bodies.iter().enumerate().map(inertia).collect();
-        check_inertia(self.scene, &freedoms, &inertias)?;
+        check_inertia(self.scene, &dofs, &inertias)?;
         // The number of modes up to a frequency is known only after they are computed.
         match self.highest_frequency > 0.0 {
             true => Ok(()),
-            false => check_mode_count(self.scene, freedoms.len()),
+            false => check_mode_count(self.scene, dofs.len()),
         }
     }
 

@@ -2,8 +2,8 @@
 //! quarters are loaded. Ratios travel between machines, times do not, so ratios are what it prints.
 
 use calyx_contact::active_set::solve;
-use calyx_contact::clarabel_check;
 use calyx_contact::half_plane::HalfPlane;
+use calyx_contact::interior_point;
 use calyx_contact::problem::ContactProblem;
 use std::hint::black_box;
 use std::time::Instant;
@@ -16,7 +16,7 @@ fn main() {
         let before = solve(&patch(n, 0.98), None).map(|solution| solution.active).unwrap_or_default();
         let cold = fastest(10, || solve(black_box(&problem), None).is_ok());
         let warm = fastest(10, || solve(black_box(&problem), Some(&before)).is_ok());
-        let clarabel = fastest(2, || clarabel_check::solve(black_box(&problem)).is_ok());
+        let clarabel = fastest(2, || interior_point::solve(black_box(&problem)).is_ok());
         println!("{n:>6} {:>12.3} {:>14.4} {:>14.4}", 1e3 * cold, cold / clarabel, warm / clarabel);
     }
 }

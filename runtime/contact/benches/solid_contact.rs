@@ -4,11 +4,12 @@
 use calyx_contact::active_set::solve_until;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    Grid, GridOptions, Patch, PlacedSurface, Pose, Side, compliance, find_ridge, first_guess, lay,
+    Grid, GridOptions, PatchCells, PlacedSurface, Pose, Side, build_grid, compliance, find_contact_line,
+    first_guess,
 };
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Chart;
-use calyx_structure::solid::{Mirror, SimpleSolid};
+use calyx_structure::solid::{HalfSpaceBody, Mirror};
 use calyx_structure::surface::{Surface, SurfacePoint};
 use faer::Mat;
 use faer::linalg::solvers::Llt;
@@ -35,8 +36,8 @@ fn measure(half_count: usize, half_slices: usize) {
         Cylinder { radius: 0.01, crown: 0.06, faces: -1.0, half_length },
     ];
     let placed = [0, 1].map(|side| PlacedSurface { surface: &surfaces[side], pose: Pose::IDENTITY });
-    let ridge = || find_ridge(placed[0], placed[1], true);
-    let Some(found) = ridge() else { return };
+    let contact_line = || find_contact_line(placed[0], placed[1], true);
+    let Some(found) = contact_line() else { return };
     let options = GridOptions {
         half_count,
         half_slices,
@@ -46,9 +47,9 @@ fn measure(half_count: usize, half_slices: usize) {
         contact_modulus: MODULUS,
         search_edges: true,
     };
-    let grid = lay(placed[0], placed[1], &found, &options);
+    let grid = build_grid(placed[0], placed[1], &found, &options);
     let faces = [-half_length, half_length].map(|y| Mirror { point: [0.0, y, 0.0], normal: [0.0, 1.0, 0.0] });
-    let body = SimpleSolid::half_space(Vec::new(), 1, 2.0 * MODULUS).between(faces.to_vec());
+    let body = HalfSpaceBody::half_space(Vec::new(), 1, 2.0 * MODULUS).between(faces.to_vec());
     let problem = problem(&grid, &body);
     let n = grid.cells.len();
     let matrix = Mat::from_fn(n, n, |i, j| problem.compliance[i * n + j]);
@@ -56,8 +57,8 @@ fn measure(half_count: usize, half_slices: usize) {
 
     let factor = fastest(3, || Llt::new(matrix.as_ref(), faer::Side::Lower).is_ok());
     let parts = [
-        fastest(3, || ridge().is_some()),
-        fastest(3, || !lay(placed[0], placed[1], &found, &options).cells.is_empty()),
+        fastest(3, || contact_line().is_some()),
+        fastest(3, || !build_grid(placed[0], placed[1], &found, &options).cells.is_empty()),
         fastest(3, || !self::problem(&grid, &body).compliance.is_empty()),
         fastest(3, || !first_guess(&problem, &[&grid], &never).is_empty()),
         fastest(2, || {
@@ -67,17 +68,17 @@ fn measure(half_count: usize, half_slices: usize) {
         fastest(2, || solve_until(&problem, None, &never).is_ok()),
     ]
     .map(|seconds| seconds / factor);
-    let [ridge, grid, compliance, guess, guessed, cold] = parts;
+    let [contact_line, grid, compliance, guess, guessed, cold] = parts;
     println!(
-        "{n:>6} {:>14.2} {ridge:>10.2} {grid:>8.2} {compliance:>12.2} {guess:>10.2} {guessed:>10.2} {cold:>10.2}",
+        "{n:>6} {:>14.2} {contact_line:>10.2} {grid:>8.2} {compliance:>12.2} {guess:>10.2} {guessed:>10.2} {cold:>10.2}",
         1e3 * factor
     );
 }
 
-fn problem(grid: &Grid, body: &SimpleSolid) -> ContactProblem {
+fn problem(grid: &Grid, body: &HalfSpaceBody) -> ContactProblem {
     let chart = Chart { tooth: 0, surface: 0 };
     let side = |number| Side { body: number, structure: body, chart, pose: Pose::IDENTITY };
-    let patch = Patch { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
+    let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
     ContactProblem {
         compliance: compliance(&[patch], &Interrupt::never()).expect("nothing interrupts it"),
         arms: vec![1.0; grid.cells.len()],

@@ -11,9 +11,9 @@
 //! final equations are always those of the cells in ascending order with one step of iterative
 //! refinement, so the bits of the solution do not depend on the start.
 
-use super::clarabel_check;
 use super::dense::{ActiveEquations, Matrix, Singular, dot, null_motion};
 use super::feasibility::{Balance, balance};
+use super::interior_point;
 use super::problem::{ContactError, ContactProblem, FreeMotion, Method, Solution};
 use super::scaled::Scaled;
 use calyx_numerics::interrupt::Interrupt;
@@ -63,7 +63,7 @@ fn pivot(
     interrupt: &Interrupt,
 ) -> Result<Solution, ContactError> {
     let scaled = Scaled::new(problem);
-    scaled.check_freedoms()?;
+    scaled.check_dofs()?;
     let mut warm: Vec<usize> =
         warm_start.unwrap_or_default().iter().copied().filter(|&i| i < problem.cells()).collect();
     warm.sort_unstable();
@@ -82,7 +82,7 @@ fn pivot(
     if let Some(found) = single_pivoting(&scaled, &mut iterations, interrupt)? {
         return Ok(scaled.solution(problem, found, Method::SinglePivoting, iterations));
     }
-    let (forces, motion) = clarabel_check::solve(problem)?;
+    let (forces, motion) = interior_point::solve(problem)?;
     let largest = forces.iter().copied().fold(0.0, f64::max);
     let active = (0..forces.len()).filter(|&i| forces[i] > 1e-6 * largest).collect();
     let certificate = problem.certify(&forces, &motion);
@@ -99,12 +99,12 @@ struct Found {
 
 impl Scaled<'_> {
     fn free_motion(&self, scaled_motion: &[f64]) -> FreeMotion {
-        free_motion(scaled_motion, &self.freedom_scale)
+        free_motion(scaled_motion, &self.dof_scale)
     }
 
     /// Rejects motions that no cell and no spring resists: the problem is ill-posed for every
     /// active set.
-    fn check_freedoms(&self) -> Result<(), ContactError> {
+    fn check_dofs(&self) -> Result<(), ContactError> {
         let m = self.load.len();
         let Some(motion) = null_motion(&self.resistance(0..self.cells()), 1e-14) else {
             return Ok(());
@@ -222,7 +222,7 @@ impl Scaled<'_> {
         for (&i, q) in found.active.iter().zip(&found.forces) {
             forces[i] = q * self.cell_scale[i];
         }
-        let motion: Vec<f64> = found.motion.iter().zip(&self.freedom_scale).map(|(y, s)| y * s).collect();
+        let motion: Vec<f64> = found.motion.iter().zip(&self.dof_scale).map(|(y, s)| y * s).collect();
         let gaps = problem.gaps_at(&forces, &motion);
         let certificate = problem.certify(&forces, &motion);
         Solution { forces, motion, gaps, active: found.active, method, iterations, certificate }
@@ -231,13 +231,13 @@ impl Scaled<'_> {
 
 /// Transforms a motion to the units of the DOFs. The DOF that moves most in scaled units is named
 /// and set to ±1.
-pub(super) fn free_motion(scaled_motion: &[f64], freedom_scale: &[f64]) -> FreeMotion {
-    let freedom = (0..scaled_motion.len())
+pub(super) fn free_motion(scaled_motion: &[f64], dof_scale: &[f64]) -> FreeMotion {
+    let dof = (0..scaled_motion.len())
         .max_by(|&k, &l| scaled_motion[k].abs().total_cmp(&scaled_motion[l].abs()).then(l.cmp(&k)))
         .unwrap_or(0);
-    let own: Vec<f64> = scaled_motion.iter().zip(freedom_scale).map(|(y, s)| y * s).collect();
-    let size = own[freedom].abs();
-    FreeMotion { freedom, direction: own[freedom].signum(), motion: own.iter().map(|x| x / size).collect() }
+    let own: Vec<f64> = scaled_motion.iter().zip(dof_scale).map(|(y, s)| y * s).collect();
+    let size = own[dof].abs();
+    FreeMotion { dof, direction: own[dof].signum(), motion: own.iter().map(|x| x / size).collect() }
 }
 
 /// Returns the force that counts as zero: relative to these forces or, if all are rounding, to the
@@ -269,7 +269,7 @@ fn block_pivoting(
                 dependent.push(active.remove(position));
                 continue;
             }
-            Err(Singular::Freedoms(_)) => return Ok(None),
+            Err(Singular::Dofs(_)) => return Ok(None),
             Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
         let tolerance = force_tolerance(scaled, &forces);
@@ -364,7 +364,7 @@ fn single_pivoting(
             Err(Singular::Compliance(position)) => {
                 return Err(ContactError::DependentCells { cell: active[position] });
             }
-            Err(Singular::Freedoms(_)) => return Ok(None),
+            Err(Singular::Dofs(_)) => return Ok(None),
             Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
         let tolerance = force_tolerance(scaled, &target);

@@ -24,7 +24,7 @@ pub struct Side<'a> {
 
 /// Contact patch: its two different bodies, in the order of its grid's sides, and its cells.
 #[derive(Clone, Copy)]
-pub struct Patch<'a> {
+pub struct PatchCells<'a> {
     /// First and second body.
     pub sides: [Side<'a>; 2],
     /// Cells of the contact grid.
@@ -36,7 +36,7 @@ pub struct Patch<'a> {
 ///
 /// # Errors
 /// The interrupt's.
-pub fn compliance(patches: &[Patch], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let starts: Vec<usize> = patches
         .iter()
         .scan(0, |next, patch| {
@@ -74,8 +74,8 @@ fn is_symmetric(block: &[f64], n: usize) -> bool {
 /// Computes the influence coefficients of forces on the cells of one patch for the gaps of another
 /// or the `same`.
 fn block(
-    observing: &Patch,
-    loaded: &Patch,
+    observing: &PatchCells,
+    loaded: &PatchCells,
     same: bool,
     interrupt: &Interrupt,
 ) -> Result<Vec<f64>, EngineError> {
@@ -86,8 +86,9 @@ fn block(
             if observer.body != load.body {
                 continue;
             }
-            let arcs =
-                |patch: &Patch, side: usize| -> Vec<f64> { patch.cells.iter().map(|c| c.s[side]).collect() };
+            let arcs = |patch: &PatchCells, side: usize| -> Vec<f64> {
+                patch.cells.iter().map(|c| c.s[side]).collect()
+            };
             observer.structure.add_compliance_until(
                 observer.chart,
                 &arcs(observing, a),

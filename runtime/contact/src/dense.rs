@@ -1,7 +1,7 @@
 //! Equations of an active set: dense Cholesky factorization of the compliance, and Schur complement
 //! for the DOFs.
 
-use calyx_numerics::dense::{add_product, divide_by_factor};
+use calyx_numerics::dense::{add_product, divide_by_cholesky_factor};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -51,7 +51,7 @@ pub(super) enum Singular {
     /// the factorization breaks down.
     Compliance(usize),
     /// Neither the active cells nor a spring resist this motion.
-    Freedoms(Vec<f64>),
+    Dofs(Vec<f64>),
     /// The factorization was interrupted.
     Interrupted(EngineError),
 }
@@ -99,7 +99,7 @@ fn factor(a: MatMut<'_, f64>, first: usize, interrupt: &Interrupt) -> Result<(),
     for from in (0..n - cut).step_by(rows) {
         checkpoint()?;
         let count = rows.min(n - cut - from);
-        divide_by_factor(between.as_mut().subrows_mut(from, count), upper.as_ref());
+        divide_by_cholesky_factor(between.as_mut().subrows_mut(from, count), upper.as_ref());
     }
     let columns = (PIECE / (n * cut)).max(1);
     for from in (0..n - cut).step_by(columns) {
@@ -172,7 +172,7 @@ impl ActiveEquations {
         });
         let whole = Matrix { rows: m, columns: m, data: (0..m * m).map(|e| schur[(e / m, e % m)]).collect() };
         if let Some(motion) = null_motion(&whole, RANK_TOLERANCE) {
-            return Err(Singular::Freedoms(motion));
+            return Err(Singular::Dofs(motion));
         }
         // The matrix is positive definite beyond RANK_TOLERANCE, so the factor exists. If rounding
         // breaks it, the last DOF is named.
@@ -180,7 +180,7 @@ impl ActiveEquations {
             Broken::Dependent(k) => {
                 let mut motion = vec![0.0; m];
                 motion[k.min(m - 1)] = 1.0;
-                Singular::Freedoms(motion)
+                Singular::Dofs(motion)
             }
             Broken::Interrupted(error) => Singular::Interrupted(error),
         })?;

@@ -35,7 +35,7 @@ pub fn solve_with_friction(
     warm_start: Option<&[usize]>,
     interrupt: &Interrupt,
 ) -> Result<(ContactProblem, Solution), ContactError> {
-    let m = problem.freedoms();
+    let m = problem.dofs();
     if friction.len() != problem.cells() * m {
         return Err(ContactError::Invalid("sizes of the arrays do not match"));
     }

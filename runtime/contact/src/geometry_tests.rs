@@ -2,8 +2,8 @@
 
 use super::Placement;
 use super::approach::{PlacedProfile, closest_approach};
-use super::assembly::{Patch, Side, compliance};
-use super::grid::{GridOptions, Width, lay};
+use super::assembly::{PatchCells, Side, compliance};
+use super::grid::{GridOptions, Width, build_grid};
 use super::test_profiles::{Arcs, HalfPlaneBody, Involute};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -169,7 +169,7 @@ fn gaps_are_those_of_the_parabola_nearby() {
     let approach = closest_approach(first, second, true).unwrap();
     let options =
         GridOptions { half_count: 8, width: Width::Total(2e-4), contact_modulus: 1e11, search_edges: true };
-    let grid = lay(first, second, &approach, &options);
+    let grid = build_grid(first, second, &approach, &options);
     assert_eq!(grid.cells.len(), 17);
     assert_eq!(grid.surface_ends, [false; 2]);
     for cell in &grid.cells {
@@ -196,7 +196,7 @@ fn cells_end_where_a_surface_does() {
     let approach = closest_approach(first, second, true).unwrap();
     let options =
         GridOptions { half_count: 10, width: Width::Total(2e-3), contact_modulus: 1e11, search_edges: true };
-    let grid = lay(first, second, &approach, &options);
+    let grid = build_grid(first, second, &approach, &options);
     assert_eq!(grid.surface_ends, [false, true]);
     let last = grid.cells.last().unwrap();
     assert!((last.x[1] - 0.05 * 0.01f64.sin()).abs() < 1e-15);
@@ -217,7 +217,7 @@ fn cells_shrink_towards_an_edge() {
     let approach = closest_approach(first, second, true).unwrap();
     let options =
         GridOptions { half_count: 10, width: Width::Total(1e-3), contact_modulus: 1e11, search_edges: true };
-    let grid = lay(first, second, &approach, &options);
+    let grid = build_grid(first, second, &approach, &options);
     let flank_cell = 1e-3 / 21.0;
     // The relative curvature is 30 on the flank and 10010 on the edge.
     let edge_cell = flank_cell * (30.0f64 / 10010.0).sqrt();
@@ -247,11 +247,11 @@ fn the_compliance_of_many_cells_can_be_interrupted() {
     let approach = closest_approach(first, second, true).unwrap();
     let options =
         GridOptions { half_count: 60, width: Width::Total(3e-4), contact_modulus: 1e11, search_edges: true };
-    let grid = lay(first, second, &approach, &options);
+    let grid = build_grid(first, second, &approach, &options);
     let body = HalfPlaneBody { surface_modulus: 2e11 };
     let side =
         |body_number| Side { body: body_number, structure: &body, chart: Chart { tooth: 0, surface: 0 } };
-    let patches = [Patch { sides: [side(0), side(1)], cells: &grid.cells }];
+    let patches = [PatchCells { sides: [side(0), side(1)], cells: &grid.cells }];
     let asked = Arc::new(AtomicUsize::new(0));
     let counting = |most: usize| {
         let asked = asked.clone();
@@ -274,7 +274,7 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
     let [first, second] = pair.placed(0.0);
     let approach = closest_approach(first, second, true).unwrap();
     let lay = |half_count, width| {
-        lay(
+        build_grid(
             first,
             second,
             &approach,
@@ -291,11 +291,11 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
     let side =
         |body_number, tooth| Side { body: body_number, structure: &body, chart: Chart { tooth, surface: 0 } };
     let patches = [
-        Patch { sides: [side(0, 0), side(1, 0)], cells: &one.cells },
+        PatchCells { sides: [side(0, 0), side(1, 0)], cells: &one.cells },
         // Shares a surface with the first patch on body 0; another tooth of body 1.
-        Patch { sides: [side(0, 0), side(1, 1)], cells: &other.cells },
+        PatchCells { sides: [side(0, 0), side(1, 1)], cells: &other.cells },
         // Shares no body, although the structure is the same.
-        Patch { sides: [side(2, 0), side(3, 0)], cells: &one.cells },
+        PatchCells { sides: [side(2, 0), side(3, 0)], cells: &one.cells },
     ];
     let matrix = compliance(&patches, &Interrupt::never()).expect("no interrupt");
     let n = 9 + 13 + 9;

@@ -39,7 +39,7 @@ impl Cell {
     }
 }
 
-impl super::pressure::Piece for Cell {
+impl super::pressure::PressureStrip for Cell {
     fn ends(&self) -> [f64; 2] {
         self.x
     }
@@ -113,7 +113,12 @@ pub fn contact_modulus(first: &dyn Structure, second: &dyn Structure) -> f64 {
 
 /// Creates the grid at a closest approach of `first` and `second`. The grid has no cells if the
 /// surfaces do not face each other.
-pub fn lay(first: PlacedProfile, second: PlacedProfile, approach: &Approach, options: &GridOptions) -> Grid {
+pub fn build_grid(
+    first: PlacedProfile,
+    second: PlacedProfile,
+    approach: &Approach,
+    options: &GridOptions,
+) -> Grid {
     let placed = [first, second];
     let frame = approach.frame;
     let surfaces =
@@ -224,7 +229,7 @@ pub(super) fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> V
     let mut from = range[0];
     for to in stops {
         let pieces = size_pieces([from, to], flank_cell, edges);
-        let total: f64 = pieces.iter().map(Piece::cells).sum();
+        let total: f64 = pieces.iter().map(SizeInterval::cells).sum();
         // Round up, but with a tolerance: grids on edges have half cells by design, and rounding
         // must not change their number.
         let count = (total - 1e-6).ceil().max(1.0);
@@ -244,12 +249,12 @@ pub(super) fn cell_bounds(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> V
 }
 
 /// Part of the tangent line over which the cell size varies linearly.
-struct Piece {
+struct SizeInterval {
     x: [f64; 2],
     size: [f64; 2],
 }
 
-impl Piece {
+impl SizeInterval {
     /// Returns the (fractional) number of cells: the integral of 1 / size.
     fn cells(&self) -> f64 {
         let [a, b] = self.size;
@@ -269,7 +274,7 @@ impl Piece {
 
 /// Returns the cell size over `range`: that of the flank, or that of the nearest edge, which grows
 /// with the distance from it.
-fn size_pieces(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<Piece> {
+fn size_pieces(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<SizeInterval> {
     let asked = |edge: &Edge, x: f64| edge.cell + GRADING * (edge.towards * (edge.x - x)).max(0.0);
     let size = |x: f64| edges.iter().fold(flank_cell, |size, edge| size.min(asked(edge, x)));
     // Knots where the size of an edge's cells reaches that of the flank, and where the sizes of two
@@ -284,7 +289,7 @@ fn size_pieces(range: [f64; 2], flank_cell: f64, edges: &[Edge]) -> Vec<Piece> {
     knots.retain(|x| (range[0]..=range[1]).contains(x));
     knots.sort_by(f64::total_cmp);
     knots.dedup();
-    let piece = |x: &[f64]| Piece { x: [x[0], x[1]], size: [size(x[0]), size(x[1])] };
+    let piece = |x: &[f64]| SizeInterval { x: [x[0], x[1]], size: [size(x[0]), size(x[1])] };
     knots.windows(2).map(piece).collect()
 }
 

@@ -3,8 +3,8 @@
 use super::Placement;
 use super::active_set::solve;
 use super::approach::{PlacedProfile, closest_approach};
-use super::assembly::{Patch, Side, compliance};
-use super::grid::{Grid, GridOptions, Width, assess, contact_modulus, lay, pressures};
+use super::assembly::{PatchCells, Side, compliance};
+use super::grid::{Grid, GridOptions, Width, assess, build_grid, contact_modulus, pressures};
 use super::pressure::{half_width, peak};
 use super::problem::ContactProblem;
 use super::test_profiles::{Arcs, HalfPlaneBody};
@@ -46,10 +46,10 @@ fn press(
     let approach = closest_approach(placed[0], placed[1], edges).expect("they face each other");
     let contact_modulus = contact_modulus(&steel(), &steel());
     let options = GridOptions { half_count, width, contact_modulus, search_edges: edges };
-    let grid = lay(placed[0], placed[1], &approach, &options);
+    let grid = build_grid(placed[0], placed[1], &approach, &options);
     let chart = Chart { tooth: 0, surface: 0 };
     let side = |body_number| Side { body: body_number, structure: &body, chart };
-    let patch = Patch { sides: [side(0), side(1)], cells: &grid.cells };
+    let patch = PatchCells { sides: [side(0), side(1)], cells: &grid.cells };
     let n = grid.cells.len();
     let problem = ContactProblem {
         compliance: compliance(&[patch], &Interrupt::never()).expect("no interrupt"),

@@ -2,7 +2,7 @@
 //!
 //! A step of an analysis goes through these modules in order: [`approach`] finds where two profiles come closest,
 //! [`grid`] lays cells there, [`assembly`] builds their compliance, [`problem`] states the contact problem and
-//! [`active_set`] solves it; `rest` and `rigid_limit` say where bodies are as the load vanishes; [`friction`] adds what slides; [`pressure`] reads peak pressure
+//! [`active_set`] solves it; `unloaded_equilibrium` and `rigid_limit` say where bodies are as the load vanishes; [`friction`] adds what slides; [`pressure`] reads peak pressure
 //! and half-width off the solution, and [`zone`] separates flanks from edges. [`solid`] is the same in space.
 
 #![warn(missing_docs)]
@@ -10,18 +10,18 @@
 pub mod active_set;
 pub mod approach;
 pub mod assembly;
-pub mod clarabel_check;
 mod dense;
 mod feasibility;
 pub mod friction;
 pub mod grid;
+pub mod interior_point;
 mod placement;
 pub mod pressure;
 pub mod problem;
-pub mod rest;
 pub mod rigid_limit;
 mod scaled;
 pub mod solid;
+pub mod unloaded_equilibrium;
 pub mod zone;
 
 pub use calyx_structure::half_plane;

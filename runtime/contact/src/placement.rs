@@ -19,7 +19,7 @@ impl Placement {
 
     /// Composes the placement with a preceding rotation by `angle`, like that of a tooth in its
     /// gear.
-    pub fn turned_first(&self, angle: f64) -> Self {
+    pub fn rotated_first(&self, angle: f64) -> Self {
         let (sine, cosine) = angle.sin_cos();
         let [turned_x, turned_y] = self.direction([cosine, sine]);
         Self { cosine: turned_x, sine: turned_y, origin: self.origin }

@@ -15,18 +15,18 @@ pub fn hertz_half_width(force: f64, contact_modulus: f64, relative_curvature: f6
 
 /// Interval of uniform pressure on a line: a cell of a plane patch, or a slice of a
 /// three-dimensional one.
-pub trait Piece {
+pub trait PressureStrip {
     /// Ends, ascending, m.
     fn ends(&self) -> [f64; 2];
 }
 
-impl Piece for [f64; 2] {
+impl PressureStrip for [f64; 2] {
     fn ends(&self) -> [f64; 2] {
         *self
     }
 }
 
-pub(super) fn center(piece: &impl Piece) -> f64 {
+pub(super) fn center(piece: &impl PressureStrip) -> f64 {
     let [from, to] = piece.ends();
     0.5 * (from + to)
 }
@@ -48,7 +48,7 @@ const PEAK_REACH: usize = 2;
 /// Returns the peak pressure: the vertex of a parabola through p² of the (at most five) loaded
 /// neighbours of the cell with the largest pressure, or that cell's own pressure if the maximum
 /// lies at the end of the patch. `None` if no cell is loaded. `pressures` are in Pa, one per cell.
-pub fn peak(cells: &[impl Piece], pressures: &[f64]) -> Option<Peak> {
+pub fn peak(cells: &[impl PressureStrip], pressures: &[f64]) -> Option<Peak> {
     let belongs = |i: usize| pressures[i] > 0.0;
     let largest = (0..cells.len())
         .filter(|&i| belongs(i))
@@ -78,13 +78,13 @@ pub fn peak(cells: &[impl Piece], pressures: &[f64]) -> Option<Peak> {
 
 /// Returns the half-width of the loaded zone, m: half the distance between the extrapolated zeros
 /// of p². `None` with fewer than five loaded cells, or if the fit of p² does not have two zeros.
-pub fn half_width(cells: &[impl Piece], pressures: &[f64]) -> Option<f64> {
+pub fn half_width(cells: &[impl PressureStrip], pressures: &[f64]) -> Option<f64> {
     zeros_of_squared_pressure(cells, pressures).map(|[left, right]| 0.5 * (right - left))
 }
 
 /// Returns the zeros of a parabola fitted to p² of the loaded cells. The fit excludes the outermost
 /// cell on each side, which is loaded over part of its width.
-pub(super) fn zeros_of_squared_pressure(cells: &[impl Piece], pressures: &[f64]) -> Option<[f64; 2]> {
+pub(super) fn zeros_of_squared_pressure(cells: &[impl PressureStrip], pressures: &[f64]) -> Option<[f64; 2]> {
     let first = pressures.iter().position(|&p| p > 0.0)?;
     let last = pressures.iter().rposition(|&p| p > 0.0)?;
     if last < first + 4 {
@@ -102,7 +102,7 @@ struct Parabola {
 
 impl Parabola {
     /// Least-squares fit to p² of the cells `first ..= last`, at least three.
-    fn through(cells: &[impl Piece], pressures: &[f64], first: usize, last: usize) -> Option<Self> {
+    fn through(cells: &[impl PressureStrip], pressures: &[f64], first: usize, last: usize) -> Option<Self> {
         let origin = 0.5 * (cells[first].ends()[0] + cells[last].ends()[1]);
         let unit = 0.5 * (cells[last].ends()[1] - cells[first].ends()[0]);
         let mut normal = Matrix3::zeros();

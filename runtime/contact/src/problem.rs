@@ -31,7 +31,7 @@ pub struct ContactProblem {
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeMotion {
     /// DOF with the largest part in the motion, compared by the change of gaps.
-    pub freedom: usize,
+    pub dof: usize,
     /// Sense of that DOF, +1 or -1.
     pub direction: f64,
     /// Motion of all DOFs in their own units; that of the named one is ±1.
@@ -42,10 +42,10 @@ pub struct FreeMotion {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// The load does work on this motion, and no contact closes along it.
-    #[error("no contact can balance the load: it moves degree of freedom {} in the {} direction", .0.freedom, sense(.0.direction))]
+    #[error("no contact can balance the load: it moves degree of freedom {} in the {} direction", .0.dof, sense(.0.direction))]
     Infeasible(FreeMotion),
     /// The load does no work on this motion, but neither contact nor a spring determines it.
-    #[error("degree of freedom {} is constrained neither by contact nor by a spring", .0.freedom)]
+    #[error("degree of freedom {} is constrained neither by contact nor by a spring", .0.dof)]
     Unconstrained(FreeMotion),
     /// The compliance matrix loses rank at this cell: two cells coincide, or the bodies are rigid.
     #[error("the compliance of cell {cell} is not independent of the cells before it")]
@@ -141,12 +141,12 @@ impl ContactProblem {
     }
 
     /// Number of rigid-body DOFs.
-    pub fn freedoms(&self) -> usize {
+    pub fn dofs(&self) -> usize {
         self.load.len()
     }
 
     pub(super) fn validate(&self) -> Result<(), ContactError> {
-        let (n, m) = (self.cells(), self.freedoms());
+        let (n, m) = (self.cells(), self.dofs());
         if self.compliance.len() != n * n || self.arms.len() != n * m || self.stiffness.len() != m * m {
             return Err(ContactError::Invalid("sizes of the arrays do not match"));
         }
@@ -164,7 +164,7 @@ impl ContactProblem {
 
     /// Returns the gaps d at the given forces and motion.
     pub fn gaps_at(&self, forces: &[f64], motion: &[f64]) -> Vec<f64> {
-        let (n, m) = (self.cells(), self.freedoms());
+        let (n, m) = (self.cells(), self.dofs());
         (0..n)
             .map(|i| {
                 let elastic: f64 = (0..n).map(|j| self.compliance[i * n + j] * forces[j]).sum();
@@ -176,7 +176,7 @@ impl ContactProblem {
 
     /// Returns the objective function: elastic energy, and work against gaps and springs.
     pub fn objective(&self, forces: &[f64], motion: &[f64]) -> f64 {
-        let (n, m) = (self.cells(), self.freedoms());
+        let (n, m) = (self.cells(), self.dofs());
         let mut value = 0.0;
         for i in 0..n {
             let elastic: f64 = (0..n).map(|j| self.compliance[i * n + j] * forces[j]).sum();
@@ -191,7 +191,7 @@ impl ContactProblem {
 
     /// Computes the residuals of all conditions, each relative to the magnitude of its terms.
     pub fn certify(&self, forces: &[f64], motion: &[f64]) -> Certificate {
-        let (n, m) = (self.cells(), self.freedoms());
+        let (n, m) = (self.cells(), self.dofs());
         let gaps = self.gaps_at(forces, motion);
         let mut gap_scale = 0.0f64;
         for i in (0..n).filter(|&i| forces[i] > 0.0) {

@@ -3,7 +3,7 @@
 use super::dense::Matrix;
 use super::problem::ContactProblem;
 
-/// Contact problem in the variables `p = cell_scale * q`, `x = freedom_scale * y`. The compliance
+/// Contact problem in the variables `p = cell_scale * q`, `x = dof_scale * y`. The compliance
 /// matrix is large, so it is not copied but scaled entry by entry.
 pub(super) struct Scaled<'a> {
     compliance: &'a [f64],
@@ -12,7 +12,7 @@ pub(super) struct Scaled<'a> {
     pub stiffness: Matrix,
     pub load: Vec<f64>,
     pub cell_scale: Vec<f64>,
-    pub freedom_scale: Vec<f64>,
+    pub dof_scale: Vec<f64>,
 }
 
 /// Returns the power of two nearest to `value` in the logarithm.
@@ -22,7 +22,7 @@ fn power_of_two(value: f64) -> f64 {
 
 impl<'a> Scaled<'a> {
     pub fn new(problem: &'a ContactProblem) -> Self {
-        let (n, m) = (problem.cells(), problem.freedoms());
+        let (n, m) = (problem.cells(), problem.dofs());
         let cell_scale: Vec<f64> =
             (0..n).map(|i| power_of_two(problem.compliance[i * n + i].sqrt().recip())).collect();
         let mut column: Vec<f64> = vec![0.0; m];
@@ -34,7 +34,7 @@ impl<'a> Scaled<'a> {
         // An entry that is rounding relative to the entries of the other DOFs counts as zero.
         let largest = column.iter().copied().fold(0.0, f64::max);
         let seen: Vec<bool> = column.iter().map(|&c| c > 1e-13 * largest).collect();
-        let freedom_scale: Vec<f64> = (0..m)
+        let dof_scale: Vec<f64> = (0..m)
             .map(|k| {
                 let spring = problem.stiffness[k * m + k].max(0.0).sqrt();
                 let size = if seen[k] { column[k] } else { spring };
@@ -44,13 +44,13 @@ impl<'a> Scaled<'a> {
         let mut arms = Matrix::zeros(n, m);
         for i in 0..n {
             for k in (0..m).filter(|&k| seen[k]) {
-                arms[(i, k)] = cell_scale[i] * problem.arms[i * m + k] * freedom_scale[k];
+                arms[(i, k)] = cell_scale[i] * problem.arms[i * m + k] * dof_scale[k];
             }
         }
         let mut stiffness = Matrix::zeros(m, m);
         for k in 0..m {
             for l in 0..m {
-                stiffness[(k, l)] = freedom_scale[k] * problem.stiffness[k * m + l] * freedom_scale[l];
+                stiffness[(k, l)] = dof_scale[k] * problem.stiffness[k * m + l] * dof_scale[l];
             }
         }
         Self {
@@ -58,9 +58,9 @@ impl<'a> Scaled<'a> {
             arms,
             gaps: problem.gaps.iter().zip(&cell_scale).map(|(e, s)| e * s).collect(),
             stiffness,
-            load: problem.load.iter().zip(&freedom_scale).map(|(f, s)| f * s).collect(),
+            load: problem.load.iter().zip(&dof_scale).map(|(f, s)| f * s).collect(),
             cell_scale,
-            freedom_scale,
+            dof_scale,
         }
     }
 

@@ -1,7 +1,7 @@
 //! Tests of the contact solver against enumeration, Clarabel and itself.
 
 use super::active_set::solve;
-use super::clarabel_check;
+use super::interior_point;
 use super::problem::{ContactError, ContactProblem, Method};
 use super::rigid_limit::rigid_limit;
 use calyx_numerics::interrupt::Interrupt;
@@ -41,7 +41,7 @@ pub(super) fn random_problem(n: usize, m: usize, springs: bool, random: &mut Ran
 
 /// Tries all active sets.
 fn by_enumeration(problem: &ContactProblem) -> Option<(Vec<f64>, Vec<f64>)> {
-    let (n, m) = (problem.cells(), problem.freedoms());
+    let (n, m) = (problem.cells(), problem.dofs());
     for set in 0u32..1 << n {
         let active: Vec<usize> = (0..n).filter(|i| set >> i & 1 == 1).collect();
         let k = active.len();
@@ -111,7 +111,7 @@ fn larger_problems_against_clarabel() {
     for (n, m) in [(100, 1), (150, 2), (200, 3), (300, 2)] {
         let problem = random_problem(n, m, m == 3, &mut random);
         let solution = solve(&problem, None).unwrap();
-        let (forces, motion) = clarabel_check::solve(&problem).unwrap();
+        let (forces, motion) = interior_point::solve(&problem).unwrap();
         let objective = problem.objective(&solution.forces, &solution.motion);
         let check = problem.objective(&forces, &motion);
         assert!((objective - check).abs() <= 1e-9 * objective.abs(), "{objective} {check}");
@@ -142,22 +142,22 @@ fn units_do_not_matter() {
     let reference = solve(&problem, None).unwrap();
     // Scales lengths by a, forces by b; the second DOF is a rotation.
     for (a, b) in [(3.7e4, 3.7e-4), (3.7e-4, 3.7e4), (3.7e-4, 3.7e-4)] {
-        let freedom = [a, 1.0];
+        let dof = [a, 1.0];
         let scale = |values: &[f64], factor: &dyn Fn(usize) -> f64| -> Vec<f64> {
             values.iter().enumerate().map(|(i, v)| v * factor(i)).collect()
         };
         let scaled = ContactProblem {
             compliance: scale(&problem.compliance, &|_| a / b),
-            arms: scale(&problem.arms, &|i| a / freedom[i % 2]),
+            arms: scale(&problem.arms, &|i| a / dof[i % 2]),
             gaps: scale(&problem.gaps, &|_| a),
-            stiffness: scale(&problem.stiffness, &|i| a * b / freedom[i / 2] / freedom[i % 2]),
-            load: scale(&problem.load, &|k| a * b / freedom[k]),
+            stiffness: scale(&problem.stiffness, &|i| a * b / dof[i / 2] / dof[i % 2]),
+            load: scale(&problem.load, &|k| a * b / dof[k]),
         };
         let solution = solve(&scaled, None).unwrap();
         assert_eq!(solution.active, reference.active);
         assert_close(&solution.forces, &scale(&reference.forces, &|_| b), 1e-9, "forces");
         for k in 0..2 {
-            let expected = reference.motion[k] * freedom[k];
+            let expected = reference.motion[k] * dof[k];
             assert!((solution.motion[k] - expected).abs() <= 1e-9 * expected.abs());
         }
     }
@@ -177,19 +177,19 @@ fn loads_that_contact_cannot_balance_are_named() {
     else {
         panic!("the body should run away")
     };
-    assert_eq!((motion.freedom, motion.direction), (0, 1.0));
+    assert_eq!((motion.dof, motion.direction), (0, 1.0));
     // DOF 0 is pressed into contact; DOF 1 is pulled off, in any unit.
     for unit in [1.0, 1e3] {
         let problem = one_way(vec![0.3, 0.0, 0.2, 0.1 * unit, 0.1, 0.2 * unit], 2, vec![-5.0, 3.0 * unit]);
         let Err(ContactError::Infeasible(motion)) = solve(&problem, None) else {
             panic!("it should run away")
         };
-        assert_eq!((motion.freedom, motion.direction), (1, 1.0));
+        assert_eq!((motion.dof, motion.direction), (1, 1.0));
     }
 }
 
 #[test]
-fn freedoms_that_nothing_holds_are_named() {
+fn dofs_that_nothing_holds_are_named() {
     // No cell constrains DOF 1: without load it is undetermined, with load the problem is
     // infeasible.
     let arms = vec![0.3, 0.0, 0.2, 0.0, 0.1, 0.0];
@@ -197,11 +197,11 @@ fn freedoms_that_nothing_holds_are_named() {
     else {
         panic!("freedom 1 is free")
     };
-    assert_eq!(motion.freedom, 1);
+    assert_eq!(motion.dof, 1);
     let Err(ContactError::Infeasible(motion)) = solve(&one_way(arms, 2, vec![-5.0, -1.0]), None) else {
         panic!("freedom 1 runs away")
     };
-    assert_eq!((motion.freedom, motion.direction), (1, -1.0));
+    assert_eq!((motion.dof, motion.direction), (1, -1.0));
     // The cells constrain only a difference of two bodies: rotating both together is free.
     let arms = vec![0.3, -0.6, 0.2, -0.4, 0.1, -0.2];
     let Err(ContactError::Unconstrained(motion)) = solve(&one_way(arms, 2, vec![-5.0, 10.0]), None) else {

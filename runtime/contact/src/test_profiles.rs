@@ -1,7 +1,7 @@
 //! Profiles and bodies whose contact is known in closed form.
 
 use calyx_structure::profile::{Profile, ProfilePoint};
-use calyx_structure::{Chart, StressPlace, Structure, SurfaceLoad};
+use calyx_structure::{Chart, StressPoint, Structure, SurfaceLoad};
 use std::sync::Arc;
 
 /// Circular arcs joined with continuous normals, counter-clockwise; the last may be an edge.
@@ -107,7 +107,7 @@ impl Structure for HalfPlaneBody {
 
     fn add_compliance(&self, _: Chart, _: &[f64], _: Chart, _: &[f64], _block: &mut [f64]) {}
 
-    fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+    fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPoint, f64)> {
         Vec::new()
     }
 

@@ -16,7 +16,7 @@
 //! that end. Therefore the half-width is counted from the end of the load ([`Edges::effective`]). As slices become shorter, that end
 //! tends to the edge itself.
 
-use super::pressure::{self, Peak, Piece, center, hertz_half_width};
+use super::pressure::{self, Peak, PressureStrip, center, hertz_half_width};
 
 /// A part of a patch across its contact line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +59,7 @@ impl Edges {
     }
 
     /// Ends of the load, each between the nearest point of its edge and the point beside the middle of the slice.
-    fn effective(&self, pieces: &[impl Piece], pressures: &[f64]) -> FlankEnds {
+    fn effective(&self, pieces: &[impl PressureStrip], pressures: &[f64]) -> FlankEnds {
         let loaded = |cell: &usize| pressures[*cell] > 0.0;
         let (first, last) = ((0..pieces.len()).find(loaded), (0..pieces.len()).rfind(loaded));
         let (Some(first), Some(last)) = (first, last) else { return self.ends };
@@ -79,7 +79,7 @@ impl Edges {
 
     /// Whether the patch reaches an edge here: its contact line is nearer to the end of the load beside an edge than the half-width
     /// of the patch, m.
-    pub fn reached(&self, pieces: &[impl Piece], pressures: &[f64], half_width: f64) -> bool {
+    pub fn reached(&self, pieces: &[impl PressureStrip], pressures: &[f64], half_width: f64) -> bool {
         let [low, high] = self.effective(pieces, pressures);
         (self.closest - low).min(high - self.closest) < half_width
     }
@@ -88,12 +88,12 @@ impl Edges {
 impl Zone {
     /// Intervals of the zone along the tangent, m. Beside an edge that a patch does not reach there is no edge zone.
     fn intervals(self, [low, high]: FlankEnds, closest: f64, half_width: f64) -> [[f64; 2]; 2] {
-        let beside = |distance: f64| if distance < half_width { half_width } else { 0.0 };
+        let other_loads = |distance: f64| if distance < half_width { half_width } else { 0.0 };
         match self {
             Zone::Flank => [[low + half_width, high - half_width], [f64::INFINITY, f64::NEG_INFINITY]],
             Zone::Edge => [
-                [f64::NEG_INFINITY, low + beside(closest - low)],
-                [high - beside(high - closest), f64::INFINITY],
+                [f64::NEG_INFINITY, low + other_loads(closest - low)],
+                [high - other_loads(high - closest), f64::INFINITY],
             ],
         }
     }
@@ -101,7 +101,7 @@ impl Zone {
     /// The largest pressure in the zone, Pa. `half_width` is that of the patch, m. `None` where nothing in the zone is loaded.
     pub fn peak(
         self,
-        pieces: &[impl Piece],
+        pieces: &[impl PressureStrip],
         pressures: &[f64],
         edges: &Edges,
         half_width: f64,
@@ -120,7 +120,7 @@ impl Zone {
 }
 
 /// The largest pressure between two points, Pa.
-fn peak_within(pieces: &[impl Piece], pressures: &[f64], [from, to]: [f64; 2]) -> Option<Peak> {
+fn peak_within(pieces: &[impl PressureStrip], pressures: &[f64], [from, to]: [f64; 2]) -> Option<Peak> {
     if from >= to {
         return None;
     }
@@ -138,7 +138,7 @@ fn peak_within(pieces: &[impl Piece], pressures: &[f64], [from, to]: [f64; 2]) -
 
 /// The pressure at a point, by linear interpolation of squared pressures between the centres of cells: Hertz's squared pressure is a
 /// parabola. `None` where there is no load.
-fn at(pieces: &[impl Piece], pressures: &[f64], x: f64) -> Option<Peak> {
+fn at(pieces: &[impl PressureStrip], pressures: &[f64], x: f64) -> Option<Peak> {
     let behind = pieces.partition_point(|piece| center(piece) < x);
     let own = |cell: usize| pressures.get(cell).copied().unwrap_or(0.0);
     let (pressure, cell) = match behind.checked_sub(1) {

@@ -2,7 +2,7 @@
 //! sides, orders named chains, and rejects invalid meshes.
 
 use super::block::{Block, NamedSide};
-use super::interpolation::{ElementOrder, Shape, side_place};
+use super::interpolation::{ElementOrder, Shape, side_point};
 use super::mesh::{ArcLength, EdgeChain, Element, ElementEdge, PlaneMesh};
 use calyx_numerics::quadrature::gauss_legendre;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -215,19 +215,19 @@ impl MeshBuilder {
         }
         for shared in sides.values() {
             let [(first, side), others @ ..] = shared.as_slice() else { continue };
-            let at = cells[*first].at(&self.blocks, side_place(*side, 0.0));
+            let at = cells[*first].at(&self.blocks, side_point(*side, 0.0));
             if others.len() > 1 {
                 return Err(MeshError::Overlap { block: cells[*first].block, at });
             }
             for &(other, other_side) in others {
                 // Compare both curves away from the middle, where a different parametrization shows
                 // too.
-                let one = cells[*first].at(&self.blocks, side_place(*side, 1.0 / 3.0));
+                let one = cells[*first].at(&self.blocks, side_point(*side, 1.0 / 3.0));
                 // Neighbours run along their common edge in opposite directions.
                 if cells[*first].side_corners(*side) == cells[other].side_corners(other_side) {
                     return Err(MeshError::Overlap { block: cells[other].block, at });
                 }
-                let theirs = cells[other].at(&self.blocks, side_place(other_side, -1.0 / 3.0));
+                let theirs = cells[other].at(&self.blocks, side_point(other_side, -1.0 / 3.0));
                 let agrees = distance(one, theirs) <= tolerance;
                 if !agrees {
                     return Err(MeshError::Mismatch {
@@ -256,14 +256,14 @@ impl MeshBuilder {
         for (cell, nodes) in cells.iter().zip(&mut numbers).rev() {
             for (corner, &number) in cell.corners.iter().enumerate() {
                 nodes[corner] = number;
-                points[number] = cell.at(&self.blocks, side_place(corner, -1.0));
+                points[number] = cell.at(&self.blocks, side_point(corner, -1.0));
             }
         }
         for shared in sides.values() {
             let (first, side) = shared[0];
             let ends = cells[first].side_corners(side);
             let locals = orders[first].side_nodes(side);
-            let places = orders[first].node_places();
+            let places = orders[first].node_coordinates();
             let start = points.len();
             let inner = &locals[1..locals.len() - 1];
             points.extend(inner.iter().map(|&local| cells[first].at(&self.blocks, places[local])));
@@ -281,7 +281,8 @@ impl MeshBuilder {
             let [a, b] = order.interior;
             let count = (usize::from(a) - 1) * (usize::from(b) - 1);
             let first_local = nodes.len() - count;
-            for (node, place) in nodes[first_local..].iter_mut().zip(&order.node_places()[first_local..]) {
+            for (node, place) in nodes[first_local..].iter_mut().zip(&order.node_coordinates()[first_local..])
+            {
                 *node = points.len();
                 points.push(cell.at(&self.blocks, *place));
             }
@@ -392,7 +393,7 @@ fn place_displacement_nodes(mesh: &mut PlaneMesh) {
     for element in mesh.elements.iter().rev() {
         let (order, coordinate) = (element.order, element.coordinate_order);
         let shapes: &Vec<Vec<Shape>> = tables.entry((order, coordinate)).or_insert_with(|| {
-            order.node_places().into_iter().map(|[xi, eta]| coordinate.shapes(xi, eta)).collect()
+            order.node_coordinates().into_iter().map(|[xi, eta]| coordinate.shapes(xi, eta)).collect()
         });
         for (&node, shapes) in element.nodes.iter().zip(shapes) {
             nodes[node] = mesh.map_with(element, shapes).0;

@@ -14,7 +14,7 @@
 use super::dissection::{Dissection, Part};
 use super::solve::SolveError;
 use super::sparse::SparseVector;
-use calyx_numerics::dense::{add_product, add_product_lower, cholesky_in_place, divide_by_factor};
+use calyx_numerics::dense::{add_product, add_product_lower, cholesky_in_place, divide_by_cholesky_factor};
 use faer::Mat;
 use faer::sparse::SparseColMat;
 
@@ -24,7 +24,7 @@ const SINGULAR: f64 = 1e-13;
 
 /// Schur complement with loads and forms; `c` retained unknowns, `m` loads, `q` forms.
 #[derive(Clone, Debug)]
-pub struct Remainder {
+pub struct SchurComplement {
     /// Square matrix of size `c + m`: the stiffness of the retained unknowns, the equivalent loads
     /// on them (and their transpose), and, negative, the displacements of the loads by the loads
     /// with the retained unknowns fixed. Lower triangle.
@@ -150,7 +150,7 @@ pub fn eliminate<E: From<SolveError> + Send>(
     loads: &[SparseVector],
     forms: &[SparseVector],
     checkpoint: impl Fn() -> Result<(), E> + Sync,
-) -> Result<Remainder, E> {
+) -> Result<SchurComplement, E> {
     let dofs = stiffness.ncols();
     let first_load = dissection.order.iter().flatten().count();
     let eliminated: usize = dissection.parts.iter().map(|part| part.pivots.len()).sum();
@@ -198,7 +198,7 @@ pub fn eliminate<E: From<SolveError> + Send>(
             }
         }
     }
-    Ok(Remainder { square, forms: left })
+    Ok(SchurComplement { square, forms: left })
 }
 
 impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_, C> {
@@ -308,7 +308,7 @@ impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_
         if !(0..count).all(regular) {
             return Err(SolveError::Singular.into());
         }
-        divide_by_factor(lower.as_mut(), pivots.as_ref());
+        divide_by_cholesky_factor(lower.as_mut(), pivots.as_ref());
         let (upper, lower) = lower.as_ref().split_at_row(rest);
         add_product_lower(square.as_mut(), -1.0, upper, upper.transpose());
         add_product(left.as_mut(), -1.0, lower, upper.transpose());

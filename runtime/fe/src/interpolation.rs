@@ -75,16 +75,16 @@ impl ElementOrder {
     }
 
     /// Returns the local coordinates of the nodes.
-    pub fn node_places(&self) -> Vec<[f64; 2]> {
-        let mut places = (0..4).map(|corner| side_place(corner, -1.0)).collect::<Vec<_>>();
+    pub fn node_coordinates(&self) -> Vec<[f64; 2]> {
+        let mut places = (0..4).map(|corner| side_point(corner, -1.0)).collect::<Vec<_>>();
         for (side, &order) in self.sides.iter().enumerate() {
-            places.extend((1..order).map(|node| side_place(side, spaced(order, node))));
+            places.extend((1..order).map(|node| side_point(side, spaced(order, node))));
         }
-        places.extend(self.interior_places());
+        places.extend(self.interior_coordinates());
         places
     }
 
-    fn interior_places(&self) -> Vec<[f64; 2]> {
+    fn interior_coordinates(&self) -> Vec<[f64; 2]> {
         let [a, b] = self.interior;
         (1..b).flat_map(|j| (1..a).map(move |i| [spaced(a, i), spaced(b, j)])).collect()
     }
@@ -108,7 +108,7 @@ impl ElementOrder {
                 interior.push([g * f, dg * f, g * df]);
             }
         }
-        for (bubble, place) in interior.iter().zip(self.interior_places()) {
+        for (bubble, place) in interior.iter().zip(self.interior_coordinates()) {
             let at_node = self.boundary_shapes(place[0], place[1]);
             for (shape, at) in shapes.iter_mut().zip(at_node) {
                 for part in 0..3 {
@@ -151,7 +151,7 @@ impl ElementOrder {
         }
         // Both sides of a corner contribute its bilinear function: subtract it once.
         for corner in 0..4 {
-            let [x, y] = side_place(corner, -1.0);
+            let [x, y] = side_point(corner, -1.0);
             let (f, g) = (0.5 * (1.0 + x * xi), 0.5 * (1.0 + y * eta));
             shapes[corner][0] -= f * g;
             shapes[corner][1] -= 0.5 * x * g;
@@ -162,7 +162,7 @@ impl ElementOrder {
 }
 
 /// Returns the point of a side at `t` in -1 ..= 1 along its direction.
-pub fn side_place(side: usize, t: f64) -> [f64; 2] {
+pub fn side_point(side: usize, t: f64) -> [f64; 2] {
     match side {
         0 => [t, -1.0],
         1 => [1.0, t],

@@ -26,7 +26,7 @@ pub use block::{Block, Curve, Side, graded, uniform};
 pub use builder::{MeshBuilder, MeshError};
 pub use calyx_numerics::quadrature;
 pub use interpolation::ElementOrder;
-pub use mesh::{ArcLength, EdgeChain, EdgePoint, Element, ElementEdge, Place, PlaneMesh};
+pub use mesh::{ArcLength, EdgeChain, EdgePoint, Element, ElementEdge, ElementPoint, PlaneMesh};
 pub use model::{PlaneModel, principal_stresses};
 pub use revolution::{RevolutionModel, Section, Station};
 pub use solve::{Constraints, SolveError, Solver};

@@ -1,7 +1,7 @@
 //! Plane meshes of quadrilaterals, with separate displacement and coordinate nodes, and chains of
 //! edges.
 
-use super::interpolation::{ElementOrder, Shape, side_place};
+use super::interpolation::{ElementOrder, Shape, side_point};
 use calyx_numerics::quadrature::gauss_legendre;
 use std::collections::BTreeMap;
 
@@ -37,7 +37,7 @@ pub struct Element {
 
 /// Point in an element, by its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct ElementPoint {
     /// Index in [`PlaneMesh::elements`].
     pub element: usize,
     /// Local coordinate, from -1 to 1.
@@ -84,7 +84,7 @@ pub struct EdgeChain {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgePoint {
     /// Element and local coordinates.
-    pub place: Place,
+    pub place: ElementPoint,
     /// Position, m.
     pub position: [f64; 2],
     /// Unit tangent, towards increasing arc length.
@@ -146,7 +146,8 @@ impl PlaneMesh {
             let rule = gauss_legendre(2 * usize::from(element.coordinate_order.highest()));
             for (eta, of_eta) in &rule {
                 for (xi, of_xi) in &rule {
-                    let ([x, y], [[a, b], [c, d]]) = self.map(Place { element: number, xi: *xi, eta: *eta });
+                    let ([x, y], [[a, b], [c, d]]) =
+                        self.map(ElementPoint { element: number, xi: *xi, eta: *eta });
                     let area = of_xi * of_eta * (a * d - b * c);
                     sums[0] += area;
                     sums[1] += area * (x * x + y * y);
@@ -157,16 +158,16 @@ impl PlaneMesh {
     }
 
     /// Returns the position of a point, m.
-    pub fn position(&self, place: Place) -> [f64; 2] {
+    pub fn position(&self, place: ElementPoint) -> [f64; 2] {
         self.map(place).0
     }
 
     /// Returns the Jacobian `[[dx/dxi, dx/deta], [dy/dxi, dy/deta]]` at a point, m.
-    pub fn jacobian(&self, place: Place) -> [[f64; 2]; 2] {
+    pub fn jacobian(&self, place: ElementPoint) -> [[f64; 2]; 2] {
         self.map(place).1
     }
 
-    fn map(&self, place: Place) -> ([f64; 2], [[f64; 2]; 2]) {
+    fn map(&self, place: ElementPoint) -> ([f64; 2], [[f64; 2]; 2]) {
         let element = &self.elements[place.element];
         self.map_with(element, &element.coordinate_order.shapes(place.xi, place.eta))
     }
@@ -188,8 +189,8 @@ impl PlaneMesh {
     /// Returns the point of an edge at `t` in -1 ..= 1, in the direction of the chain.
     pub fn edge_point(&self, edge: &ElementEdge, t: f64) -> EdgePoint {
         let direction = if edge.reversed { -1.0 } else { 1.0 };
-        let [xi, eta] = side_place(edge.side, direction * t);
-        let place = Place { element: edge.element, xi, eta };
+        let [xi, eta] = side_point(edge.side, direction * t);
+        let place = ElementPoint { element: edge.element, xi, eta };
         let (position, jacobian) = self.map(place);
         // d(xi, eta)/dt along the counter-clockwise direction of the side.
         let [a, b] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][edge.side];

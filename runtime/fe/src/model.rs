@@ -2,7 +2,7 @@
 //! stress.
 
 use super::interpolation::{ElementOrder, Shape};
-use super::mesh::{Element, Place, PlaneMesh};
+use super::mesh::{Element, ElementPoint, PlaneMesh};
 use super::sparse::{SparseVector, summed};
 use crate::material::{Material, Plane};
 use calyx_numerics::quadrature::gauss_legendre;
@@ -152,7 +152,7 @@ impl PlaneModel {
 
     /// Returns the row for the displacement at a point in a direction; also the load vector of a
     /// unit force there.
-    pub fn displacement_row(&self, place: Place, direction: [f64; 2]) -> SparseVector {
+    pub fn displacement_row(&self, place: ElementPoint, direction: [f64; 2]) -> SparseVector {
         let element = &self.mesh.elements[place.element];
         let shapes = element.order.shapes(place.xi, place.eta);
         let terms = element.nodes.iter().zip(&shapes).filter(|(_, shape)| shape[0] != 0.0);
@@ -162,12 +162,12 @@ impl PlaneModel {
     }
 
     /// Returns the displacement at a point, from a full vector.
-    pub fn displacement(&self, place: Place, displacements: &[f64]) -> [f64; 2] {
+    pub fn displacement(&self, place: ElementPoint, displacements: &[f64]) -> [f64; 2] {
         [[1.0, 0.0], [0.0, 1.0]].map(|axis| self.displacement_row(place, axis).dot(displacements))
     }
 
     /// Returns the rows for the element stresses xx, yy, xy (Pa) at a point, without smoothing.
-    pub fn stress_rows(&self, place: Place) -> [SparseVector; 3] {
+    pub fn stress_rows(&self, place: ElementPoint) -> [SparseVector; 3] {
         let [d11, d12, d33] = self.elasticity();
         let element = &self.mesh.elements[place.element];
         let shapes = element.order.shapes(place.xi, place.eta);
@@ -184,7 +184,7 @@ impl PlaneModel {
     }
 
     /// Returns the stresses xx, yy, xy (Pa) at a point, from a full displacement vector.
-    pub fn stress(&self, place: Place, displacements: &[f64]) -> [f64; 3] {
+    pub fn stress(&self, place: ElementPoint, displacements: &[f64]) -> [f64; 3] {
         self.stress_rows(place).map(|row| row.dot(displacements))
     }
 

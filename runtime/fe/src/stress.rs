@@ -2,7 +2,7 @@
 //! of elements (superconvergent patch recovery, Zienkiewicz and Zhu 1992). The result is linear in
 //! the displacements, hence given as rows.
 
-use super::mesh::{EdgeChain, Place, PlaneMesh};
+use super::mesh::{EdgeChain, ElementPoint, PlaneMesh};
 use super::model::PlaneModel;
 use super::sparse::SparseVector;
 use calyx_numerics::quadrature::gauss_legendre;
@@ -33,7 +33,7 @@ impl<'a> StressRecovery<'a> {
     }
 
     /// Returns the rows for the smoothed stresses xx, yy, xy (Pa) at a point.
-    pub fn rows(&self, place: Place) -> [SparseVector; 3] {
+    pub fn rows(&self, place: ElementPoint) -> [SparseVector; 3] {
         let samples = sample_weights(&self.model.mesh, &self.elements_of, place);
         let rows = samples.iter().map(|&(sample, _)| self.model.stress_rows(sample)).collect::<Vec<_>>();
         [0, 1, 2].map(|part| {
@@ -44,7 +44,7 @@ impl<'a> StressRecovery<'a> {
     }
 
     /// Returns the smoothed stresses xx, yy, xy (Pa) at a point, from a full displacement vector.
-    pub fn stress(&self, place: Place, displacements: &[f64]) -> [f64; 3] {
+    pub fn stress(&self, place: ElementPoint, displacements: &[f64]) -> [f64; 3] {
         self.rows(place).map(|row| row.dot(displacements))
     }
 
@@ -74,10 +74,10 @@ pub(super) fn elements_of(mesh: &PlaneMesh) -> Vec<Vec<usize>> {
 pub(super) fn sample_weights(
     mesh: &PlaneMesh,
     elements_of: &[Vec<usize>],
-    place: Place,
-) -> Vec<(Place, f64)> {
+    place: ElementPoint,
+) -> Vec<(ElementPoint, f64)> {
     let samples = samples(mesh, elements_of, place.element);
-    let center = mesh.position(Place { xi: 0.0, eta: 0.0, ..place });
+    let center = mesh.position(ElementPoint { xi: 0.0, eta: 0.0, ..place });
     let points = samples.iter().map(|&sample| mesh.position(sample)).collect::<Vec<_>>();
     let size = points
         .iter()
@@ -95,14 +95,14 @@ pub(super) fn sample_weights(
 
 /// Returns the superconvergent points of an element's patch: p by p Gauss points of each element of
 /// order p, `xi` running fastest.
-fn samples(mesh: &PlaneMesh, elements_of: &[Vec<usize>], element: usize) -> Vec<Place> {
+fn samples(mesh: &PlaneMesh, elements_of: &[Vec<usize>], element: usize) -> Vec<ElementPoint> {
     let nodes = &mesh.elements[element].nodes;
     let patch = nodes.iter().flat_map(|&node| &elements_of[node]).copied().collect::<BTreeSet<_>>();
     let mut samples = Vec::new();
     for element in patch {
         let rule = gauss_legendre(usize::from(mesh.elements[element].order.lowest_side()));
         for (eta, _) in &rule {
-            samples.extend(rule.iter().map(|&(xi, _)| Place { element, xi, eta: *eta }));
+            samples.extend(rule.iter().map(|&(xi, _)| ElementPoint { element, xi, eta: *eta }));
         }
     }
     samples

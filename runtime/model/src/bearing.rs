@@ -18,20 +18,20 @@
 //!
 //! See `docs/theory/bearings.md`.
 
-mod placed;
+mod bearing_state;
 mod springs;
 
-pub use placed::Placed;
+pub use bearing_state::BearingState;
 pub use springs::{Springs, damping, springs};
 
 use crate::body::Body;
-use crate::freedom::FREEDOMS;
+use crate::dof::DOF_NAMES;
 use crate::ids::BodyId;
 use calyx_numerics::error::EngineError;
 use nalgebra::{Matrix6, SymmetricEigen};
 use std::f64::consts::TAU;
 
-/// Bearing matrix by rows, in the order of [`FREEDOMS`]. Units of stiffness: N/m, N (per rad, or N
+/// Bearing matrix by rows, in the order of [`DOF_NAMES`]. Units of stiffness: N/m, N (per rad, or N
 /// m per m) and N m/rad; damping: these times s.
 pub type BearingMatrix = [[f64; 6]; 6];
 
@@ -100,7 +100,7 @@ const SIDES: usize = 64;
 const OWN: f64 = 1e-6;
 
 /// Gap equations of a stop and the compliance matrix between them.
-pub struct Walls {
+pub struct StopEquations {
     /// Clearance and direction of each row.
     pub rows: Vec<(f64, [f64; 6])>,
     /// Compliance matrix, m/N, row-major.
@@ -109,10 +109,10 @@ pub struct Walls {
 
 impl Stop {
     /// Returns the gap equations of the stop and the compliance between them.
-    pub fn walls(&self) -> Walls {
+    pub fn walls(&self) -> StopEquations {
         match *self {
             Stop::Wall { clearance, direction, stiffness } => {
-                Walls { rows: vec![(clearance, direction)], compliance: vec![stiffness.recip()] }
+                StopEquations { rows: vec![(clearance, direction)], compliance: vec![stiffness.recip()] }
             }
             Stop::Ring { clearance, stiffness } => {
                 let angle = |side: usize| TAU * (side as f64 + 0.5) / SIDES as f64;
@@ -129,7 +129,7 @@ impl Stop {
                     let own = if one == other { OWN } else { 0.0 };
                     ((1.0 - OWN) * between.cos() + own) / stiffness
                 };
-                Walls {
+                StopEquations {
                     rows: (0..SIDES).map(wall).collect(),
                     compliance: (0..SIDES * SIDES).map(of).collect(),
                 }
@@ -145,7 +145,7 @@ impl Stop {
     }
 
     /// Returns whether the stop carries load at zero deflection.
-    fn presses_at_rest(&self) -> bool {
+    fn is_preloaded(&self) -> bool {
         matches!(self, Stop::Wall { clearance, .. } if *clearance < 0.0)
     }
 
@@ -219,9 +219,9 @@ impl Bearing {
     }
 
     /// Returns whether the bearing carries no load at zero deflection.
-    pub fn is_unloaded_at_rest(&self) -> bool {
+    pub fn is_unloaded_without_motion(&self) -> bool {
         let still = self.unloaded.iter().chain(&self.load).all(|&entry| entry == 0.0);
-        still && !self.stops.iter().any(Stop::presses_at_rest)
+        still && !self.stops.iter().any(Stop::is_preloaded)
     }
 
     /// Whether it can be had on these bodies, beside these other bearings.
@@ -259,7 +259,7 @@ impl Bearing {
             return Err(EngineError::new("E0688", message, "look for a division by zero"));
         }
         self.stops.iter().try_for_each(Stop::check)?;
-        placed::check_races(bodies, self)
+        bearing_state::check_races(bodies, self)
     }
 }
 
@@ -280,7 +280,7 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
             if (one - other).abs() > ROUNDING * (size[i] * size[j]).max(one.abs().min(other.abs())) {
                 let message = format!(
                     "is not symmetric: between {} and {} it has {one} and {other}",
-                    FREEDOMS[i], FREEDOMS[j]
+                    DOF_NAMES[i], DOF_NAMES[j]
                 );
                 return Err((message, SYMMETRIC));
             }
@@ -293,11 +293,11 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
         if value == 0.0 { 0.0 } else { value / scale }
     };
     if let Some(k) = (0..6).find(|&k| matrix[k][k] < 0.0) {
-        return Err((format!("gives energy: its entry for {} is negative", FREEDOMS[k]), ENERGY));
+        return Err((format!("gives energy: its entry for {} is negative", DOF_NAMES[k]), ENERGY));
     }
     if let Some(k) = (0..6).find(|&k| size[k] == 0.0 && matrix[k].iter().any(|&entry| entry != 0.0)) {
         let message =
-            format!("gives energy: {} is coupled to others but has no stiffness itself", FREEDOMS[k]);
+            format!("gives energy: {} is coupled to others but has no stiffness itself", DOF_NAMES[k]);
         return Err((message, ENERGY));
     }
     let eigen = SymmetricEigen::new(Matrix6::from_fn(|i, j| 0.5 * (scaled(i, j) + scaled(j, i))));
@@ -306,7 +306,7 @@ fn check_matrix(matrix: &BearingMatrix) -> Result<(), (String, &'static str)> {
     });
     if least < -ROUNDING {
         let motion = eigen.eigenvectors.column(at);
-        let parts: Vec<&str> = (0..6).filter(|&k| motion[k].abs() > 0.1).map(|k| FREEDOMS[k]).collect();
+        let parts: Vec<&str> = (0..6).filter(|&k| motion[k].abs() > 0.1).map(|k| DOF_NAMES[k]).collect();
         return Err((
             format!("has a negative eigenvalue: moved in {}, it gives energy", parts.join(" and ")),
             ENERGY,

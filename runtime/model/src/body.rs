@@ -1,7 +1,7 @@
 //! A body: what it is made of, its prescribed motion, its free components, its loads and masses.
 
-use crate::freedom::Component;
-use crate::load::{Blow, Load, Wrench};
+use crate::dof::Component;
+use crate::load::{Impulse, Load, Wrench};
 use crate::motion::Motion;
 use crate::prototype::Prototype;
 use calyx_fe::inertia::Inertia;
@@ -18,12 +18,12 @@ pub struct Body {
     pub motion: Arc<dyn Motion>,
     /// Rotation of the structure in its frame, rad: the phase in which a gear is mounted.
     pub phase: f64,
-    /// Unconstrained DOFs of the frame, in the order of [`FREEDOMS`].
+    /// Unconstrained DOFs of the frame, in the order of [`DOF_NAMES`].
     pub free: [bool; 6],
     /// External load on the frame.
     pub load: Arc<dyn Load>,
     /// Additional impulses on the frame. Load ramps do not scale them.
-    pub blows: Vec<Blow>,
+    pub impulses: Vec<Impulse>,
     /// Masses on the frame in addition to the body's own.
     pub added: Inertia,
 }
@@ -42,7 +42,7 @@ impl Body {
             phase: 0.0,
             free: [false; 6],
             load: Arc::new(Wrench::NONE),
-            blows: Vec::new(),
+            impulses: Vec::new(),
             added: Inertia::default(),
         }
     }
@@ -72,7 +72,7 @@ impl Body {
     pub fn acted_on(&self, time: f64, part: f64) -> Wrench {
         let load = self.load.at(time);
         let load = if part == 1.0 { load } else { part * load };
-        self.blows.iter().fold(load, |sum, blow| sum + blow.at(time))
+        self.impulses.iter().fold(load, |sum, impulse| sum + impulse.at(time))
     }
 
     /// Applies a load: a [`Wrench`] or a closure of time, see [`Load`].

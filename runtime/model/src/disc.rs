@@ -39,7 +39,7 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::{Key, KeyWriter};
 use calyx_structure::profile::{Profile, ProfilePoint};
 use calyx_structure::{
-    BodyModes, ElasticStructure, Hold, RigidStructure, SplitOptions, Structure, SurfaceSource,
+    BodyModes, ElasticStructure, MeshSupport, RigidStructure, SplitOptions, Structure, SurfaceSource,
 };
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::sync::Arc;
@@ -160,7 +160,7 @@ impl Disc {
             chain: QUARTERS[surface].into(),
             edges: [None; 2],
             stress_chain: None,
-            stress_places_per_edge: 1,
+            stress_points_per_edge: 1,
         });
         let split = SplitOptions { matching_depth: options.matching_depth, ..SplitOptions::default() };
         Ok((model, surfaces, split))
@@ -196,7 +196,7 @@ impl Prototype for Disc {
             BodyModel::Elements => {}
         }
         let (model, surfaces, split) = self.model(options)?;
-        Ok(Arc::new(ElasticStructure::single(&model, Hold::Free, &surfaces, &split, interrupt)?))
+        Ok(Arc::new(ElasticStructure::single(&model, MeshSupport::Free, &surfaces, &split, interrupt)?))
     }
 
     fn restore(&self, _: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn Structure>> {
@@ -214,7 +214,14 @@ impl Prototype for Disc {
         interrupt: &Interrupt,
     ) -> Result<Option<Arc<BodyModes>>, EngineError> {
         let (model, surfaces, split) = self.model(options)?;
-        Ok(Some(Arc::new(BodyModes::single(&model, Hold::Free, &surfaces, &split, highest, interrupt)?)))
+        Ok(Some(Arc::new(BodyModes::single(
+            &model,
+            MeshSupport::Free,
+            &surfaces,
+            &split,
+            highest,
+            interrupt,
+        )?)))
     }
 
     fn inertia(&self) -> Inertia {

@@ -104,7 +104,7 @@ impl Fidelity {
     }
 
     /// Returns the most that an observable may require at this level.
-    pub fn gives(self) -> Needs {
+    pub fn supports(self) -> Needs {
         match self {
             Fidelity::Rigid => Needs::Motions,
             Fidelity::Analytic => Needs::RootStress,

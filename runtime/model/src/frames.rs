@@ -1,8 +1,8 @@
 //! Prescribed positions of frames, the free components of planned bodies, and the loads on these.
 
-use crate::freedom::Freedom;
+use crate::dof::Dof;
 use crate::mechanism::Mechanism;
-use crate::motion::{PlanePose, Stance, pose_in_space};
+use crate::motion::{Orientation, PlanePose, pose_in_space};
 use crate::plan::Plan;
 use calyx_contact::solid::Pose;
 use calyx_numerics::error::{EngineError, Subject};
@@ -25,15 +25,15 @@ pub fn solid_pose(scene: &Mechanism, body: usize, time: f64) -> Result<Pose, Eng
 
 /// Returns the ground axes under the minimal rotation to a body's axis; NaN if its motion is NaN.
 pub fn axes(scene: &Mechanism, body: usize, time: f64) -> [[f64; 3]; 3] {
-    solid_pose(scene, body, time).map_or([[f64::NAN; 3]; 3], |pose| Stance::of(&pose).axes)
+    solid_pose(scene, body, time).map_or([[f64::NAN; 3]; 3], |pose| Orientation::of(&pose).axes)
 }
 
 /// Returns the free components of the modelled bodies, in order.
-pub fn number_freedoms(scene: &Mechanism, plan: &Plan) -> Vec<Freedom> {
+pub fn number_dofs(scene: &Mechanism, plan: &Plan) -> Vec<Dof> {
     let bodies = scene.bodies.iter().zip(&plan.bodies).enumerate().filter(|(_, (_, plan))| !plan.left_out);
     bodies
         .flat_map(|(index, (body, _))| {
-            (0..6).filter(|&c| body.free[c]).map(move |component| Freedom { body: index, component })
+            (0..6).filter(|&c| body.free[c]).map(move |component| Dof { body: index, component })
         })
         .collect()
 }
@@ -43,33 +43,28 @@ pub fn number_freedoms(scene: &Mechanism, plan: &Plan) -> Vec<Freedom> {
 ///
 /// # Errors
 /// E0710 if a frame is not a number there, E0723 if a load is none.
-pub fn loads_on(
-    scene: &Mechanism,
-    freedoms: &[Freedom],
-    time: f64,
-    part: f64,
-) -> Result<Vec<f64>, EngineError> {
-    let mut loads = Vec::with_capacity(freedoms.len());
+pub fn loads_on(scene: &Mechanism, dofs: &[Dof], time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
+    let mut loads = Vec::with_capacity(dofs.len());
     let mut latest: Option<(usize, [f64; 6])> = None;
-    for freedom in freedoms {
+    for dof in dofs {
         // Evaluate a load once per position, however many components of its body are free.
         let along = match latest {
-            Some((body, along)) if body == freedom.body => along,
+            Some((body, along)) if body == dof.body => along,
             _ => {
-                let stance = Stance::of(&solid_pose(scene, freedom.body, time)?);
-                scene.bodies[freedom.body].acted_on(time, part).along(&stance.axes)
+                let stance = Orientation::of(&solid_pose(scene, dof.body, time)?);
+                scene.bodies[dof.body].acted_on(time, part).along(&stance.axes)
             }
         };
-        latest = Some((freedom.body, along));
-        let load = along[freedom.component];
+        latest = Some((dof.body, along));
+        let load = along[dof.component];
         if !load.is_finite() {
-            let body = &scene.bodies[freedom.body].name;
+            let body = &scene.bodies[dof.body].name;
             return Err(EngineError::new(
                 "E0723",
                 format!("the load on body \"{body}\" is not a finite number at Time = {time} s"),
                 "check the function that gives the load; it must have a value at every position of the analysis",
             )
-            .about(Subject::Body(freedom.body)));
+            .about(Subject::Body(dof.body)));
         }
         loads.push(load);
     }

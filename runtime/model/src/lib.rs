@@ -5,15 +5,13 @@
 
 pub mod bearing;
 pub mod body;
-pub mod building;
 pub mod disc;
+pub mod dof;
 pub mod fidelity;
 pub mod flanks;
 pub mod frames;
-pub mod freedom;
 pub mod ids;
 pub mod load;
-pub mod lug_contact;
 pub mod mechanism;
 pub mod motion;
 pub mod observed;
@@ -23,6 +21,8 @@ pub mod position;
 pub mod prototype;
 pub mod resources;
 pub mod rigid;
+pub mod spline_contact;
+pub mod structure_building;
 pub mod target;
 
 /// Fingerprint of this crate's source: stored structures of its own bodies depend on it.

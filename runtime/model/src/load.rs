@@ -27,7 +27,7 @@ impl Wrench {
         Wrench { moment, ..Wrench::NONE }
     }
 
-    /// What does work on a body's freedoms, in the order of [`crate::freedom::FREEDOMS`], where they count along `axes`; N and N m.
+    /// What does work on a body's freedoms, in the order of [`crate::dof::DOF_NAMES`], where they count along `axes`; N and N m.
     pub fn along(&self, axes: &[[f64; 3]; 3]) -> [f64; 6] {
         let of = |[x, y, z]: [f64; 3]| axes.map(|axis| x * axis[0] + y * axis[1] + z * axis[2]);
         let ([a, b, c], [d, e, f]) = (of(self.force), of(self.moment));
@@ -56,7 +56,7 @@ impl Mul<Wrench> for f64 {
 /// Impulse: the square of a sine half-wave over its duration with a given total momentum. Time
 /// steps integrate it exactly if the duration is an integer number of at least two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blow {
+pub struct Impulse {
     /// Start, s.
     pub at: f64,
     /// Duration, s.
@@ -65,7 +65,7 @@ pub struct Blow {
     pub momentum: Wrench,
 }
 
-impl Load for Blow {
+impl Load for Impulse {
     fn at(&self, time: f64) -> Wrench {
         let passed = (time - self.at) / self.duration;
         if !(0.0..=1.0).contains(&passed) {

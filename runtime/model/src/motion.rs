@@ -62,18 +62,22 @@ impl Motion for SteadyRotation {
 }
 
 /// Motion under a constant rigid displacement, for example with a tilted axis.
-pub struct Placed {
+pub struct RelocatedMotion {
     /// Motion before the displacement.
     pub motion: Arc<dyn Motion>,
     /// Rigid displacement.
     pub pose: Pose,
 }
 
-impl Placed {
+impl RelocatedMotion {
     /// Rotates a motion by `rotation` (a matrix, row by row) about a point (m).
-    pub fn turned_about(motion: Arc<dyn Motion>, rotation: [[f64; 3]; 3], point: [f64; 3]) -> Placed {
+    pub fn rotated_about(
+        motion: Arc<dyn Motion>,
+        rotation: [[f64; 3]; 3],
+        point: [f64; 3],
+    ) -> RelocatedMotion {
         let turned = Pose { rotation, origin: [0.0; 3] }.point(point);
-        Placed { motion, pose: Pose { rotation, origin: [0, 1, 2].map(|k| point[k] - turned[k]) } }
+        RelocatedMotion { motion, pose: Pose { rotation, origin: [0, 1, 2].map(|k| point[k] - turned[k]) } }
     }
 
     /// Displaces a frame or its rate. The displacement is constant, so both transform equally.
@@ -91,7 +95,7 @@ impl Placed {
     }
 }
 
-impl Motion for Placed {
+impl Motion for RelocatedMotion {
     fn frame(&self, time: f64) -> [f64; 12] {
         self.put(self.motion.frame(time))
     }
@@ -227,7 +231,7 @@ pub fn pose_in_space(motion: &dyn Motion, time: f64) -> Result<Pose, EngineError
 /// tilted shaft, or of a wobbling gear on a straight shaft, grows exactly with the rotation of the
 /// shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stance {
+pub struct Orientation {
     /// Ground axes after the minimal rotation that maps e3 to the body's axis, which is the last of
     /// them: unit vectors.
     pub axes: [[f64; 3]; 3],
@@ -235,11 +239,11 @@ pub struct Stance {
     pub angle: f64,
 }
 
-impl Stance {
+impl Orientation {
     /// Returns the orientation of a body in a pose.
-    pub fn of(pose: &Pose) -> Stance {
+    pub fn of(pose: &Pose) -> Orientation {
         let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = pose.rotation;
-        Stance { axes: swung([xz, yz, zz]), angle: (yx - xy).atan2(xx + yy) }
+        Orientation { axes: tilted_axes([xz, yz, zz]), angle: (yx - xy).atan2(xx + yy) }
     }
 
     /// Returns the body's axis.
@@ -255,23 +259,23 @@ impl Stance {
 }
 
 /// Rotates the ground axes by the minimal rotation that maps e3 to `axis` (unit vector).
-pub fn swung([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
+pub fn tilted_axes([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     let by = (1.0 + z).recip();
     let mixed = -x * y * by;
     [[1.0 - x * x * by, mixed, -x], [mixed, 1.0 - y * y * by, -y], [x, y, z]]
 }
 
-/// Displaces and rotates a pose along and about the axes of its body ([`Stance::axes`]) by the
+/// Displaces and rotates a pose along and about the axes of its body ([`Orientation::axes`]) by the
 /// values of its DOFs, m and rad.
 pub fn moved_by(pose: &Pose, by: [f64; 6]) -> Pose {
-    let axes = Stance::of(pose).axes;
+    let axes = Orientation::of(pose).axes;
     let along =
         |[x, y, z]: [f64; 3]| [0, 1, 2].map(|k: usize| x * axes[0][k] + y * axes[1][k] + z * axes[2][k]);
     let [ux, uy, uz, tx, ty, tz] = by;
     let shift = along([ux, uy, uz]);
     let origin = [0, 1, 2].map(|k: usize| pose.origin[k] + shift[k]);
     // Apply the rotation about the body's axis first, then the small tilt, which moves the axis.
-    let turned = pose.turned_first(tz);
+    let turned = pose.rotated_first(tz);
     let lean = tx.hypot(ty);
     if lean == 0.0 {
         return Pose { origin, ..turned };
@@ -379,9 +383,9 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
         .then(|| [0, 1, 2].map(|k: usize| -(pose.rotation[0][k] * off[0] + pose.rotation[1][k] * off[1])))
 }
 
-/// Returns the rate of a body's [`Stance::angle`], rad/s.
-pub fn turning_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
-    let [x, y, z] = Stance::of(&pose_in_space(motion, time)?).axis();
+/// Returns the rate of a body's [`Orientation::angle`], rad/s.
+pub fn rotation_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
+    let [x, y, z] = Orientation::of(&pose_in_space(motion, time)?).axis();
     let [along_x, along_y, along_z] = angular_velocity(motion, time);
     // Complete for a fixed axis, and for one that precesses about e3 at the speed of the body's
     // rotation.
@@ -400,7 +404,7 @@ mod tests {
         assert!((pose.origin[0] - 0.3).abs() < 1e-15 && (pose.origin[1] + 0.2).abs() < 1e-15);
         let [x, y, z] = angular_velocity(&motion, 0.1);
         assert!((z + 2.0).abs() < 1e-14 && x == 0.0 && y == 0.0);
-        assert!((turning_speed(&motion, 0.1).unwrap() + 2.0).abs() < 1e-14);
+        assert!((rotation_speed(&motion, 0.1).unwrap() + 2.0).abs() < 1e-14);
     }
 
     /// Frame that is tilted about x by `tilt`, before or after it is rotated about z by `angle`.
@@ -436,10 +440,10 @@ mod tests {
         for wobbles in [false, true] {
             let motion = Leaning { tilt: 0.05, speed: 3.0, wobbles };
             for time in [0.0, 0.2, 0.7] {
-                let stance = Stance::of(&pose_in_space(&motion, time).unwrap());
+                let stance = Orientation::of(&pose_in_space(&motion, time).unwrap());
                 assert!((stance.angle - 3.0 * time).abs() < 1e-14, "{}", stance.angle);
                 assert!((stance.tilt() - 0.05).abs() < 1e-14);
-                assert!((turning_speed(&motion, time).unwrap() - 3.0).abs() < 1e-9);
+                assert!((rotation_speed(&motion, time).unwrap() - 3.0).abs() < 1e-9);
                 for (i, one) in stance.axes.iter().enumerate() {
                     for (j, other) in stance.axes.iter().enumerate() {
                         let dot: f64 = (0..3).map(|k| one[k] * other[k]).sum();
@@ -453,11 +457,11 @@ mod tests {
     #[test]
     fn a_motion_put_elsewhere_moves_as_it_did_there() {
         let still = SteadyRotation { origin: [0.3, -0.2], start: 0.4, speed: -2.0 };
-        let rotation = swung([0.6 * 0.05_f64.sin(), 0.8 * 0.05_f64.sin(), 0.05_f64.cos()]);
+        let rotation = tilted_axes([0.6 * 0.05_f64.sin(), 0.8 * 0.05_f64.sin(), 0.05_f64.cos()]);
         // The rows of `swung` are images of axes, so the matrix that maps the axes is its
         // transpose.
         let rotation: [[f64; 3]; 3] = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| rotation[j][i]));
-        let placed = Placed::turned_about(Arc::new(still), rotation, [0.1, 0.2, 0.3]);
+        let placed = RelocatedMotion::rotated_about(Arc::new(still), rotation, [0.1, 0.2, 0.3]);
         let (at, there) = (pose_in_space(&still, 0.7).unwrap(), pose_in_space(&placed, 0.7).unwrap());
         let expected = placed.pose.point(at.point([0.01, 0.02, 0.03]));
         let found = there.point([0.01, 0.02, 0.03]);
@@ -512,7 +516,7 @@ mod tests {
     fn axes_swing_no_further_than_their_z() {
         // The minimal rotation does not change the direction of its own axis.
         let axis = [0.03_f64.sin() * 0.6, 0.03_f64.sin() * 0.8, 0.03_f64.cos()];
-        let [x, y, _] = swung(axis);
+        let [x, y, _] = tilted_axes(axis);
         let across: [f64; 3] = std::array::from_fn(|k| 0.8 * x[k] - 0.6 * y[k]);
         let error = [across[0] - 0.8, across[1] + 0.6, across[2]].map(f64::abs);
         assert!(error.iter().all(|error| *error < 1e-15), "{error:?}");

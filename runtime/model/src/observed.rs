@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// Point on a body at which a maximum occurs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Place {
+pub struct Location {
     /// Name of the body.
     pub body: String,
     /// Number of the tooth, counter-clockwise from 0.
@@ -29,7 +29,7 @@ pub struct Observed {
     /// as the stress at the same point of several teeth.
     pub least: Option<f64>,
     /// Location of a maximum.
-    pub place: Option<Place>,
+    pub place: Option<Location>,
 }
 
 impl Observed {

@@ -101,7 +101,7 @@ pub struct GearMesh {
     /// Rotation of the second gear from its prescribed position that brings rigid teeth into
     /// contact, rad. Zero for a mesh that determined the phase of a gear. A mesh that closes a loop
     /// may have a separation due to misplaced axes and thin teeth.
-    pub stand_off: f64,
+    pub center_offset: f64,
 }
 
 impl GearMesh {

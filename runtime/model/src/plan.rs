@@ -3,9 +3,9 @@
 
 use crate::bearing::Bearing;
 use crate::body::Body;
+use crate::dof::DOF_NAMES;
 use crate::fidelity::Needs;
 use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
-use crate::freedom::FREEDOMS;
 use crate::ids::BodyId;
 use crate::load::Wrench;
 use crate::mechanism::Mechanism;
@@ -25,7 +25,7 @@ pub struct Plan {
     /// True if the model is three-dimensional, false if it is a plane section.
     pub in_space: bool,
     /// Outputs without a value, because they require more than this fidelity provides.
-    pub refused: Vec<Refused>,
+    pub refused: Vec<UnsupportedOutput>,
     /// Plan of each body, in the order of the scene.
     pub bodies: Vec<BodyPlan>,
     /// Plan of each bearing, in the order of the scene.
@@ -62,7 +62,7 @@ impl BodyPlan {
 
 /// Output without a value at the chosen fidelity.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refused {
+pub struct UnsupportedOutput {
     /// Index of the output.
     pub output: usize,
     /// Name in results.
@@ -71,7 +71,7 @@ pub struct Refused {
     pub needs: Needs,
 }
 
-impl Refused {
+impl UnsupportedOutput {
     /// Returns the error that reports this output.
     pub fn error(&self, fidelity: Fidelity) -> EngineError {
         EngineError::new(
@@ -88,13 +88,13 @@ impl Refused {
     }
 
     /// Returns those of the outputs that require more than a fidelity provides.
-    pub fn of(scene: &dyn Examined, outputs: &[OutputRequest], fidelity: Fidelity) -> Vec<Refused> {
+    pub fn of(scene: &dyn Examined, outputs: &[OutputRequest], fidelity: Fidelity) -> Vec<UnsupportedOutput> {
         let targets = scene.targets();
         let needs = |observable: usize| targets.get(observable).map(|target| target.needs);
         let refused = |(output, request): (usize, &OutputRequest)| {
             let needs = request.value.observes().into_iter().filter_map(needs).max()?;
             let name = request.name.clone();
-            (needs > fidelity.gives()).then_some(Refused { output, name, needs })
+            (needs > fidelity.supports()).then_some(UnsupportedOutput { output, name, needs })
         };
         outputs.iter().enumerate().filter_map(refused).collect()
     }
@@ -139,7 +139,8 @@ impl Plan {
         options: StructureOptions,
     ) -> Result<Plan, EngineError> {
         let (mechanism, targets) = (scene.mechanism(), scene.targets());
-        let everything = held_together(mechanism, looked_at(mechanism, &targets).chain(touching(mechanism)));
+        let everything =
+            connected_bodies(mechanism, observed_bodies(mechanism, &targets).chain(touching(mechanism)));
         Plan::of((mechanism, &targets), everything, fidelity, options)
     }
 
@@ -176,8 +177,8 @@ impl Plan {
                     .and_then(|()| check_in_plane(body.motion.as_ref()))
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
-            if !untouched && !left_out && body.prototype.lug_contact().is_some() {
-                refuse_lugs(&body.name, fidelity, in_space, body.free)
+            if !untouched && !left_out && body.prototype.spline_contact().is_some() {
+                reject_spline_with_clearance(&body.name, fidelity, in_space, body.free)
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             let options = StructureOptions { stresses, sharp_edges, model, template, ..options };
@@ -209,7 +210,7 @@ impl Plan {
         let bearings: Vec<BearingPlan> =
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
-        ignored.extend(modelled.flat_map(|(bearing, _)| unseen_of(bearing, in_space)));
+        ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, in_space)));
         ignored.sort();
         ignored.dedup();
         Ok(Plan { fidelity, in_space, refused: Vec::new(), bodies, bearings, ignored })
@@ -219,8 +220,12 @@ impl Plan {
     ///
     /// # Errors
     /// E0780: the fidelity provides none of the outputs.
-    pub fn yielding(mut self, scene: &dyn Examined, outputs: &[OutputRequest]) -> Result<Plan, EngineError> {
-        self.refused = Refused::of(scene, outputs, self.fidelity);
+    pub fn for_outputs(
+        mut self,
+        scene: &dyn Examined,
+        outputs: &[OutputRequest],
+    ) -> Result<Plan, EngineError> {
+        self.refused = UnsupportedOutput::of(scene, outputs, self.fidelity);
         match self.refused.first().filter(|_| self.refused.len() == outputs.len()) {
             Some(refused) => Err(refused.error(self.fidelity)),
             None => Ok(self),
@@ -242,7 +247,7 @@ impl Plan {
     }
 
     /// Adds the modes of bodies up to a natural frequency (Hz); 0 adds none.
-    pub fn vibrating(mut self, scene: &Mechanism, highest: f64) -> Plan {
+    pub fn with_modes(mut self, scene: &Mechanism, highest: f64) -> Plan {
         let modelled =
             scene.bodies.iter().zip(&self.bodies).filter(|(_, plan)| highest > 0.0 && plan.is_elastic());
         let rigid =
@@ -310,15 +315,15 @@ impl Identity {
 fn lies_in_space(scene: &Mechanism, fidelity: Fidelity) -> bool {
     let leaves_plane = |body: &Body| {
         body.prototype.needs_space()
-            || [2, 3, 4].iter().any(|&freedom| body.free[freedom])
+            || [2, 3, 4].iter().any(|&dof| body.free[dof])
             || check_in_plane(body.motion.as_ref()).is_err_and(|error| error.code == "E0610")
     };
     match fidelity {
         Fidelity::Plane => false,
         Fidelity::Solid(_) => true,
         Fidelity::Rigid | Fidelity::Analytic => {
-            let loose = scene.bodies.iter().any(|body| body.prototype.lug_contact().is_some());
-            !loose && scene.bodies.iter().any(leaves_plane)
+            let with_clearance = scene.bodies.iter().any(|body| body.prototype.spline_contact().is_some());
+            !with_clearance && scene.bodies.iter().any(leaves_plane)
         }
     }
 }
@@ -345,13 +350,13 @@ fn named_by(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
 }
 
 /// Returns the bodies that an observable depends on: all bodies in surface pairs if it names none.
-pub fn looks_at(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
+pub fn depends_on(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
     let named = named_by(scene, target);
     if target.is_everything() { named.into_iter().chain(touching(scene)).collect() } else { named }
 }
 
 /// Returns the bodies that the observables of the scene name.
-fn looked_at(scene: &Mechanism, targets: &[Target]) -> impl Iterator<Item = BodyId> {
+fn observed_bodies(scene: &Mechanism, targets: &[Target]) -> impl Iterator<Item = BodyId> {
     targets.iter().flat_map(|target| named_by(scene, target))
 }
 
@@ -361,11 +366,11 @@ fn looked_at(scene: &Mechanism, targets: &[Target]) -> impl Iterator<Item = Body
 /// such as vibrations.
 fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bool> {
     let whole = targets.is_empty() || modes_table || targets.iter().any(Target::is_everything);
-    let everything = || held_together(scene, looked_at(scene, targets).chain(touching(scene)));
+    let everything = || connected_bodies(scene, observed_bodies(scene, targets).chain(touching(scene)));
     if whole {
         return everything();
     }
-    let path = held_together(scene, looked_at(scene, targets));
+    let path = connected_bodies(scene, observed_bodies(scene, targets));
     // The equilibrium is one of contact: a body on bearings alone takes part only together with
     // bodies in contact.
     let touches = touching(scene).any(|body| path.get(body.0) == Some(&true));
@@ -373,7 +378,7 @@ fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bo
 }
 
 /// Returns these bodies and all that surface pairs or bearings connect to them.
-fn held_together(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> Vec<bool> {
+fn connected_bodies(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> Vec<bool> {
     let mut wanted = vec![false; scene.bodies.len()];
     let mut more: Vec<BodyId> = bodies.collect();
     while let Some(body) = more.pop() {
@@ -392,7 +397,7 @@ fn held_together(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> Vec
 fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> BearingPlan {
     let unwanted = bearing.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
     let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
-    let idle = !bearing.bodies().any(moves) && bearing.is_unloaded_at_rest();
+    let idle = !bearing.bodies().any(moves) && bearing.is_unloaded_without_motion();
     BearingPlan {
         name: bearing.name.clone(),
         reason: match (unwanted, idle) {
@@ -405,7 +410,7 @@ fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> Be
 }
 
 /// Returns the inputs of a bearing that the analysis ignores.
-fn unseen_of(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
+fn ignored_bearing_inputs(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
     let mut unseen = Vec::new();
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
         unseen.push(Ignored {
@@ -427,12 +432,12 @@ fn unseen_of(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
 
 /// Rejects free out-of-plane components in a plane model, which has no forces to resist them.
 fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineError> {
-    match [2, 3, 4].into_iter().find(|&freedom| free[freedom]) {
-        Some(freedom) => Err(EngineError::new(
+    match [2, 3, 4].into_iter().find(|&dof| free[dof]) {
+        Some(dof) => Err(EngineError::new(
             "E0611",
             format!(
                 "body \"{body}\" is free in {}, which a two-dimensional model does not have",
-                FREEDOMS[freedom]
+                DOF_NAMES[dof]
             ),
             "take it out of `free`: a plane model has \"u_x\", \"u_y\" and \"theta_z\"",
         )
@@ -444,7 +449,12 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
 /// Rejects spline teeth with clearance where they are not supported: in three-dimensional models,
 /// in analytic models (no closed-form compliance of the ring), and on a body whose rotation is
 /// constrained.
-fn refuse_lugs(body: &str, fidelity: Fidelity, in_space: bool, free: [bool; 6]) -> Result<(), EngineError> {
+fn reject_spline_with_clearance(
+    body: &str,
+    fidelity: Fidelity,
+    in_space: bool,
+    free: [bool; 6],
+) -> Result<(), EngineError> {
     if fidelity == Fidelity::Analytic {
         return Err(EngineError::new(
             "E0783",
@@ -489,7 +499,7 @@ pub fn face_widths(scene: &Mechanism) -> Vec<f64> {
     let mut widths = vec![None; scene.bodies.len()];
     for body in 0..scene.bodies.len() {
         if widths[body].is_none() {
-            let together = held_together(scene, std::iter::once(BodyId(body)));
+            let together = connected_bodies(scene, std::iter::once(BodyId(body)));
             let width = narrowest(&|body| together.get(body.0) == Some(&true));
             let known = Some(if width.is_finite() { width } else { all });
             widths.iter_mut().zip(together).filter(|(_, along)| *along).for_each(|(width, _)| *width = known);

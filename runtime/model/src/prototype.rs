@@ -1,13 +1,13 @@
 //! Interface of a body model: its structure, modes and inertia, each built on request.
 
 use crate::fidelity::{Fidelity, StructureOptions};
-use crate::lug_contact::LugContact;
+use crate::spline_contact::SplineContact;
 use calyx_fe::inertia::Inertia;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::Key;
 use calyx_structure::solid::SolidStructure;
-use calyx_structure::{BodyModes, Drawable, MeshedBody, Structure, StructureSize};
+use calyx_structure::{BodyModes, MeshedBody, Structure, StructureSize, VisualizationMesh};
 use std::any::Any;
 use std::sync::Arc;
 
@@ -139,7 +139,7 @@ pub trait Prototype: Any + Send + Sync {
         None
     }
 
-    /// As [`Prototype::shape`], in space: usually [`Reshaped`](calyx_structure::solid::Reshaped), the shared structure under the surfaces
+    /// As [`Prototype::shape`], in space: usually [`ModifiedStructure`](calyx_structure::solid::ModifiedStructure), the shared structure under the surfaces
     /// of this body.
     ///
     /// # Errors
@@ -163,8 +163,8 @@ pub trait Prototype: Any + Send + Sync {
         _options: &StructureOptions,
         _in_space: bool,
         _interrupt: &Interrupt,
-    ) -> Result<Drawable, EngineError> {
-        Ok(Drawable::Not("is of a kind that pictures do not have"))
+    ) -> Result<VisualizationMesh, EngineError> {
+        Ok(VisualizationMesh::Unavailable("is of a kind that pictures do not have"))
     }
 
     /// Derives the mesh of this body from that of [`Prototype::meshed`] of a prototype with the
@@ -204,8 +204,8 @@ pub trait Prototype: Any + Send + Sync {
     }
 
     /// The lugs by which the body rests in what is around it by contact, if it does: those of its structure's
-    /// [`BoreHold::LooseLugs`](calyx_structure::BoreHold::LooseLugs).
-    fn lug_contact(&self) -> Option<LugContact> {
+    /// [`BoreSupport::SplineWithClearance`](calyx_structure::BoreSupport::SplineWithClearance).
+    fn spline_contact(&self) -> Option<SplineContact> {
         None
     }
 

@@ -54,34 +54,34 @@ pub fn cholesky_in_place(matrix: MatMut<'_, f64>) -> bool {
     if !cholesky_in_place(first.as_mut()) {
         return false;
     }
-    divide_by_factor(between.as_mut(), first.as_ref());
+    divide_by_cholesky_factor(between.as_mut(), first.as_ref());
     add_product_lower(last.as_mut(), -1.0, between.as_ref(), between.as_ref().transpose());
     cholesky_in_place(last)
 }
 
 /// Computes `B L^-T` in place of `B`.
-pub fn divide_by_factor(right: MatMut<'_, f64>, lower: MatRef<'_, f64>) {
-    half_solve_in_place(lower, right.transpose_mut());
+pub fn divide_by_cholesky_factor(right: MatMut<'_, f64>, lower: MatRef<'_, f64>) {
+    solve_lower_in_place(lower, right.transpose_mut());
 }
 
-fn half_solve_in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
+fn solve_lower_in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
     let columns = right.ncols();
     if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
         return solve_lower_triangular_in_place(lower, right, Par::Seq);
     }
     let (one, other) = right.split_at_col_mut(half(columns));
-    rayon::join(|| half_solve_in_place(lower, one), || half_solve_in_place(lower, other));
+    rayon::join(|| solve_lower_in_place(lower, one), || solve_lower_in_place(lower, other));
 }
 
 /// Computes `L^-1 B`, half of a solution: `B^T A^-1 B` is then a product of the result with its own
 /// transpose, symmetric and non-negative regardless of rounding.
-pub fn half_solve(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
-    half_solve_in_place(lower, right.as_mut());
+pub fn solve_lower(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
+    solve_lower_in_place(lower, right.as_mut());
     right
 }
 
 /// Computes `L^-T B`, the other half.
-pub fn other_half_solve(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
+pub fn solve_upper(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
     fn in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
         let columns = right.ncols();
         if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
@@ -96,7 +96,7 @@ pub fn other_half_solve(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64>
 
 /// Computes `A^-1 B` from the factor of `A`.
 pub fn solve(lower: MatRef<'_, f64>, right: Mat<f64>) -> Mat<f64> {
-    other_half_solve(lower, half_solve(lower, right))
+    solve_upper(lower, solve_lower(lower, right))
 }
 
 /// Computes `target += scale * A B`.

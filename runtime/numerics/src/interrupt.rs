@@ -5,11 +5,11 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-type Question = dyn Fn(Wanted) -> Result<(), EngineError> + Send + Sync;
+type Question = dyn Fn(MemoryRequest) -> Result<(), EngineError> + Send + Sync;
 
 /// Request for memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Wanted {
+pub struct MemoryRequest {
     /// Memory of the next allocation, bytes; 0 at checkpoints without an allocation.
     pub bytes: u64,
     /// Memory that is reserved for others, allocated or not, bytes.
@@ -20,12 +20,12 @@ pub struct Wanted {
 /// allocation.
 #[derive(Debug, Default)]
 #[must_use = "dropped at once, it is promised to another before it is taken"]
-pub struct Room {
+pub struct MemoryReservation {
     promised: Arc<AtomicU64>,
     bytes: u64,
 }
 
-impl Room {
+impl MemoryReservation {
     /// Returns the size of the reservation.
     pub fn bytes(&self) -> u64 {
         self.bytes
@@ -38,7 +38,7 @@ impl Room {
     }
 }
 
-impl Drop for Room {
+impl Drop for MemoryReservation {
     fn drop(&mut self) {
         self.promised.fetch_sub(self.bytes, Ordering::Relaxed);
     }
@@ -78,7 +78,9 @@ impl Interrupt {
     }
 
     /// Creates an interrupt from a callback that receives the requests for memory.
-    pub fn counting(question: impl Fn(Wanted) -> Result<(), EngineError> + Send + Sync + 'static) -> Self {
+    pub fn counting(
+        question: impl Fn(MemoryRequest) -> Result<(), EngineError> + Send + Sync + 'static,
+    ) -> Self {
         Self { question: Some(Arc::new(question)), ..Self::default() }
     }
 
@@ -92,24 +94,24 @@ impl Interrupt {
     /// # Errors
     /// The error of the callback.
     pub fn check(&self) -> Result<(), EngineError> {
-        self.room_for(0).map(drop)
+        self.reserve_memory(0).map(drop)
     }
 
     /// Checkpoint before an allocation of `bytes`, which are reserved until the result is dropped.
     ///
     /// # Errors
     /// The error of the callback.
-    pub fn room_for(&self, bytes: u64) -> Result<Room, EngineError> {
+    pub fn reserve_memory(&self, bytes: u64) -> Result<MemoryReservation, EngineError> {
         let promised = self.promised.fetch_add(bytes, Ordering::Relaxed);
         // A refused request is released.
-        let room = Room { promised: self.promised.clone(), bytes };
+        let room = MemoryReservation { promised: self.promised.clone(), bytes };
         self.most.fetch_max(promised + bytes, Ordering::Relaxed);
-        let wanted = Wanted { bytes, promised };
+        let wanted = MemoryRequest { bytes, promised };
         self.question.as_ref().map_or(Ok(()), |question| question(wanted)).map(|()| room)
     }
 
     /// Returns the largest number of bytes requested at a time by all threads together.
-    pub fn most_asked(&self) -> u64 {
+    pub fn largest_request(&self) -> u64 {
         self.most.load(Ordering::Relaxed)
     }
 }
@@ -132,19 +134,19 @@ mod tests {
             Interrupt::counting(
                 move |wanted| if wanted.bytes + wanted.promised <= 100 { Ok(()) } else { Err(full()) },
             );
-        let first = interrupt.room_for(60).expect("there is room");
-        assert_eq!(interrupt.room_for(60).map(drop).map_err(|error| error.code), Err("E0707"));
+        let first = interrupt.reserve_memory(60).expect("there is room");
+        assert_eq!(interrupt.reserve_memory(60).map(drop).map_err(|error| error.code), Err("E0707"));
         // A refused request reserves nothing.
-        let second = interrupt.clone().room_for(40).expect("there is room");
-        assert_eq!(interrupt.most_asked(), 120);
+        let second = interrupt.clone().reserve_memory(40).expect("there is room");
+        assert_eq!(interrupt.largest_request(), 120);
         interrupt.check().expect("it takes nothing");
         drop(first);
-        let mut third = interrupt.room_for(60).expect("there is room again");
+        let mut third = interrupt.reserve_memory(60).expect("there is room again");
         third.shrink_to(20);
         third.shrink_to(40);
-        let fourth = interrupt.room_for(40).expect("there is room for what is not taken after all");
-        assert_eq!(interrupt.room_for(1).map(drop).map_err(|error| error.code), Err("E0707"));
+        let fourth = interrupt.reserve_memory(40).expect("there is room for what is not taken after all");
+        assert_eq!(interrupt.reserve_memory(1).map(drop).map_err(|error| error.code), Err("E0707"));
         drop((second, third, fourth));
-        interrupt.room_for(100).map(drop).expect("all is given back");
+        interrupt.reserve_memory(100).map(drop).expect("all is given back");
     }
 }

@@ -4,10 +4,10 @@ use crate::budget;
 use crate::directory::{self, StageTimes};
 use crate::engine::{Engine, EngineConfig};
 use crate::error::Error;
-use crate::given::Given;
 use crate::interrupt;
 use crate::options::RunArguments;
-use crate::params::Refused;
+use crate::param_assignment::ParamAssignment;
+use crate::params::InvalidParam;
 use crate::program::Program;
 use crate::run::{RunError, RunOptions, RunReport, run};
 use crate::run_directory::DirectoryError;
@@ -28,7 +28,7 @@ pub const USAGE: u8 = 2;
 /// How a command speaks to whoever gave it.
 pub trait Messages {
     /// Why what was given cannot be used.
-    fn refused(&self, why: &Refused);
+    fn refused(&self, why: &InvalidParam);
     /// Why the run failed.
     fn error(&self, error: &RuntimeError);
     /// What the library found, with places in the source.
@@ -54,7 +54,7 @@ pub struct RunCommand<'c> {
 
 impl RunCommand<'_> {
     /// Does what the options say, with the params that they gave: the exit status.
-    pub fn execute(self, given: Vec<Given>) -> u8 {
+    pub fn execute(self, given: Vec<ParamAssignment>) -> u8 {
         let RunCommand { program, arguments, before, default_directory, messages, silent } = self;
         let directory = arguments.out.clone().unwrap_or(default_directory);
         let threads = arguments.threads.map_or(0, NonZeroUsize::get);
@@ -80,7 +80,7 @@ impl RunCommand<'_> {
             resume: arguments.resume,
             fields: arguments.fields,
             vtu: arguments.vtu,
-            overrides: arguments.overrides.knobs(),
+            overrides: arguments.overrides.to_override(),
             cancel: interrupt::flag(),
         };
         match run(program, &options) {
@@ -130,7 +130,7 @@ fn failed(error: &RunError, directory: &Path, messages: &dyn Messages) -> u8 {
             MODEL_ERROR
         }
         RunError::Directory(error) => {
-            messages.refused(&Refused::new(error.to_string(), error.help()));
+            messages.refused(&InvalidParam::new(error.to_string(), error.help()));
             match error {
                 DirectoryError::Foreign { .. } | DirectoryError::InTheWay { .. } => USAGE,
                 DirectoryError::InUse { .. } | DirectoryError::Io { .. } => MODEL_ERROR,
@@ -154,7 +154,7 @@ pub fn refused_by_check(directory: &Path, messages: &dyn Messages) -> u8 {
 
 /// Says that a directory does not take results.
 pub fn unwritable(path: &Path, error: &io::Error, messages: &dyn Messages) -> u8 {
-    messages.refused(&Refused::new(
+    messages.refused(&InvalidParam::new(
         format!("cannot write results to {}: {error}", path.display()),
         "choose another directory with --out",
     ));
@@ -165,7 +165,7 @@ fn print_document(directory: &Path, messages: &dyn Messages) -> u8 {
     match directory::document(directory) {
         Ok(document) => print_json(&document, messages),
         Err(error) => {
-            messages.refused(&Refused::new(
+            messages.refused(&InvalidParam::new(
                 format!("cannot read the results in {}: {error}", directory.display()),
                 "",
             ));
@@ -182,7 +182,7 @@ pub fn print_json(document: &serde_json::Value, messages: &dyn Messages) -> u8 {
         .and_then(|()| writeln!(out))
     {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            messages.refused(&Refused::new(format!("cannot print the results: {error}"), ""));
+            messages.refused(&InvalidParam::new(format!("cannot print the results: {error}"), ""));
             MODEL_ERROR
         }
         _ => SUCCESS,

@@ -1,21 +1,21 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
 
 use crate::field_tables::{self, FieldTables};
-use crate::journal::{Found, Journal};
+use crate::journal::{FoundJournal, Journal};
 use crate::stress_range::StressRange;
-use crate::vtu::{self, Pictures};
+use crate::vtu::{self, VtuFiles};
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
     FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
 };
 use calyx_abi::units::from_si;
 use calyx_runtime::estimate::{ErrorEstimate, Statistics};
-use calyx_runtime::observe::Fields;
-use calyx_runtime::overriding::Override;
+use calyx_runtime::observables::Fields;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
+use calyx_runtime::settings_override::Override;
 use calyx_runtime::summary::Harmonic;
-use calyx_runtime::tolerance::{Chosen, Setting, Tried};
+use calyx_runtime::tolerance::{Attempt, Setting, ToleranceOutcome};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -108,7 +108,7 @@ pub struct Record {
     table: StepTable,
     tables: FieldTables,
     stresses: StressRange,
-    pictures: Option<Pictures>,
+    pictures: Option<VtuFiles>,
     journal: Journal,
 }
 
@@ -124,30 +124,30 @@ impl Record {
             table: StepTable::create(directory, outputs)?,
             tables: FieldTables::create(directory, details.tables)?,
             stresses: StressRange::create(directory)?,
-            pictures: details.pictures.then(|| Pictures::begin(directory, Vec::new())).transpose()?,
+            pictures: details.pictures.then(|| VtuFiles::begin(directory, Vec::new())).transpose()?,
             journal: Journal::create(directory, head)?,
         })
     }
 
     /// Begins behind what an earlier run solved.
-    pub fn go_on(
+    pub fn resume(
         directory: &Path,
         outputs: &[OutputDescription],
-        found: &Found,
+        found: &FoundJournal,
         details: Details,
     ) -> io::Result<Record> {
         let tables = match found.solved.len() {
             0 => FieldTables::create(directory, details.tables)?,
-            solved => FieldTables::go_on(directory, solved, details.tables)?,
+            solved => FieldTables::resume(directory, solved, details.tables)?,
         };
-        let stresses = StressRange::go_on(directory)?;
+        let stresses = StressRange::resume(directory)?;
         let times = found.solved.iter().map(|solved| solved.row.position.time).collect();
-        let pictures = details.pictures.then(|| Pictures::begin(directory, times)).transpose()?;
+        let pictures = details.pictures.then(|| VtuFiles::begin(directory, times)).transpose()?;
         let mut table = StepTable::create(directory, outputs)?;
         for (index, solved) in found.solved.iter().enumerate() {
             table.write(index, &solved.row)?;
         }
-        Ok(Record { table, tables, stresses, pictures, journal: Journal::go_on(directory, found)? })
+        Ok(Record { table, tables, stresses, pictures, journal: Journal::resume(directory, found)? })
     }
 
     pub fn write(
@@ -362,9 +362,9 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
 }
 
 /// What was taken for a tolerance, and what was tried before it.
-fn chosen_json(chosen: &Chosen) -> Value {
+fn chosen_json(chosen: &ToleranceOutcome) -> Value {
     let setting = |Setting { fidelity, refinement, cells, positions }: &Setting| json!({ "fidelity": fidelity.name(), "refinement": refinement, "cells": cells, "positions": positions });
-    let tried = chosen.tried.iter().map(|Tried { setting: own, whole, worst: (output, error) }| {
+    let tried = chosen.tried.iter().map(|Attempt { setting: own, whole, worst: (output, error) }| {
         json!({ "setting": setting(own), "all_positions": whole, "output": output, "relative": error })
     });
     let taken = chosen.tried.get(chosen.taken);

@@ -1,7 +1,7 @@
 //! Why something that was asked of an instance was not done, as data.
 
-use crate::given::Origin;
-use crate::params::Refused;
+use crate::param_assignment::Origin;
+use crate::params::InvalidParam;
 use calyx_abi::RuntimeError;
 use calyx_abi::error::codes;
 use std::fmt;
@@ -11,7 +11,7 @@ use std::fmt;
 pub enum Error {
     /// What was given cannot be used: a name that the model does not have, a unit of another dimension, a value out of
     /// range.
-    Given(Refused),
+    Given(InvalidParam),
     /// The model or its analysis failed, or was ended before its time.
     Model(RuntimeError),
 }
@@ -33,13 +33,13 @@ pub enum ErrorKind {
 
 impl Error {
     pub(crate) fn given(message: impl Into<String>, help: impl Into<String>) -> Error {
-        Error::Given(Refused::new(message, help))
+        Error::Given(InvalidParam::new(message, help))
     }
 
     /// The same error of what was given in a file.
     pub(crate) fn placed(self, origin: Option<&Origin>) -> Error {
         match self {
-            Error::Given(refused) => Error::Given(Refused { origin: origin.cloned(), ..refused }),
+            Error::Given(refused) => Error::Given(InvalidParam { origin: origin.cloned(), ..refused }),
             error => error,
         }
     }

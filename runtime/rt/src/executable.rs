@@ -2,15 +2,15 @@
 //! `calyx run` takes.
 
 use crate::command::{MODEL_ERROR, Messages, RunCommand, USAGE, print_json};
-use crate::given::Given;
 use crate::help;
 use crate::linked::LinkedProgram;
+use crate::nan_log::NanLog;
 use crate::options::RunArguments;
-use crate::params::Refused;
+use crate::param_assignment::ParamAssignment;
+use crate::params::InvalidParam;
 use crate::program::{ParamFunction, Program};
 use crate::report::{problem, refused};
 use crate::schema::schema;
-use crate::seen::Seen;
 use calyx_abi::description::{FileDescription, ModelDescription, ModuleTable};
 use calyx_abi::visible::visible;
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
@@ -85,7 +85,7 @@ pub fn main(program: Arc<dyn Program>, arguments: &[OsString]) -> u8 {
     let name = arguments.first().and_then(|path| Path::new(path).file_name());
     let mut directory = name.map_or_else(|| "model".into(), OsString::from);
     directory.push(".run");
-    let messages = Told { description };
+    let messages = StandaloneMessages { description };
     let program = Arc::new(Standalone { program: program.clone(), tables: tables.tables });
     let command = RunCommand {
         program,
@@ -160,18 +160,18 @@ impl Program for Standalone {
         self.program.main(context)
     }
 
-    fn explain(&self, error: &mut RuntimeError, given: &[Given], seen: &Seen) {
+    fn explain(&self, error: &mut RuntimeError, given: &[ParamAssignment], seen: &NanLog) {
         self.program.explain(error, given, seen);
     }
 }
 
 /// What an executable says, on standard error.
-struct Told<'d> {
+struct StandaloneMessages<'d> {
     description: &'d ModelDescription,
 }
 
-impl Messages for Told<'_> {
-    fn refused(&self, why: &Refused) {
+impl Messages for StandaloneMessages<'_> {
+    fn refused(&self, why: &InvalidParam) {
         eprint!("{}", refused(why));
     }
 

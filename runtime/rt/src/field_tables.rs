@@ -4,8 +4,8 @@
 //! Rows of a position are on disk before its line of the journal, so that a run that goes on finds them; SI throughout.
 
 use calyx_abi::description::OutputDescription;
-use calyx_runtime::observe::{ContactField, Fields, FilletField};
-use calyx_runtime::results::{Place, StepRow};
+use calyx_runtime::observables::{ContactField, Fields, FilletField};
+use calyx_runtime::results::{Location, StepRow};
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -32,11 +32,11 @@ pub const BACK: &str = "back";
 /// The tables of a run, being written.
 pub struct FieldTables {
     line_load: csv::Writer<File>,
-    asked_for: Option<Asked>,
+    asked_for: Option<OptionalTables>,
 }
 
 /// What is large, and written where it is asked for.
-struct Asked {
+struct OptionalTables {
     pressure: csv::Writer<File>,
     root_stress: csv::Writer<File>,
     places: csv::Writer<File>,
@@ -54,9 +54,9 @@ impl FieldTables {
         let on_flanks = ["first_radius", "first_roll_angle", "second_radius", "second_roll_angle", "axial"];
         let patch = |columns: &[&'static str]| [&PATCH[..], &on_flanks, columns].concat();
         let at = ["body", "tooth", "radius", "roll_angle", "axial"];
-        let asked = || -> io::Result<Asked> {
+        let asked = || -> io::Result<OptionalTables> {
             let stresses = ["along_profile", "along_face", "shear", "largest", "smallest"];
-            Ok(Asked {
+            Ok(OptionalTables {
                 pressure: begin(PRESSURE, patch(&["pressure"]))?,
                 root_stress: begin(ROOT_STRESS, [&["step"][..], &at, &stresses].concat())?,
                 places: begin(PLACES, [&["step", "output"][..], &at].concat())?,
@@ -72,14 +72,14 @@ impl FieldTables {
     }
 
     /// Begins them with what an earlier run has written of its first positions, which are there as [`are_in`] says.
-    pub fn go_on(directory: &Path, solved: usize, asked_for: bool) -> io::Result<FieldTables> {
+    pub fn resume(directory: &Path, solved: usize, asked_for: bool) -> io::Result<FieldTables> {
         let append = |name: &str| -> io::Result<csv::Writer<File>> {
             let path = directory.join(name);
             keep_first(&path, solved)?;
             Ok(csv::Writer::from_writer(File::options().append(true).open(path)?))
         };
-        let asked = || -> io::Result<Asked> {
-            Ok(Asked {
+        let asked = || -> io::Result<OptionalTables> {
+            Ok(OptionalTables {
                 pressure: append(PRESSURE)?,
                 root_stress: append(ROOT_STRESS)?,
                 places: append(PLACES)?,
@@ -124,13 +124,13 @@ fn patch(step: usize, contact: &ContactField) -> [String; 6] {
 }
 
 /// Columns of a place on both flanks.
-fn on_flanks(first: &Place, second: &Place) -> [String; 5] {
+fn on_flanks(first: &Location, second: &Location) -> [String; 5] {
     let [radius, roll, axial] = coordinates(first);
     let [second_radius, second_roll, _] = coordinates(second);
     [radius, roll, second_radius, second_roll, axial]
 }
 
-impl Asked {
+impl OptionalTables {
     fn write(
         &mut self,
         step: usize,
@@ -179,7 +179,7 @@ pub fn are_in(directory: &Path, asked_for: bool) -> bool {
 }
 
 /// Radius, roll angle and axial place; what a place does not have is left empty.
-fn coordinates(place: &Place) -> [String; 3] {
+fn coordinates(place: &Location) -> [String; 3] {
     let optional = |number: Option<f64>| number.map(|number| number.to_string()).unwrap_or_default();
     [place.radius.to_string(), optional(place.roll_angle), optional(place.axial)]
 }

@@ -77,21 +77,21 @@ impl Host {
     ///
     /// # Errors
     /// The model has no such function, or one with other arguments or another result; the message shows both.
-    pub(crate) fn fitted(&self, description: &ModelDescription) -> Result<Fitted, Error> {
+    pub(crate) fn fitted(&self, description: &ModelDescription) -> Result<ResolvedHost, Error> {
         let found = self.functions.resolve(&description.host_functions);
         let functions = found.map_err(|unfit| Error::given(unfit.message, unfit.help))?;
-        Ok(Fitted { functions, scene: self.scene.clone() })
+        Ok(ResolvedHost { functions, scene: self.scene.clone() })
     }
 }
 
 /// What is provided, as one model uses it.
 #[derive(Clone, Default)]
-pub(crate) struct Fitted {
+pub(crate) struct ResolvedHost {
     functions: Resolved,
     scene: Provided,
 }
 
-impl Fitted {
+impl ResolvedHost {
     /// Gives a context what is provided, before the program runs in it.
     pub(crate) fn provide(&self, context: &mut Context) {
         context.host_functions = self.functions.clone();

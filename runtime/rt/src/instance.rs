@@ -2,24 +2,24 @@
 
 use crate::engine::Engine;
 use crate::error::Error;
-use crate::given::{Given, GivenValue};
-use crate::host::{Fitted, Host};
+use crate::host::{Host, ResolvedHost};
 use crate::names::{Names, Output, Param, ParamName, shape};
+use crate::nan_log::NanLog;
+use crate::param_assignment::{AssignedValue, ParamAssignment};
 use crate::params::{self, Setting};
 use crate::program::Program;
 use crate::results::Results;
-use crate::seen::Seen;
 use crate::stepping::{Run, Steps};
-use crate::watching::{Watcher, interrupt};
+use crate::watcher::{Watcher, interrupt};
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::limits::Limits;
 use calyx_abi::{Cancel, Context, Status, stack};
 use calyx_gears::host::ModelHost;
 use calyx_runtime::error::EngineError;
-use calyx_runtime::observe::Fields;
-use calyx_runtime::overriding::Override;
+use calyx_runtime::observables::Fields;
 use calyx_runtime::results::Solved;
-use calyx_runtime::tolerance::Choosing;
+use calyx_runtime::settings_override::Override;
+use calyx_runtime::tolerance::SearchProgress;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -37,7 +37,7 @@ pub struct Progress {
 pub(crate) type ProgressSink = Arc<Mutex<dyn FnMut(Progress) + Send>>;
 pub(crate) type RecordSink =
     Arc<Mutex<dyn FnMut(usize, &Solved, Option<&Fields>) -> Result<(), EngineError> + Send>>;
-pub(crate) type ChoosingSink = Arc<Mutex<dyn FnMut(&Choosing) + Send>>;
+pub(crate) type SearchProgressSink = Arc<Mutex<dyn FnMut(&SearchProgress) + Send>>;
 type PrintSink = Arc<Mutex<dyn FnMut(&str) + Send>>;
 
 /// A model with values of its own.
@@ -51,14 +51,14 @@ pub struct Instance {
     /// By param.
     settings: Vec<Option<Setting>>,
     /// What the embedding program provides.
-    host: Fitted,
+    host: ResolvedHost,
     time_limit: Option<Duration>,
     memory_limit: Option<u64>,
     cancel: Cancel,
     print: Option<PrintSink>,
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
-    choosing: Option<ChoosingSink>,
+    choosing: Option<SearchProgressSink>,
     solved: Vec<Solved>,
     fields: usize,
     bodies: bool,
@@ -75,7 +75,7 @@ impl Instance {
             program,
             shape,
             settings,
-            host: Fitted::default(),
+            host: ResolvedHost::default(),
             time_limit: None,
             memory_limit: None,
             cancel: Cancel::default(),
@@ -120,7 +120,7 @@ impl Instance {
     ///
     /// # Errors
     /// There is no such param, or it does not take such a value.
-    pub fn set(&mut self, param: impl ParamName, value: impl Into<GivenValue>) -> Result<(), Error> {
+    pub fn set(&mut self, param: impl ParamName, value: impl Into<AssignedValue>) -> Result<(), Error> {
         let index = param.index_in(self.names())?;
         let setting = Setting::new(self.program.description(), index, &value.into(), None)?;
         self.settings[index] = Some(setting);
@@ -131,7 +131,7 @@ impl Instance {
     ///
     /// # Errors
     /// As for [`Instance::set`].
-    pub fn give(&mut self, given: &Given) -> Result<(), Error> {
+    pub fn give(&mut self, given: &ParamAssignment) -> Result<(), Error> {
         let (name, origin) = (given.name.as_str(), given.origin.as_ref());
         let index = name.index_in(self.names()).map_err(|error| error.placed(given.name_origin.as_ref()))?;
         let setting = Setting::new(self.program.description(), index, &given.value, origin)?;
@@ -144,7 +144,7 @@ impl Instance {
     /// # Errors
     /// As for [`Instance::set`].
     pub fn set_si(&mut self, param: impl ParamName, si: f64) -> Result<(), Error> {
-        self.set(param, GivenValue::Si(si))
+        self.set(param, AssignedValue::Si(si))
     }
 
     /// Gives a param its default again.
@@ -223,11 +223,11 @@ impl Instance {
 
     /// Sets the function that receives each setting before it is tried for a tolerance. It is called
     /// on the thread of the run.
-    pub fn on_choosing(&mut self, sink: impl FnMut(&Choosing) + Send + 'static) {
+    pub fn on_choosing(&mut self, sink: impl FnMut(&SearchProgress) + Send + 'static) {
         self.choosing = Some(Arc::new(Mutex::new(sink)));
     }
 
-    /// What is given each position by its index, with its certificate and, where [`Instance::tell_fields`] asks for them, its fields, on
+    /// What is given each position by its index, with its certificate and, where [`Instance::request_fields`] asks for them, its fields, on
     /// the thread of the run. Other than [`Instance::run`]
     /// it holds the run until it is done with the position. An error from it ends the analysis.
     pub fn on_solved(
@@ -239,18 +239,18 @@ impl Instance {
 
     /// What an earlier run with the same values solved of its first positions: runs begin after them, and their results are
     /// those of runs that solved them all.
-    pub fn begin_after(&mut self, solved: Vec<Solved>) {
+    pub fn resume_after(&mut self, solved: Vec<Solved>) {
         self.solved = solved;
     }
 
     /// Has the fields of so many positions at most, evenly spread from the first on, told to [`Instance::on_solved`], which takes a
     /// little time for each.
-    pub fn tell_fields(&mut self, positions: usize) {
+    pub fn request_fields(&mut self, positions: usize) {
         self.fields = positions;
     }
 
     /// Has the meshes of elastic bodies, deformed, told among these fields.
-    pub fn tell_bodies(&mut self, bodies: bool) {
+    pub fn request_bodies(&mut self, bodies: bool) {
         self.bodies = bodies;
     }
 
@@ -305,13 +305,13 @@ struct Job {
     program: Arc<dyn Program>,
     shape: u64,
     settings: Vec<Option<Setting>>,
-    host: Fitted,
+    host: ResolvedHost,
     limits: Limits,
     cancel: Cancel,
     print: Option<PrintSink>,
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
-    choosing: Option<ChoosingSink>,
+    choosing: Option<SearchProgressSink>,
     solved: Vec<Solved>,
     fields: usize,
     bodies: bool,
@@ -335,13 +335,13 @@ impl Job {
 
     /// Runs the program; its positions go to `hand_over`.
     fn execute(self, hand_over: Option<Steps>) -> Result<Results, Error> {
-        let seen = Seen::new(self.cancel.clone(), self.limits);
+        let seen = NanLog::new(self.cancel.clone(), self.limits);
         let (program, settings) = (self.program.clone(), self.settings.clone());
         self.watched(hand_over, &seen).map_err(|error| match error {
             Error::Model(mut error) => {
                 let params = program.description().params.iter().zip(settings);
-                let given: Vec<Given> = params
-                    .filter_map(|(param, setting)| Some(Given::value(&param.name, setting?.value)))
+                let given: Vec<ParamAssignment> = params
+                    .filter_map(|(param, setting)| Some(ParamAssignment::value(&param.name, setting?.value)))
                     .collect();
                 program.explain(&mut error, &given, &seen);
                 Error::Model(error)
@@ -350,7 +350,7 @@ impl Job {
         })
     }
 
-    fn watched(self, hand_over: Option<Steps>, seen: &Seen) -> Result<Results, Error> {
+    fn watched(self, hand_over: Option<Steps>, seen: &NanLog) -> Result<Results, Error> {
         let mut context = self.context();
         context.kernels = seen.watched(self.program.kernels());
         params::resolve(self.program.as_ref(), &self.settings, &mut context)?;

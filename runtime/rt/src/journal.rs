@@ -7,7 +7,7 @@
 
 use calyx_runtime::analysis::Position;
 use calyx_runtime::contact::problem::Certificate;
-use calyx_runtime::results::{Observed, Place, Solved, StepRow};
+use calyx_runtime::results::{Location, Observed, Solved, StepRow};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 use std::fs::{self, File, OpenOptions};
@@ -23,7 +23,7 @@ pub fn path(directory: &Path) -> PathBuf {
 
 /// A journal as it was found.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct FoundJournal {
     /// What the run was of.
     pub head: Value,
     /// The positions it completed, from the first on.
@@ -36,7 +36,7 @@ pub struct Found {
 ///
 /// # Errors
 /// It is there and cannot be read.
-pub fn find(directory: &Path) -> io::Result<Option<Found>> {
+pub fn find(directory: &Path) -> io::Result<Option<FoundJournal>> {
     let text = match fs::read(path(directory)) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
@@ -45,9 +45,9 @@ pub fn find(directory: &Path) -> io::Result<Option<Found>> {
     let mut lines = text.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
     let first = lines.next().and_then(|line| Some((line.len(), serde_json::from_slice::<Value>(line).ok()?)));
     let Some((bytes, first)) = first.filter(|(_, first)| first["journal"] == FORMAT) else { return Ok(None) };
-    let mut found = Found { head: first["run"].clone(), solved: Vec::new(), bytes: bytes as u64 };
+    let mut found = FoundJournal { head: first["run"].clone(), solved: Vec::new(), bytes: bytes as u64 };
     for line in lines {
-        let entry = serde_json::from_slice::<Entry>(line).ok();
+        let entry = serde_json::from_slice::<JournalEntry>(line).ok();
         let Some(entry) = entry.filter(|entry| entry.step == found.solved.len()) else { break };
         found.solved.push(entry.solved());
         found.bytes += line.len() as u64;
@@ -76,7 +76,7 @@ impl Journal {
     ///
     /// # Errors
     /// It cannot be written.
-    pub fn go_on(directory: &Path, found: &Found) -> io::Result<Journal> {
+    pub fn resume(directory: &Path, found: &FoundJournal) -> io::Result<Journal> {
         let file = OpenOptions::new().append(true).open(path(directory))?;
         file.set_len(found.bytes)?;
         Ok(Journal { file, written: found.solved.len() })
@@ -87,7 +87,7 @@ impl Journal {
     /// # Errors
     /// It cannot be written.
     pub fn write(&mut self, solved: &Solved) -> io::Result<()> {
-        write_line(&mut self.file, &Entry::of(self.written, solved))?;
+        write_line(&mut self.file, &JournalEntry::of(self.written, solved))?;
         self.written += 1;
         Ok(())
     }
@@ -113,90 +113,92 @@ pub fn remove(directory: &Path) -> io::Result<()> {
 
 /// The line of a position.
 #[derive(Serialize, Deserialize)]
-struct Entry {
+struct JournalEntry {
     step: usize,
-    time: Exact,
-    cycle: Exact,
-    roll: Exact,
+    time: ExactNumber,
+    cycle: ExactNumber,
+    roll: ExactNumber,
     point: String,
     /// Value, least, place.
-    outputs: Vec<(Exact, Option<Exact>, Option<At>)>,
+    outputs: Vec<(ExactNumber, Option<ExactNumber>, Option<LocationRecord>)>,
     warnings: Vec<String>,
     /// Complementarity, penetration, tension, equilibrium.
-    certificate: [Exact; 4],
+    certificate: [ExactNumber; 4],
     /// Of a step in time.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    state: Vec<Exact>,
+    state: Vec<ExactNumber>,
 }
 
 /// A place on a body.
 #[derive(Serialize, Deserialize)]
-struct At {
+struct LocationRecord {
     body: String,
     tooth: u32,
-    roll_angle: Option<Exact>,
-    radius: Exact,
-    axial: Option<Exact>,
+    roll_angle: Option<ExactNumber>,
+    radius: ExactNumber,
+    axial: Option<ExactNumber>,
 }
 
-impl Entry {
-    fn of(step: usize, solved: &Solved) -> Entry {
+impl JournalEntry {
+    fn of(step: usize, solved: &Solved) -> JournalEntry {
         let Solved { row: StepRow { position, outputs, warnings }, certificate, state } = solved;
-        let at = |place: &Place| At {
+        let at = |place: &Location| LocationRecord {
             body: place.body.clone(),
             tooth: place.tooth,
-            roll_angle: place.roll_angle.map(Exact),
-            radius: Exact(place.radius),
-            axial: place.axial.map(Exact),
+            roll_angle: place.roll_angle.map(ExactNumber),
+            radius: ExactNumber(place.radius),
+            axial: place.axial.map(ExactNumber),
         };
         let Certificate { complementarity, penetration, tension, equilibrium } = *certificate;
-        Entry {
+        JournalEntry {
             step,
-            time: Exact(position.time),
-            cycle: Exact(position.cycle),
-            roll: Exact(position.roll),
+            time: ExactNumber(position.time),
+            cycle: ExactNumber(position.cycle),
+            roll: ExactNumber(position.roll),
             point: position.name.to_string(),
             outputs: outputs
                 .iter()
-                .map(|output| (Exact(output.value), output.least.map(Exact), output.place.as_ref().map(at)))
+                .map(|output| {
+                    (ExactNumber(output.value), output.least.map(ExactNumber), output.place.as_ref().map(at))
+                })
                 .collect(),
             warnings: warnings.clone(),
-            certificate: [complementarity, penetration, tension, equilibrium].map(Exact),
-            state: state.iter().copied().map(Exact).collect(),
+            certificate: [complementarity, penetration, tension, equilibrium].map(ExactNumber),
+            state: state.iter().copied().map(ExactNumber).collect(),
         }
     }
 
     fn solved(self) -> Solved {
-        let place = |at: At| Place {
+        let place = |at: LocationRecord| Location {
             body: at.body,
             tooth: at.tooth,
-            roll_angle: at.roll_angle.map(|Exact(angle)| angle),
+            roll_angle: at.roll_angle.map(|ExactNumber(angle)| angle),
             radius: at.radius.0,
-            axial: at.axial.map(|Exact(axial)| axial),
+            axial: at.axial.map(|ExactNumber(axial)| axial),
         };
         let outputs = self.outputs.into_iter();
-        let outputs = outputs.map(|(Exact(value), least, at)| Observed {
+        let outputs = outputs.map(|(ExactNumber(value), least, at)| Observed {
             value,
-            least: least.map(|Exact(least)| least),
+            least: least.map(|ExactNumber(least)| least),
             place: at.map(place),
         });
         let [complementarity, penetration, tension, equilibrium] =
-            self.certificate.map(|Exact(number)| number);
+            self.certificate.map(|ExactNumber(number)| number);
         let position =
             Position { time: self.time.0, cycle: self.cycle.0, roll: self.roll.0, name: self.point.into() };
         Solved {
             row: StepRow { position, outputs: outputs.collect(), warnings: self.warnings },
             certificate: Certificate { complementarity, penetration, tension, equilibrium },
-            state: self.state.into_iter().map(|Exact(number)| number).collect(),
+            state: self.state.into_iter().map(|ExactNumber(number)| number).collect(),
         }
     }
 }
 
 /// A number that reads back to the same bits; JSON has no infinity, so what is not finite is a text.
 #[derive(Clone, Copy)]
-struct Exact(f64);
+struct ExactNumber(f64);
 
-impl Serialize for Exact {
+impl Serialize for ExactNumber {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.0.is_finite() {
             true => serializer.serialize_f64(self.0),
@@ -205,7 +207,7 @@ impl Serialize for Exact {
     }
 }
 
-impl<'de> Deserialize<'de> for Exact {
+impl<'de> Deserialize<'de> for ExactNumber {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
         #[serde(untagged)]
@@ -214,8 +216,8 @@ impl<'de> Deserialize<'de> for Exact {
             Other(String),
         }
         match Written::deserialize(deserializer)? {
-            Written::Finite(number) => Ok(Exact(number)),
-            Written::Other(text) => text.parse().map(Exact).map_err(serde::de::Error::custom),
+            Written::Finite(number) => Ok(ExactNumber(number)),
+            Written::Other(text) => text.parse().map(ExactNumber).map_err(serde::de::Error::custom),
         }
     }
 }
@@ -225,7 +227,7 @@ mod tests {
     use super::*;
 
     fn solved(time: f64) -> Solved {
-        let place = Place {
+        let place = Location {
             body: "pinion".into(),
             tooth: 3,
             roll_angle: None,
@@ -267,7 +269,7 @@ mod tests {
             assert_eq!((&found.head, &found.solved[..]), (&head, &all[..whole - 1]));
             assert!(found.solved.iter().all(|solved| solved.row.outputs[2].value.is_sign_negative()));
             // Going on leaves the journal that an uninterrupted run writes.
-            let mut journal = Journal::go_on(directory, &found).unwrap();
+            let mut journal = Journal::resume(directory, &found).unwrap();
             all[whole - 1..].iter().for_each(|solved| journal.write(solved).unwrap());
             assert!(fs::read(path(directory)).unwrap() == text, "cut off after {length} bytes");
         }

@@ -14,7 +14,6 @@ pub mod error;
 #[cfg(feature = "command")]
 pub mod executable;
 pub mod field_tables;
-pub mod given;
 #[cfg(feature = "command")]
 pub mod help;
 pub mod host;
@@ -25,12 +24,12 @@ pub mod journal;
 pub mod linked;
 pub mod modes_table;
 mod names;
+pub mod nan_log;
 #[cfg(feature = "command")]
 pub mod options;
 #[cfg(feature = "command")]
-pub mod overriding;
-#[cfg(feature = "command")]
 pub mod page;
+pub mod param_assignment;
 pub mod params;
 #[cfg(feature = "command")]
 pub mod params_file;
@@ -46,7 +45,8 @@ pub mod run;
 pub mod run_directory;
 #[cfg(feature = "command")]
 pub mod schema;
-pub mod seen;
+#[cfg(feature = "command")]
+pub mod settings_override;
 pub mod shell;
 #[cfg(feature = "command")]
 pub mod signals;
@@ -56,21 +56,21 @@ pub mod table;
 #[cfg(feature = "command")]
 pub mod tradeoff;
 pub mod vtu;
-mod watching;
+mod watcher;
 
 pub use calyx_abi::Cancel;
 pub use calyx_abi::description::{ModelDescription, ParamValue};
-pub use calyx_runtime::overriding::Override;
+pub use calyx_runtime::settings_override::Override;
 pub use engine::{Engine, EngineConfig};
 pub use error::{Error, ErrorKind};
-pub use given::{Given, GivenValue};
 pub use host::Host;
 pub use instance::{Instance, Progress};
 pub use names::{Output, OutputName, Param, ParamName};
-pub use params::{Refused, apply};
+pub use nan_log::NanLog;
+pub use param_assignment::{AssignedValue, ParamAssignment};
+pub use params::{InvalidParam, apply};
 pub use program::Program;
 pub use results::Results;
 #[cfg(feature = "command")]
 pub use run::{RunError, RunOptions, RunReport, run};
-pub use seen::Seen;
 pub use stepping::{Run, Step};

@@ -1,6 +1,6 @@
 //! The modes about the first position as a table of the run directory, where the model asks for it.
 
-use calyx_runtime::observe::{ModeKind, ModesTable};
+use calyx_runtime::observables::{ModeKind, ModesTable};
 use std::io;
 use std::path::Path;
 
@@ -26,7 +26,7 @@ pub fn write(directory: &Path, table: &ModesTable) -> io::Result<()> {
 
 /// The lowest modes in a line.
 pub fn summary(table: &ModesTable) -> String {
-    let mode = |mode: &calyx_runtime::observe::ModeRow| {
+    let mode = |mode: &calyx_runtime::observables::ModeRow| {
         let kind = mode.kind.map(|kind| format!(" {}", kind.name())).unwrap_or_default();
         format!("{:.1}{kind}", mode.frequency)
     };

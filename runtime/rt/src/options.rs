@@ -1,11 +1,11 @@
 //! What can be asked of a run on a command line: one set of options for `calyx run` and for executables.
 
 use crate::budget;
-use crate::given::Given;
-use crate::overriding::OverrideArguments;
-use crate::params::Refused;
+use crate::param_assignment::ParamAssignment;
+use crate::params::InvalidParam;
 use crate::params_file;
 use crate::progress::ProgressFormat;
+use crate::settings_override::OverrideArguments;
 use calyx_runtime::cache::Store;
 use clap::Args;
 use etcetera::BaseStrategy;
@@ -20,8 +20,8 @@ pub struct RunArguments {
     ///
     /// A VALUE without a unit is in the unit of the param's default. Can be repeated; the last
     /// value of a param applies. Overrides values in a --params file.
-    #[arg(long, value_name = "NAME=VALUE", value_parser = Given::name_and_value, help_heading = PARAMS)]
-    pub set: Vec<Given>,
+    #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value, help_heading = PARAMS)]
+    pub set: Vec<ParamAssignment>,
     /// Read params from FILE.json or FILE.toml
     ///
     /// The file contains an object or table of names and values. Numbers are in the unit of the
@@ -130,7 +130,7 @@ impl RunArguments {
     ///
     /// # Errors
     /// The file cannot be read, or is not one of params.
-    pub fn given(&self) -> Result<Vec<Given>, Refused> {
+    pub fn given(&self) -> Result<Vec<ParamAssignment>, InvalidParam> {
         given_of(self.params.as_deref(), &self.set)
     }
 }
@@ -139,7 +139,7 @@ impl RunArguments {
 ///
 /// # Errors
 /// The file cannot be read, or is not one of params.
-pub fn given_of(file: Option<&Path>, set: &[Given]) -> Result<Vec<Given>, Refused> {
+pub fn given_of(file: Option<&Path>, set: &[ParamAssignment]) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let mut given = file.map(params_file::read).transpose()?.unwrap_or_default();
     given.extend(set.iter().cloned());
     Ok(given)

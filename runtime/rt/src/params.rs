@@ -1,7 +1,7 @@
 //! The params of a run: defaults, given values, ranges.
 
 use crate::error::Error;
-use crate::given::{Given, GivenValue, Origin};
+use crate::param_assignment::{AssignedValue, Origin, ParamAssignment};
 use crate::program::{ParamFunction, Program};
 use calyx_abi::description::{
     DimensionDescription, Exponents, ModelDescription, ParamDescription, ParamValue,
@@ -12,7 +12,7 @@ use calyx_abi::{Context, Repr, Slot, stack};
 
 /// Why a value given for a param from outside cannot be used.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Refused {
+pub struct InvalidParam {
     pub message: String,
     /// Remedy; empty if there is none.
     pub help: String,
@@ -20,9 +20,9 @@ pub struct Refused {
     pub origin: Option<Origin>,
 }
 
-impl Refused {
-    pub fn new(message: impl Into<String>, help: impl Into<String>) -> Refused {
-        Refused { message: message.into(), help: help.into(), origin: None }
+impl InvalidParam {
+    pub fn new(message: impl Into<String>, help: impl Into<String>) -> InvalidParam {
+        InvalidParam { message: message.into(), help: help.into(), origin: None }
     }
 }
 
@@ -42,7 +42,7 @@ impl Setting {
     pub fn new(
         description: &ModelDescription,
         param: usize,
-        value: &GivenValue,
+        value: &AssignedValue,
         origin: Option<&Origin>,
     ) -> Result<Setting, Error> {
         let (origin, param) = (origin.cloned(), &description.params[param]);
@@ -52,7 +52,7 @@ impl Setting {
         };
         match read(param, value, description).and_then(|value| in_range(&value).map(|()| value)) {
             Ok(value) => Ok(Setting { value, origin }),
-            Err(refused) => Err(Error::Given(Refused { origin, ..refused })),
+            Err(refused) => Err(Error::Given(InvalidParam { origin, ..refused })),
         }
     }
 }
@@ -61,10 +61,10 @@ impl Setting {
 ///
 /// # Errors
 /// A name is not known, a value does not fit its param, or an expression of the model failed.
-pub fn apply(program: &dyn Program, given: &[Given], context: &mut Context) -> Result<(), Error> {
+pub fn apply(program: &dyn Program, given: &[ParamAssignment], context: &mut Context) -> Result<(), Error> {
     let description = program.description();
     let mut settings = vec![None; description.params.len()];
-    for Given { name, value, origin, name_origin } in given {
+    for ParamAssignment { name, value, origin, name_origin } in given {
         let index = index_of(description, name).map_err(|error| error.placed(name_origin.as_ref()))?;
         settings[index] = Some(Setting::new(description, index, value, origin.as_ref())?);
     }
@@ -201,22 +201,24 @@ fn range(
 /// The value as the param holds it, in SI.
 fn read(
     param: &ParamDescription,
-    value: &GivenValue,
+    value: &AssignedValue,
     description: &ModelDescription,
-) -> Result<ParamValue, Refused> {
+) -> Result<ParamValue, InvalidParam> {
     let refused = |value: &str, why: &str| {
-        Refused::new(format!("`{}` cannot be {value}{why}", param.name), takes(param))
+        InvalidParam::new(format!("`{}` cannot be {value}{why}", param.name), takes(param))
     };
     match &param.repr {
         Repr::Bool => match value {
-            GivenValue::Bool(truth) => Ok(ParamValue::Bool(*truth)),
-            GivenValue::Text(text) if matches!(text.trim(), "TRUE" | "true") => Ok(ParamValue::Bool(true)),
-            GivenValue::Text(text) if matches!(text.trim(), "FALSE" | "false") => Ok(ParamValue::Bool(false)),
-            GivenValue::String(text) => Err(refused(&format!("\"{text}\""), "")),
+            AssignedValue::Bool(truth) => Ok(ParamValue::Bool(*truth)),
+            AssignedValue::Text(text) if matches!(text.trim(), "TRUE" | "true") => Ok(ParamValue::Bool(true)),
+            AssignedValue::Text(text) if matches!(text.trim(), "FALSE" | "false") => {
+                Ok(ParamValue::Bool(false))
+            }
+            AssignedValue::String(text) => Err(refused(&format!("\"{text}\""), "")),
             other => Err(refused(&format!("`{other}`"), "")),
         },
         Repr::String => match value {
-            GivenValue::Text(text) | GivenValue::String(text) => {
+            AssignedValue::Text(text) | AssignedValue::String(text) => {
                 if param.choices.is_empty() || param.choices.iter().any(|choice| choice == text) {
                     return Ok(ParamValue::String(text.clone()));
                 }
@@ -230,23 +232,25 @@ fn read(
 
 fn read_number(
     param: &ParamDescription,
-    value: &GivenValue,
+    value: &AssignedValue,
     description: &ModelDescription,
-) -> Result<f64, Refused> {
+) -> Result<f64, InvalidParam> {
     let refused =
-        |why: &str| Refused::new(format!("`{}` cannot be `{value}`: {why}", param.name), takes(param));
+        |why: &str| InvalidParam::new(format!("`{}` cannot be `{value}`: {why}", param.name), takes(param));
     let units = &description.known_units;
     let written = match value {
-        GivenValue::Text(text) | GivenValue::String(text) => text.as_str(),
-        GivenValue::Quantity(_, unit) => unit.as_str(),
+        AssignedValue::Text(text) | AssignedValue::String(text) => text.as_str(),
+        AssignedValue::Quantity(_, unit) => unit.as_str(),
         _ => "",
     };
     let quantity = match value {
-        GivenValue::Text(text) | GivenValue::String(text) => quantity::parse(text, units),
-        GivenValue::Quantity(number, unit) => quantity::with_unit(*number, unit, units),
-        GivenValue::Number(value) => Ok(Quantity { value: *value, dimension: quantity::PURE, unit: false }),
-        GivenValue::Si(si) => Ok(Quantity { value: *si, dimension: param.unit.dimension, unit: true }),
-        GivenValue::Bool(_) => Err("it is a number".into()),
+        AssignedValue::Text(text) | AssignedValue::String(text) => quantity::parse(text, units),
+        AssignedValue::Quantity(number, unit) => quantity::with_unit(*number, unit, units),
+        AssignedValue::Number(value) => {
+            Ok(Quantity { value: *value, dimension: quantity::PURE, unit: false })
+        }
+        AssignedValue::Si(si) => Ok(Quantity { value: *si, dimension: param.unit.dimension, unit: true }),
+        AssignedValue::Bool(_) => Err("it is a number".into()),
     };
     let quantity = quantity.map_err(|why| refused(&why))?;
     // A bare value is in the unit the default is written in.
@@ -291,7 +295,7 @@ fn other_kind(param: &ParamDescription, given: Exponents, known: &[DimensionDesc
     }
 }
 
-fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), Refused> {
+fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), InvalidParam> {
     if value.is_finite() && ends.0.is_none_or(|low| value >= low) && ends.1.is_none_or(|high| value <= high) {
         return Ok(());
     }
@@ -299,7 +303,7 @@ fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), R
         range if range.is_empty() => format!("`{}` = {value} is not a finite number", param.name),
         range => format!("`{}` = {} is outside its range, {range}", param.name, shown(param, value)),
     };
-    Err(Refused::new(message, "give a value within the range, or widen the range in the model"))
+    Err(InvalidParam::new(message, "give a value within the range, or widen the range in the model"))
 }
 
 /// What a param takes at the defaults of the others, and how to give it.

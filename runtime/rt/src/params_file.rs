@@ -1,8 +1,8 @@
 //! Files of params, `--params FILE.json` or `FILE.toml`: names and values, each with its place, so that what is wrong with one
 //! is shown where it stands.
 
-use crate::given::{Given, GivenValue, Origin};
-use crate::params::Refused;
+use crate::param_assignment::{AssignedValue, Origin, ParamAssignment};
+use crate::params::InvalidParam;
 use calyx_abi::description::FileDescription;
 use serde::Deserializer;
 use serde::de::{MapAccess, Visitor};
@@ -20,13 +20,16 @@ pub const SCHEMA_KEY: &str = "$schema";
 ///
 /// # Errors
 /// It cannot be read, or is not a table of numbers, texts and truth values.
-pub fn read(path: &Path) -> Result<Vec<Given>, Refused> {
+pub fn read(path: &Path) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let parse = match path.extension().and_then(|extension| extension.to_str()) {
         Some("json") => json,
         Some("toml") => toml,
         _ => {
             let message = format!("{} is neither a .json nor a .toml file", path.display());
-            return Err(Refused::new(message, "write params as `{\"torque\": 500}` or as `torque = 500`"));
+            return Err(InvalidParam::new(
+                message,
+                "write params as `{\"torque\": 500}` or as `torque = 500`",
+            ));
         }
     };
     let bytes = std::fs::read(path).map_err(|error| unreadable(path, &error.to_string()))?;
@@ -36,25 +39,30 @@ pub fn read(path: &Path) -> Result<Vec<Given>, Refused> {
     parse(&Arc::new(FileDescription { name: path.display().to_string(), text }))
 }
 
-fn unreadable(path: &Path, why: &str) -> Refused {
-    Refused::new(format!("cannot read {}: {why}", path.display()), "give the path of a file of params")
+fn unreadable(path: &Path, why: &str) -> InvalidParam {
+    InvalidParam::new(format!("cannot read {}: {why}", path.display()), "give the path of a file of params")
 }
 
 /// Something wrong at a place of the file.
-fn wrong(file: &Arc<FileDescription>, at: Range<usize>, message: String, help: &str) -> Refused {
+fn wrong(file: &Arc<FileDescription>, at: Range<usize>, message: String, help: &str) -> InvalidParam {
     let origin = Origin { file: file.clone(), start: at.start, end: at.end };
-    Refused { origin: Some(origin), ..Refused::new(message, help) }
+    InvalidParam { origin: Some(origin), ..InvalidParam::new(message, help) }
 }
 
-fn given(file: &Arc<FileDescription>, name: &str, value: GivenValue, at: [Range<usize>; 2]) -> Given {
+fn given(
+    file: &Arc<FileDescription>,
+    name: &str,
+    value: AssignedValue,
+    at: [Range<usize>; 2],
+) -> ParamAssignment {
     let [of_name, of_value] = at.map(|Range { start, end }| Some(Origin { file: file.clone(), start, end }));
-    Given { name: name.to_owned(), value, name_origin: of_name, origin: of_value }
+    ParamAssignment { name: name.to_owned(), value, name_origin: of_name, origin: of_value }
 }
 
 const KINDS: &str = "a param is a number, a text like \"0.5 mm\", or true or false";
 
 /// Names and values of a file `{"torque": 500}`.
-fn json(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
+fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let text = file.text.as_str();
     let mut reader = serde_json::Deserializer::from_str(text);
     let entries = reader.deserialize_map(Entries).and_then(|entries| reader.end().map(|()| entries));
@@ -66,7 +74,7 @@ fn json(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
         let help = "params are one object: `{\"torque\": 500, \"tip_radius\": \"0.5 mm\"}`";
         wrong(file, at..at, format!("the file is not as it should be: {message}"), help)
     })?;
-    let mut all: Vec<Given> = Vec::new();
+    let mut all: Vec<ParamAssignment> = Vec::new();
     for (name, raw) in entries.into_iter().filter(|(name, _)| name != SCHEMA_KEY) {
         let value = raw.get();
         let start = value.as_ptr().addr() - text.as_ptr().addr();
@@ -81,11 +89,11 @@ fn json(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
             return Err(wrong(file, of_name, format!("`{name}` is given twice"), "keep one of them"));
         }
         let value = match value.as_bytes().first() {
-            Some(b't') => GivenValue::Bool(true),
-            Some(b'f') => GivenValue::Bool(false),
-            Some(b'"') => GivenValue::String(serde_json::from_str(value).unwrap_or_default()),
+            Some(b't') => AssignedValue::Bool(true),
+            Some(b'f') => AssignedValue::Bool(false),
+            Some(b'"') => AssignedValue::String(serde_json::from_str(value).unwrap_or_default()),
             // The decimal is read as on a command line, to the same bits.
-            Some(b'-' | b'0'..=b'9') => GivenValue::Number(value.parse().unwrap_or(f64::NAN)),
+            Some(b'-' | b'0'..=b'9') => AssignedValue::Number(value.parse().unwrap_or(f64::NAN)),
             other => {
                 let kind = match other {
                     Some(b'{') => "an object",
@@ -130,7 +138,7 @@ impl<'de> Visitor<'de> for Entries {
 }
 
 /// Names and values of a file `torque = 500`.
-fn toml(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
+fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let table = DeTable::parse(&file.text).map_err(|error| {
         let help = "write a param a line: `torque = 500`, `tip_radius = \"0.5 mm\"`";
         wrong(
@@ -140,20 +148,20 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
             help,
         )
     })?;
-    let mut all: Vec<Given> = Vec::new();
+    let mut all: Vec<ParamAssignment> = Vec::new();
     for (name, value) in table.into_inner() {
         let at = [name.span(), value.span()];
         let name = name.into_inner();
         let kind = match value.into_inner() {
-            DeValue::Boolean(truth) => Ok(GivenValue::Bool(truth)),
-            DeValue::String(text) => Ok(GivenValue::String(text.into_owned())),
-            DeValue::Float(number) => Ok(GivenValue::Number(number.as_str().parse().unwrap_or(f64::NAN))),
+            DeValue::Boolean(truth) => Ok(AssignedValue::Bool(truth)),
+            DeValue::String(text) => Ok(AssignedValue::String(text.into_owned())),
+            DeValue::Float(number) => Ok(AssignedValue::Number(number.as_str().parse().unwrap_or(f64::NAN))),
             DeValue::Integer(number) if number.radix() == 10 => {
-                Ok(GivenValue::Number(number.as_str().parse().unwrap_or(f64::NAN)))
+                Ok(AssignedValue::Number(number.as_str().parse().unwrap_or(f64::NAN)))
             }
             DeValue::Integer(number) => {
                 let whole = i64::from_str_radix(number.as_str(), number.radix());
-                Ok(GivenValue::Number(whole.map_or(f64::NAN, |whole| whole as f64)))
+                Ok(AssignedValue::Number(whole.map_or(f64::NAN, |whole| whole as f64)))
             }
             DeValue::Datetime(_) => Err("a date"),
             DeValue::Array(_) => Err("an array"),
@@ -173,7 +181,7 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<Given>, Refused> {
 mod tests {
     use super::*;
 
-    fn parsed(format: &str, text: &str) -> Result<Vec<Given>, Refused> {
+    fn parsed(format: &str, text: &str) -> Result<Vec<ParamAssignment>, InvalidParam> {
         let file = Arc::new(FileDescription { name: format!("params.{format}"), text: text.into() });
         if format == "json" { json(&file) } else { toml(&file) }
     }
@@ -185,8 +193,8 @@ mod tests {
         for (format, text) in [("json", json), ("toml", toml)] {
             let all = parsed(format, text).unwrap();
             let values: Vec<_> = all.iter().map(|given| (given.name.as_str(), &given.value)).collect();
-            let (tip, no) = (GivenValue::String("0.5 mm".into()), GivenValue::Bool(false));
-            let (torque, n) = (GivenValue::Number(0.1), GivenValue::Number(12.0));
+            let (tip, no) = (AssignedValue::String("0.5 mm".into()), AssignedValue::Bool(false));
+            let (torque, n) = (AssignedValue::Number(0.1), AssignedValue::Number(12.0));
             assert_eq!(values, [("torque", &torque), ("tip", &tip), ("edges", &no), ("n", &n)], "{format}");
             let shown = |origin: &Option<Origin>| {
                 let origin = origin.as_ref().unwrap();
@@ -196,8 +204,8 @@ mod tests {
             assert!(shown(&tip.name_origin).trim_matches('"') == "tip", "{format}");
             assert!(shown(&tip.origin).trim_matches(['"', '\'']) == "0.5 mm", "{format}");
         }
-        assert_eq!(parsed("toml", "n = 0x10").unwrap()[0].value, GivenValue::Number(16.0));
-        assert_eq!(parsed("toml", "n = 1_000.5").unwrap()[0].value, GivenValue::Number(1000.5));
+        assert_eq!(parsed("toml", "n = 0x10").unwrap()[0].value, AssignedValue::Number(16.0));
+        assert_eq!(parsed("toml", "n = 1_000.5").unwrap()[0].value, AssignedValue::Number(1000.5));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A compiled model as the runner sees it, wherever its code is: in memory, linked in, or interpreted.
 
-use crate::given::Given;
-use crate::seen::Seen;
+use crate::nan_log::NanLog;
+use crate::param_assignment::ParamAssignment;
 use calyx_abi::description::{FileDescription, ModelDescription};
 use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ pub trait Program: Send + Sync {
 
     /// Notes at the error that a run ended with what can be said of its cause. `given` is what was set, and `seen` what
     /// its kernels did.
-    fn explain(&self, error: &mut RuntimeError, given: &[Given], seen: &Seen) {
+    fn explain(&self, error: &mut RuntimeError, given: &[ParamAssignment], seen: &NanLog) {
         let _ = (error, given, seen);
     }
 }

@@ -1,6 +1,6 @@
 //! Progress with the time that remains: a bar on a terminal, or one JSON object a line for programs.
 
-use calyx_runtime::tolerance::Choosing;
+use calyx_runtime::tolerance::SearchProgress;
 use clap::ValueEnum;
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
@@ -51,7 +51,7 @@ impl Progress {
     }
 
     /// Shows a setting that is tried for a tolerance, and the best one before it.
-    pub fn choosing(&self, choosing: &Choosing) {
+    pub fn choosing(&self, choosing: &SearchProgress) {
         if let Some(lines) = &self.lines {
             let mut line = line("choosing", 0, None, None);
             line["setting"] = json!(choosing.setting.describe());
@@ -101,7 +101,7 @@ impl Progress {
 }
 
 /// Shows which of several runs is under way, and how long all that are left will take: as predicted, corrected by what those before took.
-pub struct Tour {
+pub struct CampaignProgress {
     bar: ProgressBar,
     json: bool,
     /// Time of each, s.
@@ -111,15 +111,15 @@ pub struct Tour {
     index: Cell<usize>,
 }
 
-impl Tour {
+impl CampaignProgress {
     /// Draws on standard error as [`Progress`] does.
-    pub fn new(format: ProgressFormat, quiet: bool, predicted: Vec<f64>) -> Tour {
+    pub fn new(format: ProgressFormat, quiet: bool, predicted: Vec<f64>) -> CampaignProgress {
         let json = format == ProgressFormat::Json;
         let target = if quiet || json { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(Some(predicted.len() as u64), target);
         bar.set_style(style("{spinner} [{bar:32}] {pos}/{len} {msg}"));
         bar.enable_steady_tick(Duration::from_millis(100));
-        Tour { bar, json, predicted, began: Instant::now(), index: Cell::new(0) }
+        CampaignProgress { bar, json, predicted, began: Instant::now(), index: Cell::new(0) }
     }
 
     /// A run begins.

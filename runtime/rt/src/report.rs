@@ -1,8 +1,8 @@
 //! Errors and warnings of a running model as text with the source line, for executables that carry no compiler.
 //! Control characters of the source become visible signs.
 
-use crate::given::Origin;
-use crate::params::Refused;
+use crate::param_assignment::Origin;
+use crate::params::InvalidParam;
 use crate::shell;
 use calyx_abi::RuntimeError;
 use calyx_abi::attribution::attribute;
@@ -51,7 +51,7 @@ pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDesc
 const NOT_A_NUMBER: [&str; 3] = ["E0710", "E0721", codes::NOT_A_NUMBER];
 
 /// `error: ...` with the place in the file of params, if it came from one, and the remedy.
-pub fn refused(refused: &Refused) -> String {
+pub fn refused(refused: &InvalidParam) -> String {
     let mut text = format!("error: {}\n", refused.message);
     let place = refused.origin.as_ref();
     let place = place.and_then(|origin| excerpt(&origin.file, origin.start, origin.end));
@@ -113,7 +113,7 @@ mod tests {
         let shown = problem(Severity::Error, &error, &description);
         let expected = "error[E0701]: ␛[31mindex 3\n  --> ␛[2Jm.cx:1:23\n   |\n 1 | var a = \"␛]0;title␇\"; a[3];\n   |                       ^^^^\n  help: \u{fffd}2J less\n";
         assert_eq!(shown, expected);
-        let why = Refused::new("no param `\u{1b}[31m`", "\u{202e}");
+        let why = InvalidParam::new("no param `\u{1b}[31m`", "\u{202e}");
         assert_eq!(refused(&why), "error: no param `␛[31m`\n  help: \u{fffd}\n");
     }
 

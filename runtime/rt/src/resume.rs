@@ -1,32 +1,32 @@
 //! Going on with an earlier run: what its directory holds of it, and whether it is a run of the same model and params.
 
 use crate::directory::read_run;
-use crate::journal::{self, Found};
-use crate::params::Refused;
+use crate::journal::{self, FoundJournal};
+use crate::params::InvalidParam;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::io;
 use std::path::Path;
 
 /// What there is of an earlier run.
-pub enum Begun {
+pub enum EarlierRun {
     Nothing,
     /// Positions to go on after.
-    Unfinished(Found),
+    Unfinished(FoundJournal),
     /// Nothing is left to be done.
     Finished,
 }
 
 /// Why an earlier run is not gone on with.
-pub enum Not {
+pub enum ResumeError {
     /// It was another run.
-    Other(Refused),
+    Other(InvalidParam),
     Io(io::Error),
 }
 
-impl From<io::Error> for Not {
-    fn from(error: io::Error) -> Not {
-        Not::Io(error)
+impl From<io::Error> for ResumeError {
+    fn from(error: io::Error) -> ResumeError {
+        ResumeError::Io(error)
     }
 }
 
@@ -34,23 +34,23 @@ impl From<io::Error> for Not {
 ///
 /// # Errors
 /// There is a run of another model, of other params, or by another version of Calyx; or it cannot be read.
-pub fn find(directory: &Path, head: &Value) -> Result<Begun, Not> {
+pub fn find(directory: &Path, head: &Value) -> Result<EarlierRun, ResumeError> {
     let same = |then: &Value| match differences(then, head) {
         differences if differences.is_empty() => Ok(()),
-        differences => Err(Not::Other(Refused::new(
+        differences => Err(ResumeError::Other(InvalidParam::new(
             format!("the run in {} is another one: {}", directory.display(), differences.join("; ")),
             "resume with the same model and params, or start a new run without --resume",
         ))),
     };
     // The journal goes last: where there is one, a run may have been ended among its final files.
     if let Some(found) = journal::find(directory)? {
-        return same(&found.head).map(|()| Begun::Unfinished(found));
+        return same(&found.head).map(|()| EarlierRun::Unfinished(found));
     }
     // Results that miss their tolerance are those of a search that was ended.
     let finished = |run: &Value| run.get("incomplete").is_none() && run["chosen"]["met"] != false;
     match read_run(directory)?.filter(finished) {
-        Some(run) => same(&run).map(|()| Begun::Finished),
-        None => Ok(Begun::Nothing),
+        Some(run) => same(&run).map(|()| EarlierRun::Finished),
+        None => Ok(EarlierRun::Nothing),
     }
 }
 

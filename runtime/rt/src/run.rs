@@ -5,22 +5,22 @@ use crate::directory::{
 };
 use crate::engine::Engine;
 use crate::error::Error;
-use crate::given::Given;
 use crate::instance::Instance;
-use crate::journal::Found;
+use crate::journal::FoundJournal;
+use crate::param_assignment::ParamAssignment;
 use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
-use crate::resume::{self, Begun};
+use crate::resume::{self, EarlierRun};
 use crate::run_directory::{DirectoryError, Kind, RunDirectory};
 use crate::{field_tables, journal, modes_table, page, signals, stress_range, table, vtu};
 use calyx_abi::description::{ModelDescription, OutputDescription};
 use calyx_abi::{Cancel, RuntimeError, Status};
 use calyx_gears::host::Finding;
 use calyx_runtime::error::EngineError;
-use calyx_runtime::observe::Fields;
-use calyx_runtime::overriding::Override;
+use calyx_runtime::observables::Fields;
 use calyx_runtime::results::Solved;
+use calyx_runtime::settings_override::Override;
 use serde_json::Value;
 use std::io;
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ pub struct RunOptions {
     /// Where results go.
     pub directory: PathBuf,
     /// Values given for params; the last of a name counts.
-    pub given: Vec<Given>,
+    pub given: Vec<ParamAssignment>,
     /// Nothing but what the program prints, and errors.
     pub quiet: bool,
     /// How progress is shown; for people it is silent if `quiet`.
@@ -129,7 +129,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
     let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
     let found = match earlier(options, &head)? {
-        Begun::Finished => {
+        EarlierRun::Finished => {
             progress.finish();
             // It may have been ended before its last file.
             if !path.join(REPORT).exists() {
@@ -141,14 +141,14 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
                 ..RunReport::default()
             });
         }
-        Begun::Unfinished(found) => {
+        EarlierRun::Unfinished(found) => {
             let count = found.solved.len();
             progress.note(&format!("resuming after {count} positions of the run in {}", path.display()));
-            instance.begin_after(found.solved.clone());
+            instance.resume_after(found.solved.clone());
             directory.keep().map_err(unwritable)?;
             Some(found)
         }
-        Begun::Nothing => {
+        EarlierRun::Nothing => {
             if options.resume {
                 let path = path.display();
                 progress.note(&format!("{path} contains nothing to resume: starting a new run"));
@@ -241,22 +241,22 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
 }
 
 /// The run that is to be gone on with, if there is one.
-fn earlier(options: &RunOptions, head: &Value) -> Result<Begun, RunError> {
+fn earlier(options: &RunOptions, head: &Value) -> Result<EarlierRun, RunError> {
     if !options.resume {
-        return Ok(Begun::Nothing);
+        return Ok(EarlierRun::Nothing);
     }
     let found = resume::find(&options.directory, head).map_err(|not| match not {
-        resume::Not::Other(refused) => RunError::Run(Error::Given(refused)),
-        resume::Not::Io(error) => RunError::Io { path: options.directory.clone(), error },
+        resume::ResumeError::Other(refused) => RunError::Run(Error::Given(refused)),
+        resume::ResumeError::Io(error) => RunError::Io { path: options.directory.clone(), error },
     })?;
     let positions = match &found {
-        Begun::Nothing => return Ok(found),
-        Begun::Unfinished(found) => found.solved.len(),
-        Begun::Finished => 1,
+        EarlierRun::Nothing => return Ok(found),
+        EarlierRun::Unfinished(found) => found.solved.len(),
+        EarlierRun::Finished => 1,
     };
     // What an earlier run has not written of its positions can only be had by solving them again.
     let complete = options.details().are_in(&options.directory, positions);
-    Ok(if complete { found } else { Begun::Nothing })
+    Ok(if complete { found } else { EarlierRun::Nothing })
 }
 
 /// Runs the instance with each position on disk before the next one begins: how many there are, and how it ended.
@@ -264,16 +264,16 @@ fn write_steps(
     mut instance: Instance,
     directory: &Arc<RunDirectory>,
     head: &Value,
-    found: Option<&Found>,
+    found: Option<&FoundJournal>,
     (details, progress): (Details, Arc<Progress>),
 ) -> (usize, Result<Results, RunError>) {
     let path = directory.path();
     let unwritable = |error| RunError::Io { path: path.to_owned(), error };
     let outputs = instance.description().outputs.clone();
-    instance.tell_fields(details.positions());
-    instance.tell_bodies(details.pictures);
+    instance.request_fields(details.positions());
+    instance.request_bodies(details.pictures);
     let solved = found.map_or(0, |found| found.solved.len());
-    let record = match found.map(|found| Record::go_on(path, &outputs, found, details)).transpose() {
+    let record = match found.map(|found| Record::resume(path, &outputs, found, details)).transpose() {
         Ok(record) => record,
         Err(error) => return (solved, Err(unwritable(error))),
     };

@@ -1,9 +1,9 @@
 //! Outputs in the frequency domain as files of the run directory: for each a table and a picture, what they are in `run.json`, and their peaks
 //! for people.
 
-mod picture;
+mod plot;
 
-pub(crate) use picture::{label, tick};
+pub(crate) use plot::{label, tick};
 
 use crate::directory::SIGNALS;
 use crate::params::shortest;
@@ -26,7 +26,7 @@ pub fn write(directory: &Path, description: &ModelDescription, signals: &[Signal
         let shown = Shown::of(description, signal);
         table(&below.join(format!("{name}.csv")), signal)?;
         let path = below.join(format!("{name}.svg"));
-        picture::draw(&path, &shown, signal).map_err(|error| io::Error::other(error.to_string()))?;
+        plot::draw(&path, &shown, signal).map_err(|error| io::Error::other(error.to_string()))?;
     }
     Ok(())
 }

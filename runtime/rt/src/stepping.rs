@@ -5,11 +5,11 @@ use crate::names::{Names, OutputName};
 use crate::program::Program;
 use crate::results::Results;
 use calyx_abi::description::{ModelDescription, OutputDescription, UnitDescription};
-use calyx_abi::stack::Beside;
+use calyx_abi::stack::LargeStackThread;
 use calyx_abi::units::from_si;
 use calyx_abi::{Cancel, RuntimeError, quantity};
 use calyx_runtime::analysis::Position;
-use calyx_runtime::results::{Observed, Place, StepRow};
+use calyx_runtime::results::{Location, Observed, StepRow};
 use std::iter::FusedIterator;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -38,7 +38,7 @@ pub struct Run {
     /// Until the last position was taken.
     steps: Option<Receiver<Step>>,
     /// Until it has ended.
-    thread: Option<Beside<Result<Results, Error>>>,
+    thread: Option<LargeStackThread<Result<Results, Error>>>,
     cancel: Cancel,
     ended: Option<Result<Results, Error>>,
 }
@@ -46,7 +46,7 @@ pub struct Run {
 impl Run {
     pub(crate) fn begin(
         cancel: Cancel,
-        thread: impl FnOnce(Steps) -> Result<Beside<Result<Results, Error>>, RuntimeError>,
+        thread: impl FnOnce(Steps) -> Result<LargeStackThread<Result<Results, Error>>, RuntimeError>,
     ) -> Result<Run, Error> {
         let (sender, steps) = sync_channel(0);
         Ok(Run { steps: Some(steps), thread: Some(thread(sender)?), cancel, ended: None })
@@ -164,7 +164,7 @@ impl Step {
     ///
     /// # Errors
     /// The model has no such output.
-    pub fn place(&self, output: impl OutputName) -> Result<Option<&Place>, Error> {
+    pub fn place(&self, output: impl OutputName) -> Result<Option<&Location>, Error> {
         let index = self.output(output)?;
         Ok(self.row.outputs.get(index).and_then(|observed| observed.place.as_ref()))
     }

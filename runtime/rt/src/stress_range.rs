@@ -4,7 +4,7 @@
 //! Teeth of a gear are of one shape, and a place is the same on all of them. The table of a run is on disk, whole, before the journal says that
 //! a position is solved. A run that goes on begins with it, and may add a position that is in it already: that changes no extreme.
 
-use calyx_runtime::observe::{Fields, FilletStress};
+use calyx_runtime::observables::{Fields, FilletStress};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -16,7 +16,7 @@ pub const NAME: &str = "root_stress_range.csv";
 
 /// A place of the fillets of a body, and what it has seen. SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Seen {
+pub struct StressExtremes {
     pub body: String,
     /// The flank that the fillet lies beside: 0 or 1.
     pub flank: u32,
@@ -41,7 +41,7 @@ type Key = (String, u32, usize, usize);
 /// Of the fillets of a run.
 pub struct StressRange {
     path: PathBuf,
-    places: BTreeMap<Key, Seen>,
+    places: BTreeMap<Key, StressExtremes>,
 }
 
 impl StressRange {
@@ -55,9 +55,9 @@ impl StressRange {
     }
 
     /// Begins with what an earlier run has written into the directory.
-    pub fn go_on(directory: &Path) -> io::Result<StressRange> {
+    pub fn resume(directory: &Path) -> io::Result<StressRange> {
         let seen = read(directory)?.into_iter();
-        let key = |seen: &Seen| (seen.body.clone(), seen.flank, seen.section, seen.point);
+        let key = |seen: &StressExtremes| (seen.body.clone(), seen.flank, seen.section, seen.point);
         Ok(StressRange { path: directory.join(NAME), places: seen.map(|seen| (key(&seen), seen)).collect() })
     }
 
@@ -75,17 +75,18 @@ impl StressRange {
 
     fn see(&mut self, key: Key, stress: &FilletStress) {
         let [largest, smallest] = stress.principal;
-        let seen = self.places.entry(key).or_insert_with_key(|(body, flank, section, point)| Seen {
-            body: body.clone(),
-            flank: *flank,
-            section: *section,
-            point: *point,
-            depth: stress.depth,
-            radius: stress.place.radius,
-            axial: stress.place.axial,
-            largest,
-            smallest,
-        });
+        let seen =
+            self.places.entry(key).or_insert_with_key(|(body, flank, section, point)| StressExtremes {
+                body: body.clone(),
+                flank: *flank,
+                section: *section,
+                point: *point,
+                depth: stress.depth,
+                radius: stress.place.radius,
+                axial: stress.place.axial,
+                largest,
+                smallest,
+            });
         seen.largest = seen.largest.max(largest);
         seen.smallest = seen.smallest.min(smallest);
     }
@@ -101,7 +102,7 @@ impl StressRange {
 }
 
 /// What a run has written; nothing where it has not.
-pub fn read(directory: &Path) -> io::Result<Vec<Seen>> {
+pub fn read(directory: &Path) -> io::Result<Vec<StressExtremes>> {
     let path = directory.join(NAME);
     if !path.exists() {
         return Ok(Vec::new());
@@ -112,11 +113,11 @@ pub fn read(directory: &Path) -> io::Result<Vec<Seen>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calyx_runtime::observe::FilletField;
-    use calyx_runtime::results::Place;
+    use calyx_runtime::observables::FilletField;
+    use calyx_runtime::results::Location;
 
     fn fields(tooth: u32, principal: [f64; 2]) -> Fields {
-        let place = Place { body: "pinion".into(), tooth, roll_angle: None, radius: 0.02, axial: None };
+        let place = Location { body: "pinion".into(), tooth, roll_angle: None, radius: 0.02, axial: None };
         let stress = FilletStress {
             point: [0.0; 3],
             place,
@@ -146,7 +147,7 @@ mod tests {
         // Ended after the second, which is solved again.
         let mut ended = StressRange::create(directory).unwrap();
         positions[..2].iter().for_each(|position| ended.add(position).unwrap());
-        let mut again = StressRange::go_on(directory).unwrap();
+        let mut again = StressRange::resume(directory).unwrap();
         positions[1..].iter().for_each(|position| again.add(position).unwrap());
         assert_eq!(fs::read_to_string(directory.join(NAME)).unwrap(), expected);
     }

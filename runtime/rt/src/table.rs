@@ -4,7 +4,7 @@ use crate::params::shortest;
 use calyx_abi::description::ModelDescription;
 use calyx_abi::units::from_si;
 use calyx_runtime::estimate::Part;
-use calyx_runtime::results::{AnalysisResult, OutputSummary, Place};
+use calyx_runtime::results::{AnalysisResult, Location, OutputSummary};
 
 /// One line per output, in the model's units, with the position of its maximum.
 pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> String {
@@ -99,7 +99,7 @@ fn number(value: f64) -> String {
 
 /// Roll angle of the position, its name if it has one, and body and tooth of the place. Radius and roll angle of the
 /// place itself stand in `run.json`: the table is to fit a terminal.
-fn place(result: &AnalysisResult, step: usize, place: Option<&Place>) -> String {
+fn place(result: &AnalysisResult, step: usize, place: Option<&Location>) -> String {
     let Some(row) = result.rows.get(step) else { return String::new() };
     let mut text = match passes_no_cycle(result) {
         true => format!("{} s", number(row.position.time)),

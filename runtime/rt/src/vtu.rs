@@ -1,10 +1,10 @@
 //! Pictures of positions for ParaView: the pressed cells of the flanks, the stresses in fillets and the meshes of elastic bodies, as VTK's XML
 //! files of unstructured grids, with a collection that gives each its time.
 
+mod content;
 mod grid;
-mod shown;
 
-use calyx_runtime::observe::Fields;
+use calyx_runtime::observables::Fields;
 use grid::Grid;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -23,23 +23,23 @@ struct Kind {
 }
 
 const KINDS: [Kind; 3] = [
-    Kind { name: "contact", of: shown::contact, always: true },
-    Kind { name: "root_stress", of: shown::root_stress, always: false },
-    Kind { name: "bodies", of: shown::bodies, always: false },
+    Kind { name: "contact", of: content::contact, always: true },
+    Kind { name: "root_stress", of: content::root_stress, always: false },
+    Kind { name: "bodies", of: content::bodies, always: false },
 ];
 
 /// The pictures of a run, being written into `vtu` of its directory.
-pub struct Pictures {
+pub struct VtuFiles {
     folder: PathBuf,
     times: Vec<f64>,
 }
 
-impl Pictures {
+impl VtuFiles {
     /// Begins behind positions of an earlier run, at these times (s).
-    pub fn begin(directory: &Path, times: Vec<f64>) -> io::Result<Pictures> {
+    pub fn begin(directory: &Path, times: Vec<f64>) -> io::Result<VtuFiles> {
         let folder = folder(directory);
         fs::create_dir_all(&folder)?;
-        Ok(Pictures { folder, times })
+        Ok(VtuFiles { folder, times })
     }
 
     /// Adds a position at a time (s).
@@ -112,17 +112,17 @@ pub fn files_in(directory: &Path) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
+    use super::content::{bodies, contact, root_stress};
     use super::grid::written::numbers;
     use super::grid::{HEXAHEDRON, LINE, QUADRILATERAL, Values};
-    use super::shown::{bodies, contact, root_stress};
     use super::*;
-    use calyx_runtime::observe::{
+    use calyx_runtime::observables::{
         BodyField, ContactField, FilletField, FilletStress, PressedCell, SectorField,
     };
-    use calyx_runtime::results::Place;
+    use calyx_runtime::results::Location;
 
-    fn place() -> Place {
-        Place { body: "pinion".into(), tooth: 2, roll_angle: None, radius: 0.02, axial: None }
+    fn place() -> Location {
+        Location { body: "pinion".into(), tooth: 2, roll_angle: None, radius: 0.02, axial: None }
     }
 
     fn fields(sections: usize) -> Fields {
@@ -214,7 +214,7 @@ mod tests {
     #[test]
     fn positions_without_stress_have_no_picture_of_it() {
         let directory = tempfile::tempdir().unwrap();
-        let mut pictures = Pictures::begin(directory.path(), Vec::new()).unwrap();
+        let mut pictures = VtuFiles::begin(directory.path(), Vec::new()).unwrap();
         let there = |name: &str| folder(directory.path()).join(name).exists();
         let none = Fields { fillets: Vec::new(), ..fields(1) };
         pictures.write(0, 0.25, &none).unwrap();
@@ -228,7 +228,7 @@ mod tests {
         };
         assert_eq!((list("contact"), list("root_stress")), (3, 1));
         // A run that goes on behind them lists the same.
-        let mut pictures = Pictures::begin(directory.path(), vec![0.25, 0.5, 0.75]).unwrap();
+        let mut pictures = VtuFiles::begin(directory.path(), vec![0.25, 0.5, 0.75]).unwrap();
         pictures.write(3, 1.0, &none).unwrap();
         assert_eq!((list("contact"), list("root_stress")), (4, 1));
     }
@@ -236,7 +236,7 @@ mod tests {
     #[test]
     fn names_of_files_are_known() {
         let directory = tempfile::tempdir().unwrap();
-        let mut pictures = Pictures::begin(directory.path(), Vec::new()).unwrap();
+        let mut pictures = VtuFiles::begin(directory.path(), Vec::new()).unwrap();
         pictures.write(0, 0.25, &fields(1)).unwrap();
         assert!(are_in(directory.path(), 1) && !are_in(directory.path(), 2));
         let list = fs::read_to_string(folder(directory.path()).join("contact.pvd")).unwrap();

@@ -8,17 +8,17 @@
 //! | Module | What |
 //! |---|---|
 //! | `newmark` | the integrators, on numbers alone |
-//! | `ranges` | over which times, in which steps, under which part of the loads |
+//! | `time_ranges` | over which times, in which steps, under which part of the loads |
 //! | `matrices` | mass, damping, loads by inertia |
-//! | `effective` | the matrix of a step, and terms that would make it unsymmetric |
+//! | `effective_matrix` | the matrix of a step, and terms that would make it unsymmetric |
 
-mod effective;
+mod effective_matrix;
 mod matrices;
 mod newmark;
-mod ranges;
+mod time_ranges;
 
-pub use effective::Effective;
+pub use effective_matrix::EffectiveMatrix;
 pub use matrices::{Forces, Matrices, check_in_section, check_inertia, check_section, coupling};
 pub use newmark::{Scheme, State};
-pub use ranges::{Step, check_resolved, in_pairs, steps};
-pub use ranges::{TimeRange, kept_positions};
+pub use time_ranges::{Step, check_resolved, doubled_steps, steps};
+pub use time_ranges::{TimeRange, kept_positions};

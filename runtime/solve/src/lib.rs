@@ -2,9 +2,9 @@
 
 #![warn(missing_docs)]
 
-pub mod holding;
 pub mod integration;
 pub mod modal;
+pub mod restraint_check;
 pub mod step;
 pub mod system;
 pub mod vibration;

@@ -122,7 +122,7 @@ pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> 
 }
 
 /// Terms of the modal coordinates in a time step or an equilibrium.
-pub struct Elastic<'a> {
+pub struct ModalElimination<'a> {
     /// Modes of the bodies.
     pub modes: &'a Modes,
     /// d, diagonal by coordinate.
@@ -135,11 +135,11 @@ pub struct Elastic<'a> {
     pub start: Vec<f64>,
 }
 
-impl Elastic<'_> {
+impl ModalElimination<'_> {
     /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates. Bearing
     /// stops are not coupled to them.
     pub fn eliminate(&self, problem: &mut ContactProblem, arms: &Mat<f64>) {
-        let (n, m, count) = (problem.cells(), problem.freedoms(), self.modes.count());
+        let (n, m, count) = (problem.cells(), problem.dofs(), self.modes.count());
         let given: Vec<f64> = self.load.iter().zip(&self.stiffness).map(|(g, d)| g / d).collect();
         let weight = |k: usize| self.stiffness[k].recip() - self.modes.squares[k].recip();
         let cells = arms.nrows();
@@ -153,10 +153,9 @@ impl Elastic<'_> {
             }
             let at = |k: usize| arms[(row, k)] * (self.start[k] + given[k]);
             problem.gaps[row] += (0..count).map(at).sum::<f64>();
-            for freedom in 0..m {
-                let through =
-                    |k: usize| arms[(row, k)] * self.coupling[freedom * count + k] / self.stiffness[k];
-                problem.arms[row * m + freedom] -= (0..count).map(through).sum::<f64>();
+            for dof in 0..m {
+                let through = |k: usize| arms[(row, k)] * self.coupling[dof * count + k] / self.stiffness[k];
+                problem.arms[row * m + dof] -= (0..count).map(through).sum::<f64>();
             }
         }
         for i in 0..m {

@@ -1,30 +1,30 @@
 //! Solution of one position in equilibrium, or of one time step: search for contact, grids, contact
 //! problem.
 //!
-//! The procedure is common to plane and three-dimensional models, in [`places`] and [`cells`]. The
+//! The procedure is common to plane and three-dimensional models, in [`contact_layout`] and [`contact_solution`]. The
 //! dimension-dependent part (positions of bodies, closest approach, grids and compliances) is
-//! behind the trait [`space::Space`], implemented in [`plane`] and [`solid`].
+//! behind the trait [`contact_geometry::Space`], implemented in [`plane`] and [`solid`].
 //!
 //! See `docs/theory/equilibrium.md`.
 
-mod cells;
-mod drag;
-mod drift;
+mod contact_geometry;
+mod contact_layout;
+mod contact_solution;
+mod friction;
 mod patch;
-mod places;
 mod plane;
+mod relinearization;
 mod solid;
-mod space;
 
-pub use patch::{Patch, PatchGrid};
+pub use patch::{ContactGrid, ContactPatch};
 
-use crate::modal::Elastic;
+use crate::modal::ModalElimination;
 use crate::system::{Bodies, System};
 use crate::vibrations::Vibrations;
 use calyx_contact::problem::{Certificate, ContactProblem};
 use calyx_model::bearing::Springs;
 use calyx_numerics::error::EngineError;
-use places::{Conditions, Solver};
+use contact_layout::{Conditions, Solver};
 use plane::Plane;
 use solid::Solid;
 use std::sync::{Arc, OnceLock};
@@ -35,7 +35,7 @@ pub struct StepResult {
     /// Time, s.
     pub time: f64,
     /// Contact patches of tooth pairs, loaded or not.
-    pub patches: Vec<Patch>,
+    pub patches: Vec<ContactPatch>,
     /// Deviation of every DOF from its prescribed motion, m or rad.
     pub motion: Vec<f64>,
     /// Part of the deviation at which the contact grid was created. It is zero unless teeth may
@@ -50,11 +50,11 @@ pub struct StepResult {
     pub modal: Vec<f64>,
     /// Rates of the DOFs and of the modal coordinates, per second; empty in equilibrium.
     pub velocity: Vec<f64>,
-    /// What acts on the frame of each body beside contact, bearings and its whole load, in the order of [`calyx_model::freedom::FREEDOMS`]: inertia, and
+    /// What acts on the frame of each body beside contact, bearings and its whole load, in the order of [`calyx_model::dof::DOF_NAMES`]: inertia, and
     /// the part of the load that a step leaves out; N and N m. Empty in equilibrium.
-    pub beside: Vec<[f64; 6]>,
+    pub other_loads: Vec<[f64; 6]>,
     /// Free vibrations about the position, computed on request, see
-    /// [`crate::observe::Equilibrium::vibrations`].
+    /// [`crate::observables::Equilibrium::vibrations`].
     pub vibrations: OnceLock<Option<Arc<Vibrations>>>,
     /// Forces on the stops of bearings, whose gap equations follow those of the patches, and then
     /// on the flanks of spline teeth: N, in a plane model N per metre of face width.
@@ -85,7 +85,7 @@ impl System<'_> {
     /// # Errors
     /// Those of [`System::solve`].
     pub fn touch(&self, time: f64) -> Result<StepResult, EngineError> {
-        self.solve_under(time, &vec![0.0; self.freedoms.len()], &self.load_at(time)?, None)
+        self.solve_under(time, &vec![0.0; self.dofs.len()], &self.load_at(time)?, None)
     }
 
     /// Solves under a load, or in the limit of a load along a direction.
@@ -94,7 +94,7 @@ impl System<'_> {
         time: f64,
         load: &[f64],
         direction: &[f64],
-        elastic: Option<&Elastic<'_>>,
+        elastic: Option<&ModalElimination<'_>>,
     ) -> Result<StepResult, EngineError> {
         self.equilibrium(time, load, direction, elastic, None)
     }
@@ -105,7 +105,7 @@ impl System<'_> {
         &self,
         time: f64,
         load: &[f64],
-        elastic: Option<&Elastic<'_>>,
+        elastic: Option<&ModalElimination<'_>>,
         sizing: &[f64],
     ) -> Result<StepResult, EngineError> {
         self.equilibrium(time, load, load, elastic, Some(sizing))
@@ -116,7 +116,7 @@ impl System<'_> {
         time: f64,
         load: &[f64],
         direction: &[f64],
-        elastic: Option<&Elastic<'_>>,
+        elastic: Option<&ModalElimination<'_>>,
         sizing: Option<&[f64]>,
     ) -> Result<StepResult, EngineError> {
         let springs = &self.springs_at(time)?;
@@ -142,7 +142,7 @@ impl System<'_> {
         springs: &Springs,
         load: &[f64],
         start: &[f64],
-        elastic: Option<&Elastic<'_>>,
+        elastic: Option<&ModalElimination<'_>>,
         sizing: &[f64],
     ) -> Result<StepResult, EngineError> {
         let (direction, sizing) = (sizing, Some(sizing));

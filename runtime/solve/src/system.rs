@@ -5,25 +5,25 @@ use crate::modal::Modes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{Springs, springs};
-use calyx_model::building::StructureCounts;
-use calyx_model::building::{Structures, build_structures};
 use calyx_model::fidelity::Fidelity;
-use calyx_model::flanks::{add_flanks, lug_contacts};
-use calyx_model::frames::{axes, loads_on, number_freedoms, pose, solid_pose};
+use calyx_model::flanks::{add_flanks, spline_contacts};
+use calyx_model::frames::{axes, loads_on, number_dofs, pose, solid_pose};
 use calyx_model::ids::BodyId;
-use calyx_model::lug_contact::LugContact;
 use calyx_model::mechanism::Mechanism;
-use calyx_model::motion::{PlanePose, Stance, axle, moved_by, point_velocity};
+use calyx_model::motion::{Orientation, PlanePose, axle, moved_by, point_velocity};
 use calyx_model::pairs::SurfacePair;
 use calyx_model::plan::{BodyPlan, Plan, face_widths};
 use calyx_model::resources::Resources;
+use calyx_model::spline_contact::SplineContact;
+use calyx_model::structure_building::StructureCounts;
+use calyx_model::structure_building::{Structures, build_structures};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::{AnyStructure, Structure};
 use std::sync::{Arc, OnceLock};
 
-pub use calyx_model::freedom::Freedom;
+pub use calyx_model::dof::Dof;
 
 /// Surface pair and a pair of its teeth.
 pub type Teeth = (usize, [u32; 2]);
@@ -35,7 +35,7 @@ pub struct System<'s> {
     /// Bodies as they are modelled.
     pub bodies: Bodies,
     /// Free components of the frames of bodies, in the order of the unknowns.
-    pub freedoms: Vec<Freedom>,
+    pub dofs: Vec<Dof>,
     /// Axis positions by body, see [`axle`].
     axles: Vec<[f64; 3]>,
     /// Direction of the line of centres of every pair at time 0, rad, if it rotates.
@@ -43,13 +43,13 @@ pub struct System<'s> {
     /// Modelled bearings, by index in the scene.
     pub bearings: Vec<usize>,
     /// Spline teeth with clearance, by the index of the body that they support.
-    pub lugs: Vec<(usize, LugContact)>,
+    pub spline_teeth: Vec<(usize, SplineContact)>,
     /// Callback at every checkpoint.
     pub interrupt: Interrupt,
     /// True for rigid bodies, which touch as the load vanishes.
     pub rigid: bool,
     /// Modes of bodies, in transient analyses or vibrations about an equilibrium; empty unless
-    /// requested ([`System::vibrating`]).
+    /// requested ([`System::with_modes`]).
     pub modes: Modes,
     structure_counts: StructureCounts,
     /// Inertias of all bodies about their axes of rotation, computed on request, because those of
@@ -131,7 +131,7 @@ impl<'s> System<'s> {
     /// No surface pair is in contact, a frame is invalid, a structure cannot be built, or those of
     /// the interrupt.
     pub fn with(scene: &'s Mechanism, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
-        let freedoms = number_freedoms(scene, plan);
+        let dofs = number_dofs(scene, plan);
         if !plan.bodies.iter().any(BodyPlan::is_elastic) {
             return Err(EngineError::new(
                 "E0713",
@@ -151,7 +151,7 @@ impl<'s> System<'s> {
                 })
             }
             true => {
-                let angle = |body| solid_pose(scene, body, 0.0).map(|pose| Stance::of(&pose).angle);
+                let angle = |body| solid_pose(scene, body, 0.0).map(|pose| Orientation::of(&pose).angle);
                 let initial = all.map(angle).collect::<Result<_, _>>()?;
                 Bodies::Solid(SolidBodies { structures: Vec::new(), initial })
             }
@@ -161,15 +161,15 @@ impl<'s> System<'s> {
         let interrupt = resources.interrupt.clone();
         let bearings = plan.modelled_bearings();
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
-        let (lines, lugs, modes) = (Vec::new(), lug_contacts(scene, plan), Modes::default());
+        let (lines, spline_teeth, modes) = (Vec::new(), spline_contacts(scene, plan), Modes::default());
         let mut system = System {
             scene,
             bodies,
-            freedoms,
+            dofs,
             axles,
             lines,
             bearings,
-            lugs,
+            spline_teeth,
             interrupt,
             rigid: plan.fidelity == Fidelity::Rigid,
             modes,
@@ -189,7 +189,7 @@ impl<'s> System<'s> {
     /// # Errors
     /// E0764: the frequency is invalid. E0771: the system is three-dimensional. Those of
     /// [`Resources::modes`].
-    pub fn vibrating(
+    pub fn with_modes(
         mut self,
         plan: &Plan,
         resources: &Resources,
@@ -205,11 +205,11 @@ impl<'s> System<'s> {
         System {
             scene,
             bodies: self.bodies.clone(),
-            freedoms: self.freedoms.clone(),
+            dofs: self.dofs.clone(),
             axles: self.axles.clone(),
             lines: self.lines.clone(),
             bearings: self.bearings.clone(),
-            lugs: self.lugs.clone(),
+            spline_teeth: self.spline_teeth.clone(),
             interrupt: self.interrupt.clone(),
             modes: self.modes.clone(),
             structure_counts: self.structure_counts,
@@ -244,13 +244,13 @@ impl<'s> System<'s> {
 
     /// Returns the external generalized forces on the DOFs at a time, per [`System::width`].
     pub fn load_at(&self, time: f64) -> Result<Vec<f64>, EngineError> {
-        self.load_in_part(time, 1.0)
+        self.scaled_load(time, 1.0)
     }
 
     /// Returns the external forces with the loads scaled by `part` and all impulses unscaled.
-    pub fn load_in_part(&self, time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
-        let loads = loads_on(self.scene, &self.freedoms, time, part)?;
-        Ok(loads.iter().zip(&self.freedoms).map(|(load, on)| load / self.width(on.body)).collect())
+    pub fn scaled_load(&self, time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
+        let loads = loads_on(self.scene, &self.dofs, time, part)?;
+        Ok(loads.iter().zip(&self.dofs).map(|(load, on)| load / self.width(on.body)).collect())
     }
 
     /// Returns stiffness and forces of bearings and of spline teeth with clearance at a time, per
@@ -258,15 +258,15 @@ impl<'s> System<'s> {
     pub fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
         let mut springs = {
             let Mechanism { bodies, bearings, .. } = self.scene;
-            springs(bodies, bearings, &self.bearings, &self.freedoms, |body| self.width(body), time)?
+            springs(bodies, bearings, &self.bearings, &self.dofs, |body| self.width(body), time)?
         };
-        for (body, contact) in &self.lugs {
+        for (body, contact) in &self.spline_teeth {
             let structure = match &self.bodies {
                 Bodies::Plane(bodies) => bodies.structures.get(*body).and_then(Option::as_deref),
                 Bodies::Solid(_) => None,
             };
-            let between = structure.and_then(Structure::lug_compliance);
-            add_flanks(&mut springs, self.scene, (*body, contact), &self.freedoms, time, between)?;
+            let between = structure.and_then(Structure::spline_tooth_compliance);
+            add_flanks(&mut springs, self.scene, (*body, contact), &self.dofs, time, between)?;
         }
         Ok(springs)
     }
@@ -278,7 +278,7 @@ impl<'s> System<'s> {
 
     /// Returns the number of gap equations of spline tooth flanks.
     pub fn flanks(&self) -> usize {
-        self.lugs.iter().map(|(_, contact)| contact.flanks()).sum()
+        self.spline_teeth.iter().map(|(_, contact)| contact.flanks()).sum()
     }
 
     /// Returns the pitch deviation of a tooth as an angle, rad.
@@ -294,7 +294,7 @@ impl<'s> System<'s> {
                 pose(self.scene, body, time).map_or(f64::NAN, |pose| pose.angle - bodies.initial[body].angle)
             }
             Bodies::Solid(bodies) => solid_pose(self.scene, body, time)
-                .map_or(f64::NAN, |pose| Stance::of(&pose).angle - bodies.initial[body]),
+                .map_or(f64::NAN, |pose| Orientation::of(&pose).angle - bodies.initial[body]),
         }
     }
 
@@ -307,7 +307,7 @@ impl<'s> System<'s> {
 
     /// Returns the rotation of a pair's line of centres since time 0, rad, modulo whole
     /// revolutions; 0 for gears on fixed axes.
-    pub fn line_turned(&self, pair: usize, time: f64) -> f64 {
+    pub fn rotated_line_of_centres(&self, pair: usize, time: f64) -> f64 {
         let since = |start| self.line_of_centres(&self.scene.pairs[pair], time) - start;
         self.lines[pair].map_or(0.0, since)
     }
@@ -332,12 +332,11 @@ impl<'s> System<'s> {
     }
 
     /// The deviations of a body from its prescribed motion that are among those of all freedoms, in the order of
-    /// [`calyx_model::freedom::FREEDOMS`]; m and rad.
+    /// [`calyx_model::dof::DOF_NAMES`]; m and rad.
     pub fn moved(&self, body: usize, motion: &[f64]) -> [f64; 6] {
         let mut by = [0.0; 6];
-        for (freedom, &moved) in self.freedoms.iter().zip(motion).filter(|(freedom, _)| freedom.body == body)
-        {
-            by[freedom.component] = moved;
+        for (dof, &moved) in self.dofs.iter().zip(motion).filter(|(dof, _)| dof.body == body) {
+            by[dof.component] = moved;
         }
         by
     }
@@ -374,7 +373,7 @@ impl<'s> System<'s> {
 
     /// Returns the position of the axis of rotation with the deviations `moved` from the prescribed
     /// motions, m or rad by DOF.
-    pub fn origin_moved(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
+    pub fn displaced_origin(&self, body: usize, time: f64, moved: &[f64]) -> [f64; 3] {
         let (origin, shift) = (self.origin(body, time), self.shift(body, time, moved));
         [0, 1, 2].map(|k: usize| origin[k] + shift[k])
     }
@@ -385,7 +384,7 @@ impl<'s> System<'s> {
     ///
     /// # Errors
     /// Those of [`solid_pose`].
-    pub fn pose_moved(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
+    pub fn displaced_pose(&self, body: usize, time: f64, moved: &[f64]) -> Result<Pose, EngineError> {
         let pose = solid_pose(self.scene, body, time)?;
         let by = self.moved(body, moved);
         if by == [0.0; 6] {

@@ -11,14 +11,14 @@
 //! See `docs/theory/modes.md`.
 
 use crate::integration::{check_inertia, coupling};
-use crate::step::{PatchGrid, StepResult};
+use crate::step::{ContactGrid, StepResult};
 use crate::system::System;
 use crate::vibrations::Vibrations;
 use calyx_fe::inertia::Inertia;
 use calyx_model::frames::solid_pose;
 use calyx_model::target::Examined;
 use calyx_numerics::dense::{
-    add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, symmetric_eigen,
+    add_product_lower, cholesky, mirror_lower, solve_lower, solve_upper, symmetric_eigen,
 };
 use calyx_numerics::error::EngineError;
 use calyx_structure::Chart;
@@ -30,10 +30,10 @@ impl System<'_> {
     /// Returns the mass matrix of the DOFs at a time (s), of rigid bodies about their axes of
     /// rotation.
     pub fn mass_matrix(&self, time: f64) -> DMatrix<f64> {
-        let freedoms = &self.freedoms;
-        let mut mass = DMatrix::zeros(freedoms.len(), freedoms.len());
+        let dofs = &self.dofs;
+        let mut mass = DMatrix::zeros(dofs.len(), dofs.len());
         for index in 0..self.scene.bodies.len() {
-            let own: Vec<usize> = (0..freedoms.len()).filter(|&i| freedoms[i].body == index).collect();
+            let own: Vec<usize> = (0..dofs.len()).filter(|&i| dofs[i].body == index).collect();
             if own.is_empty() {
                 continue;
             }
@@ -42,7 +42,7 @@ impl System<'_> {
             let axes = self.axes(index, time);
             for &i in &own {
                 for &j in &own {
-                    mass[(i, j)] = entry(&turned, &axes, freedoms[i].component, freedoms[j].component);
+                    mass[(i, j)] = entry(&turned, &axes, dofs[i].component, dofs[j].component);
                 }
             }
         }
@@ -91,7 +91,7 @@ impl System<'_> {
         let mut arms = Mat::zeros(cells, self.modes.count());
         let mut first = 0;
         for patch in &step.patches {
-            if let PatchGrid::Plane { cells, .. } = &patch.grid {
+            if let ContactGrid::Plane { cells, .. } = &patch.grid {
                 let bodies = self.scene.pairs[patch.pair].bodies;
                 let side = |side: usize| {
                     let chart = Chart { tooth: patch.teeth[side], surface: patch.surfaces[side] };
@@ -127,7 +127,7 @@ impl System<'_> {
     /// Returns the width to which forces on each coordinate refer, m: DOFs, then modal coordinates.
     /// Coupled coordinates have equal widths.
     fn coordinate_widths(&self) -> Vec<f64> {
-        let mut widths: Vec<f64> = self.freedoms.iter().map(|freedom| self.width(freedom.body)).collect();
+        let mut widths: Vec<f64> = self.dofs.iter().map(|dof| self.width(dof.body)).collect();
         for body in 0..self.scene.bodies.len() {
             let modes = self.modes.of_body(body).map_or(0, |(own, _)| own.count());
             widths.extend(std::iter::repeat_n(self.width(body), modes));
@@ -146,7 +146,7 @@ impl System<'_> {
     /// Returns the stiffness matrix, per width of the model.
     fn stiffness_about(&self, step: &StepResult) -> Option<Mat<f64>> {
         let (problem, active, modes) = (&step.problem, &step.active, &self.modes);
-        let (n, m, count) = (problem.cells(), self.freedoms.len(), modes.count());
+        let (n, m, count) = (problem.cells(), self.dofs.len(), modes.count());
         if problem.stiffness.len() != m * m {
             return None;
         }
@@ -171,7 +171,7 @@ impl System<'_> {
             None => problem.arms[active[i] * m + k],
             Some(mode) => modal(active[i], mode),
         });
-        let pressed = half_solve(cholesky(residual)?.as_ref(), arms);
+        let pressed = solve_lower(cholesky(residual)?.as_ref(), arms);
         add_product_lower(stiffness.as_mut(), 1.0, pressed.transpose(), pressed.as_ref());
         mirror_lower(&mut stiffness);
         Some(stiffness)
@@ -189,11 +189,11 @@ impl System<'_> {
         let scaled =
             |matrix: &Mat<f64>| Mat::from_fn(size, size, |i, j| scale[i] * matrix[(i, j)] * scale[j]);
         let lower = cholesky(scaled(&mass))?;
-        let half = half_solve(lower.as_ref(), scaled(&stiffness));
-        let mut whole = half_solve(lower.as_ref(), half.transpose().to_owned());
+        let half = solve_lower(lower.as_ref(), scaled(&stiffness));
+        let mut whole = solve_lower(lower.as_ref(), half.transpose().to_owned());
         whole = Mat::from_fn(size, size, |i, j| 0.5 * (whole[(i, j)] + whole[(j, i)]));
         let (squares, vectors) = symmetric_eigen(whole.as_ref())?;
-        let vectors = other_half_solve(lower.as_ref(), vectors);
+        let vectors = solve_upper(lower.as_ref(), vectors);
         Some(Vibrations {
             frequencies: squares.iter().map(|square| square.max(0.0).sqrt()).collect(),
             shapes: DMatrix::from_fn(size, size, |i, mode| scale[i] * vectors[(i, mode)]),
@@ -213,8 +213,8 @@ pub fn check_vibrations(system: &System<'_>, examined: &dyn Examined) -> Result<
     if !modes && !examined.examines_modes() {
         return Ok(());
     }
-    check_inertia(system.scene, &system.freedoms, system.inertias())?;
-    check_mode_count(examined, system.freedoms.len() + system.modes.count())
+    check_inertia(system.scene, &system.dofs, system.inertias())?;
+    check_mode_count(examined, system.dofs.len() + system.modes.count())
 }
 
 /// Checks that a scene with this number of modes has all that are requested.

@@ -4,7 +4,7 @@
 use calyx_fe::material::{Material, Plane};
 use calyx_fe::{Block, Curve, ElementOrder, MeshBuilder, PlaneModel, Side, uniform};
 use calyx_numerics::interrupt::Interrupt;
-use calyx_structure::{BodyModes, BoreHold, ElasticStructure, Hold, RingSource, SplitOptions};
+use calyx_structure::{BodyModes, BoreSupport, ElasticStructure, MeshSupport, RingSource, SplitOptions};
 use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
 use std::time::Instant;
@@ -25,13 +25,18 @@ fn main() {
     );
     for (sectors, highest) in [(12, 20e3), (24, 20e3), (48, 20e3), (48, 40e3)] {
         let (sector, whole) = (ring(sectors, false), ring(sectors, true));
-        let source =
-            RingSource { sectors, cuts: ["first", "last"], bore: "bore", hold: BoreHold::Rigid, coupled: 3 };
+        let source = RingSource {
+            sectors,
+            cuts: ["first", "last"],
+            bore: "bore",
+            hold: BoreSupport::Rigid,
+            coupled: 3,
+        };
         let (options, never) = (SplitOptions::default(), Interrupt::never());
         let cyclic =
             || BodyModes::ring(&sector, &source, &[], &options, highest, &never).map(|modes| modes.count());
         let single = || {
-            BodyModes::single(&whole, Hold::Chain("bore"), &[], &options, highest, &never)
+            BodyModes::single(&whole, MeshSupport::Chain("bore"), &[], &options, highest, &never)
                 .map(|modes| modes.count())
         };
         let modes = cyclic().expect("modes");

@@ -1,5 +1,5 @@
 //! Two-dimensional bodies without a mesh, by published closed forms: a tooth as a cantilever
-//! ([`Cantilever`]) on a ring that is fixed on its far side ([`HeldRing`]), and the half-plane near
+//! ([`Cantilever`]) on a ring that is fixed on its far side ([`FoundationRing`]), and the half-plane near
 //! loads.
 //!
 //! Each compliance contribution is counted once. The displacements of the cantilever and the ring
@@ -23,16 +23,16 @@
 //! See `docs/theory/analytic-compliance.md`.
 
 mod cantilever;
-mod held_ring;
+mod foundation_ring;
 mod root_stress;
 mod solid;
 
 pub use cantilever::{Cantilever, Flexibility, RootLoad};
-pub use held_ring::{HeldRing, RingShape};
+pub use foundation_ring::{FoundationRing, RingShape};
 pub use root_stress::CriticalSection;
 pub use solid::AnalyticSolid;
 
-use super::{Chart, StressPlace, Structure, SurfaceLoad};
+use super::{Chart, StressPoint, Structure, SurfaceLoad};
 use crate::profile::Profile;
 use calyx_fe::material::{Material, Plane};
 use calyx_numerics::error::EngineError;
@@ -61,7 +61,7 @@ pub struct ToothShape {
 pub struct AnalyticStructure {
     surfaces: Vec<Arc<dyn Profile>>,
     tooth: Tooth,
-    ring: HeldRing,
+    ring: FoundationRing,
     teeth: u32,
     reference_length: f64,
 }
@@ -109,7 +109,7 @@ impl AnalyticStructure {
         plane: Plane,
     ) -> AnalyticStructure {
         let tooth = Tooth::new(shape, material, plane);
-        let ring = HeldRing::new(&shape.ring, coupled, material, plane);
+        let ring = FoundationRing::new(&shape.ring, coupled, material, plane);
         let teeth = shape.ring.sectors.max(1);
         let middle = surfaces.first().map(|profile| tooth.local(profile.as_ref(), 0.5 * profile.length()));
         let reference_length = middle.map_or(shape.ring.radius, |local| local.depth);
@@ -256,7 +256,7 @@ impl Structure for AnalyticStructure {
         Ok(())
     }
 
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPoint, f64)> {
         let Some(section) = &self.tooth.section else { return Vec::new() };
         let side = if surface == 0 { 1.0 } else { -1.0 };
         let by = |load: &SurfaceLoad| {
@@ -268,7 +268,7 @@ impl Structure for AnalyticStructure {
         let (sine, cosine) = self.tooth_angle(tooth).sin_cos();
         let [x, y] = [section.position[0], side * section.position[1]];
         let position = [cosine * x - sine * y, sine * x + cosine * y];
-        vec![(StressPlace { tooth, surface, s: section.s, position }, stress)]
+        vec![(StressPoint { tooth, surface, s: section.s, position }, stress)]
     }
 
     fn bytes(&self) -> usize {

@@ -9,13 +9,13 @@
 //! transverse force, uniform along the circle under a torque. Terms of the series of
 //! [`calyx_fe::solid::fourier`] can be constrained in addition, up to some harmonic around and
 //! some degree along the bore; with an increasing number of terms the bore becomes rigid. As an
-//! alternative, spline teeth support the bore at some angular positions ([`super::lugs`]).
+//! alternative, spline teeth support the bore at some angular positions ([`super::spline_teeth`]).
 //!
 //! See `docs/theory/substructures.md`.
 
 use super::StructureError;
-use super::lugs::{LugForms, Lugs};
-use super::ring::{Released, RingFlexibility, Shared};
+use super::ring::{ReleasedMeans, RingFlexibility, SharedUnknowns};
+use super::spline_teeth::{SplineTeeth, SplineToothForms};
 use calyx_fe::solid::fourier::{RevolutionSurface, Series};
 use calyx_fe::solid::{ElementFace, FaceSet, SolidModel};
 use calyx_fe::{EdgeChain, PlaneModel, SparseVector};
@@ -24,7 +24,7 @@ use faer::Mat;
 
 /// Support of the bore of a ring.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum BoreHold {
+pub enum BoreSupport {
     /// All nodes of the bore are fixed.
     #[default]
     Rigid,
@@ -32,55 +32,56 @@ pub enum BoreHold {
     /// terms of a series.
     Means {
         /// Highest constrained harmonic; `None` constrains none, 0 the axisymmetric terms.
-        waves: Option<u16>,
+        harmonics: Option<u16>,
         /// Highest constrained degree of polynomials along the bore.
         degree: u8,
     },
     /// Spline teeth support the bore. Mean constraints fix the rigid-body motion that the spline
     /// teeth leave free: axial motion, and motions beyond their degree.
-    Lugs(Lugs),
+    SplineTeeth(SplineTeeth),
     /// Spline teeth with clearance, whose contact is solved outside the structure
-    /// ([`super::loose_lugs`]). The structure uses mean constraints. Plane models only.
-    LooseLugs {
+    /// ([`super::spline_clearance`]). The structure uses mean constraints. Plane models only.
+    SplineWithClearance {
         /// The spline teeth. Their compliance and radial constraint are not part of the structure.
-        lugs: Lugs,
-        /// Clearance, see `LugContact::clearance`; not
+        spline_teeth: SplineTeeth,
+        /// Clearance, see `SplineContact::clearance`; not
         /// part of the structure.
         clearance: f64,
     },
 }
 
-impl BoreHold {
+impl BoreSupport {
     /// Returns the number of unknowns that constrain the bore of a ring with separate tables for
     /// sectors up to `coupled` apart; 0 for a rigid bore.
     pub fn unknowns(self, in_plane: bool, sectors: u32, coupled: u32) -> usize {
-        let known = if in_plane { self.known_in_plane(sectors, coupled) } else { coupled };
-        let Some(wanted) = Wanted::of_ring(self, sectors, known) else { return 0 };
+        let known = if in_plane { self.plane_window(sectors, coupled) } else { coupled };
+        let Some(wanted) = RequestedMeans::for_ring(self, sectors, known) else { return 0 };
         let wanted = if in_plane { wanted.in_plane() } else { wanted };
         let ends = if in_plane { [0.0; 2] } else { [-1.0, 1.0] };
-        let patterns = Patterns::new(RevolutionSurface::cylinder(1.0, ends), wanted, in_plane);
+        let patterns = BoreConstraints::new(RevolutionSurface::cylinder(1.0, ends), wanted, in_plane);
         patterns.map_or(0, |patterns| patterns.places.len())
     }
 
     /// Returns true if loads act all around a plane ring with this support and are resolved through
     /// its cuts.
-    pub fn carries_far(self) -> bool {
-        matches!(self, BoreHold::Means { .. })
+    pub fn couples_all_sectors(self) -> bool {
+        matches!(self, BoreSupport::Means { .. })
     }
 
     /// Returns the largest distance of sectors of a plane ring that are coupled without a series,
     /// if those up to `coupled` apart have tables.
-    pub(super) fn known_in_plane(self, sectors: u32, coupled: u32) -> u32 {
-        if self.carries_far() { sectors } else { coupled }
+    pub(super) fn plane_window(self, sectors: u32, coupled: u32) -> u32 {
+        if self.couples_all_sectors() { sectors } else { coupled }
     }
 
     /// Adapts an error in condensing a ring with this support: for a coarse bore it names the
     /// series that the mesh cannot resolve.
-    pub(super) fn blamed(self, error: StructureError) -> StructureError {
+    pub(super) fn with_bore_context(self, error: StructureError) -> StructureError {
         match (self, error) {
-            (BoreHold::Lugs(_) | BoreHold::LooseLugs { .. }, StructureError::CoarseBore) => {
-                StructureError::CoarseLugs
-            }
+            (
+                BoreSupport::SplineTeeth(_) | BoreSupport::SplineWithClearance { .. },
+                StructureError::CoarseBore,
+            ) => StructureError::CoarseLugs,
             (_, error) => error,
         }
     }
@@ -88,7 +89,7 @@ impl BoreHold {
 
 /// Harmonics around the bore, and degree along it, that couple distant sectors. The truncation
 /// error is less than a hundredth of the coupling of neighbours (`tests/bore.rs`).
-const COUPLED_WAVES: u16 = 16;
+const COUPLED_HARMONICS: u16 = 16;
 const COUPLED_DEGREE: u8 = 1;
 
 /// Linear forms of the displacements of one sector whose sums over the ring vanish.
@@ -96,44 +97,46 @@ pub(super) struct BoreMeans {
     /// Linear forms, one for each mean; also the load vectors of the constraint forces.
     pub forms: Vec<SparseVector>,
     /// Rotation of the means from sector to sector.
-    pub shared: Shared,
+    pub shared: SharedUnknowns,
     /// Number of constrained means. The remaining ones are to be released, see
     /// [`super::bore_coupling`].
     pub held: usize,
-    /// Forces by the released means where a web supports them, see [`super::web`].
+    /// Forces by the released means where a web supports them, see [`super::revolved_web`].
     pub carried: Option<Mat<f64>>,
     /// Spline teeth that support the released means, if any.
-    pub lugs: Option<LugForms>,
+    pub spline_teeth: Option<SplineToothForms>,
     /// True if these spline teeth have clearance: then they do not support the ring.
-    pub loose: bool,
+    pub with_clearance: bool,
 }
 
 /// Selection of mean displacements of a bore.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wanted {
-    /// Harmonics, as in [`BoreHold::Means`].
-    pub waves: Option<u16>,
+pub(super) struct RequestedMeans {
+    /// Harmonics, as in [`BoreSupport::Means`].
+    pub harmonics: Option<u16>,
     pub degree: u8,
     /// Highest harmonic of additional means that are released, if any.
     pub coupled: Option<u16>,
-    /// Spline teeth against which means are released. Unless the teeth are `loose`, the rigid-body
+    /// Spline teeth against which means are released. Unless the teeth are `with_clearance`, the rigid-body
     /// motion is released too.
-    pub lugs: Option<Lugs>,
+    pub spline_teeth: Option<SplineTeeth>,
     /// True if the spline teeth have clearance: then they do not support the ring.
-    pub loose: bool,
+    pub with_clearance: bool,
 }
 
-impl Wanted {
+impl RequestedMeans {
     /// Selects the means for a ring with tables for sectors up to `coupled` apart; more distant
     /// ones are coupled through the bore. `None` for a rigid bore.
-    pub fn of_ring(hold: BoreHold, sectors: u32, coupled: u32) -> Option<Self> {
+    pub fn for_ring(hold: BoreSupport, sectors: u32, coupled: u32) -> Option<Self> {
         let means = |waves, degree| Self::of_means(waves, degree, sectors, coupled);
         match hold {
-            BoreHold::Rigid => None,
-            BoreHold::Means { waves, degree } => Some(means(waves, degree)),
-            BoreHold::Lugs(lugs) => Some(Self { lugs: Some(lugs), ..means(None, 0) }),
-            BoreHold::LooseLugs { lugs, .. } => {
-                Some(Self { lugs: Some(lugs), loose: true, ..means(None, 0) })
+            BoreSupport::Rigid => None,
+            BoreSupport::Means { harmonics: waves, degree } => Some(means(waves, degree)),
+            BoreSupport::SplineTeeth(spline_teeth) => {
+                Some(Self { spline_teeth: Some(spline_teeth), ..means(None, 0) })
+            }
+            BoreSupport::SplineWithClearance { spline_teeth, .. } => {
+                Some(Self { spline_teeth: Some(spline_teeth), with_clearance: true, ..means(None, 0) })
             }
         }
     }
@@ -141,46 +144,56 @@ impl Wanted {
     /// Selects the means for a bore with mean constraints.
     pub fn of_means(waves: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
-        let coupled = (coupled < sectors / 2).then_some(COUPLED_WAVES.min(most));
-        Self { waves, degree, coupled, lugs: None, loose: false }
+        let coupled = (coupled < sectors / 2).then_some(COUPLED_HARMONICS.min(most));
+        Self { harmonics: waves, degree, coupled, spline_teeth: None, with_clearance: false }
     }
 
     /// Returns the selection for a plane model, without variation along the axis.
     fn in_plane(self) -> Self {
-        Self { degree: 0, lugs: self.lugs.map(|lugs| Lugs { degree: 0, ..lugs }), ..self }
+        Self {
+            degree: 0,
+            spline_teeth: self.spline_teeth.map(|spline_teeth| SplineTeeth { degree: 0, ..spline_teeth }),
+            ..self
+        }
     }
 }
 
 /// Constraints on a surface of revolution.
-pub(super) struct Patterns {
+pub(super) struct BoreConstraints {
     pub series: Series,
     /// Indices of the displacements of the series, [`Series::displacements`].
     pub places: Vec<usize>,
     /// Number of constrained displacements.
     pub held: usize,
-    lugs: Option<LugForms>,
-    loose: bool,
+    spline_teeth: Option<SplineToothForms>,
+    with_clearance: bool,
 }
 
-impl Patterns {
+impl BoreConstraints {
     /// Returns `None` if the surface has no extent. In a plane model, where the generator is a
     /// point, only in-plane motions count.
-    pub fn new(surface: RevolutionSurface, wanted: Wanted, in_plane: bool) -> Option<Patterns> {
-        let lugs = wanted.lugs;
-        let most_waves = [wanted.waves, wanted.coupled, lugs.map(|lugs| lugs.waves())];
+    pub fn new(
+        surface: RevolutionSurface,
+        wanted: RequestedMeans,
+        in_plane: bool,
+    ) -> Option<BoreConstraints> {
+        let spline_teeth = wanted.spline_teeth;
+        let most_waves =
+            [wanted.harmonics, wanted.coupled, spline_teeth.map(|spline_teeth| spline_teeth.waves())];
         let most_waves = most_waves.into_iter().flatten().max().unwrap_or(0);
-        let degree = lugs.map_or(wanted.degree, |lugs| lugs.degree.max(wanted.degree));
+        let degree =
+            spline_teeth.map_or(wanted.degree, |spline_teeth| spline_teeth.degree.max(wanted.degree));
         let highest = match wanted.coupled {
             Some(_) if !in_plane => degree.max(COUPLED_DEGREE),
             _ => degree,
         };
         let series = Series::new(surface, most_waves, highest)?;
-        let (mut held, mut free) = match (lugs.filter(|_| !wanted.loose), in_plane) {
+        let (mut held, mut free) = match (spline_teeth.filter(|_| !wanted.with_clearance), in_plane) {
             (None, true) => (vec![0, 1, 5], vec![]),
             (None, false) => ((0..6).collect::<Vec<_>>(), vec![]),
             (Some(_), true) => (vec![], vec![0, 1, 5]),
             // On average a tilt displaces no spline tooth.
-            (Some(Lugs { degree: 0, .. }), false) => (vec![2, 3, 4], vec![0, 1, 5]),
+            (Some(SplineTeeth { degree: 0, .. }), false) => (vec![2, 3, 4], vec![0, 1, 5]),
             (Some(_), false) => (vec![2], vec![0, 1, 3, 4, 5]),
         };
         for (index, term) in series.terms().iter().enumerate() {
@@ -188,22 +201,28 @@ impl Patterns {
                 continue;
             }
             let of_hold =
-                wanted.waves.is_some_and(|waves| term.harmonic <= waves) && term.degree <= wanted.degree;
+                wanted.harmonics.is_some_and(|waves| term.harmonic <= waves) && term.degree <= wanted.degree;
             let of_coupling =
                 wanted.coupled.is_some_and(|waves| term.harmonic <= waves) && term.degree <= COUPLED_DEGREE;
             if of_hold {
                 held.push(6 + index);
-            } else if of_coupling || lugs.is_some_and(|lugs| lugs.needs(term)) {
+            } else if of_coupling || spline_teeth.is_some_and(|spline_teeth| spline_teeth.needs(term)) {
                 free.push(6 + index);
             }
         }
         let count = held.len();
         held.append(&mut free);
-        let lugs = match lugs {
-            Some(lugs) => Some(lugs.on(&series, &held)?),
+        let spline_teeth = match spline_teeth {
+            Some(spline_teeth) => Some(spline_teeth.on(&series, &held)?),
             None => None,
         };
-        Some(Patterns { series, places: held, held: count, lugs, loose: wanted.loose })
+        Some(BoreConstraints {
+            series,
+            places: held,
+            held: count,
+            spline_teeth,
+            with_clearance: wanted.with_clearance,
+        })
     }
 
     pub(super) fn at(&self, position: [f64; 3]) -> Vec<[f64; 3]> {
@@ -214,7 +233,7 @@ impl Patterns {
     /// Returns the transformation of the means under rotation. Translations across the axis and
     /// rotations about transverse axes transform like vectors; cosines and sines rotate by their
     /// harmonic times the angle.
-    pub fn shared(&self) -> Shared {
+    pub fn shared(&self) -> SharedUnknowns {
         let waves = |place: usize| match place {
             0 | 3 => Some(1),
             1 | 2 | 4 | 5 => None,
@@ -224,7 +243,7 @@ impl Patterns {
             let waves = waves(place).filter(|&waves| waves > 0)?;
             Some(([index, index + 1], f64::from(waves)))
         });
-        Shared { count: self.places.len(), pairs: pairs.collect() }
+        SharedUnknowns { count: self.places.len(), pairs: pairs.collect() }
     }
 }
 
@@ -233,7 +252,7 @@ impl BoreMeans {
     pub fn plane(
         model: &PlaneModel,
         bore: &EdgeChain,
-        wanted: Wanted,
+        wanted: RequestedMeans,
         interrupt: &Interrupt,
     ) -> Result<Option<BoreMeans>, StructureError> {
         let mut radius = 0.0_f64;
@@ -242,7 +261,7 @@ impl BoreMeans {
             [0.0; 2]
         });
         let circle = RevolutionSurface::cylinder(radius, [0.0; 2]);
-        let Some(patterns) = Patterns::new(circle, wanted.in_plane(), true) else {
+        let Some(patterns) = BoreConstraints::new(circle, wanted.in_plane(), true) else {
             return Ok(None);
         };
         Self::over(&patterns, interrupt, |traction| {
@@ -259,14 +278,14 @@ impl BoreMeans {
     pub fn solid(
         model: &SolidModel,
         bore: &FaceSet,
-        wanted: Wanted,
+        wanted: RequestedMeans,
         interrupt: &Interrupt,
     ) -> Result<Option<BoreMeans>, StructureError> {
         // Next to a web there is no face.
         let present = |face: &&ElementFace| !model.mesh.absent.contains(&face.element);
         let bore = FaceSet { faces: bore.faces.iter().filter(present).copied().collect(), chart: None };
         let Some(cylinder) = cylinder_of(model, &bore) else { return Ok(None) };
-        let Some(patterns) = Patterns::new(cylinder, wanted, false) else { return Ok(None) };
+        let Some(patterns) = BoreConstraints::new(cylinder, wanted, false) else { return Ok(None) };
         Self::over(&patterns, interrupt, |traction| model.face_load(&bore, |point| traction(point.position)))
             .map(Some)
     }
@@ -274,7 +293,7 @@ impl BoreMeans {
     /// Builds the means; `load` integrates a traction over the bore, always at the same points in
     /// the same order.
     pub(super) fn over(
-        patterns: &Patterns,
+        patterns: &BoreConstraints,
         interrupt: &Interrupt,
         load: impl Fn(&mut dyn FnMut([f64; 3]) -> [f64; 3]) -> SparseVector,
     ) -> Result<BoreMeans, StructureError> {
@@ -289,8 +308,9 @@ impl BoreMeans {
             let mut points = known.iter();
             forms.push(load(&mut |_| points.next().map_or([0.0; 3], |values| values[pattern])));
         }
-        let (shared, lugs, loose) = (patterns.shared(), patterns.lugs.clone(), patterns.loose);
-        Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, lugs, loose })
+        let (shared, spline_teeth, with_clearance) =
+            (patterns.shared(), patterns.spline_teeth.clone(), patterns.with_clearance);
+        Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, spline_teeth, with_clearance })
     }
 
     /// Releases the means that are not constrained. They are released freely (with or without
@@ -299,18 +319,26 @@ impl BoreMeans {
     ///
     /// # Errors
     /// The released ring has a rigid-body motion, or the spline teeth cannot be distinguished.
-    pub fn let_go(&self, ring: &mut RingFlexibility) -> Result<Option<Released>, StructureError> {
-        match &self.lugs {
-            Some(lugs) if !self.loose => {
+    pub fn release(&self, ring: &mut RingFlexibility) -> Result<Option<ReleasedMeans>, StructureError> {
+        match &self.spline_teeth {
+            Some(spline_teeth) if !self.with_clearance => {
                 let Some(bound) = ring.bound(self.held) else { return Ok(None) };
-                let (release, lugs) = lugs.hold(bound.stiffness.as_ref(), self.held)?;
+                let (release, spline_teeth) = spline_teeth.hold(bound.stiffness.as_ref(), self.held)?;
                 let (shared, holding) = (bound.shared, bound.holding);
-                Ok(Some(Released { shared, release, holding, lugs: Some(lugs), loose: None }))
+                Ok(Some(ReleasedMeans {
+                    shared,
+                    release,
+                    holding,
+                    spline_teeth: Some(spline_teeth),
+                    with_clearance: None,
+                }))
             }
-            lugs => {
+            spline_teeth => {
                 let Some(released) = ring.release(self.held, self.carried.as_ref())? else { return Ok(None) };
-                let loose = lugs.as_ref().map(|lugs| lugs.loose(self.held, released.release.as_ref()));
-                Ok(Some(Released { loose: loose.transpose()?, ..released }))
+                let with_clearance = spline_teeth
+                    .as_ref()
+                    .map(|spline_teeth| spline_teeth.with_clearance(self.held, released.release.as_ref()));
+                Ok(Some(ReleasedMeans { with_clearance: with_clearance.transpose()?, ..released }))
             }
         }
     }

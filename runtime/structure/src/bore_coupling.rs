@@ -10,7 +10,7 @@
 //! distant teeth on a bore with mean constraints only are coupled exactly through them:
 //! [`super::elastic::FarCoupling`].)
 //!
-//! If spline teeth support the amplitudes ([`super::lugs`]), the released amplitudes depend on the
+//! If spline teeth support the amplitudes ([`super::spline_teeth`]), the released amplitudes depend on the
 //! position of the loaded tooth, and not only on the distance of the observed one. In this case the
 //! tables do not include this part: it is added for near teeth as for distant ones, from the
 //! indices of both.
@@ -18,19 +18,19 @@
 //! See `docs/theory/substructures.md`.
 
 use super::dense::{add_product, product};
-use super::loose_lugs::LooseLugs;
-use super::lugs::{LugForce, LugSet};
-use super::ring::{Released, Shared};
+use super::ring::{ReleasedMeans, SharedUnknowns};
+use super::spline_clearance::SplineWithClearance;
+use super::spline_teeth::{SplineToothForce, SplineToothSet};
 use faer::{Mat, MatRef};
 
 /// Coupling of teeth without a common table: a load has some equivalent forces, which displace the
 /// other tooth's sector.
 pub(crate) trait Coupling {
     /// Adds the equivalent forces of loads, given as columns of weights on the table of a side.
-    fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>);
+    fn add_coupling_forces(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>);
 
     /// Returns zero equivalent forces for a number of loads.
-    fn unfelt(&self, loads: usize) -> Mat<f64>;
+    fn no_coupling_forces(&self, loads: usize) -> Mat<f64>;
 
     /// Returns the compliance between loads on two teeth: rows by the observed ones.
     fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64>;
@@ -48,14 +48,14 @@ pub(crate) struct BoreCoupling {
     /// Angle of a sector, rad.
     pub pitch: f64,
     /// Rotation of the amplitudes from sector to sector.
-    pub shared: Shared,
+    pub shared: SharedUnknowns,
     /// Amplitudes by forces; with spline teeth in the body's frame, otherwise in that of any
     /// sector.
     pub release: Mat<f64>,
     /// Spline teeth that support the amplitudes, if any.
-    pub lugs: Option<LugSet>,
+    pub spline_teeth: Option<SplineToothSet>,
     /// Spline teeth with clearance, if any.
-    pub loose: Option<LooseLugs>,
+    pub with_clearance: Option<SplineWithClearance>,
     /// Equivalent forces by the unknowns of a table, for each loadable side.
     pub loads: Vec<Mat<f64>>,
     /// Stress by amplitudes, for each surface.
@@ -64,20 +64,29 @@ pub(crate) struct BoreCoupling {
 
 impl BoreCoupling {
     /// Builds the coupling without loads and stresses.
-    pub fn new(released: Released, sectors: u32, pitch: f64) -> Self {
-        let Released { shared, release, lugs, loose, .. } = released;
-        Self { sectors, pitch, shared, release, lugs, loose, loads: Vec::new(), stress: Vec::new() }
+    pub fn new(released: ReleasedMeans, sectors: u32, pitch: f64) -> Self {
+        let ReleasedMeans { shared, release, spline_teeth, with_clearance, .. } = released;
+        Self {
+            sectors,
+            pitch,
+            shared,
+            release,
+            spline_teeth,
+            with_clearance,
+            loads: Vec::new(),
+            stress: Vec::new(),
+        }
     }
 
     /// Returns true if the tables of near teeth include the coupling through the bore.
     pub fn is_in_tables(&self) -> bool {
-        self.lugs.is_none()
+        self.spline_teeth.is_none()
     }
 
     /// Returns the amplitudes in the frame of a tooth.
     pub fn amplitudes(&self, observer: u32, (tooth, forces): (u32, &Mat<f64>)) -> Mat<f64> {
         let (observer, tooth) = (observer % self.sectors, tooth % self.sectors);
-        let (mut amplitudes, ahead) = if self.lugs.is_some() {
+        let (mut amplitudes, ahead) = if self.spline_teeth.is_some() {
             (product(self.release.as_ref(), self.in_body(tooth, forces).as_ref()), observer)
         } else {
             let ahead = (observer + self.sectors - tooth) % self.sectors;
@@ -96,52 +105,60 @@ impl BoreCoupling {
 
     /// Returns the forces of the spline teeth on the ring by forces in the body's frame; empty
     /// without spline teeth.
-    pub fn lug_forces(&self, in_body: &Mat<f64>) -> Vec<LugForce> {
-        self.lugs.as_ref().map_or_else(Vec::new, |lugs| lugs.forces(in_body.as_ref()))
+    pub fn spline_tooth_forces(&self, in_body: &Mat<f64>) -> Vec<SplineToothForce> {
+        self.spline_teeth.as_ref().map_or_else(Vec::new, |spline_teeth| spline_teeth.forces(in_body.as_ref()))
     }
 
     /// Returns the displacements of spline teeth with clearance under loads on a tooth: spline
     /// teeth by loads; no rows without such spline teeth.
-    pub fn lug_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
-        match &self.loose {
-            Some(lugs) => product(lugs.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref()),
+    pub fn spline_tooth_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
+        match &self.with_clearance {
+            Some(spline_teeth) => {
+                product(spline_teeth.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref())
+            }
             None => Mat::zeros(0, forces.ncols()),
         }
     }
 
     /// Returns the amplitudes in the frame of a tooth under forces of all spline teeth with
     /// clearance on the ring, as a column; `None` without such spline teeth.
-    pub fn amplitudes_by_lugs(&self, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
-        let mut amplitudes = product(self.loose.as_ref()?.by_amplitudes.transpose(), forces);
+    pub fn amplitudes_by_spline_teeth(&self, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
+        let mut amplitudes = product(self.with_clearance.as_ref()?.by_amplitudes.transpose(), forces);
         self.shared.turn_rows(amplitudes.as_mut(), f64::from(tooth % self.sectors) * self.pitch);
         Some(amplitudes)
     }
 
     /// Returns the stresses on a surface of a tooth under forces of all spline teeth with clearance
     /// on the ring, as a column.
-    pub fn stresses_by_lugs(&self, surface: usize, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
-        let amplitudes = self.amplitudes_by_lugs(tooth, forces)?;
+    pub fn stresses_by_spline_teeth(
+        &self,
+        surface: usize,
+        tooth: u32,
+        forces: MatRef<'_, f64>,
+    ) -> Option<Mat<f64>> {
+        let amplitudes = self.amplitudes_by_spline_teeth(tooth, forces)?;
         Some(product(self.stress.get(surface)?.as_ref(), amplitudes.as_ref()))
     }
 
     /// Returns the memory, in bytes.
     pub fn bytes(&self) -> usize {
         let matrices = self.loads.iter().chain(&self.stress).chain([&self.release]);
-        let lugs =
-            self.lugs.as_ref().map_or(0, LugSet::bytes) + self.loose.as_ref().map_or(0, LooseLugs::bytes);
-        matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum::<usize>() + lugs
+        let spline_teeth = self.spline_teeth.as_ref().map_or(0, SplineToothSet::bytes)
+            + self.with_clearance.as_ref().map_or(0, SplineWithClearance::bytes);
+        matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum::<usize>()
+            + spline_teeth
     }
 }
 
 impl Coupling for BoreCoupling {
     /// Adds the constraint forces of the bore under the loads.
-    fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
+    fn add_coupling_forces(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
         if let Some(loads) = self.loads.get(side) {
             add_product(forces.as_mut(), 1.0, loads.as_ref(), columns);
         }
     }
 
-    fn unfelt(&self, loads: usize) -> Mat<f64> {
+    fn no_coupling_forces(&self, loads: usize) -> Mat<f64> {
         Mat::zeros(self.shared.count, loads)
     }
 

@@ -15,7 +15,7 @@ use calyx_fe::dissection::Dissection;
 use calyx_fe::elimination::{eliminate, memory};
 use calyx_fe::solid::SolidMesh;
 use calyx_fe::{PlaneModel, SparseVector};
-use calyx_numerics::interrupt::{Interrupt, Room};
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
 use std::collections::BTreeSet;
@@ -30,14 +30,14 @@ pub(super) struct Assembled {
     /// Positions of the nodes, m; z is 0 in a plane model.
     pub positions: Vec<[f64; 3]>,
     /// Memory reservation for the stiffness matrix.
-    pub room: Room,
+    pub room: MemoryReservation,
 }
 
 impl Assembled {
     /// Assembles the equations of a plane mesh.
     pub fn plane(model: &PlaneModel) -> Self {
         let positions = model.mesh.nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
-        Self { stiffness: model.stiffness(), dofs_per_node: 2, positions, room: Room::default() }
+        Self { stiffness: model.stiffness(), dofs_per_node: 2, positions, room: MemoryReservation::default() }
     }
 
     /// Assembles the equations of a three-dimensional mesh after reserving memory for them.
@@ -46,7 +46,8 @@ impl Assembled {
         interrupt: &Interrupt,
         stiffness: impl FnOnce() -> SparseColMat<usize, f64>,
     ) -> Result<Self, StructureError> {
-        let mut room = interrupt.room_for(mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
+        let mut room =
+            interrupt.reserve_memory(mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
         let stiffness = stiffness();
         room.shrink_to((stiffness.compute_nnz() * (size_of::<f64>() + size_of::<usize>())) as u64);
         Ok(Self { stiffness, dofs_per_node: 3, positions: mesh.nodes.clone(), room })
@@ -83,7 +84,7 @@ pub(super) enum Support<'a> {
 
 impl<'a> Support<'a> {
     /// Returns the support of a ring's sector.
-    pub fn of_ring(held: &'a [usize], means: Option<&'a BoreMeans>) -> Self {
+    pub fn for_ring(held: &'a [usize], means: Option<&'a BoreMeans>) -> Self {
         match means {
             Some(means) => Support::Means { held, means },
             None => Support::Held(held),
@@ -131,7 +132,7 @@ pub(super) fn condense(
     let (held, inertia) = match support {
         Support::Held(held) | Support::Means { held, .. } => (held.to_vec(), None),
         Support::Free { mass, motions } => {
-            (determinate_support(&model.positions, motions), Some(Inertia::new(mass, motions)?))
+            (statically_determinate_support(&model.positions, motions), Some(Inertia::new(mass, motions)?))
         }
     };
     let dissection = Dissection::new(&model.stiffness, &model.positions, &held, &kept);
@@ -142,8 +143,9 @@ pub(super) fn condense(
         Support::Held(_) | Support::Free { .. } => &[],
     };
     let all_loads = [shared, loads, &balancing].concat();
-    let _room =
-        interrupt.room_for(memory(&dissection, &all_loads, rows)).map_err(StructureError::Interrupted)?;
+    let _room = interrupt
+        .reserve_memory(memory(&dissection, &all_loads, rows))
+        .map_err(StructureError::Interrupted)?;
     let left = eliminate(&model.stiffness, &dissection, &all_loads, rows, checkpoint)?;
     checkpoint()?;
 
@@ -300,7 +302,7 @@ fn balanced(responses: MatRef<'_, f64>, m: usize, shares: MatRef<'_, f64>) -> Ma
 
 /// Selects a statically determinate support with as many degrees of freedom as there are rigid-body
 /// motions: of three distant nodes, those on which the motions depend most.
-pub(super) fn determinate_support(positions: &[[f64; 3]], motions: &[Vec<f64>]) -> Vec<usize> {
+pub(super) fn statically_determinate_support(positions: &[[f64; 3]], motions: &[Vec<f64>]) -> Vec<usize> {
     let axes = motions.first().map_or(0, |motion| motion.len() / positions.len().max(1));
     let farthest = |measure: &dyn Fn(usize) -> f64| {
         (0..positions.len()).fold(0, |best, node| if measure(node) > measure(best) { node } else { best })

@@ -10,16 +10,16 @@
 mod elements;
 mod ring;
 
-use super::bore::{BoreMeans, Wanted};
+use super::bore::{BoreMeans, RequestedMeans};
 use super::condense::{Assembled, match_cuts};
 use super::elastic::chain;
-use super::solid::SpotLoad;
-use super::{Chart, ReshapedSurface, RevolvedWeb, RingSource, StructureError, SurfaceLoad};
+use super::solid::SegmentLoad;
+use super::{Chart, ModifiedSurface, RevolvedWeb, RingSource, StructureError, SurfaceLoad};
 use calyx_fe::solid::{ABSENT, FaceSet, SolidModel};
 use calyx_fe::{EdgeChain, PlaneModel, SparseVector};
 use calyx_numerics::interrupt::Interrupt;
 use elements::{Elements, Outline};
-use ring::{Held, SolvedRing};
+use ring::{ConstrainedSector, SolvedRing};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -35,11 +35,11 @@ const SHOWN_IN_SPACE: u32 = 6;
 const MANY_NODES: usize = 4000;
 
 /// Finite-element mesh of a body, or the reason why there is none.
-pub enum Drawable {
+pub enum VisualizationMesh {
     /// The mesh.
     Mesh(Arc<MeshedBody>),
     /// Reason in words that follow the body's name.
-    Not(&'static str),
+    Unavailable(&'static str),
 }
 
 /// Forces on a body.
@@ -51,10 +51,10 @@ pub enum BodyLoads<'a> {
         surfaces: &'a [SurfaceLoad],
         /// Forces of its spline teeth with clearance, counter-clockwise, N/m; empty for a body
         /// without such spline teeth.
-        lugs: &'a [f64],
+        spline_teeth: &'a [f64],
     },
     /// Loads on a three-dimensional body.
-    Solid(&'a [SpotLoad]),
+    Solid(&'a [SegmentLoad]),
 }
 
 /// Deformed sector of a loaded body, in the body's frame.
@@ -76,7 +76,7 @@ pub struct DeformedSector {
 /// Body with a mesh that can be evaluated. See the module documentation.
 pub struct MeshedBody {
     mesh: Arc<Mesh>,
-    reshaped: Option<Vec<ReshapedSurface>>,
+    modified_surfaces: Option<Vec<ModifiedSurface>>,
 }
 
 /// Mesh of a sector, and the ring.
@@ -111,7 +111,7 @@ impl MeshedBody {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(&model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
-        let (held, means) = match Wanted::of_ring(ring.hold, sectors, sectors) {
+        let (held, means) = match RequestedMeans::for_ring(ring.hold, sectors, sectors) {
             None => (bore, None),
             Some(wanted) => {
                 let means = BoreMeans::plane(&model, chain(&model, ring.bore)?, wanted, interrupt)?;
@@ -123,8 +123,9 @@ impl MeshedBody {
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let nodes = assembled.positions.clone();
         // Cuts are small: the flexibility covers all sectors.
-        let sector = Held { sectors, cuts, held: assembled.dofs_of(&held), means, window: sectors };
-        let ring = SolvedRing::new(assembled, sector, |error| ring.hold.blamed(error), interrupt)?;
+        let sector =
+            ConstrainedSector { sectors, cuts, held: assembled.dofs_of(&held), means, window: sectors };
+        let ring = SolvedRing::new(assembled, sector, |error| ring.hold.with_bore_context(error), interrupt)?;
         let chains = surfaces.iter().map(|name| chain(&model, name).cloned());
         let chains = chains.collect::<Result<_, StructureError>>()?;
         Ok(Self::of(ring, nodes, Elements::plane(&model), Loadable::Plane(Box::new(model), chains)))
@@ -149,7 +150,7 @@ impl MeshedBody {
         };
         let sectors = ring.sectors.max(1);
         let bore = faces(ring.bore)?;
-        let means = match (web, Wanted::of_ring(ring.hold, sectors, ring.coupled)) {
+        let means = match (web, RequestedMeans::for_ring(ring.hold, sectors, ring.coupled)) {
             (Some(web), _) => Some(BoreMeans::on_web(&model, bore, web, [sectors, ring.coupled], interrupt)?),
             (None, Some(wanted)) => Some(BoreMeans::solid(&model, bore, wanted, interrupt)?),
             (None, None) => None,
@@ -164,22 +165,24 @@ impl MeshedBody {
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let assembled = Assembled::solid(&model.mesh, interrupt, || model.stiffness())?;
         let nodes = assembled.positions.clone();
-        let sector = Held { sectors, cuts, held: assembled.dofs_of(&held), means, window: ring.coupled };
-        let solved = SolvedRing::new(assembled, sector, |error| ring.hold.blamed(error), interrupt)?;
+        let sector =
+            ConstrainedSector { sectors, cuts, held: assembled.dofs_of(&held), means, window: ring.coupled };
+        let solved =
+            SolvedRing::new(assembled, sector, |error| ring.hold.with_bore_context(error), interrupt)?;
         let sets = surfaces.iter().map(|name| faces(name).cloned()).collect::<Result<_, StructureError>>()?;
         Ok(Self::of(solved, nodes, Elements::solid(&model), Loadable::Solid(Box::new(model), sets)))
     }
 
     fn of(ring: SolvedRing, nodes: Vec<[f64; 3]>, elements: Elements, loadable: Loadable) -> Self {
         let outlines = elements.outlines();
-        Self { mesh: Arc::new(Mesh { ring, nodes, elements, outlines, loadable }), reshaped: None }
+        Self { mesh: Arc::new(Mesh { ring, nodes, elements, outlines, loadable }), modified_surfaces: None }
     }
 
     /// Returns the same body with surfaces that differ slightly from its own, one for each;
     /// coordinates of loads refer to these.
     #[must_use]
-    pub fn reshaped(&self, surfaces: Vec<ReshapedSurface>) -> Self {
-        Self { mesh: self.mesh.clone(), reshaped: Some(surfaces) }
+    pub fn with_modified_surfaces(&self, surfaces: Vec<ModifiedSurface>) -> Self {
+        Self { mesh: self.mesh.clone(), modified_surfaces: Some(surfaces) }
     }
 
     /// Returns the sectors of the body under loads, in order: all of them in a plane model, those
@@ -192,7 +195,7 @@ impl MeshedBody {
         loads: BodyLoads<'_>,
         interrupt: &Interrupt,
     ) -> Result<Vec<DeformedSector>, StructureError> {
-        let (by_tooth, lugs) = self.forces(loads);
+        let (by_tooth, spline_teeth) = self.forces(loads);
         let within = |tooth: u32, pitches: u32| {
             let apart = |one: u32, other: u32| {
                 let ahead = (one + self.mesh.ring.sectors - other) % self.mesh.ring.sectors;
@@ -205,8 +208,8 @@ impl MeshedBody {
         let shown: Vec<u32> = (0..self.mesh.ring.sectors).filter(shown).collect();
         let columns = 4 * shown.len() + 2 * by_tooth.len();
         let bytes = columns * self.mesh.nodes.len() * 3 * size_of::<f64>();
-        let _room = interrupt.room_for(bytes as u64).map_err(StructureError::Interrupted)?;
-        let moved = self.mesh.ring.displacements(&by_tooth, lugs, &shown)?;
+        let _room = interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted)?;
+        let moved = self.mesh.ring.displacements(&by_tooth, spline_teeth, &shown)?;
         let few = self.mesh.outlines[0].nodes.len() <= MANY_NODES;
         let sector = |(&tooth, column): (&u32, faer::ColRef<'_, f64>)| {
             interrupt.check().map_err(StructureError::Interrupted)?;
@@ -232,15 +235,15 @@ impl MeshedBody {
             }
         };
         match loads {
-            BodyLoads::Plane { surfaces, lugs } => {
+            BodyLoads::Plane { surfaces, spline_teeth } => {
                 surfaces
                     .iter()
                     .for_each(|load| add(load.chart, load.force, self.pressed(load.chart.surface, load.s)));
-                of_lugs = lugs;
+                of_lugs = spline_teeth;
             }
-            BodyLoads::Solid(spots) => {
-                spots.iter().for_each(|load| {
-                    add(load.chart, load.force, self.pressed_at(load.chart.surface, load.spot.place));
+            BodyLoads::Solid(segments) => {
+                segments.iter().for_each(|load| {
+                    add(load.chart, load.force, self.pressed_at(load.chart.surface, load.segment.place));
                 });
             }
         }
@@ -252,7 +255,7 @@ impl MeshedBody {
     fn pressed(&self, surface: u32, s: f64) -> Option<SparseVector> {
         let Loadable::Plane(model, chains) = &self.mesh.loadable else { return None };
         let chain = chains.get(surface as usize)?;
-        let own = self.reshaped.as_ref().and_then(|surfaces| surfaces.get(surface as usize));
+        let own = self.modified_surfaces.as_ref().and_then(|surfaces| surfaces.get(surface as usize));
         let [start, end] = chain.range();
         let onto = own.map_or(s, |own| (own.onto)(s)).clamp(start, end);
         let point = model.mesh.chain_point(chain, onto)?;
@@ -297,14 +300,14 @@ impl Mesh {
             points: nodes().map(|node| turn(self.nodes[node])).collect(),
             cells: outline.cells.clone(),
             displacements: nodes().map(displacement).collect(),
-            stresses: nodes().map(|node| turned_tensor(&rotation, stresses[node])).collect(),
+            stresses: nodes().map(|node| rotated_tensor(&rotation, stresses[node])).collect(),
         }
     }
 }
 
 /// Transforms a symmetric tensor, xx, yy, zz, yz, zx, xy, to new axes; the rows of `rotation` are
 /// the components of the new axes along the old ones.
-pub fn turned_tensor(rotation: &[[f64; 3]; 3], [xx, yy, zz, yz, zx, xy]: [f64; 6]) -> [f64; 6] {
+pub fn rotated_tensor(rotation: &[[f64; 3]; 3], [xx, yy, zz, yz, zx, xy]: [f64; 6]) -> [f64; 6] {
     let tensor = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
     let at = |a: usize, b: usize| {
         (0..3)

@@ -22,23 +22,23 @@
 //!
 //! See `docs/theory/compliance.md`.
 
-mod answers;
 mod far_coupling;
+mod influence;
 mod local;
-mod reshaped;
+mod modified_surface;
 
 pub(crate) use far_coupling::FarCoupling;
-pub(crate) use local::{Local, Turned};
+pub(crate) use local::{Local, NormalAngle};
 
-use super::bore::{BoreMeans, Wanted};
+use super::bore::{BoreMeans, RequestedMeans};
 use super::bore_coupling::BoreCoupling;
+use super::bspline::BSpline;
 use super::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use super::dense::product;
-use super::kernel::{Mollifier, PairQuadrature, Sampled};
-use super::ring::{Released, RingFlexibility};
-use super::sampling::{SplitOptions, Stretch, sample};
-use super::spline::Spline;
-use super::{BoreHold, StructureError};
+use super::kernel::{Mollifier, MollifierSamples, PairQuadrature};
+use super::ring::{ReleasedMeans, RingFlexibility};
+use super::sampling::{EdgeCoordinate, SplitOptions, sample};
+use super::{BoreSupport, StructureError};
 use crate::profile::Profile;
 use calyx_fe::material::{Material, Plane};
 use calyx_fe::stress::StressRecovery;
@@ -63,12 +63,12 @@ pub struct SurfaceSource {
     /// fillet.
     pub stress_chain: Option<String>,
     /// Number of stress recovery points on each edge of that chain, at least 1.
-    pub stress_places_per_edge: usize,
+    pub stress_points_per_edge: usize,
 }
 
 /// Support of a single mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hold<'a> {
+pub enum MeshSupport<'a> {
     /// Free body. Its rigid-body motion belongs to the frame. Forces distributed like inertia
     /// balance loads that are not in equilibrium.
     Free,
@@ -86,7 +86,7 @@ pub struct RingSource<'a> {
     /// Chain on which the body's frame supports each sector.
     pub bore: &'a str,
     /// Type of the support on the bore.
-    pub hold: BoreHold,
+    pub hold: BoreSupport,
     /// Largest distance of coupled sectors; sectors further apart count as independent.
     pub coupled: u32,
 }
@@ -117,17 +117,17 @@ pub struct ElasticStructure {
 pub(super) struct Surface {
     pub profile: Arc<dyn Profile>,
     /// Spline over arc length, for everything but the compliance of the surface with itself.
-    pub spline: Spline,
-    pub stretch: Stretch,
+    pub spline: BSpline,
+    pub stretch: EdgeCoordinate,
     /// Spline over the stretched coordinate, for the compliance of the surface with itself.
-    pub stretched: Spline,
+    pub stretched: BSpline,
     /// Range of arc lengths of the chain. Coordinates beyond it are clamped to its ends.
     pub range: [f64; 2],
     /// Spline coefficients of the angle by which the normal has rotated, positive where convex,
     /// rad.
     pub turned: Vec<f64>,
     /// Stress recovery points: arc length on their chain, and position, m.
-    pub stress_places: Vec<(f64, [f64; 2])>,
+    pub stress_points: Vec<(f64, [f64; 2])>,
 }
 
 /// Spline coefficients between a loaded sector and one at a given offset ahead of it. In a plane
@@ -169,8 +169,8 @@ impl ElasticStructure {
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
         // If loads act all around the ring, the window extends halfway round.
-        let window = ring.hold.known_in_plane(sectors, ring.coupled);
-        let (held, means) = match Wanted::of_ring(ring.hold, sectors, window) {
+        let window = ring.hold.plane_window(sectors, ring.coupled);
+        let (held, means) = match RequestedMeans::for_ring(ring.hold, sectors, window) {
             None => (bore, None),
             Some(wanted) => {
                 let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
@@ -178,7 +178,7 @@ impl ElasticStructure {
             }
         };
         let angle = TAU / f64::from(sectors);
-        let room = interrupt.room_for(model.assembly_memory()).map_err(StructureError::Interrupted)?;
+        let room = interrupt.reserve_memory(model.assembly_memory()).map_err(StructureError::Interrupted)?;
         let assembled = Assembled::plane(model);
         drop(room);
         let cuts = match_cuts(&assembled.positions, &first, &last, &held, angle)
@@ -186,24 +186,24 @@ impl ElasticStructure {
         let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
         let held = assembled.dofs_of(&held);
-        let support = Support::of_ring(&held, means.as_ref());
+        let support = Support::for_ring(&held, means.as_ref());
         let condensed = condense(&assembled, &support, Some(&cuts), &loads, &rows, interrupt)?;
         let mut flexibility = match &condensed.stiffness {
             Some(stiffness) => {
                 let flexibility = RingFlexibility::new(stiffness, sectors, window, interrupt);
-                Some(flexibility.map_err(|error| ring.hold.blamed(error))?)
+                Some(flexibility.map_err(|error| ring.hold.with_bore_context(error))?)
             }
             None => None,
         };
         let released = match (&mut flexibility, &means) {
-            (Some(flexibility), Some(means)) => means.let_go(flexibility)?,
+            (Some(flexibility), Some(means)) => means.release(flexibility)?,
             _ => None,
         };
         let bore = released.map(|released| bore_coupling(released, &condensed, &prepared, (sectors, angle)));
         let first = ring.coupled.saturating_add(1);
-        let known = flexibility.as_ref().filter(|_| ring.hold.carries_far());
+        let known = flexibility.as_ref().filter(|_| ring.hold.couples_all_sectors());
         let bytes = known.map_or(0, |known| FarCoupling::bytes_of(&condensed, known, first));
-        let _room = interrupt.room_for(bytes).map_err(StructureError::Interrupted)?;
+        let _room = interrupt.reserve_memory(bytes).map_err(StructureError::Interrupted)?;
         let far = known.and_then(|known| FarCoupling::new(&condensed, &prepared, known, (sectors, first)));
         let joined = flexibility.as_ref().map(|flexibility| (flexibility, ring.coupled));
         let body = Self::assemble(model, sectors, prepared, &condensed, joined, interrupt)?;
@@ -217,25 +217,25 @@ impl ElasticStructure {
     /// interrupted.
     pub fn single(
         model: &PlaneModel,
-        hold: Hold<'_>,
+        hold: MeshSupport<'_>,
         surfaces: &[SurfaceSource],
         options: &SplitOptions,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
-        let room = interrupt.room_for(model.assembly_memory()).map_err(StructureError::Interrupted)?;
+        let room = interrupt.reserve_memory(model.assembly_memory()).map_err(StructureError::Interrupted)?;
         let assembled = Assembled::plane(model);
         drop(room);
         let condense = |support| condense(&assembled, &support, None, &loads, &rows, interrupt);
         let condensed = match hold {
-            Hold::Free => {
+            MeshSupport::Free => {
                 // Any positive density distributes the forces alike.
                 let unit = Material { density: 1.0, ..model.material };
                 let mass = PlaneModel { material: unit, ..model.clone() }.mass();
                 condense(Support::Free { mass: &mass, motions: &model.rigid_body_modes() })?
             }
-            Hold::Chain(name) => {
+            MeshSupport::Chain(name) => {
                 let nodes = model.mesh.chain_nodes(chain(model, name)?);
                 condense(Support::Held(&assembled.dofs_of(&nodes)))?
             }
@@ -299,7 +299,7 @@ impl ElasticStructure {
         ring: Option<&RingFlexibility>,
         interrupt: &Interrupt,
     ) -> Result<OffsetTables, StructureError> {
-        let _room = interrupt.room_for(table_bytes(condensed)).map_err(StructureError::Interrupted)?;
+        let _room = interrupt.reserve_memory(table_bytes(condensed)).map_err(StructureError::Interrupted)?;
         let response = response(condensed, ring, offset, interrupt)?;
         let directions = self.directions;
         let sides = || (0..prepared.len() * directions).map(|side| (side / directions, side % directions));
@@ -326,7 +326,7 @@ impl ElasticStructure {
             if offset > 0 || p != q {
                 return Ok(both_sides(&observed.spline, &loaded.spline, table));
             }
-            let smooth = self.smooth_part(&prepared[p], [a, b], table, interrupt)?;
+            let smooth = self.smooth_remainder(&prepared[p], [a, b], table, interrupt)?;
             let mut coefficients = both_sides(&observed.stretched, &loaded.stretched, smooth.as_ref());
             if a == b {
                 super::dense::mirror_lower(&mut coefficients);
@@ -346,7 +346,7 @@ impl ElasticStructure {
     /// responds alike if both point into the body or both along the surface; between the two
     /// directions its response has a step where both points coincide (Johnson, Contact Mechanics,
     /// eqs. 2.19 and 2.22).
-    fn smooth_part(
+    fn smooth_remainder(
         &self,
         prepared: &Prepared,
         directions: [usize; 2],
@@ -357,12 +357,13 @@ impl ElasticStructure {
         let log_factor = -2.0 / (PI * self.surface_modulus);
         let log_length = self.reference_length.ln();
         let surface = &prepared.surface;
-        let place = |s: f64| surface.turned_at(s);
-        let turned: Vec<Sampled<Turned>> =
+        let place = |s: f64| surface.normal_angle_at(s);
+        let turned: Vec<MollifierSamples<NormalAngle>> =
             prepared.mollifiers.iter().map(|mollifier| quadrature.sampled(mollifier, place)).collect();
-        let curved = |a: Turned, b: Turned| self.curved_part(surface, a, b);
+        let curved = |a: NormalAngle, b: NormalAngle| self.curvature_term(surface, a, b);
         let step = if directions[0] == 0 { self.kink } else { -self.kink };
-        let across = |a: Turned, b: Turned| if a.s == b.s { 0.0 } else { step * (a.s - b.s).signum() };
+        let across =
+            |a: NormalAngle, b: NormalAngle| if a.s == b.s { 0.0 } else { step * (a.s - b.s).signum() };
         let alike = directions[0] == directions[1];
         let mut smooth = answers.to_owned();
         for k in 0..turned.len() {
@@ -433,7 +434,7 @@ pub(super) fn response(
 /// Returns the coupling of the loads and stress recovery points of a sector with the released
 /// amplitudes of the bore.
 fn bore_coupling(
-    released: Released,
+    released: ReleasedMeans,
     condensed: &Condensed,
     prepared: &[Prepared],
     (sectors, pitch): (u32, f64),
@@ -457,7 +458,7 @@ fn bore_coupling(
 }
 
 /// Returns spline coefficients of a table in both variables.
-pub(super) fn both_sides(rows: &Spline, columns: &Spline, table: MatRef<'_, f64>) -> Mat<f64> {
+pub(super) fn both_sides(rows: &BSpline, columns: &BSpline, table: MatRef<'_, f64>) -> Mat<f64> {
     let by_row = rows.coefficients(table);
     columns.coefficients(by_row.transpose()).transpose().to_owned()
 }
@@ -503,7 +504,7 @@ fn prepare_surface(
     let samples = sample(&model.mesh, loaded, source.edges, options)
         .ok_or_else(|| StructureError::Coarse { chain: source.chain.clone() })?;
     let mut loads = Vec::new();
-    for direction in 0..if options.reshapable { 2 } else { 1 } {
+    for direction in 0..if options.allows_modified_surfaces { 2 } else { 1 } {
         let load = |mollifier: &Mollifier| {
             checkpoint()?;
             Ok(model.edge_load_between(loaded, mollifier.support(), |s, point| match direction {
@@ -516,18 +517,18 @@ fn prepare_surface(
 
     let mut surface = Surface {
         profile: source.profile.clone(),
-        stretched: Spline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
-        spline: Spline::new(samples.s),
+        stretched: BSpline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
+        spline: BSpline::new(samples.s),
         stretch: samples.stretch,
         range: loaded.range(),
         turned: Vec::new(),
-        stress_places: Vec::new(),
+        stress_points: Vec::new(),
     };
-    surface.turned = turned_coefficients(&surface);
+    surface.turned = normal_angle_coefficients(&surface);
     let mut stress_rows = Vec::new();
     if let Some(name) = &source.stress_chain {
         let free = chain(model, name)?;
-        let places = source.stress_places_per_edge.max(1);
+        let places = source.stress_points_per_edge.max(1);
         for edge in &free.edges {
             checkpoint()?;
             for place in 0..places {
@@ -536,7 +537,7 @@ fn prepare_surface(
                 let found = recovery.surface_row(free, s).zip(model.mesh.chain_point(free, s));
                 if let Some((row, point)) = found {
                     stress_rows.push(row);
-                    surface.stress_places.push((s, point.position));
+                    surface.stress_points.push((s, point.position));
                 }
             }
         }
@@ -546,7 +547,7 @@ fn prepare_surface(
 
 /// Returns spline coefficients of the angle by which the normal has rotated since the first sample,
 /// positive where convex.
-fn turned_coefficients(surface: &Surface) -> Vec<f64> {
+fn normal_angle_coefficients(surface: &Surface) -> Vec<f64> {
     let mut angles = Vec::with_capacity(surface.spline.nodes().len());
     let mut previous: Option<[f64; 2]> = None;
     let mut angle = 0.0;

@@ -7,7 +7,7 @@ use calyx_numerics::error::EngineError;
 /// rigid-body motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the ring of sectors is not constrained: it has a rigid-body motion")]
-pub struct FreeRing;
+pub struct UnrestrainedRing;
 
 /// Reasons why a structure cannot be built from a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -36,7 +36,7 @@ pub enum StructureError {
     #[error("spline teeth support it, which breaks the cyclic symmetry: it has no component modes")]
     ModesOnLugs,
     #[error(transparent)]
-    Ring(#[from] FreeRing),
+    Ring(#[from] UnrestrainedRing),
     #[error(transparent)]
     Solve(#[from] SolveError),
     #[error(transparent)]

@@ -1,7 +1,7 @@
 //! What contact uses of a plane body: its loadable surfaces, their compliance, recovered stresses.
 
-use crate::lugs::LugForce;
 use crate::profile::Profile;
+use crate::spline_teeth::SplineToothForce;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
@@ -32,7 +32,7 @@ pub struct SurfaceLoad {
 
 /// Location of a recovered stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StressPlace {
+pub struct StressPoint {
     /// Index of the tooth, counted counter-clockwise from 0.
     pub tooth: u32,
     /// Index of the surface, as in [`Chart::surface`].
@@ -104,31 +104,31 @@ pub trait Structure: Send + Sync {
     /// Returns the first principal stress (the largest tension, Pa) under the given loads at each
     /// stress recovery point of tooth `tooth`. On a free surface it is the stress along the
     /// surface, negative in compression. Empty if the structure recovers no stress.
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPlace, f64)>;
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SurfaceLoad]) -> Vec<(StressPoint, f64)>;
 
     /// Returns the forces of the supporting spline teeth on the body under the given loads, one
     /// entry a spline tooth; empty if spline teeth do not support the body.
-    fn lug_forces(&self, _loads: &[SurfaceLoad]) -> Vec<LugForce> {
+    fn spline_tooth_forces(&self, _loads: &[SurfaceLoad]) -> Vec<SplineToothForce> {
         Vec::new()
     }
 
-    /// Returns the compliance matrix of the spline teeth with clearance ([`BoreHold::LooseLugs`]):
+    /// Returns the compliance matrix of the spline teeth with clearance ([`BoreSupport::SplineWithClearance`]):
     /// displacements by forces on them, all positive counter-clockwise, m/(N/m). The matrix is
     /// square and symmetric to the bit; `None` for a body without such spline teeth.
-    fn lug_compliance(&self) -> Option<MatRef<'_, f64>> {
+    fn spline_tooth_compliance(&self) -> Option<MatRef<'_, f64>> {
         None
     }
 
     /// Returns the displacements of the same spline teeth by unit inward normal forces at points of
     /// a chart, spline teeth by points. By reciprocity these are also the inward displacements at
     /// the points by forces of the spline teeth.
-    fn lug_displacements(&self, _load: Chart, load_s: &[f64]) -> Mat<f64> {
+    fn spline_tooth_displacements(&self, _load: Chart, load_s: &[f64]) -> Mat<f64> {
         Mat::zeros(0, load_s.len())
     }
 
     /// Returns the contribution to [`Structure::stresses`] of the forces of these spline teeth on
     /// the body, one force each, counter-clockwise, Pa. Empty if they contribute nothing.
-    fn stresses_by_lugs(&self, _tooth: u32, _surface: u32, _forces: &[f64]) -> Vec<f64> {
+    fn stresses_by_spline_teeth(&self, _tooth: u32, _surface: u32, _forces: &[f64]) -> Vec<f64> {
         Vec::new()
     }
 
@@ -137,7 +137,10 @@ pub trait Structure: Send + Sync {
     ///
     /// Contact acts on the new curve, along its own normal; the compliance is that of the old
     /// surface.
-    fn reshaped(self: Arc<Self>, _surfaces: Vec<ReshapedSurface>) -> Option<Arc<dyn Structure>> {
+    fn with_modified_surfaces(
+        self: Arc<Self>,
+        _surfaces: Vec<ModifiedSurface>,
+    ) -> Option<Arc<dyn Structure>> {
         None
     }
 
@@ -155,7 +158,7 @@ pub trait Structure: Send + Sync {
 
 /// Surface that replaces another one.
 #[derive(Clone)]
-pub struct ReshapedSurface {
+pub struct ModifiedSurface {
     /// Curve that contact uses.
     pub profile: Arc<dyn Profile>,
     /// Maps its arc lengths to those of the curve it replaces, m; continuous and ascending.

@@ -81,7 +81,7 @@ fn far_rule(a: &Mollifier, b: &Mollifier) -> Option<usize> {
 
 /// Mollifier at the quadrature points of its own support.
 #[derive(Clone, Debug)]
-pub struct Sampled<T> {
+pub struct MollifierSamples<T> {
     mollifier: Mollifier,
     /// Value and kernel data at the points of the rule for near pairs.
     near: Vec<(f64, T)>,
@@ -119,13 +119,13 @@ impl Default for PairQuadrature {
 impl PairQuadrature {
     /// Samples the support of a mollifier once: `place` returns the data of the kernel at an arc
     /// length.
-    pub fn sampled<T>(&self, mollifier: &Mollifier, place: impl Fn(f64) -> T) -> Sampled<T> {
+    pub fn sampled<T>(&self, mollifier: &Mollifier, place: impl Fn(f64) -> T) -> MollifierSamples<T> {
         let at = |x: f64| mollifier.center + mollifier.width * x;
         let near = self.kinked.iter().map(|&(x, _)| (mollifier.value(at(x)), place(at(x)))).collect();
         let far =
             |&(x, weight): &(f64, f64)| (weight * mollifier.width * mollifier.value(at(x)), place(at(x)));
         let points = self.far.iter().map(|rule| rule.iter().map(far).collect()).collect();
-        Sampled { mollifier: mollifier.clone(), near, points }
+        MollifierSamples { mollifier: mollifier.clone(), near, points }
     }
 
     /// Returns the double integral of `a(s) b(s') ln|s - s'|`.
@@ -146,8 +146,8 @@ impl PairQuadrature {
     /// except where both points coincide. `f` takes the `place` data of both.
     pub fn mean<T: Copy>(
         &self,
-        a: &Sampled<T>,
-        b: &Sampled<T>,
+        a: &MollifierSamples<T>,
+        b: &MollifierSamples<T>,
         place: impl Fn(f64) -> T,
         f: impl Fn(T, T) -> f64,
     ) -> f64 {
@@ -340,7 +340,7 @@ mod tests {
         let quadrature = PairQuadrature::default();
         let kink = |s: f64, other: f64| 3.0 * (s - other).abs();
         let sampled = |center, width| quadrature.sampled(&Mollifier::new(center, center, width), |s| s);
-        let mean = |a: &Sampled<f64>, b: &Sampled<f64>| quadrature.mean(a, b, |s| s, kink);
+        let mean = |a: &MollifierSamples<f64>, b: &MollifierSamples<f64>| quadrature.mean(a, b, |s| s, kink);
         let (a, b) = (sampled(0.0, 0.1), sampled(1.0, 0.2));
         assert!((mean(&b, &a) - 3.0).abs() < 1e-12);
         // With itself, the value is of the order of the width.

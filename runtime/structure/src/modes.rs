@@ -29,7 +29,7 @@ mod stored;
 
 use super::elastic::Local;
 use super::elastic::Surface;
-use super::{Chart, ReshapedSurface};
+use super::{Chart, ModifiedSurface};
 use faer::Mat;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -55,7 +55,7 @@ pub struct BodyModes {
     pub centrifugal: Vec<f64>,
     pub(super) fields: Arc<SectorFields>,
     /// Modified surfaces that contact uses in place of those of the mesh, if any.
-    pub(super) reshaped: Option<Vec<ReshapedSurface>>,
+    pub(super) modified_surfaces: Option<Vec<ModifiedSurface>>,
 }
 
 /// Real mode of the whole ring: one part of a complex field on one sector.
@@ -128,7 +128,7 @@ impl BodyModes {
         let Some(surface) = fields.surfaces.get(chart.surface as usize) else {
             return Mat::zeros(s.len(), self.count());
         };
-        let own = self.reshaped.as_ref().and_then(|surfaces| surfaces.get(chart.surface as usize));
+        let own = self.modified_surfaces.as_ref().and_then(|surfaces| surfaces.get(chart.surface as usize));
         let local = |&s: &f64| own.map_or_else(|| surface.local(s), |own| own.local(surface, s));
         let points: Vec<Local> = s.iter().map(local).collect();
         let first = chart.surface as usize * fields.directions;
@@ -155,11 +155,11 @@ impl BodyModes {
     }
 
     /// Returns the same modes with surfaces that differ slightly from the body's own, one for each,
-    /// as [`Structure::reshaped`](super::Structure::reshaped); `None` if the modes do not support
+    /// as [`Structure::with_modified_surfaces`](super::Structure::reshaped); `None` if the modes do not support
     /// this.
-    pub fn reshaped(&self, surfaces: Vec<ReshapedSurface>) -> Option<BodyModes> {
+    pub fn with_modified_surfaces(&self, surfaces: Vec<ModifiedSurface>) -> Option<BodyModes> {
         let fits = self.fields.directions == 2 && surfaces.len() == self.fields.surfaces.len();
-        fits.then(|| BodyModes { reshaped: Some(surfaces), ..self.clone() })
+        fits.then(|| BodyModes { modified_surfaces: Some(surfaces), ..self.clone() })
     }
 
     /// Returns the memory, in bytes: the size that a cache counts.
@@ -172,7 +172,7 @@ impl BodyModes {
 #[cfg(any(test, feature = "fixtures"))]
 impl BodyModes {
     /// Builds modes of a body without surfaces from their coupling with the frame.
-    pub fn unseen(
+    pub fn without_surfaces(
         frequencies: Vec<f64>,
         coupling: Vec<[f64; 3]>,
         gyroscopic: Mat<f64>,
@@ -189,7 +189,15 @@ impl BodyModes {
         };
         let fields = Arc::new(fields);
         let rigid_mass = [[0.0; 3]; 3];
-        BodyModes { frequencies, coupling, rigid_mass, gyroscopic, centrifugal, fields, reshaped: None }
+        BodyModes {
+            frequencies,
+            coupling,
+            rigid_mass,
+            gyroscopic,
+            centrifugal,
+            fields,
+            modified_surfaces: None,
+        }
     }
 }
 

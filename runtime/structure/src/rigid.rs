@@ -1,6 +1,6 @@
 //! Rigid bodies.
 
-use super::{Chart, StressPlace, Structure, SurfaceLoad};
+use super::{Chart, StressPoint, Structure, SurfaceLoad};
 use crate::profile::Profile;
 use std::sync::Arc;
 
@@ -36,7 +36,7 @@ impl Structure for RigidStructure {
 
     fn add_compliance(&self, _: Chart, _: &[f64], _: Chart, _: &[f64], _: &mut [f64]) {}
 
-    fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+    fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPoint, f64)> {
         Vec::new()
     }
 

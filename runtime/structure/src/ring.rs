@@ -11,24 +11,24 @@
 //! N sectors. Joining eliminates the cut between two chains. The stiffness of that cut with both
 //! ends fixed is positive definite even if the ring itself is free, so no step needs pivoting.
 //!
-//! A ring whose bore has mean constraints has unknowns that all sectors share ([`shared`]): the
+//! A ring whose bore has mean constraints has unknowns that all sectors share ([`shared_unknowns`]): the
 //! constraint forces. They are retained in every elimination, so sectors and chains are condensed
 //! onto their cuts and these unknowns.
 //!
 //! See `docs/theory/substructures.md`.
 
-mod shared;
+mod shared_unknowns;
 
 use super::dense::{
-    add_product, add_product_lower, cholesky, half_solve, mirror_lower, other_half_solve, product, solve,
+    add_product, add_product_lower, cholesky, mirror_lower, product, solve, solve_lower, solve_upper,
 };
-pub use super::error::FreeRing;
 use super::error::StructureError;
-use super::loose_lugs::LooseLugs;
-use super::lugs::LugSet;
+pub use super::error::UnrestrainedRing;
+use super::spline_clearance::SplineWithClearance;
+use super::spline_teeth::SplineToothSet;
 use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
-pub(crate) use shared::Shared;
+pub(crate) use shared_unknowns::SharedUnknowns;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ pub struct CutStiffness {
     /// Symmetric matrix over first cut, last cut and shared unknowns. The block of the shared
     /// unknowns is negative: their compliance with the cuts fixed.
     matrix: Mat<f64>,
-    shared: Arc<Shared>,
+    shared: Arc<SharedUnknowns>,
     /// Number of sectors.
     sectors: u32,
 }
@@ -52,15 +52,15 @@ impl CutStiffness {
     /// of the first cut, then as many of the last one, in N/m (per metre of face width in a plane
     /// model). Only its lower triangle is read.
     pub fn new(matrix: Mat<f64>) -> Self {
-        Self::with_shared(matrix, Shared::default())
+        Self::with_shared(matrix, SharedUnknowns::default())
     }
 
     /// Builds the stiffness as [`Self::new`], with the shared unknowns after those of the cuts.
-    pub(crate) fn with_shared(matrix: Mat<f64>, shared: Shared) -> Self {
+    pub(crate) fn with_shared(matrix: Mat<f64>, shared: SharedUnknowns) -> Self {
         Self::chain(matrix, Arc::new(shared), 1)
     }
 
-    fn chain(mut matrix: Mat<f64>, shared: Arc<Shared>, sectors: u32) -> Self {
+    fn chain(mut matrix: Mat<f64>, shared: Arc<SharedUnknowns>, sectors: u32) -> Self {
         assert!(
             matrix.nrows() == matrix.ncols() && (matrix.nrows() - shared.count).is_multiple_of(2),
             "two cuts of equal size"
@@ -106,7 +106,7 @@ impl CutStiffness {
         interrupt.check().map_err(StructureError::Interrupted)?;
         let (n, count) = (self.cut_size(), self.shared.count);
         let between = self.block(1, 1) + next.block(0, 0);
-        let factor = cholesky(between).ok_or(FreeRing)?;
+        let factor = cholesky(between).ok_or(UnrestrainedRing)?;
         let own_shared = self.by_shared(0.0);
         let next_shared = next.by_shared(f64::from(self.sectors) * pitch);
         let mut coupling = Mat::zeros(n, 2 * n + count);
@@ -114,7 +114,7 @@ impl CutStiffness {
         coupling.as_mut().submatrix_mut(0, n, n, n).copy_from(next.block(0, 1));
         let by_shared = own_shared.as_ref().subrows(n, n) + next_shared.as_ref().subrows(0, n);
         coupling.as_mut().submatrix_mut(0, 2 * n, n, count).copy_from(by_shared);
-        let coupling = half_solve(factor.as_ref(), coupling);
+        let coupling = solve_lower(factor.as_ref(), coupling);
         let mut matrix = Mat::zeros(2 * n + count, 2 * n + count);
         matrix.as_mut().submatrix_mut(0, 0, n, n).copy_from(self.block(0, 0));
         matrix.as_mut().submatrix_mut(n, n, n, n).copy_from(next.block(1, 1));
@@ -172,7 +172,7 @@ impl Inner {
         if shared.nrows() > 0 {
             add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(2 * n, shared.nrows()), shared);
         }
-        other_half_solve(self.factor.as_ref(), forces)
+        solve_upper(self.factor.as_ref(), forces)
     }
 }
 
@@ -183,13 +183,13 @@ pub struct RingFlexibility {
     /// Matrices by offset from the loaded sector. Rows are the first and last cut of the observed
     /// sector and the shared unknowns in its frame, columns those of the loaded one.
     by_offset: Vec<Mat<f64>>,
-    shared: Arc<Shared>,
+    shared: Arc<SharedUnknowns>,
 }
 
 /// Constrained mean displacements of the bore.
-pub(crate) struct Bound {
+pub(crate) struct HeldMeans {
     /// Rotation of the means from sector to sector.
-    pub shared: Shared,
+    pub shared: SharedUnknowns,
     /// Forces on the means by their values.
     pub stiffness: Mat<f64>,
     /// Constraint forces by forces on the cuts and the means of a sector, one row for each.
@@ -197,9 +197,9 @@ pub(crate) struct Bound {
 }
 
 /// Mean displacements of the bore that were constrained and have been released.
-pub(crate) struct Released {
+pub(crate) struct ReleasedMeans {
     /// Rotation of the means from sector to sector.
-    pub shared: Shared,
+    pub shared: SharedUnknowns,
     /// Values of the means by forces on them; with spline teeth in the body's frame, otherwise in
     /// that of any sector.
     pub release: Mat<f64>,
@@ -207,9 +207,9 @@ pub(crate) struct Released {
     pub holding: Mat<f64>,
     /// Spline teeth that support the means now. Without them, the ring's responses are those with
     /// the means released.
-    pub lugs: Option<LugSet>,
+    pub spline_teeth: Option<SplineToothSet>,
     /// Spline teeth with clearance, which do not support the ring.
-    pub loose: Option<LooseLugs>,
+    pub with_clearance: Option<SplineWithClearance>,
 }
 
 impl RingFlexibility {
@@ -236,7 +236,7 @@ impl RingFlexibility {
         // cuts, its rows and its result.
         let matrices = 12 + 4 * window as u64;
         let bytes = matrices * (size_of::<f64>() * (2 * n + count).pow(2)) as u64;
-        let _room = interrupt.room_for(bytes).map_err(StructureError::Interrupted)?;
+        let _room = interrupt.reserve_memory(bytes).map_err(StructureError::Interrupted)?;
         let pitch = TAU / f64::from(sectors);
         let ends = [[0, 0], [0, 1], [1, 0], [1, 1]];
         if sectors == 1 {
@@ -315,10 +315,10 @@ impl RingFlexibility {
 
     /// Returns the means that the shared unknowns from index `first` on constrain. `None` if there
     /// are none.
-    pub fn bound(&self, first: usize) -> Option<Bound> {
+    pub fn bound(&self, first: usize) -> Option<HeldMeans> {
         let own = self.by_offset.first().filter(|_| first < self.shared.count)?;
         let (from, count) = (own.nrows() - self.shared.count + first, self.shared.count - first);
-        Some(Bound {
+        Some(HeldMeans {
             shared: self.shared.from(first),
             // With prescribed amplitudes, the ring responds with these forces, negative.
             stiffness: Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]),
@@ -335,13 +335,13 @@ impl RingFlexibility {
         &mut self,
         first: usize,
         carried: Option<&Mat<f64>>,
-    ) -> Result<Option<Released>, StructureError> {
-        let Some(Bound { shared, mut stiffness, holding }) = self.bound(first) else { return Ok(None) };
+    ) -> Result<Option<ReleasedMeans>, StructureError> {
+        let Some(HeldMeans { shared, mut stiffness, holding }) = self.bound(first) else { return Ok(None) };
         if let Some(carried) = carried {
             stiffness += carried;
         }
         let count = shared.count;
-        let factor = cholesky(stiffness).ok_or(FreeRing)?;
+        let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
         let release = solve(factor.as_ref(), Mat::identity(count, count));
         let amplitudes = product(release.as_ref(), holding.as_ref());
         for flexibility in &mut self.by_offset {
@@ -349,7 +349,7 @@ impl RingFlexibility {
             let by_amplitudes = flexibility.as_ref().subcols(from, count).to_owned();
             add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref());
         }
-        Ok(Some(Released { shared, release, holding, lugs: None, loose: None }))
+        Ok(Some(ReleasedMeans { shared, release, holding, spline_teeth: None, with_clearance: None }))
     }
 
     /// Returns the largest stored offset.
@@ -371,7 +371,7 @@ fn inverse(closed: Mat<f64>, size: usize) -> Result<Mat<f64>, StructureError> {
     let count = closed.nrows() - size;
     let mut stiffness = closed.as_ref().submatrix(0, 0, size, size).to_owned();
     if count == 0 {
-        let factor = cholesky(stiffness).ok_or(FreeRing)?;
+        let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
         return Ok(solve(factor.as_ref(), Mat::identity(size, size)));
     }
     // [K G'; G -H] with H positive definite: the compliance of the constraints with the cuts fixed.
@@ -382,10 +382,10 @@ fn inverse(closed: Mat<f64>, size: usize) -> Result<Mat<f64>, StructureError> {
         return Err(StructureError::CoarseBore);
     }
     let conditions = closed.as_ref().submatrix(size, 0, count, size);
-    let half = half_solve(yielding.as_ref(), conditions.to_owned());
+    let half = solve_lower(yielding.as_ref(), conditions.to_owned());
     add_product_lower(stiffness.as_mut(), 1.0, half.transpose(), half.as_ref());
-    let factor = cholesky(stiffness).ok_or(FreeRing)?;
-    let held = other_half_solve(yielding.as_ref(), half);
+    let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
+    let held = solve_upper(yielding.as_ref(), half);
     let mut forces = Mat::zeros(size, size + count);
     forces.as_mut().submatrix_mut(0, 0, size, size).copy_from(Mat::<f64>::identity(size, size));
     forces.as_mut().submatrix_mut(0, size, size, count).copy_from(held.transpose());

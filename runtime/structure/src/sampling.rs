@@ -19,13 +19,13 @@ pub struct SplitOptions {
     /// Number of samples on each surface, at least 8.
     pub samples: usize,
     /// Condense forces along the surfaces as well as into them, so that the surfaces can be
-    /// modified afterwards ([`super::Structure::reshaped`]).
-    pub reshapable: bool,
+    /// modified afterwards ([`super::Structure::with_modified_surfaces`]).
+    pub allows_modified_surfaces: bool,
 }
 
 impl Default for SplitOptions {
     fn default() -> Self {
-        Self { matching_depth: 1.0, samples: 64, reshapable: false }
+        Self { matching_depth: 1.0, samples: 64, allows_modified_surfaces: false }
     }
 }
 
@@ -43,7 +43,7 @@ const INTERVALS: usize = 2000;
 /// near the edge it varies with the logarithm of the distance. Linear extrapolation beyond the last
 /// sample matches the behaviour of a free corner.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Stretch {
+pub(super) struct EdgeCoordinate {
     length: f64,
     /// Sharp edges at the start and the end of the surface, if any.
     edges: [Option<Edge>; 2],
@@ -56,7 +56,7 @@ struct Edge {
     rounding: f64,
 }
 
-impl Stretch {
+impl EdgeCoordinate {
     /// Returns the coordinate at arc length `s`; it increases with `s`.
     pub fn at(&self, s: f64) -> f64 {
         let logarithm = |edge: &Option<Edge>, sign: f64| {
@@ -72,7 +72,7 @@ impl Stretch {
 /// Samples of one surface.
 #[derive(Clone, Debug)]
 pub(super) struct Samples {
-    pub stretch: Stretch,
+    pub stretch: EdgeCoordinate,
     /// Arc lengths, ascending, m.
     pub s: Vec<f64>,
     pub mollifiers: Vec<Mollifier>,
@@ -148,7 +148,7 @@ pub(super) fn sample(
         Some(Edge { at, rounding: rounding.max(element.s[1] - element.s[0]) })
     };
     let edges = [edge(edges[0], start, chain.edges.first()), edge(edges[1], end, chain.edges.last())];
-    let stretch = Stretch { length, edges };
+    let stretch = EdgeCoordinate { length, edges };
     let mut samples =
         Samples { stretch, s: Vec::with_capacity(count), mollifiers: Vec::with_capacity(count) };
     for index in 0..count {

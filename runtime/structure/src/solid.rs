@@ -7,25 +7,25 @@
 //! remainder, which the structure evaluates. Displacements are elastic only: rigid-body motion
 //! belongs to the frame.
 
-mod answers;
-mod axial;
+mod axial_modes;
 mod elastic;
 mod exchange;
 mod half_space;
-mod halves;
-mod points;
+mod half_space_body;
+mod influence;
+mod mirror_symmetry;
 mod responses;
 mod screw;
-mod simple;
 mod stored;
+mod table_weights;
 #[cfg(any(test, feature = "fixtures"))]
 #[allow(dead_code, missing_docs, reason = "tests of other crates use it too")]
 pub mod test_surface;
 
 pub use elastic::{ElasticSolid, SolidSplitOptions, SolidSurfaceSource};
-pub use simple::SimpleSolid;
+pub use half_space_body::HalfSpaceBody;
 
-use super::{Chart, LugForce};
+use super::{Chart, SplineToothForce};
 use crate::surface::Surface;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -36,7 +36,7 @@ use std::sync::Arc;
 /// displacement averaged, uniformly. Point values in place of adjacent cells would add polynomial
 /// variations along the face that the cells' pressures do not have.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
+pub struct SurfaceSegment {
     /// Coordinates on the surface: along the profile, and the middle of the length along the face,
     /// m.
     pub place: [f64; 2],
@@ -44,7 +44,7 @@ pub struct Spot {
     pub length: f64,
 }
 
-impl From<[f64; 2]> for Spot {
+impl From<[f64; 2]> for SurfaceSegment {
     /// Returns a spot of zero length.
     fn from(place: [f64; 2]) -> Self {
         Self { place, length: 0.0 }
@@ -53,11 +53,11 @@ impl From<[f64; 2]> for Spot {
 
 /// A normal force on a surface: positive presses into the material.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpotLoad {
+pub struct SegmentLoad {
     /// Surface and tooth.
     pub chart: Chart,
     /// Location on the surface of the chart.
-    pub spot: Spot,
+    pub segment: SurfaceSegment,
     /// Force, N.
     pub force: f64,
 }
@@ -134,9 +134,9 @@ pub trait SolidStructure: Send + Sync {
     fn add_compliance(
         &self,
         observe: Chart,
-        observers: &[Spot],
+        observers: &[SurfaceSegment],
         load: Chart,
-        loads: &[Spot],
+        loads: &[SurfaceSegment],
         block: &mut [f64],
     );
 
@@ -147,9 +147,9 @@ pub trait SolidStructure: Send + Sync {
     fn add_compliance_until(
         &self,
         observe: Chart,
-        observers: &[Spot],
+        observers: &[SurfaceSegment],
         load: Chart,
-        loads: &[Spot],
+        loads: &[SurfaceSegment],
         block: &mut [f64],
         interrupt: &Interrupt,
     ) -> Result<(), EngineError> {
@@ -160,11 +160,11 @@ pub trait SolidStructure: Send + Sync {
 
     /// Returns the stresses under the given loads at each stress recovery point next to a surface
     /// of a tooth. Empty if the structure recovers no stress.
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress>;
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SegmentLoad]) -> Vec<SurfaceStress>;
 
     /// Returns the forces of the supporting spline teeth on the body under the given loads, one
     /// entry a spline tooth; empty if spline teeth do not support the body.
-    fn lug_forces(&self, _loads: &[SpotLoad]) -> Vec<LugForce> {
+    fn spline_tooth_forces(&self, _loads: &[SegmentLoad]) -> Vec<SplineToothForce> {
         Vec::new()
     }
 
@@ -183,20 +183,20 @@ pub trait SolidStructure: Send + Sync {
 /// Structure with surfaces that differ slightly from its own, such as modified flanks on the body
 /// of the unmodified gear. Contact acts on the new surfaces; the compliance is that of the shared
 /// structure.
-pub struct Reshaped {
+pub struct ModifiedStructure {
     shared: Arc<dyn SolidStructure>,
     surfaces: Vec<Arc<dyn Surface>>,
 }
 
-impl Reshaped {
+impl ModifiedStructure {
     /// Replaces the surfaces of `shared` with the same index by `surfaces`, over the same
     /// coordinates; further ones remain.
-    pub fn new(shared: Arc<dyn SolidStructure>, surfaces: Vec<Arc<dyn Surface>>) -> Reshaped {
-        Reshaped { shared, surfaces }
+    pub fn new(shared: Arc<dyn SolidStructure>, surfaces: Vec<Arc<dyn Surface>>) -> ModifiedStructure {
+        ModifiedStructure { shared, surfaces }
     }
 }
 
-impl SolidStructure for Reshaped {
+impl SolidStructure for ModifiedStructure {
     fn surface(&self, surface: u32) -> Arc<dyn Surface> {
         self.surfaces.get(surface as usize).cloned().unwrap_or_else(|| self.shared.surface(surface))
     }
@@ -216,9 +216,9 @@ impl SolidStructure for Reshaped {
     fn add_compliance(
         &self,
         observe: Chart,
-        observers: &[Spot],
+        observers: &[SurfaceSegment],
         load: Chart,
-        loads: &[Spot],
+        loads: &[SurfaceSegment],
         block: &mut [f64],
     ) {
         self.shared.add_compliance(observe, observers, load, loads, block);
@@ -227,21 +227,21 @@ impl SolidStructure for Reshaped {
     fn add_compliance_until(
         &self,
         observe: Chart,
-        observers: &[Spot],
+        observers: &[SurfaceSegment],
         load: Chart,
-        loads: &[Spot],
+        loads: &[SurfaceSegment],
         block: &mut [f64],
         interrupt: &Interrupt,
     ) -> Result<(), EngineError> {
         self.shared.add_compliance_until(observe, observers, load, loads, block, interrupt)
     }
 
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SegmentLoad]) -> Vec<SurfaceStress> {
         self.shared.stresses(tooth, surface, loads)
     }
 
-    fn lug_forces(&self, loads: &[SpotLoad]) -> Vec<LugForce> {
-        self.shared.lug_forces(loads)
+    fn spline_tooth_forces(&self, loads: &[SegmentLoad]) -> Vec<SplineToothForce> {
+        self.shared.spline_tooth_forces(loads)
     }
 
     fn bytes(&self) -> usize {

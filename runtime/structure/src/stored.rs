@@ -2,13 +2,13 @@
 //! contact surfaces; the condensed tables are read from the bytes.
 
 use super::bore_coupling::BoreCoupling;
+use super::bspline::BSpline;
 use super::elastic::FarCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
-use super::loose_lugs::LooseLugs;
-use super::lugs::{LugSet, Lugs};
-use super::ring::Shared;
-use super::sampling::Stretch;
-use super::spline::Spline;
+use super::ring::SharedUnknowns;
+use super::sampling::EdgeCoordinate;
+use super::spline_clearance::SplineWithClearance;
+use super::spline_teeth::{SplineTeeth, SplineToothSet};
 use crate::profile::Profile;
 use faer::Mat;
 use serde::{Deserialize, Serialize, Serializer};
@@ -90,10 +90,10 @@ pub(super) struct StoredBore<'a> {
     release: Table<'a>,
     /// Spline teeth with their forces.
     #[serde(borrow)]
-    lugs: Option<(Lugs, Table<'a>)>,
+    spline_teeth: Option<(SplineTeeth, Table<'a>)>,
     /// Displacements by amplitudes, and compliance.
     #[serde(borrow)]
-    loose: Option<[Table<'a>; 2]>,
+    with_clearance: Option<[Table<'a>; 2]>,
     #[serde(borrow)]
     loads: Vec<Table<'a>>,
     #[serde(borrow)]
@@ -109,8 +109,14 @@ impl StoredBore<'_> {
             count: bore.shared.count,
             pairs: bore.shared.pairs.clone(),
             release: Table::from(&bore.release),
-            lugs: bore.lugs.as_ref().map(|set| (set.lugs, Table::from(&set.reactions))),
-            loose: bore.loose.as_ref().map(|lugs| [&lugs.by_amplitudes, &lugs.compliance].map(Table::from)),
+            spline_teeth: bore
+                .spline_teeth
+                .as_ref()
+                .map(|set| (set.spline_teeth, Table::from(&set.reactions))),
+            with_clearance: bore
+                .with_clearance
+                .as_ref()
+                .map(|spline_teeth| [&spline_teeth.by_amplitudes, &spline_teeth.compliance].map(Table::from)),
             loads: tables(&bore.loads),
             stress: tables(&bore.stress),
         }
@@ -122,22 +128,25 @@ impl StoredBore<'_> {
         let matrices = |tables: &[Table]| tables.iter().map(Table::matrix).collect::<Option<Vec<_>>>();
         (sound && self.sectors > 0).then_some(())?;
         // A stored set of spline teeth must be valid.
-        let lugs = match self.lugs {
-            Some((lugs, reactions)) => Some(LugSet { lugs, reactions: reactions.matrix()? }),
+        let spline_teeth = match self.spline_teeth {
+            Some((spline_teeth, reactions)) => {
+                Some(SplineToothSet { spline_teeth, reactions: reactions.matrix()? })
+            }
             None => None,
         };
-        let loose = match &self.loose {
-            Some([by_amplitudes, compliance]) => {
-                Some(LooseLugs { by_amplitudes: by_amplitudes.matrix()?, compliance: compliance.matrix()? })
-            }
+        let with_clearance = match &self.with_clearance {
+            Some([by_amplitudes, compliance]) => Some(SplineWithClearance {
+                by_amplitudes: by_amplitudes.matrix()?,
+                compliance: compliance.matrix()?,
+            }),
             None => None,
         };
         Some(BoreCoupling {
             sectors: self.sectors,
-            lugs,
-            loose,
+            spline_teeth,
+            with_clearance,
             pitch: self.pitch,
-            shared: Shared { count, pairs: self.pairs },
+            shared: SharedUnknowns { count, pairs: self.pairs },
             release: self.release.matrix()?,
             loads: matrices(&self.loads)?,
             stress: matrices(&self.stress)?,
@@ -178,9 +187,9 @@ impl StoredFar<'_> {
 }
 
 /// Builds a spline on nodes from untrusted bytes; `None` if they are not valid.
-pub(super) fn spline(nodes: Vec<f64>) -> Option<Spline> {
+pub(super) fn spline(nodes: Vec<f64>) -> Option<BSpline> {
     let sound = nodes.len() >= 4 && nodes.windows(2).all(|pair| pair[0] < pair[1]);
-    sound.then(|| Spline::new(nodes))
+    sound.then(|| BSpline::new(nodes))
 }
 
 pub(super) fn to_bytes(content: &impl Serialize) -> Option<Vec<u8>> {
@@ -214,11 +223,11 @@ struct StoredElastic<'a> {
 #[derive(Serialize, Deserialize)]
 pub(super) struct StoredSurface {
     nodes: Vec<f64>,
-    stretch: Stretch,
+    stretch: EdgeCoordinate,
     stretched: Vec<f64>,
     range: [f64; 2],
     turned: Vec<f64>,
-    stress_places: Vec<(f64, [f64; 2])>,
+    stress_points: Vec<(f64, [f64; 2])>,
 }
 
 impl StoredSurface {
@@ -229,7 +238,7 @@ impl StoredSurface {
             stretched: surface.stretched.nodes().to_vec(),
             range: surface.range,
             turned: surface.turned.clone(),
-            stress_places: surface.stress_places.clone(),
+            stress_points: surface.stress_points.clone(),
         }
     }
 
@@ -241,7 +250,7 @@ impl StoredSurface {
             stretched: spline(self.stretched)?,
             range: self.range,
             turned: self.turned,
-            stress_places: self.stress_places,
+            stress_points: self.stress_points,
         })
     }
 }

@@ -11,7 +11,7 @@ use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::{
     MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, TransmissionError,
 };
 use calyx_runtime::results::OutputRequest;
@@ -119,12 +119,12 @@ impl Pair {
         let options = MeshOptions { tip_corner_contact: self.tip_corner_contact, ..MeshOptions::default() };
         let pair = mesh(&mut scene, pinion, wheel, &options).expect("a mesh").pair;
         let outputs = vec![
-            OutputRequest::observing("te", scene.observe(TransmissionError(pair))),
-            OutputRequest::observing("stiffness", scene.observe(MeshStiffness(pair))),
-            OutputRequest::observing("pressure", scene.observe(MaxContactPressure(pair))),
-            OutputRequest::observing("pinion", scene.observe(MaxRootStress(pinion))),
-            OutputRequest::observing("wheel", scene.observe(MaxRootStress(wheel))),
-            OutputRequest::observing("edge", scene.observe(MaxEdgePressure(pair))),
+            OutputRequest::observing("te", scene.add_observable(TransmissionError(pair))),
+            OutputRequest::observing("stiffness", scene.add_observable(MeshStiffness(pair))),
+            OutputRequest::observing("pressure", scene.add_observable(MaxContactPressure(pair))),
+            OutputRequest::observing("pinion", scene.add_observable(MaxRootStress(pinion))),
+            OutputRequest::observing("wheel", scene.add_observable(MaxRootStress(wheel))),
+            OutputRequest::observing("edge", scene.add_observable(MaxEdgePressure(pair))),
         ];
         let cycle = scene.pairs[pair.0].mesh.clone().expect("gears in mesh");
         (scene, cycle, outputs)

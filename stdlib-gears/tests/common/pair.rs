@@ -14,8 +14,8 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Material;
 use calyx_runtime::motion::{PlanePose, SteadyRotation};
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     LoadShare, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshStiffness, Observable,
     TransmissionError,
 };
@@ -24,7 +24,7 @@ use calyx_runtime::scene::{
     StructureOptions, SurfacePair, Template,
 };
 use calyx_runtime::step::StepResult;
-use calyx_runtime::structure::{BodyModes, BoreHold, Structure};
+use calyx_runtime::structure::{BodyModes, BoreSupport, Structure};
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::{Arc, LazyLock, Mutex};
@@ -165,10 +165,10 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
         })
     });
     let material = Material { youngs_modulus: modulus * steel().youngs_modulus, ..steel() };
-    let [radius, held_radius] = rim.map(|radius| radius * INCH * length);
+    let [radius, fixed_radius] = rim.map(|radius| radius * INCH * length);
     let gear = ExternalGear::new(data).expect("a sound gear");
     let modifications = relief.into_iter().collect();
-    let rim = Rim { radius, held_radius, web: None, hold: BoreHold::Rigid };
+    let rim = Rim { radius, fixed_radius, web: None, hold: BoreSupport::Rigid };
     let face_width = INCH * length;
     Member::new(
         GearPrototype::new(gear, modifications, material, rim, face_width, Vec::new()).expect("a gear"),
@@ -179,9 +179,9 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
 pub fn member(data: ExternalGearData, face_width: f64) -> Member {
     let rim = Rim {
         radius: data.root_radius - data.rack.module,
-        held_radius: data.root_radius - 3.0 * data.rack.module,
+        fixed_radius: data.root_radius - 3.0 * data.rack.module,
         web: None,
-        hold: BoreHold::Rigid,
+        hold: BoreSupport::Rigid,
     };
     let gear = ExternalGear::new(data).expect("a sound gear");
     Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, face_width, Vec::new()).expect("a gear"))
@@ -290,13 +290,13 @@ pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
         front: None,
     });
     // In the order of `Values`.
-    scene.observe(TransmissionError(MESH));
-    scene.observe(LoadShare(MESH));
-    scene.observe(MeshStiffness(MESH));
-    scene.observe(MaxContactPressure(MESH));
-    scene.observe(MaxEdgePressure(MESH));
-    scene.observe(MaxRootStress(FIRST));
-    scene.observe(MaxRootStress(SECOND));
+    scene.add_observable(TransmissionError(MESH));
+    scene.add_observable(LoadShare(MESH));
+    scene.add_observable(MeshStiffness(MESH));
+    scene.add_observable(MaxContactPressure(MESH));
+    scene.add_observable(MaxEdgePressure(MESH));
+    scene.add_observable(MaxRootStress(FIRST));
+    scene.add_observable(MaxRootStress(SECOND));
     (scene, mesh)
 }
 

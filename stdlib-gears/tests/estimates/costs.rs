@@ -2,7 +2,7 @@
 //! not timed.
 
 use super::*;
-use calyx_runtime::observe::{Equilibrium, Observable, Quantity};
+use calyx_runtime::observables::{Equilibrium, Observable, Quantity};
 use calyx_runtime::results::Observed;
 use std::sync::{Arc, Mutex};
 
@@ -37,7 +37,7 @@ fn estimates_cost_no_more_than_the_run() {
         let count = |estimates| {
             let (mut scene, cycle, mut outputs) = PLAIN.scene();
             let solved = Solved::default();
-            outputs.push(OutputRequest::observing("solved", scene.observe(solved.clone())));
+            outputs.push(OutputRequest::observing("solved", scene.add_observable(solved.clone())));
             let setting = Setting { structure, cells: Some([CELLS, 8]), steps, estimates, ..PLANE };
             let (result, _) = analyse_scene((scene, &cycle), &outputs, &setting);
             let cells = solved.0.lock().expect("nothing panics under the lock").clone();

@@ -4,7 +4,7 @@
 
 use super::*;
 use crate::first_day_in_space::{BODIES, MESH as TEETH, scene};
-use calyx_runtime::observe::{MaxContactPressure, MaxRootStress, MeshStiffness, TransmissionError};
+use calyx_runtime::observables::{MaxContactPressure, MaxRootStress, MeshStiffness, TransmissionError};
 
 const QUADRATIC: StructureOptions = StructureOptions { order: 2, axial_order: Some(2), ..MESH };
 /// As `first_day_in_space` has it.
@@ -24,11 +24,11 @@ fn of_a_pair_in_space() {
 fn wrong_of_a_pair(name: &str, helix_angle: f64, own: StructureOptions) -> Vec<String> {
     let mut scene = scene(helix_angle);
     let outputs = vec![
-        OutputRequest::observing("te", scene.observe(TransmissionError(TEETH))),
-        OutputRequest::observing("stiffness", scene.observe(MeshStiffness(TEETH))),
-        OutputRequest::observing("pressure", scene.observe(MaxContactPressure(TEETH))),
-        OutputRequest::observing("pinion", scene.observe(MaxRootStress(BODIES[0]))),
-        OutputRequest::observing("wheel", scene.observe(MaxRootStress(BODIES[1]))),
+        OutputRequest::observing("te", scene.add_observable(TransmissionError(TEETH))),
+        OutputRequest::observing("stiffness", scene.add_observable(MeshStiffness(TEETH))),
+        OutputRequest::observing("pressure", scene.add_observable(MaxContactPressure(TEETH))),
+        OutputRequest::observing("pinion", scene.add_observable(MaxRootStress(BODIES[0]))),
+        OutputRequest::observing("wheel", scene.add_observable(MaxRootStress(BODIES[1]))),
     ];
     let cycle = scene.pairs[TEETH.0].mesh.clone().expect("a mesh");
     let finer = Setting { structure: CUBIC, estimates: Estimates::None, ..SPACE };

@@ -5,7 +5,7 @@ use crate::backlash::reversing;
 use crate::common::pair::{FIRST, MESH as TEETH, PairOptions, RELIEVED as RELIEVED_MEMBERS, pair};
 use calyx_runtime::dynamics::{DynamicOptions, Scheme, Start, TimeRange, dynamic};
 use calyx_runtime::inertia::Inertia;
-use calyx_runtime::observe::{MaxRootStress, MeshForce, Rotation, TransmissionError};
+use calyx_runtime::observables::{MaxRootStress, MeshForce, Rotation, TransmissionError};
 
 fn moving(ranges: Vec<TimeRange>, scheme: &str) -> DynamicOptions {
     let scheme = Scheme::named(scheme).expect("a scheme");
@@ -37,9 +37,9 @@ fn driven(speed: f64) -> (Scene, Vec<OutputRequest>, f64) {
     scene.observables.clear();
     scene.bodies[FIRST.0] = scene.bodies[FIRST.0].clone().with_added(Inertia::axial(0.0, 2e-3, 0.0));
     let outputs = vec![
-        OutputRequest::observing("te", scene.observe(TransmissionError(TEETH))),
-        OutputRequest::observing("force", scene.observe(MeshForce(TEETH))),
-        OutputRequest::observing("pinion", scene.observe(MaxRootStress(FIRST))),
+        OutputRequest::observing("te", scene.add_observable(TransmissionError(TEETH))),
+        OutputRequest::observing("force", scene.add_observable(MeshForce(TEETH))),
+        OutputRequest::observing("pinion", scene.add_observable(MaxRootStress(FIRST))),
     ];
     (scene, outputs, mesh.period)
 }
@@ -63,12 +63,12 @@ fn wrong_by_steps(
 }
 
 #[test]
-fn of_steps_from_blow_to_blow() {
+fn of_steps_from_impulse_to_impulse() {
     let (mut scene, [front, back]) = reversing();
     let outputs = vec![
-        OutputRequest::observing("turn", scene.observe(Rotation(FIRST, 2))),
-        OutputRequest::observing("front", scene.observe(MeshForce(front))),
-        OutputRequest::observing("back", scene.observe(MeshForce(back))),
+        OutputRequest::observing("turn", scene.add_observable(Rotation(FIRST, 2))),
+        OutputRequest::observing("front", scene.add_observable(MeshForce(front))),
+        OutputRequest::observing("back", scene.add_observable(MeshForce(back))),
     ];
     let wrong = wrong_by_steps("blows", &scene, &outputs, (4e-3, 400), "average_acceleration");
     assert!(wrong.is_empty(), "{wrong:#?}");

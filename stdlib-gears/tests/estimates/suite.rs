@@ -10,7 +10,7 @@ use calyx_gears::modification::{Modification, ReliefShape};
 use calyx_gears::rack::{Plane, Rack};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::{
     LoadShare, MaxContactPressure, MaxRootStress, MeshStiffness, TransmissionError,
 };
 use calyx_runtime::scene::{Body, Component};
@@ -108,12 +108,12 @@ impl Row {
         let options = MeshOptions { tip_corner_contact: corners, ..MeshOptions::default() };
         let pair = mesh(&mut scene, pinion, wheel, &options).expect("a mesh").pair;
         let outputs = vec![
-            OutputRequest::observing("te", scene.observe(TransmissionError(pair))),
-            OutputRequest::observing("share", scene.observe(LoadShare(pair))),
-            OutputRequest::observing("stiffness", scene.observe(MeshStiffness(pair))),
-            OutputRequest::observing("pressure", scene.observe(MaxContactPressure(pair))),
-            OutputRequest::observing("pinion", scene.observe(MaxRootStress(pinion))),
-            OutputRequest::observing("wheel", scene.observe(MaxRootStress(wheel))),
+            OutputRequest::observing("te", scene.add_observable(TransmissionError(pair))),
+            OutputRequest::observing("share", scene.add_observable(LoadShare(pair))),
+            OutputRequest::observing("stiffness", scene.add_observable(MeshStiffness(pair))),
+            OutputRequest::observing("pressure", scene.add_observable(MaxContactPressure(pair))),
+            OutputRequest::observing("pinion", scene.add_observable(MaxRootStress(pinion))),
+            OutputRequest::observing("wheel", scene.add_observable(MaxRootStress(wheel))),
         ];
         let cycle = scene.pairs[pair.0].mesh.clone().expect("gears in mesh");
         (scene, cycle, outputs)

@@ -22,8 +22,14 @@ fn at(pair: &'static str, name: &str, cells: [usize; 2]) -> [f64; 2] {
     (scene.pairs[0].grid.half_cells, scene.pairs[0].grid.half_slices) = (Some(cells[0]), cells[1]);
     let mesh = calyx_runtime::scene::PairId(0);
     let outputs = vec![
-        OutputRequest::observing("flank", scene.observe(calyx_runtime::observe::MaxContactPressure(mesh))),
-        OutputRequest::observing("edge", scene.observe(calyx_runtime::observe::MaxEdgePressure(mesh))),
+        OutputRequest::observing(
+            "flank",
+            scene.add_observable(calyx_runtime::observables::MaxContactPressure(mesh)),
+        ),
+        OutputRequest::observing(
+            "edge",
+            scene.add_observable(calyx_runtime::observables::MaxEdgePressure(mesh)),
+        ),
     ];
     let positions =
         mesh_cycle(&cycle, 2).into_iter().filter(|position| position.name == name).collect::<Vec<_>>();

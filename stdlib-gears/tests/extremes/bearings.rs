@@ -6,7 +6,7 @@ use calyx_runtime::disc::{Facing, Platen};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::{Displacement, MaxContactPressure};
+use calyx_runtime::observables::{Displacement, MaxContactPressure};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, Scene, StructureOptions, SurfacePair};
@@ -107,13 +107,13 @@ fn scene(bodies: &[Wrench]) -> Scene {
     let below = scene.add_body(Body::new("below", platen(Facing::Up), at(-1.0)));
     let above = scene.add_body(Body::new("above", platen(Facing::Down), at(0.0)));
     let plates = scene.add_pair(SurfacePair::new([below, above], [Platen::SURFACE; 2]));
-    scene.observe(MaxContactPressure(plates));
+    scene.add_observable(MaxContactPressure(plates));
     for (index, load) in bodies.iter().enumerate() {
         let motion = SteadyRotation::at_rest([0.5 + 0.1 * index as f64, 0.0]);
         let body = Body::new(format!("body {index}"), Arc::new(RigidBody), motion);
         let body = scene.add_body(body.free_in(&[Component::Ux, Component::Uy]).loaded(*load));
         // What nobody asks for takes no part.
-        scene.observe(Displacement(body, 0));
+        scene.add_observable(Displacement(body, 0));
     }
     scene
 }

@@ -9,7 +9,7 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Displacement;
+use calyx_runtime::observables::Displacement;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, Component, Scene, SurfacePair};
@@ -128,7 +128,7 @@ impl Oscillator {
     fn history(&self, steps: usize) -> Result<f64, EngineError> {
         let mut scene = self.scene();
         let body = calyx_runtime::scene::BodyId(2);
-        let outputs = [OutputRequest::observing("x", scene.observe(Displacement(body, 0)))];
+        let outputs = [OutputRequest::observing("x", scene.add_observable(Displacement(body, 0)))];
         let period = TAU * (self.mass / self.spring).sqrt();
         let duration = self.step * period * steps as f64;
         let dynamics = DynamicOptions {

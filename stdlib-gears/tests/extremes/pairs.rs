@@ -13,8 +13,8 @@ use calyx_gears::helix::{Hand, Helix};
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::Plane;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::MeshForce;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::MeshForce;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::scene::{Body, Component, Scene};
 use std::f64::consts::{PI, TAU};
 

@@ -9,11 +9,11 @@ use calyx_gears::blank::Rim;
 use calyx_gears::external::ExternalGear;
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::interrupt::Interrupt;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{MaxRootCompression, MaxRootStress, Observable, TransmissionError};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{MaxRootCompression, MaxRootStress, Observable, TransmissionError};
 use calyx_runtime::scene::Prototype;
 use calyx_runtime::scene::StructureOptions;
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use std::sync::LazyLock;
 
 pub fn cases() -> Vec<Case> {
@@ -112,12 +112,12 @@ fn towards_a_rack() -> f64 {
 /// The gear of 40 teeth on a free rim of so many modules.
 fn rimmed(modules: f64) -> GearPrototype {
     let data = chapter_5_data(40, 0.02, 0.15708);
-    let held_radius = data.root_radius - modules * data.rack.module;
+    let fixed_radius = data.root_radius - modules * data.rack.module;
     let rim = Rim {
         radius: data.root_radius - 0.5 * modules * data.rack.module,
-        held_radius,
+        fixed_radius,
         web: None,
-        hold: BoreHold::Means { waves: None, degree: 0 },
+        hold: BoreSupport::Means { harmonics: None, degree: 0 },
     };
     let gear = ExternalGear::new(data).expect("a sound gear");
     GearPrototype::new(gear, Vec::new(), steel(), rim, 0.0254, Vec::new()).expect("a gear")

@@ -5,11 +5,11 @@ use crate::common::pair::{
 };
 use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
-use calyx_runtime::contact::clarabel_check;
+use calyx_runtime::contact::interior_point;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::motion::SteadyRotation;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     BearingDeflection, BearingForce, Direction, Displacement, Equilibrium, MaxContactPressure, MeshStiffness,
     Observable, TransmissionError, UnloadedTransmissionError,
 };
@@ -203,7 +203,7 @@ fn a_ring_gives_by_its_clearance_and_then_by_its_stiffness_alike_in_all_directio
             let cells: Vec<f64> = step.patches.iter().flat_map(|patch| patch.forces.clone()).collect();
             forces[..cells.len()].copy_from_slice(&cells);
             forces[cells.len()..].copy_from_slice(&step.stops);
-            let (again, _) = clarabel_check::solve(&step.problem).expect("it converges");
+            let (again, _) = interior_point::solve(&step.problem).expect("it converges");
             (step.problem.objective(&forces, &step.motion), step.problem.objective(&again, &step.motion))
         });
         assert!((forces / again - 1.0).abs() < 1e-6, "{forces} {again}");
@@ -325,7 +325,7 @@ fn units_make_no_difference() {
 fn bits_do_not_depend_on_threads() {
     let ring = Stop::Ring { clearance: 1e-5, stiffness: K };
     let (mut scene, mesh) = on([with_stop(0.1 * K, ring)]);
-    let force = scene.observe(BearingForce(BEARING, Direction::Radial));
+    let force = scene.add_observable(BearingForce(BEARING, Direction::Radial));
     let outputs = [OutputRequest::observing("force", force)];
     let positions = mesh_cycle(&mesh, 4);
     let rows = [1, 2].map(|threads| {
@@ -362,7 +362,7 @@ fn bearings_that_nothing_depends_on_are_left_out_with_the_reason() {
     assert!(bearings[0].0 && bearings[0].1.contains("held"), "{bearings:?}");
     assert!(bearings[1].0 && bearings[1].1.contains("no output depends"), "{bearings:?}");
     assert!(ignored.is_empty());
-    scene.observe(Displacement(idler, 0));
+    scene.add_observable(Displacement(idler, 0));
     let (bearings, ignored) = reasons(&scene);
     assert!(!bearings[1].0, "{bearings:?}");
     assert_eq!(ignored, ["bearing", "damping"]);

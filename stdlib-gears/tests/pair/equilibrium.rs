@@ -5,9 +5,9 @@ use super::CYCLE;
 use crate::common::INCH;
 use crate::common::pair::{FIRST, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, Values, pair, system};
 use calyx_runtime::analysis::mesh_cycle;
-use calyx_runtime::contact::clarabel_check;
+use calyx_runtime::contact::interior_point;
 use calyx_runtime::contact::problem::ContactProblem;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::step::StepResult;
 use nalgebra::{DMatrix, DVector};
 
@@ -123,7 +123,7 @@ fn every_position_is_certified_and_agrees_with_an_independent_solver() {
 }
 
 fn agrees_with_clarabel(step: &StepResult) {
-    let (forces, motion) = clarabel_check::solve(&step.problem).expect("it solves it too");
+    let (forces, motion) = interior_point::solve(&step.problem).expect("it solves it too");
     let own: Vec<f64> = step.patches.iter().flat_map(|patch| patch.forces.iter().copied()).collect();
     let objective = step.problem.objective(&own, &step.motion);
     let independent = step.problem.objective(&forces, &motion);
@@ -143,7 +143,7 @@ fn agrees_with_clarabel(step: &StepResult) {
 /// mesh's own compliance answers.
 fn tangent_response(step: &StepResult, opened: usize, growth: f64) -> Vec<f64> {
     let problem: &ContactProblem = &step.problem;
-    let (n, m, active) = (problem.cells(), problem.freedoms(), &step.active);
+    let (n, m, active) = (problem.cells(), problem.dofs(), &step.active);
     let patch_of: Vec<usize> = step
         .patches
         .iter()

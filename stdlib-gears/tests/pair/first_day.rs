@@ -3,14 +3,14 @@
 use super::CYCLE;
 use crate::common::INCH;
 use crate::common::pair::{FIRST, MESH, PLAIN, PSI, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
-use calyx_gears::gauging::{Along, Placing};
+use calyx_gears::gauge_externs::{FilletLocation, GaugePlacement};
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_runtime::analysis::mesh_cycle;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     Coordinate, Displacement, Efficiency, FaceLoadFactor, FilletSide, FrictionLoss, Gauge, GaugeReading,
     HighestContact, LoadedFace, LowestContact, MaxLineLoad, MaxRootCompression, MaxRootStress,
-    MaxSlidingVelocity, Maximum, Observable, PairLoad, PairsInContact, PlaceOf, Reading, Rotation,
+    MaxSlidingVelocity, Maximum, MaximumLocation, Observable, PairLoad, PairsInContact, Reading, Rotation,
     SecantStiffness, SlidingVelocity, SupportForce, SupportMoment, ToothLoad, TransmissionError,
     UnloadedTransmissionError,
 };
@@ -37,7 +37,8 @@ fn at_each(
 
 /// A gauge along the profile of the chapter 5 pair without modifications.
 fn gauge(body: BodyId, radius: f64, side: FilletSide) -> Gauge {
-    let placing = Placing { along: Along::Radius(radius), axial: 0.0, direction: 0.0, length: 0.0 };
+    let placing =
+        GaugePlacement { along: FilletLocation::Radius(radius), axial: 0.0, direction: 0.0, length: 0.0 };
     let gear = &PLAIN[body.0].prototype;
     let place = placing.on(gear).expect("a place in the fillet");
     Gauge { body, place, direction: 0.0, length: 0.0, side, tooth: None, material: gear.material }
@@ -184,7 +185,7 @@ fn stiffness_is_force_by_what_the_load_moves() {
 fn places_are_those_of_the_maxima() {
     at_each(&PairOptions::chapter_5(&PLAIN), |geometry, mesh, cycle, value| {
         for body in [FIRST, SECOND] {
-            let place_of = |maximum, coordinate| value(&PlaceOf { body, maximum, coordinate }).value;
+            let place_of = |maximum, coordinate| value(&MaximumLocation { body, maximum, coordinate }).value;
             let stress = value(&MaxRootStress(body));
             let place = stress.place.expect("a loaded body has a place of its largest stress");
             assert_eq!(place_of(Maximum::RootStress, Coordinate::Radius), place.radius);
@@ -225,7 +226,8 @@ fn places_are_those_of_the_maxima() {
         }
         // Contact of the pinion at its roll angle and of the gear at the one that goes with it, within the width of contact.
         let roll = |body| {
-            value(&PlaceOf { body, maximum: Maximum::LineLoad, coordinate: Coordinate::RollAngle }).value
+            value(&MaximumLocation { body, maximum: Maximum::LineLoad, coordinate: Coordinate::RollAngle })
+                .value
         };
         let position = mesh.roll[0] + cycle * (mesh.roll[1] - mesh.roll[0]);
         let nearest = [0.0, 1.0]
@@ -244,8 +246,9 @@ fn places_are_those_of_the_maxima() {
 #[test]
 fn a_pair_without_load_has_no_places_and_loses_nothing() {
     at_each(&PairOptions { moment: 0.0, ..PairOptions::chapter_5(&PLAIN) }, |_, _, _, value| {
-        let place =
-            |coordinate| value(&PlaceOf { body: FIRST, maximum: Maximum::ContactPressure, coordinate }).value;
+        let place = |coordinate| {
+            value(&MaximumLocation { body: FIRST, maximum: Maximum::ContactPressure, coordinate }).value
+        };
         assert_eq!(place(Coordinate::Tooth), -1.0);
         assert_eq!(place(Coordinate::Radius), 0.0);
         for observable in [

@@ -1,7 +1,7 @@
 //! Friction on a pair of teeth that carries the load alone: torques in the ratio that statics gives.
 
 use crate::common::pair::{FIRST, MESH, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::Observe;
 
 #[test]
 fn torques_are_those_of_statics() {

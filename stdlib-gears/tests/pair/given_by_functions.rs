@@ -17,7 +17,7 @@ use calyx_runtime::material::Material;
 use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::profile::Profile;
 use calyx_runtime::scene::{Body, Scene};
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use std::sync::Arc;
 
 const DEPTH: f64 = 0.0005 * INCH;
@@ -62,7 +62,7 @@ fn a_function_equal_to_a_relief_is_that_relief() {
 
 /// A pinion with this modification beside the plain wheel.
 fn with(modification: Modification) -> [Member; 2] {
-    let rim = Rim { radius: 0.7 * INCH, held_radius: 0.6 * INCH, web: None, hold: BoreHold::Rigid };
+    let rim = Rim { radius: 0.7 * INCH, fixed_radius: 0.6 * INCH, web: None, hold: BoreSupport::Rigid };
     let gear = GearPrototype::new(chapter_5(20), vec![modification], steel(), rim, INCH, Vec::new());
     [Member::new(gear.expect("a gear")), PLAIN[1].clone()]
 }
@@ -129,7 +129,7 @@ fn blank() -> GearBlank {
     GearBlank::standard(20, data.rack)
         .diameters(2.0 * data.outer_radius, 2.0 * data.root_radius)
         .thickness(Thickness::Circular(data.tooth_thickness))
-        .rim(Rim { radius: 0.7 * INCH, held_radius: 0.6 * INCH, web: None, hold: BoreHold::Rigid })
+        .rim(Rim { radius: 0.7 * INCH, fixed_radius: 0.6 * INCH, web: None, hold: BoreSupport::Rigid })
 }
 
 #[test]

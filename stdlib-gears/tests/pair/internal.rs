@@ -14,12 +14,12 @@ use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
 use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
-use calyx_runtime::holding;
 use calyx_runtime::interrupt::Interrupt;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::plan::Plan;
+use calyx_runtime::restraint_check;
 use calyx_runtime::scene::{Component, Fidelity};
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use std::sync::LazyLock;
 
 const MODULE: f64 = 4e-3;
@@ -53,7 +53,7 @@ fn ring(relief: f64) -> Member {
         tip_edge_radius: None,
     })
     .expect("a sound gear");
-    let rim = Rim { radius: 127e-3, held_radius: 137e-3, web: None, hold: BoreHold::Rigid };
+    let rim = Rim { radius: 127e-3, fixed_radius: 137e-3, web: None, hold: BoreSupport::Rigid };
     let relief =
         (relief > 0.0).then(|| Modification::tip_relief(relief, 18_f64.to_radians(), ReliefShape::Quadratic));
     let modifications = relief.into_iter().collect();
@@ -193,8 +193,8 @@ fn what_holds_a_pinion_in_a_ring_is_known_before_it_is_solved() {
         let bearing = Bearing::new("wall", FIRST, 0.0, axisymmetric(0.0, 0.0, 0.0, 0.0));
         scene.add_bearing(Bearing { stops: vec![wall], ..bearing }).expect("a bearing");
         let plan = Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
-        let early =
-            holding::check(&scene, &plan, mesh.start, &Interrupt::never()).map_err(|error| error.code);
+        let early = restraint_check::check(&scene, &plan, mesh.start, &Interrupt::never())
+            .map_err(|error| error.code);
         let solved =
             system(&scene).solve(mesh.start + 0.3 * mesh.period).map(|_| ()).map_err(|error| error.code);
         assert_eq!(early, solved, "{side}");

@@ -5,8 +5,8 @@ use calyx_gears::external::ExternalGearData;
 use calyx_gears::mesh_geometry::MeshGeometry;
 use calyx_gears::rack::Rack;
 use calyx_runtime::analysis::mesh_cycle;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::TransmissionError;
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::TransmissionError;
 use calyx_runtime::scene::{Body, BodyId, PairId};
 
 struct Case {
@@ -126,7 +126,7 @@ fn pairs_of_one_scene_do_not_disturb_each_other() {
         scene.add_pair(pair);
     }
     // What nobody looks at is left out.
-    scene.observe(TransmissionError(PairId(1)));
+    scene.add_observable(TransmissionError(PairId(1)));
     let system = system(&scene);
     let step = system.solve(time).expect("equilibrium");
     for (pair, alone) in alone.into_iter().enumerate() {

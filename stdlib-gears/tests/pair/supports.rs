@@ -5,8 +5,8 @@ use crate::common::{INCH, chapter_5_data, resources};
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::load::Wrench;
-use calyx_runtime::motion::Placed;
-use calyx_runtime::observe::Observe;
+use calyx_runtime::motion::RelocatedMotion;
+use calyx_runtime::observables::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{Body, Fidelity};
 use calyx_runtime::system::System;
@@ -114,7 +114,7 @@ fn what_stands_out_of_the_plane_is_reported() {
         let motion = bodies[1].motion.clone();
         let pose =
             Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], origin: [0.0, 0.0, 5e-3] };
-        bodies[1].motion = Arc::new(Placed { motion, pose });
+        bodies[1].motion = Arc::new(RelocatedMotion { motion, pose });
     };
     assert_eq!(ignored(&beside), ["frame"]);
 }

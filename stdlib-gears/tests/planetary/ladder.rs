@@ -1,7 +1,7 @@
 //! A set at the levels without meshes: what is exact stays so, and what closed forms leave out is small.
 
 use super::set::{SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
-use calyx_runtime::observe::{Equilibrium, MaxRootStress, MeshStiffness, Observable, TransmissionError};
+use calyx_runtime::observables::{Equilibrium, MaxRootStress, MeshStiffness, Observable, TransmissionError};
 use calyx_runtime::scene::{Fidelity, PairId};
 use std::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ const PARTS: [f64; 3] = [0.1, 0.45, 0.8];
 fn seen(options: &SetOptions, fidelity: Fidelity) -> Vec<(Vec<[f64; 3]>, [f64; 2])> {
     let mut set = Set::of(options).expect("it goes together");
     for body in [set.sun, set.ring] {
-        set.scene.observe(MaxRootStress(body));
+        set.scene.add_observable(MaxRootStress(body));
     }
     let system = set.system_at(fidelity);
     let at = |part: &f64| {

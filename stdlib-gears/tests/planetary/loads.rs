@@ -2,7 +2,7 @@
 
 use super::set::{DISTANCE, PLANET_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use calyx_runtime::material::Material;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::{
     Equilibrium, FilletSide, Gauge, GaugeReading, MaxRootStress, Observable, Reading,
 };
 use calyx_runtime::scene::{BodyId, PairId};
@@ -157,8 +157,8 @@ fn a_pin_out_of_place_shifts_load_as_linear_theory_says() {
     bears_less(&found, gives_by_pin(error));
     let set = Set::of(&with_pin(error)).expect("it goes together");
     let mesh = set.mesh(set.ring_meshes[1]);
-    let stand_off = mesh.stand_off.abs() * mesh.base_radii[1];
-    assert!((stand_off / gives_by_pin(error) - 1.0).abs() < 1e-3, "{stand_off}");
+    let center_offset = mesh.center_offset.abs() * mesh.base_radii[1];
+    assert!((center_offset / gives_by_pin(error) - 1.0).abs() < 1e-3, "{center_offset}");
     // Opposite errors shift opposite ways.
     bears_less(&with_errors(with_pin(-error)), gives_by_pin(-error));
     // A floating sun shares out evenly what it bears, but for the tenth of a thousandth that directions turn.
@@ -223,7 +223,7 @@ fn a_gauge_names_the_flank_beside_which_it_is() {
     let mut set = Set::of(&SetOptions::three()).expect("it goes together");
     for body in [set.planets[0], set.sun, set.ring] {
         // Stress is recovered where somebody asks for it.
-        set.scene.observe(MaxRootStress(body));
+        set.scene.add_observable(MaxRootStress(body));
     }
     let system = set.system();
     let step = solve(&system, PART);

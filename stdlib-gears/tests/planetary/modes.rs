@@ -5,15 +5,15 @@ use calyx_gears::lumped_planetary::LumpedPlanetary;
 use calyx_gears::lumped_scene::LumpedSet;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::inertia::Inertia;
-use calyx_runtime::observe::{Equilibrium, ModeKind, PlanetSet, Vibrations};
+use calyx_runtime::observables::{Equilibrium, ModeKind, PlanetSet, Vibrations};
 use calyx_runtime::scene::{BodyId, Component};
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A rim that its bearing holds in the mean.
-const FLOATING: BoreHold = BoreHold::Means { waves: None, degree: 0 };
+const FLOATING: BoreSupport = BoreSupport::Means { harmonics: None, degree: 0 };
 const CARRIER: BodyId = BodyId(2);
 /// Of each planet's pin, N/m.
 const PINS: f64 = 5e8;
@@ -101,12 +101,12 @@ fn flexible_rims_lower_frequencies_and_stiffer_ones_do_less() {
     let mut last = [f64::INFINITY; 2];
     for outer in [155e-3, 165e-3, 190e-3] {
         let mut set = all_free();
-        set.scene.bodies[set.ring.0].prototype = ring(outer, BoreHold::Rigid);
+        set.scene.bodies[set.ring.0].prototype = ring(outer, BoreSupport::Rigid);
         let lowest =
             |modes: &[(ModeKind, f64)], kind| of(kind, modes).first().copied().expect("there is one");
         let (_, [_, on_teeth]) = both(&set, &set.system(), 0.15);
         set.scene.bodies[set.ring.0].prototype = ring(outer, FLOATING);
-        let (_, [flexible, _]) = both(&set, &set.vibrating(6e3), 0.15);
+        let (_, [flexible, _]) = both(&set, &set.with_modes(6e3), 0.15);
         // The lowest that turns, and the lowest of all that shifts or bends.
         let turning = ModeKind::Rotational;
         let first = |modes: &[(ModeKind, f64)]| modes[0].1;

@@ -2,7 +2,7 @@
 
 use super::set::{DISTANCE, Planet, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions};
 use calyx_runtime::motion::{Motion, axle};
-use calyx_runtime::observe::{
+use calyx_runtime::observables::{
     Efficiency, Equilibrium, LoadShare, MaxContactPressure, MaxRootStress, MaxSlidingVelocity, MeshStiffness,
     Observable, PairLoad, SecantStiffness, TransmissionError, UnloadedTransmissionError,
 };
@@ -13,7 +13,7 @@ fn seen(set: &Set, time: f64) -> Vec<f64> {
     let mut set = set.clone();
     for body in [set.sun, set.ring] {
         // Stress is recovered where somebody asks for it.
-        set.scene.observe(MaxRootStress(body));
+        set.scene.add_observable(MaxRootStress(body));
     }
     let system = set.system();
     let step = system.solve(time).expect("equilibrium");
@@ -74,7 +74,7 @@ fn the_cycle_of_a_mesh_is_that_of_its_teeth_wherever_it_is_seen_from() {
             let period = TAU / f64::from(SUN_TEETH) / SUN_SPEED;
             assert!((mesh.period / period - 1.0).abs() < 1e-12, "{} {period}", mesh.period);
             assert!((mesh.orbit + seen_from).abs() < 1e-9, "{}", mesh.orbit);
-            assert!(mesh.stand_off.abs() < 1e-12);
+            assert!(mesh.center_offset.abs() < 1e-12);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{built, resources};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
-use calyx_gears::blank::{Rim, Spline};
+use calyx_gears::blank::{Rim, SplineSupport};
 use calyx_gears::error::Refusal;
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::internal::{InternalGear, InternalGearData};
@@ -18,7 +18,7 @@ use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{
     Body, BodyId, BodyModel, Component, Fidelity, GearMesh, PairId, Scene, StructureOptions, Template,
 };
-use calyx_runtime::structure::BoreHold;
+use calyx_runtime::structure::BoreSupport;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::{Arc, LazyLock};
@@ -63,16 +63,16 @@ fn external(teeth: u32, thickness: f64, bore: f64) -> Arc<GearPrototype> {
         tip_edge_radius: None,
     })
     .expect("a sound gear");
-    let rim = Rim { radius: root_radius - module, held_radius: bore, web: None, hold: BoreHold::Rigid };
+    let rim = Rim { radius: root_radius - module, fixed_radius: bore, web: None, hold: BoreSupport::Rigid };
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
 
 static SUN: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| external(SUN_TEETH, 4.45e-3, 22e-3));
 static PLANET: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| external(PLANET_TEETH, 4.45e-3, 32e-3));
-static RING: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| ring(155e-3, BoreHold::Rigid));
+static RING: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| ring(155e-3, BoreSupport::Rigid));
 
 /// A ring of an outer radius (m) at which it is held.
-pub fn ring(outer: f64, hold: BoreHold) -> Arc<GearPrototype> {
+pub fn ring(outer: f64, hold: BoreSupport) -> Arc<GearPrototype> {
     // The operating circle of the mesh with the planets is its pitch circle: the base pitch is that of the rack.
     let module = 2.0 * DISTANCE / f64::from(RING_TEETH - PLANET_TEETH);
     let angle = (25.4e-3 / 8.857 * 24.6_f64.to_radians().cos() / module).acos();
@@ -85,13 +85,13 @@ pub fn ring(outer: f64, hold: BoreHold) -> Arc<GearPrototype> {
         tip_edge_radius: None,
     })
     .expect("a sound ring");
-    let rim = Rim { radius: 145.5e-3, held_radius: outer, web: None, hold };
+    let rim = Rim { radius: 145.5e-3, fixed_radius: outer, web: None, hold };
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
 
 /// The usual ring on lugs.
-fn splined(spline: &Spline) -> Arc<GearPrototype> {
-    let rim = Rim { radius: 145.5e-3, held_radius: 155e-3, web: None, hold: BoreHold::Rigid };
+fn splined(spline: &SplineSupport) -> Arc<GearPrototype> {
+    let rim = Rim { radius: 145.5e-3, fixed_radius: 155e-3, web: None, hold: BoreSupport::Rigid };
     ring(155e-3, rim.splined(spline).expect("lugs that hold").hold)
 }
 
@@ -166,7 +166,7 @@ pub struct SetOptions {
     /// Of each planet's blank, in place of the usual one, by its tooth thickness, m.
     pub thicknesses: Vec<Option<f64>>,
     /// Lugs of the ring, which is held rigidly without; with clearance they alone carry it.
-    pub ring: Option<Spline>,
+    pub ring: Option<SplineSupport>,
 }
 
 impl SetOptions {
@@ -284,9 +284,9 @@ impl Set {
     }
 
     /// The same with the modes of its bodies up to a frequency, Hz.
-    pub fn vibrating(&self, highest: f64) -> System<'_> {
+    pub fn with_modes(&self, highest: f64) -> System<'_> {
         let plan = Plan::new(&self.scene, Fidelity::Plane, COARSE).expect("it can be planned");
-        self.system().vibrating(&plan, &resources(), highest).expect("bodies have modes")
+        self.system().with_modes(&plan, &resources(), highest).expect("bodies have modes")
     }
 
     pub fn mesh(&self, pair: PairId) -> &GearMesh {

@@ -2,13 +2,13 @@
 
 use super::set::{COARSE, DISTANCE, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use crate::common::resources;
-use calyx_gears::blank::Spline;
+use calyx_gears::blank::SplineSupport;
 use calyx_runtime::analysis::AnalysisOptions;
-use calyx_runtime::contact::clarabel_check;
+use calyx_runtime::contact::interior_point;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::error::Subject;
-use calyx_runtime::load::{Blow, Wrench};
-use calyx_runtime::observe::{Equilibrium, LugLoad, MaxRootStress, Observable, Rotation};
+use calyx_runtime::load::{Impulse, Wrench};
+use calyx_runtime::observables::{Equilibrium, MaxRootStress, Observable, Rotation, SplineToothLoad};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{BodyId, Fidelity};
@@ -24,8 +24,8 @@ const RADIUS: f64 = 155e-3;
 /// On the ring, N m.
 const RING_TORQUE: f64 = TORQUE * RING_TEETH as f64 / SUN_TEETH as f64;
 
-fn spline(clearance: f64) -> Spline {
-    Spline { clearance, stiffness: Some(6e8), first: 0.05, ..Spline::new(LUGS) }
+fn spline(clearance: f64) -> SplineSupport {
+    SplineSupport { clearance, stiffness: Some(6e8), first: 0.05, ..SplineSupport::new(LUGS) }
 }
 
 fn solve(system: &System<'_>, part: f64) -> StepResult {
@@ -34,17 +34,18 @@ fn solve(system: &System<'_>, part: f64) -> StepResult {
     step
 }
 
-fn lug_forces(set: &Set, at: &Equilibrium<'_>) -> Vec<f64> {
-    let force = |lug| LugLoad { body: set.ring, lug, radial: false }.value(at).value;
+fn spline_tooth_forces(set: &Set, at: &Equilibrium<'_>) -> Vec<f64> {
+    let force =
+        |spline_tooth| SplineToothLoad { body: set.ring, spline_tooth, radial: false }.value(at).value;
     (0..u32::from(LUGS)).map(force).collect()
 }
 
 #[test]
-fn lugs_carry_the_ring_and_the_ground_is_in_equilibrium() {
+fn spline_teeth_carry_the_ring_and_the_ground_is_in_equilibrium() {
     let options = SetOptions { floating: true, seen_from: 23.0, ..SetOptions::four() };
     // Lugs that yield, and rigid ones.
     for (clearance, stiffness) in [(20e-6, Some(6e8)), (150e-6, Some(2e9)), (50e-6, None)] {
-        let spline = Spline { stiffness, ..spline(clearance) };
+        let spline = SplineSupport { stiffness, ..spline(clearance) };
         let set = Set::of(&SetOptions { ring: Some(spline), ..options.clone() }).expect("a set");
         let system = set.system();
         for part in [0.2, 11.7] {
@@ -54,14 +55,15 @@ fn lugs_carry_the_ring_and_the_ground_is_in_equilibrium() {
             let mut total = [0.0, 0.0, TORQUE];
             for body in set.planets.iter().copied().chain([set.sun, set.ring, BodyId(2)]) {
                 let of = &set.scene.bodies[body.0];
-                let (support, lugs) = (at.support(body), at.lugs_on(body));
+                let (support, spline_teeth) = (at.support(body), at.spline_forces_on(body));
                 for (component, _) in of.free.into_iter().enumerate().filter(|(_, free)| *free) {
                     let size = if component < 3 { scale } else { TORQUE };
                     assert!(support[component].abs() <= 1e-10 * size, "{}: {support:?}", of.name);
                 }
                 let frame = of.motion.frame(step.time);
                 let [x, y] = [0, 1].map(|axis| -(frame[axis] * frame[9] + frame[3 + axis] * frame[10]));
-                let [fx, fy, moment] = [0, 1, 5].map(|component| support[component] + lugs[component]);
+                let [fx, fy, moment] =
+                    [0, 1, 5].map(|component| support[component] + spline_teeth[component]);
                 total[0] += fx;
                 total[1] += fy;
                 total[2] += moment + x * fy - y * fx;
@@ -71,13 +73,13 @@ fn lugs_carry_the_ring_and_the_ground_is_in_equilibrium() {
                 "{total:?}"
             );
             // The torque on the ring turns it through half the clearance but for what its bore gives, and its lugs bear that torque.
-            let forces = lug_forces(&set, &at);
+            let forces = spline_tooth_forces(&set, &at);
             let torque: f64 = forces.iter().map(|force| RADIUS * force).sum();
             assert!((torque.abs() / RING_TORQUE - 1.0).abs() < 0.02, "{torque} {RING_TORQUE}");
             let turned = at.deviation(set.ring, 5);
             assert!(turned * torque < 0.0 && turned.abs() > 0.3 * clearance / RADIUS, "{turned}");
             // The same problem by an interior-point solver.
-            let (independent, _) = clarabel_check::solve(&step.problem).expect("a solution");
+            let (independent, _) = interior_point::solve(&step.problem).expect("a solution");
             let flanks = 2 * usize::from(LUGS);
             let independent = &independent[independent.len() - flanks..];
             let largest = independent.iter().copied().fold(0.0, f64::max);
@@ -92,7 +94,7 @@ fn lugs_carry_the_ring_and_the_ground_is_in_equilibrium() {
 /// bear what lugs do that bear both ways; the mesh's outside being a circle but for a millionth. The load is small, for what turns with its frame is
 /// laid out where it is, and what gives way is not.
 #[test]
-fn without_clearance_lugs_bear_as_those_without_play() {
+fn without_clearance_spline_teeth_bear_as_those_without_play() {
     let options = |clearance| SetOptions {
         ring: Some(spline(clearance)),
         moment: TORQUE / 30.0,
@@ -100,33 +102,38 @@ fn without_clearance_lugs_bear_as_those_without_play() {
     };
     let sets = [1e-9, 0.0].map(|clearance| {
         let mut set = Set::of(&options(clearance)).expect("a set");
-        set.scene.observe(MaxRootStress(set.ring));
+        set.scene.add_observable(MaxRootStress(set.ring));
         set
     });
-    let [loose, bound] = [0, 1].map(|k: usize| {
+    let [with_clearance, bound] = [0, 1].map(|k: usize| {
         let system = sets[k].system();
         let step = solve(&system, 0.3);
         let at = Equilibrium::new(&system, &step);
         let stress = MaxRootStress(sets[k].ring).value(&at).value;
         let shares: Vec<f64> = sets[k].ring_meshes.iter().map(|&pair| at.force(pair)).collect();
-        (lug_forces(&sets[k], &at), stress, shares)
+        (spline_tooth_forces(&sets[k], &at), stress, shares)
     });
     let largest = bound.0.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
     assert!(bound.0.iter().all(|force| force * bound.0[0] > 0.0), "{:?}", bound.0);
-    for (lug, (found, expected)) in loose.0.iter().zip(&bound.0).enumerate() {
+    for (spline_tooth, (found, expected)) in with_clearance.0.iter().zip(&bound.0).enumerate() {
         assert!((found - expected).abs() < 3e-5 * largest, "{found} {expected}");
-        let third = loose.0[(lug + 4) % 12];
+        let third = with_clearance.0[(spline_tooth + 4) % 12];
         assert!((found - third).abs() < 1e-9 * largest, "{found} {third}");
     }
-    assert!(bound.1 > 0.0 && (loose.1 / bound.1 - 1.0).abs() < 3e-5, "{} {}", loose.1, bound.1);
-    for share in &loose.2 {
-        assert!((share / loose.2[0] - 1.0).abs() < 1e-9, "{:?}", loose.2);
+    assert!(
+        bound.1 > 0.0 && (with_clearance.1 / bound.1 - 1.0).abs() < 3e-5,
+        "{} {}",
+        with_clearance.1,
+        bound.1
+    );
+    for share in &with_clearance.2 {
+        assert!((share / with_clearance.2[0] - 1.0).abs() < 1e-9, "{:?}", with_clearance.2);
     }
 }
 
 /// Closed forms do not know how a ring is bent between lugs that bear. A rigid one is turned until all of its lugs do.
 #[test]
-fn loose_lugs_without_meshes() {
+fn splines_with_clearance_without_meshes() {
     let clearance = 40e-6;
     let set = Set::of(&SetOptions { ring: Some(spline(clearance)), ..SetOptions::three() }).expect("a set");
     let plan = |fidelity| Plan::new(&set.scene, fidelity, COARSE);
@@ -150,9 +157,11 @@ fn loose_lugs_without_meshes() {
 /// Rows of the loads of all lugs and the turn of the ring, step by step; bodies are asked for modes, which the ring on its lugs does not have.
 fn in_time(set: &mut Set, ranges: Vec<TimeRange>, scheme: Scheme, rayleigh: f64) -> Vec<(f64, Vec<f64>)> {
     let ring = set.ring;
-    let lugs = (0..u32::from(LUGS)).map(|lug| set.scene.observe(LugLoad { body: ring, lug, radial: false }));
-    let mut observed: Vec<_> = lugs.collect();
-    observed.push(set.scene.observe(Rotation(ring, 2)));
+    let spline_teeth = (0..u32::from(LUGS)).map(|spline_tooth| {
+        set.scene.add_observable(SplineToothLoad { body: ring, spline_tooth, radial: false })
+    });
+    let mut observed: Vec<_> = spline_teeth.collect();
+    observed.push(set.scene.add_observable(Rotation(ring, 2)));
     let outputs: Vec<_> =
         observed.iter().map(|&id| OutputRequest::observing(format!("{}", id.0), id)).collect();
     let dynamics =
@@ -183,7 +192,7 @@ fn on_loose_lugs(speed: f64) -> Set {
 
 /// What is slow in time is statics: lug by lug, while teeth go on by a part of their pitch.
 #[test]
-fn slow_motion_of_a_ring_on_loose_lugs_is_statics() {
+fn slow_motion_of_a_ring_on_splines_with_clearance_is_statics() {
     let (speed, scheme) = (1e-4 * SUN_SPEED, Scheme::named("backward_difference").expect("it is known"));
     let mut set = on_loose_lugs(speed);
     let pitch = PERIOD * SUN_SPEED / speed;
@@ -193,7 +202,7 @@ fn slow_motion_of_a_ring_on_loose_lugs_is_statics() {
     for (time, found) in &rows {
         let step = system.solve(*time).expect("equilibrium");
         let at = Equilibrium::new(&system, &step);
-        let expected = lug_forces(&set, &at);
+        let expected = spline_tooth_forces(&set, &at);
         let largest = expected.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
         for (found, expected) in found.iter().zip(&expected) {
             assert!((found - expected).abs() < 2e-2 * largest, "{time}: {found} {expected}");
@@ -204,12 +213,12 @@ fn slow_motion_of_a_ring_on_loose_lugs_is_statics() {
 
 /// A blow sends the ring to and fro between the flanks of its lugs, and damping brings it back to its equilibrium.
 #[test]
-fn a_blow_on_a_ring_on_loose_lugs_dies_down_to_its_equilibrium() {
+fn a_impulse_on_a_ring_on_splines_with_clearance_dies_down_to_its_equilibrium() {
     let mut set = on_loose_lugs(1e-6 * SUN_SPEED);
     let step = 1e-5;
     let momentum = Wrench::of_moment([0.0, 0.0, 0.5]);
     let ring = set.ring;
-    set.scene.bodies[ring.0].blows.push(Blow { at: 0.0, duration: 4.0 * step, momentum });
+    set.scene.bodies[ring.0].impulses.push(Impulse { at: 0.0, duration: 4.0 * step, momentum });
     let rows = in_time(&mut set, vec![TimeRange::steady(100.0 * step, 100)], Scheme::AVERAGE, 1.5e4);
     let turn = |row: usize| rows[row].1[usize::from(LUGS)];
     let swing = (1..20).map(|row| (turn(row) - turn(0)).abs()).fold(0.0, f64::max);

@@ -7,9 +7,11 @@ use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, BearingMatrix, axisymmetric};
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::load::Wrench;
-use calyx_runtime::motion::{Placed, SteadyRotation, moved_by};
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{BearingTilt, Direction, Displacement, Equilibrium, FaceLoadFactor, Rotation};
+use calyx_runtime::motion::{RelocatedMotion, SteadyRotation, moved_by};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
+    BearingTilt, Direction, Displacement, Equilibrium, FaceLoadFactor, Rotation,
+};
 use calyx_runtime::scene::{
     BearingId, Body, BodyId, Component, Fidelity, GearMesh, Scene, StructureOptions, Template,
 };
@@ -166,7 +168,7 @@ fn held_at(scene: &Scene, mesh: &GearMesh, motion: &[f64], moment: [f64; 3]) -> 
     let pose = moved_by(&Pose::IDENTITY, [x, y, z, about_x, about_y, 0.0]);
     let mut held = scene.clone();
     held.bearings.clear();
-    held.bodies[0].motion = Arc::new(Placed { motion: held.bodies[0].motion.clone(), pose });
+    held.bodies[0].motion = Arc::new(RelocatedMotion { motion: held.bodies[0].motion.clone(), pose });
     held.bodies[0].free = [false, false, false, false, false, true];
     let mut turn = 0.0;
     for _ in 0..3 {
@@ -242,7 +244,7 @@ fn the_load_of_an_overhung_gear_goes_to_the_side_of_its_bearings() {
 /// A shaft in a tube, both free, on bearings with full matrices at different places: what a force on one freedom does to another one is
 /// what a force on that does to the first.
 #[test]
-fn what_one_load_does_to_another_freedom_is_mutual() {
+fn what_one_load_does_to_another_dof_is_mutual() {
     let (scene, mesh) = Options::spur().scene();
     let full = |seed: f64| -> BearingMatrix {
         let root: BearingMatrix = std::array::from_fn(|i| {
@@ -277,7 +279,7 @@ fn what_one_load_does_to_another_freedom_is_mutual() {
             scene.add_bearing(bearing).expect("a bearing");
         }
         scene.add_bearing(Bearing::new("c", bodies[1], 0.05, full(0.7))).expect("a bearing");
-        scene.observe(Displacement(bodies[1], 0));
+        scene.add_observable(Displacement(bodies[1], 0));
         let scene = (scene, mesh.clone());
         solved(&scene, |system, step| {
             let at = Equilibrium::new(system, step);

@@ -6,8 +6,8 @@ use crate::common::built;
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
 use calyx_runtime::load::Wrench;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     Equilibrium, LoadShare, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
     UnloadedTransmissionError,
 };

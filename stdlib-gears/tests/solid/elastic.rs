@@ -1,8 +1,8 @@
 //! Pairs with their finite elements, on coarse meshes.
 
 use super::pairs::{FIRST, MESH, Options, SECOND, TORQUE, system};
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     LoadShare, MaxContactPressure, MaxRootStress, MeshStiffness, Observable, TransmissionError,
 };
 use calyx_runtime::scene::StructureOptions;
@@ -19,7 +19,7 @@ fn a_pair_of_elastic_gears_is_in_equilibrium() {
     let options = Options { backed: false, ..Options::spur() };
     let (mut scene, mesh) = options.scene();
     for body in [FIRST, SECOND] {
-        scene.observe(MaxRootStress(body));
+        scene.add_observable(MaxRootStress(body));
     }
     let system = system(&scene, structure);
     // Two pairs of teeth share the load, then one has it alone.

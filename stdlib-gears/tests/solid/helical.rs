@@ -2,8 +2,8 @@
 
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
 use calyx_gears::helix::Hand;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::TransmissionError;
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::TransmissionError;
 use calyx_runtime::scene::{Component, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;

@@ -4,8 +4,8 @@ use super::pairs::{FIRST, MESH, Options};
 use crate::common::built;
 use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     MaxRootStress, MeshStiffness, Observable, TransmissionError, UnloadedTransmissionError,
 };
 use calyx_runtime::plan::Plan;
@@ -20,7 +20,7 @@ fn seen(options: &Options, fidelity: Fidelity) -> (bool, Vec<[f64; 4]>) {
 
 fn seen_on(options: &Options, fidelity: Fidelity, structure: StructureOptions) -> (bool, Vec<[f64; 4]>) {
     let (mut scene, mesh) = options.scene();
-    scene.observe(MaxRootStress(FIRST));
+    scene.add_observable(MaxRootStress(FIRST));
     let plan = Plan::new(&scene, fidelity, structure).expect("a plan");
     let system = built(&scene, fidelity, structure);
     let at = |cycle: &f64| {

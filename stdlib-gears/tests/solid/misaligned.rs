@@ -5,9 +5,9 @@ use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
 use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
 use calyx_runtime::contact::solid::Pose;
-use calyx_runtime::motion::swung;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{
+use calyx_runtime::motion::tilted_axes;
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{
     Equilibrium, FaceLoadFactor, LoadedFace, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
 };
 use calyx_runtime::scene::StructureOptions;
@@ -39,7 +39,7 @@ fn centroid(system: &System<'_>, step: &StepResult) -> f64 {
 fn a_pair_that_leans_as_a_whole_has_the_same_results() {
     let axis = [0.6 * 0.06_f64.sin(), -0.8 * 0.06_f64.sin(), 0.06_f64.cos()];
     // Rows of `swung` are images of axes.
-    let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| swung(axis)[j][i]));
+    let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| tilted_axes(axis)[j][i]));
     let place = Pose { rotation, origin: [0.3, -0.2, 0.1] };
     let edges = |options: Options| Options { edges: true, ..options };
     let helical = || Options::helical(0.35, Hand::Right);
@@ -79,7 +79,7 @@ fn a_misalignment_of_nothing_changes_nothing() {
         errors
     };
     // Turned and brought back: the matrix has entries that only rounding keeps from being none.
-    let almost = Pose { rotation: swung([1e-17, -1e-17, 1.0]), ..Pose::IDENTITY };
+    let almost = Pose { rotation: tilted_axes([1e-17, -1e-17, 1.0]), ..Pose::IDENTITY };
     let (aligned, close) = (errors(Pose::IDENTITY), errors(almost));
     for (one, other) in aligned.into_iter().zip(close).map(|(a, b)| (f64::from_bits(a), f64::from_bits(b))) {
         assert!((one - other).abs() < 1e-12 * one.abs(), "{one} {other}");
@@ -151,7 +151,7 @@ fn teeth_that_touch_at_one_end_are_in_equilibrium() {
             let loaded = value(system, step, &LoadedFace(MESH));
             assert!((0.02..0.9).contains(&loaded), "{loaded}");
             let pressure = value(system, step, &MaxContactPressure(MESH));
-            let edge = value(system, step, &calyx_runtime::observe::MaxEdgePressure(MESH));
+            let edge = value(system, step, &calyx_runtime::observables::MaxEdgePressure(MESH));
             let largest = pressure.max(edge);
             assert!((0.5e9..2e10).contains(&largest), "{largest}");
             let moment = system.contact_force(step, FIRST)[5];

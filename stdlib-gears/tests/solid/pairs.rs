@@ -12,12 +12,12 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::material::{Material, Plane};
-use calyx_runtime::motion::{Motion, Placed, SteadyRotation};
+use calyx_runtime::motion::{Motion, RelocatedMotion, SteadyRotation};
 use calyx_runtime::scene::{
     Body, BodyId, Component, Fidelity, GearMesh, PairId, Prototype, Scene, StructureOptions, Template,
 };
 use calyx_runtime::structure::Structure;
-use calyx_runtime::structure::solid::{Mirror, SimpleSolid, SolidStructure};
+use calyx_runtime::structure::solid::{HalfSpaceBody, Mirror, SolidStructure};
 use calyx_runtime::surface::Surface;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
@@ -47,7 +47,7 @@ impl Prototype for Backed {
         let face =
             |end: f64| Mirror { point: [0.0, 0.0, 0.5 * end * self.0.face_width], normal: [0.0, 0.0, end] };
         let modulus = Material::STEEL.surface_modulus(Plane::Strain);
-        let solid = SimpleSolid::half_space(surfaces.to_vec(), self.0.gear.teeth(), modulus);
+        let solid = HalfSpaceBody::half_space(surfaces.to_vec(), self.0.gear.teeth(), modulus);
         Ok(Arc::new(solid.between(vec![face(-1.0), face(1.0)])))
     }
 
@@ -145,7 +145,7 @@ impl Options {
             let origin = [[0.0, distance][member], 0.0];
             let shaft = SteadyRotation { origin, start: 0.0, speed: speeds[member] };
             let gear = Eccentric { shaft, by: self.eccentricity[member] };
-            Placed { motion: Arc::new(gear), pose: self.place }
+            RelocatedMotion { motion: Arc::new(gear), pose: self.place }
         };
         let moment = |torque: f64| Wrench::of_moment(self.place.direction([0.0, 0.0, torque]));
         let mut scene = Scene::default();

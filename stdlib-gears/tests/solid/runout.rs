@@ -4,8 +4,8 @@ use super::helical::{CYCLE, solved};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE};
 use crate::common::built;
 use calyx_gears::helix::Hand;
-use calyx_runtime::observe::Observe;
-use calyx_runtime::observe::{Observable, TransmissionError, UnloadedTransmissionError};
+use calyx_runtime::observables::Observe;
+use calyx_runtime::observables::{Observable, TransmissionError, UnloadedTransmissionError};
 use calyx_runtime::scene::{Fidelity, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
@@ -138,8 +138,8 @@ fn a_wrong_centre_distance_leaves_involutes_their_ratio() {
                 assert!((ratio - 1.0).abs() < 1e-9, "{apart}: {ratio}");
             });
             solved(&Options { torque: 0.0, ..options }, &CYCLE, |_, system, step| {
-                let error =
-                    TransmissionError(MESH).value(&calyx_runtime::observe::Equilibrium::new(system, step));
+                let error = TransmissionError(MESH)
+                    .value(&calyx_runtime::observables::Equilibrium::new(system, step));
                 assert!(error.value.abs() < 1e-12, "{apart}: {}", error.value);
             });
         }

@@ -267,7 +267,7 @@ fn run(
     let mut shown = String::new();
     if let Ok(slots) = &result {
         let repr = &program.functions[program.main.0 as usize].result;
-        calyx_abi::text::Growing::new(&mut shown, &|_| Ok(()))
+        calyx_abi::text::BoundedText::new(&mut shown, &|_| Ok(()))
             .append(&ctx.heap, repr, slots, &calyx_abi::display::Display::Plain)
             .unwrap();
     }

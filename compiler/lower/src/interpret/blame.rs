@@ -31,7 +31,7 @@ impl CallSites {
         for function in &program.functions {
             // Only library functions forward blame to their callers.
             let carried =
-                if sites.is_library(function.span) { carried(function) } else { Carried::default() };
+                if sites.is_library(function.span) { carried(function) } else { TracedParameters::default() };
             for_each_expression(function, &mut |expr| match &expr.kind {
                 ExprKind::CallExtern(id, arguments) => {
                     let Some(declaration) = program.externs.get(id.0 as usize) else { return };
@@ -71,7 +71,7 @@ impl CallSites {
         callee: FunctionId,
         arguments: &[Expr],
         span: Span,
-        carried: &Carried,
+        carried: &TracedParameters,
         around: Span,
     ) {
         let Some(callee) = program.functions.get(callee.0 as usize) else { return };
@@ -90,7 +90,7 @@ impl CallSites {
         &mut self,
         span: Span,
         arguments: impl Iterator<Item = (&'e str, &'e Expr)>,
-        carried: &Carried,
+        carried: &TracedParameters,
         around: Span,
     ) {
         let call = place(span);
@@ -167,12 +167,12 @@ impl CallSites {
 
 /// The function parameters from which each local is computed, on any path.
 #[derive(Default)]
-struct Carried {
+struct TracedParameters {
     /// Names of parameters, for each local.
     names: Vec<Vec<String>>,
 }
 
-impl Carried {
+impl TracedParameters {
     /// Returns the parameters from which a value is computed, in order of occurrence.
     fn by(&self, value: &Expr) -> Vec<String> {
         let mut names = Vec::new();
@@ -191,8 +191,8 @@ impl Carried {
     }
 }
 
-fn carried(function: &Function) -> Carried {
-    let mut carried = Carried { names: vec![Vec::new(); function.locals.len()] };
+fn carried(function: &Function) -> TracedParameters {
+    let mut carried = TracedParameters { names: vec![Vec::new(); function.locals.len()] };
     for (local, _) in &function.parameters {
         if let Some(known) = function.locals.get(local.0 as usize) {
             carried.names[local.0 as usize] = vec![known.name.clone()];

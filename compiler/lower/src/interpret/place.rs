@@ -8,7 +8,7 @@ use calyx_lang::ir::{Place, Step};
 use std::ops::Range;
 
 /// The slots of a place.
-enum Spot {
+enum Storage {
     /// On the stack.
     Frame(Range<usize>),
     /// In an element of an array.
@@ -25,11 +25,11 @@ impl<'p> Machine<'_, 'p> {
     pub(super) fn store(&mut self, place: &Place, indices: &[f64], from: usize) -> Result<(), RuntimeError> {
         let count = place.repr.slots();
         match self.spot(place, indices)? {
-            Spot::Frame(target) if target.len() == count => {
+            Storage::Frame(target) if target.len() == count => {
                 self.stack.copy_within(from..from + count, target.start);
                 Ok(())
             }
-            Spot::Element { array, index, range } => {
+            Storage::Element { array, index, range } => {
                 let value = self.stack.get(from..from + count).map(<[Slot]>::to_vec);
                 let element = helpers::element(self.ctx, array, index)?.get_mut(range);
                 match (value, element) {
@@ -40,7 +40,7 @@ impl<'p> Machine<'_, 'p> {
                     _ => Err(helpers::malformed("an element of the wrong size")),
                 }
             }
-            Spot::Frame(_) => Err(helpers::malformed("a value of the wrong size")),
+            Storage::Frame(_) => Err(helpers::malformed("a value of the wrong size")),
         }
     }
 
@@ -50,10 +50,10 @@ impl<'p> Machine<'_, 'p> {
         self.array_at(&spot)
     }
 
-    fn array_at(&mut self, spot: &Spot) -> Result<Slot, RuntimeError> {
+    fn array_at(&mut self, spot: &Storage) -> Result<Slot, RuntimeError> {
         let slot = match spot {
-            Spot::Frame(range) => self.stack.get(range.clone()).and_then(|slots| slots.first()),
-            Spot::Element { array, index, range } => {
+            Storage::Frame(range) => self.stack.get(range.clone()).and_then(|slots| slots.first()),
+            Storage::Element { array, index, range } => {
                 let element = helpers::element(self.ctx, *array, *index)?;
                 element.get(range.clone()).and_then(|slots| slots.first())
             }
@@ -61,20 +61,20 @@ impl<'p> Machine<'_, 'p> {
         slot.copied().ok_or_else(|| helpers::malformed("not an array"))
     }
 
-    fn spot(&mut self, place: &Place, indices: &[f64]) -> Result<Spot, RuntimeError> {
+    fn spot(&mut self, place: &Place, indices: &[f64]) -> Result<Storage, RuntimeError> {
         let locals = &self.activation.function.locals;
         let mut repr = &locals
             .get(place.local.0 as usize)
             .ok_or_else(|| helpers::malformed("a local that is not there"))?
             .repr;
-        let mut spot = Spot::Frame(self.local(place.local)?);
+        let mut spot = Storage::Frame(self.local(place.local)?);
         let mut indices = indices.iter();
         for step in &place.steps {
             match step {
                 Step::Element(at) => {
                     let (before, part) =
                         tuple_part(repr, *at).ok_or_else(|| helpers::malformed("not a tuple"))?;
-                    let (Spot::Frame(range) | Spot::Element { range, .. }) = &mut spot;
+                    let (Storage::Frame(range) | Storage::Element { range, .. }) = &mut spot;
                     *range = range.start + before..range.start + before + part.slots();
                     repr = part;
                 }
@@ -85,7 +85,7 @@ impl<'p> Machine<'_, 'p> {
                     let array = self.array_at(&spot)?;
                     self.at(expr.span);
                     helpers::element(self.ctx, array, index)?;
-                    spot = Spot::Element { array, index, range: 0..element.slots() };
+                    spot = Storage::Element { array, index, range: 0..element.slots() };
                     repr = element;
                 }
             }

@@ -12,14 +12,14 @@ use calyx_symbolic::{Frame, NodeId, Vector3};
 /// The frame and the operation from which a vector results.
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
-    carried: Carried,
+    carried: TransformedQuantity,
     frame: Frame,
     /// The derivative that was already computed: its symbol and its order.
     taken: Option<(u32, usize)>,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Carried {
+pub(super) enum TransformedQuantity {
     /// A point in frame coordinates.
     Point(Vector3),
     Origin,
@@ -35,12 +35,12 @@ const MOST_ORDER: usize = 2;
 
 impl Lowering<'_> {
     /// Transforms a vector by a frame and stores the origin of the result.
-    pub(super) fn carried(&mut self, frame: &Frame, carried: Carried) -> Vector3 {
+    pub(super) fn carried(&mut self, frame: &Frame, carried: TransformedQuantity) -> Vector3 {
         let graph = &mut self.graph;
         let vector = match carried {
-            Carried::Point(point) => frame.apply(graph, point),
-            Carried::Origin => frame.origin(graph),
-            Carried::Direction(vector) => frame.direction(graph, vector),
+            TransformedQuantity::Point(point) => frame.apply(graph, point),
+            TransformedQuantity::Origin => frame.origin(graph),
+            TransformedQuantity::Direction(vector) => frame.direction(graph, vector),
         };
         self.motions.insert(vector, Motion { carried, frame: frame.clone(), taken: None });
         vector
@@ -60,9 +60,11 @@ impl Lowering<'_> {
         };
         let (graph, frame) = (&mut self.graph, &motion.frame);
         let all = match motion.carried {
-            Carried::Point(point) => frame.apply_with_derivatives(graph, point, symbol, order),
-            Carried::Origin => frame.origin_with_derivatives(graph, symbol, order),
-            Carried::Direction(vector) => frame.direction_with_derivatives(graph, vector, symbol, order),
+            TransformedQuantity::Point(point) => frame.apply_with_derivatives(graph, point, symbol, order),
+            TransformedQuantity::Origin => frame.origin_with_derivatives(graph, symbol, order),
+            TransformedQuantity::Direction(vector) => {
+                frame.direction_with_derivatives(graph, vector, symbol, order)
+            }
         };
         let Some(&derivative) = all.get(order) else {
             return self.graph.vector_derivative(vector, symbol);
@@ -91,9 +93,9 @@ impl Lowering<'_> {
                     _ => v,
                 };
                 let carried = match motion.carried {
-                    Carried::Point(v) => Carried::Point(put_in(v)),
-                    Carried::Direction(v) => Carried::Direction(put_in(v)),
-                    Carried::Origin => Carried::Origin,
+                    TransformedQuantity::Point(v) => TransformedQuantity::Point(put_in(v)),
+                    TransformedQuantity::Direction(v) => TransformedQuantity::Direction(put_in(v)),
+                    TransformedQuantity::Origin => TransformedQuantity::Origin,
                 };
                 if let Value::Frame(frame) = frame {
                     self.motions.insert(*value, Motion { carried, frame, taken });

@@ -330,7 +330,7 @@ impl<'l, 'c> Body<'l, 'c> {
             StmtKind::Assign(place, value) => {
                 let place = self.place(place, self.needs_statements(value));
                 match &value.kind {
-                    Kind::Call(call) if self.hands_back(call.function) => {
+                    Kind::Call(call) if self.has_out_arguments(call.function) => {
                         self.call_statement(call, Some(place), value.span);
                     }
                     _ => {

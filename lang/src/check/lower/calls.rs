@@ -6,7 +6,7 @@ use super::errors::text;
 use super::sequence::{calls, order_as_written};
 use super::values::own_value;
 use crate::ast::Mode;
-use crate::check::tree::{Call, Demand, Place, Step};
+use crate::check::tree::{ArgumentRange, Call, Place, Step};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, ExprKind, FunctionId, Op};
@@ -14,7 +14,7 @@ use crate::span::Span;
 use calyx_abi::Repr;
 
 /// The arguments and returned values of a call.
-struct Passing {
+struct PassedArguments {
     function: FunctionId,
     /// Values of `in` and `inout` parameters, followed by the outer variables that the function
     /// uses.
@@ -26,9 +26,9 @@ impl Body<'_, '_> {
     /// Lowers a call as a value. A call with `out` values becomes a statement, and its result a
     /// local.
     pub(super) fn call_value(&mut self, call: &Call, ty: &Type, span: Span) -> ir::Expr {
-        if !self.hands_back(call.function) {
+        if !self.has_out_arguments(call.function) {
             let repr = self.call_repr(call);
-            let Passing { function, arguments, .. } = self.pass(call, span);
+            let PassedArguments { function, arguments, .. } = self.pass(call, span);
             return ir::Expr { kind: ExprKind::Call(function, arguments), repr, span };
         }
         let repr = self.repr(ty);
@@ -40,10 +40,10 @@ impl Body<'_, '_> {
     /// Lowers a call whose `out` values are stored. Returns `false` if there are no such values and
     /// the call is an ordinary expression.
     pub(super) fn call_statement(&mut self, call: &Call, result: Option<ir::Place>, span: Span) -> bool {
-        if !self.hands_back(call.function) {
+        if !self.has_out_arguments(call.function) {
             return false;
         }
-        let Passing { function, arguments, copy_back } = self.pass(call, span);
+        let PassedArguments { function, arguments, copy_back } = self.pass(call, span);
         self.push(ir::Statement::Call { result, function, arguments, copy_back, span });
         true
     }
@@ -57,11 +57,12 @@ impl Body<'_, '_> {
     }
 
     /// Evaluates arguments and the indices of places from left to right, each once.
-    fn pass(&mut self, call: &Call, span: Span) -> Passing {
+    fn pass(&mut self, call: &Call, span: Span) -> PassedArguments {
         let types = self.types.clone();
         let function = self.lowering.used(call.function, call.instance, &types);
         let modes = self.lowering.modes(call.function);
-        let demands: Vec<(usize, Demand)> = self.demands(&call.arguments, &call.demands).cloned().collect();
+        let demands: Vec<(usize, ArgumentRange)> =
+            self.demands(&call.arguments, &call.demands).cloned().collect();
         let perhaps_same = |place| call.perhaps_same.iter().any(|(a, b)| *a == place || *b == place);
         let reordered = order_as_written(&call.arguments, span);
         let in_order = reordered.is_none();
@@ -142,7 +143,7 @@ impl Body<'_, '_> {
             copy_back.push(place);
         }
         self.span = around;
-        Passing { function, arguments, copy_back }
+        PassedArguments { function, arguments, copy_back }
     }
 
     /// Lowers a place with its indices, which are evaluated immediately if `kept` is set.

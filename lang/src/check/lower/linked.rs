@@ -121,9 +121,9 @@ impl<'c> Lowering<'c> {
         let (sites, functions, diagnostics) = self.placed;
         if let Some(places) = self.places() {
             let program = &mut self.program;
-            program.sites[sites..].iter_mut().for_each(|site| super::placed::site(site, places));
+            program.sites[sites..].iter_mut().for_each(|site| super::relocation::site(site, places));
             let added = &mut program.symbolic_functions[functions..];
-            added.iter_mut().for_each(|function| super::placed::symbolic_function(function, places));
+            added.iter_mut().for_each(|function| super::relocation::symbolic_function(function, places));
             for found in &mut self.diagnostics[diagnostics..] {
                 *found = places.diagnostic(found);
             }

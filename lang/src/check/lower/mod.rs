@@ -1,16 +1,16 @@
 //! Lowers the typed tree to the typed program: instantiates functions per representation of their
 //! arguments, and converts control flow to a graph of basic blocks.
 
+mod argument_ranges;
 mod assertions;
 mod body;
 mod calls;
 mod closures;
-mod demands;
 mod errors;
 mod hosts;
 mod jumps;
 mod linked;
-mod placed;
+mod relocation;
 mod sequence;
 mod sites;
 mod symbolic_functions;
@@ -38,7 +38,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::LazyLock;
 
 /// A function to be lowered with given types of its scheme's variables.
-struct Wanted {
+struct PendingInstance {
     unit: usize,
     function: FuncId,
     types: Substitution,
@@ -59,7 +59,7 @@ pub(super) struct Lowering<'c> {
     /// The unit system in which the model displays numbers.
     system: UnitSystem,
     instances: HashMap<Instance, FunctionId>,
-    wanted: Vec<Wanted>,
+    wanted: Vec<PendingInstance>,
     symbolic_functions: symbolic_functions::Instances,
     /// For each function, whether it or a callee formats numbers.
     showing: HashMap<(usize, FuncId), bool>,
@@ -182,7 +182,7 @@ impl<'c> Lowering<'c> {
             let function = self.within(wanted.unit, |lowering| {
                 let mut function = Body::lower(lowering, wanted.function, wanted.types);
                 if let Some(places) = lowering.places() {
-                    placed::function(&mut function, places);
+                    relocation::function(&mut function, places);
                 }
                 function
             });
@@ -200,7 +200,7 @@ impl<'c> Lowering<'c> {
                 let name = format!("{}.{what}", param.name);
                 let mut lowered = Body::lower_expression(self, &name, e);
                 if let Some(places) = places {
-                    placed::function(&mut lowered, places);
+                    relocation::function(&mut lowered, places);
                 }
                 self.program.functions.push(lowered);
                 FunctionId(self.program.functions.len() as u32 - 1)
@@ -271,7 +271,7 @@ impl<'c> Lowering<'c> {
             span: Default::default(),
         });
         self.instances.insert(key, target);
-        self.wanted.push(Wanted { unit, function, types, target });
+        self.wanted.push(PendingInstance { unit, function, types, target });
         target
     }
 

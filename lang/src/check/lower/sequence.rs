@@ -4,7 +4,7 @@
 
 use super::body::Body;
 use crate::ast::{BinaryOp, Mode};
-use crate::check::tree::{Demand, Expr, FuncId, Function, Kind};
+use crate::check::tree::{ArgumentRange, Expr, FuncId, Function, Kind};
 use crate::ir::{self, ExprKind, Place, Statement};
 use crate::span::Span;
 use calyx_abi::Repr;
@@ -24,7 +24,7 @@ impl Body<'_, '_> {
 
     /// Returns `true` if a function has `out` or `inout` values, so that a call needs a separate
     /// statement.
-    pub(super) fn hands_back(&self, function: FuncId) -> bool {
+    pub(super) fn has_out_arguments(&self, function: FuncId) -> bool {
         self.lowering.modes(function).iter().any(|(_, mode)| *mode != Mode::In)
     }
 
@@ -36,7 +36,7 @@ impl Body<'_, '_> {
     fn searched(&self, e: &Expr) -> bool {
         let own = match &e.kind {
             Kind::Call(call) => {
-                self.hands_back(call.function)
+                self.has_out_arguments(call.function)
                     || self.demands(&call.arguments, &call.demands).next().is_some()
                     || order_as_written(&call.arguments, e.span).is_some()
             }
@@ -148,8 +148,8 @@ impl Body<'_, '_> {
     pub(super) fn demands<'t>(
         &self,
         arguments: &'t [Expr],
-        demands: &'t [(usize, Demand)],
-    ) -> impl Iterator<Item = &'t (usize, Demand)> {
+        demands: &'t [(usize, ArgumentRange)],
+    ) -> impl Iterator<Item = &'t (usize, ArgumentRange)> {
         let store = &self.lowering.checker.store;
         demands.iter().filter(move |(argument, demand)| {
             let value = arguments.get(*argument);

@@ -3,7 +3,7 @@
 use super::body::Body;
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
-use crate::check::tree::{Expr, Kind, Piece, Style};
+use crate::check::tree::{Expr, Kind, Style, TextPart};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
 use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, Op};
@@ -180,12 +180,12 @@ impl Body<'_, '_> {
             Kind::Format(pieces, system) => {
                 let mut parts = Vec::new();
                 let last = pieces.iter().rposition(
-                    |piece| matches!(piece, Piece::Value(value, _) if self.needs_statements(value)),
+                    |piece| matches!(piece, TextPart::Value(value, _) if self.needs_statements(value)),
                 );
                 for (index, piece) in pieces.iter().enumerate() {
                     match piece {
-                        Piece::Text(text) => parts.push(FormatPart::Text(text.clone())),
-                        Piece::Value(value, style) => {
+                        TextPart::Text(text) => parts.push(FormatPart::Text(text.clone())),
+                        TextPart::Value(value, style) => {
                             let kept = last.is_some_and(|last| index < last);
                             self.format_part(value, style.as_ref(), *system, kept, &mut parts);
                         }

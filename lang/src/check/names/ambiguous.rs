@@ -69,17 +69,17 @@ impl<'a> Resolver<'a> {
         let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
         let Some((res, declared)) = found.copied() else { return };
         let what = match res {
-            Res::Var(id) => match self.names.variables[id.0 as usize].kind {
+            Resolution::Var(id) => match self.names.variables[id.0 as usize].kind {
                 VarKind::Parameter(_) => "parameter",
                 _ => "variable",
             },
-            Res::Param(_) => "param",
-            Res::Const(_) => "constant",
-            Res::Output(_) => "output",
+            Resolution::Param(_) => "param",
+            Resolution::Const(_) => "constant",
+            Resolution::Output(_) => "output",
             _ => return,
         };
         // A type for the name would only lead to further errors.
-        self.names.uses.insert(name.span, Res::Unknown);
+        self.names.uses.insert(name.span, Resolution::Unknown);
         let unit = self.other_spelling(&name.name);
         let text = |span: Span| {
             let module = self.modules.get(span.file.0 as usize)?;

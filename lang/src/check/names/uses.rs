@@ -1,7 +1,7 @@
 //! Resolves uses of names in expressions, types and units, and reports undeclared names.
 
 use super::*;
-use crate::check::elsewhere;
+use crate::check::other_modules;
 
 /// Number of diagnostics after which unknown names get no suggestions.
 const MOST_SUGGESTIONS: usize = 200;
@@ -12,7 +12,7 @@ impl<'a> Resolver<'a> {
         match &annotation.kind {
             TypeKind::Name(name) => {
                 let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
-                if let Some((res @ (Res::Record(_) | Res::Dimension(_)), _)) = found {
+                if let Some((res @ (Resolution::Record(_) | Resolution::Dimension(_)), _)) = found {
                     self.names.uses.insert(name.span, *res);
                 }
             }
@@ -32,29 +32,30 @@ impl<'a> Resolver<'a> {
     }
 
     /// Returns the unit with a name after a number or in a format, if the program declares it.
-    pub(super) fn own_unit(&self, name: &str) -> Option<Res> {
-        let unit = |res: &Res| matches!(res, Res::OwnUnit(_)).then_some(*res);
+    pub(super) fn own_unit(&self, name: &str) -> Option<Resolution> {
+        let unit = |res: &Resolution| matches!(res, Resolution::OwnUnit(_)).then_some(*res);
         let mut files = self.scopes.iter().take(2).rev();
         let own = files.find_map(|scope| scope.names.get(name).and_then(|(res, _)| unit(res)));
         // Units of imported modules, including indirect imports.
         own.or_else(|| (2..self.exports.len()).find_map(|module| self.exported_unit(module, name)))
     }
 
-    pub(super) fn exported_unit(&self, module: usize, name: &str) -> Option<Res> {
+    pub(super) fn exported_unit(&self, module: usize, name: &str) -> Option<Resolution> {
         let (res, _) = self.exports[module].get(name)?;
         let public = !self.private[module].contains(name);
-        (public && matches!(res, Res::OwnUnit(_))).then_some(*res)
+        (public && matches!(res, Resolution::OwnUnit(_))).then_some(*res)
     }
 
     /// Resolves a unit after a number.
     pub(super) fn quantity(&mut self, unit: &'a Ident) {
-        let known = Unit::find(&unit.name).map(Res::Unit).or_else(|| self.own_unit(&unit.name));
+        let known = Unit::find(&unit.name).map(Resolution::Unit).or_else(|| self.own_unit(&unit.name));
         self.names.uses.extend(known.map(|res| (unit.span, res)));
         let hidden = self.scopes.iter().rev().find_map(|scope| scope.names.get(&unit.name));
-        if let Some((hidden @ (Res::Var(_) | Res::Param(_) | Res::Const(_)), declared)) = hidden.copied()
+        if let Some((hidden @ (Resolution::Var(_) | Resolution::Param(_) | Resolution::Const(_)), declared)) =
+            hidden.copied()
             && known.is_some()
         {
-            if let Res::Var(id) = hidden {
+            if let Resolution::Var(id) = hidden {
                 self.names.hidden_by_units.insert(id);
             }
             let before = Span { end: unit.span.start, ..unit.span };
@@ -72,8 +73,8 @@ impl<'a> Resolver<'a> {
     pub(super) fn unit_product(&mut self, e: &'a Expr) {
         match &e.kind {
             ExprKind::Name(name) => {
-                let unit = Unit::find(&name.name).map(Res::Unit).or_else(|| self.own_unit(&name.name));
-                self.names.uses.insert(name.span, unit.unwrap_or(Res::Unknown));
+                let unit = Unit::find(&name.name).map(Resolution::Unit).or_else(|| self.own_unit(&name.name));
+                self.names.uses.insert(name.span, unit.unwrap_or(Resolution::Unknown));
             }
             ExprKind::Binary { left, right, .. } => {
                 self.unit_product(left);
@@ -142,12 +143,12 @@ impl<'a> Resolver<'a> {
         let res = self.lookup(name);
         self.names.uses.insert(name.span, res);
         match res {
-            Res::Var(id) => {
+            Resolution::Var(id) => {
                 self.names.variables[id.0 as usize].reads += 1;
                 self.outer(id);
                 self.refuse_in_test(name, id);
             }
-            Res::Function(id) => {
+            Resolution::Function(id) => {
                 self.names.functions[self.function.0 as usize].callees.insert(id);
             }
             _ => {}
@@ -172,11 +173,11 @@ impl<'a> Resolver<'a> {
     }
 
     /// Resolves a member of a module.
-    pub(super) fn member(&mut self, name: &Ident, module: Res, field: &'a Ident) {
+    pub(super) fn member(&mut self, name: &Ident, module: Resolution, field: &'a Ident) {
         let module = match module {
-            Res::Module(module) => module as usize,
-            Res::Unknown => {
-                self.names.uses.insert(field.span, Res::Unknown);
+            Resolution::Module(module) => module as usize,
+            Resolution::Unknown => {
+                self.names.uses.insert(field.span, Resolution::Unknown);
                 return;
             }
             _ => return,
@@ -190,7 +191,7 @@ impl<'a> Resolver<'a> {
                     .label(*declared, "declared `private` here")
                     .help("use an exported name, or remove `private`");
                 self.report(diagnostic);
-                Res::Unknown
+                Resolution::Unknown
             }
             None => {
                 let mut diagnostic = Diagnostic::error(
@@ -202,27 +203,27 @@ impl<'a> Resolver<'a> {
                 let all = self.around.declared(&self.modules[module].name);
                 let doc = self.around.doc(&self.modules[module].name);
                 let near = similar(&field.name, all.iter().map(String::as_str));
-                diagnostic = match near.filter(|_| !elsewhere::lists(&doc, &field.name)) {
+                diagnostic = match near.filter(|_| !other_modules::lists(&doc, &field.name)) {
                     Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
                         format!("change to `{near}`"),
                         field.span,
                         near,
                     ),
-                    None => diagnostic.help(elsewhere::help(&name.name, &doc, &field.name, &all)),
+                    None => diagnostic.help(other_modules::help(&name.name, &doc, &field.name, &all)),
                 };
                 self.report(diagnostic);
-                Res::Unknown
+                Resolution::Unknown
             }
         };
         self.names.uses.insert(field.span, res);
-        if let Res::Function(id) = res {
+        if let Resolution::Function(id) = res {
             self.names.functions[self.function.0 as usize].callees.insert(id);
         }
     }
 
-    pub(super) fn lookup(&mut self, name: &Ident) -> Res {
+    pub(super) fn lookup(&mut self, name: &Ident) -> Resolution {
         if let Some(constant) = builtins::constant(&name.name) {
-            return Res::Constant(constant);
+            return Resolution::Constant(constant);
         }
         for scope in self.scopes.iter().rev() {
             if let Some((res, _)) = scope.names.get(&name.name) {
@@ -230,13 +231,13 @@ impl<'a> Resolver<'a> {
             }
         }
         if let Some(builtin) = Builtin::find(&name.name) {
-            return Res::Builtin(builtin);
+            return Resolution::Builtin(builtin);
         }
         if let Some(unit) = Unit::find(&name.name) {
-            return Res::Unit(unit);
+            return Resolution::Unit(unit);
         }
         self.unknown(name);
-        Res::Unknown
+        Resolution::Unknown
     }
 
     pub(super) fn unknown(&mut self, name: &Ident) {

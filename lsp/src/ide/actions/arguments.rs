@@ -1,14 +1,14 @@
 //! Names for arguments that are given in order, and arguments that are missing.
 
-use super::{Action, Asked, fix, rewrite};
+use super::{Action, ActionRequest, fix, rewrite};
 use crate::ide::Edit;
 use calyx_lang::analysis::{CallParameter, Callable, NameKind};
 use calyx_lang::ast::{Argument, Expr, ExprKind};
+use calyx_lang::common_units::written;
 use calyx_lang::diagnostic::Diagnostic;
-use calyx_lang::usual_units::written;
 
 /// How what is called by an expression takes its arguments.
-pub(super) fn callable(asked: &Asked, callee: &Expr) -> Option<Callable> {
+pub(super) fn callable(asked: &ActionRequest, callee: &Expr) -> Option<Callable> {
     let name = match &callee.kind {
         ExprKind::Name(name) => name,
         ExprKind::Field { field, .. } => field,
@@ -23,8 +23,8 @@ pub(super) fn callable(asked: &Asked, callee: &Expr) -> Option<Callable> {
 
 /// Names the arguments of the call at the cursor: all, or those from the cursor's on, since no argument without a name follows
 /// one that has one.
-pub(super) fn naming(asked: &Asked, found: &mut Vec<Action>) {
-    let around = super::Around::new(&asked.tree.module, asked.range.clone());
+pub(super) fn naming(asked: &ActionRequest, found: &mut Vec<Action>) {
+    let around = super::EnclosingNodes::new(&asked.tree.module, asked.range.clone());
     let Some((_, callee, arguments)) = around.call() else { return };
     let Some(callable) = callable(asked, callee).filter(|callable| !callable.open) else { return };
     let positional = |argument: &&Argument| argument.name.is_none() && !argument.spread;
@@ -66,7 +66,7 @@ fn listed<'p>(parameters: impl ExactSizeIterator<Item = &'p CallParameter>) -> S
 }
 
 /// Writes the arguments that a call needs and does not have, each with a value of its type that is plainly to be replaced.
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     if problem.code != "E0206" || !problem.message.contains(" lacks ") {
         return;
     }
@@ -111,7 +111,7 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
 }
 
 /// A value of a parameter's type: of a handle the nearest variable that holds one, of a number 0 in the file's unit.
-fn sample(asked: &Asked, parameter: &CallParameter, offset: u32) -> String {
+fn sample(asked: &ActionRequest, parameter: &CallParameter, offset: u32) -> String {
     if let Some(choice) = parameter.choices.first() {
         return format!("\"{choice}\"");
     }

@@ -1,7 +1,7 @@
 //! The same quantity in another unit: `25.4 mm` becomes `1 inch`.
 
-use super::{Action, Asked, rewrite};
-use crate::ide::numbers::{Measured, needs_parentheses};
+use super::{Action, ActionRequest, rewrite};
+use crate::ide::numbers::{LiteralWithUnit, needs_parentheses};
 use crate::ide::walk::Node;
 use calyx_lang::analysis::NameKind;
 use calyx_lang::ast::ExprKind;
@@ -12,12 +12,12 @@ const MOST_UNITS: usize = 5;
 /// Digits of a number that comes out even.
 const MOST_DIGITS: usize = 12;
 
-pub(super) fn converting(asked: &Asked, found: &mut Vec<Action>) {
+pub(super) fn converting(asked: &ActionRequest, found: &mut Vec<Action>) {
     let database = &asked.snapshot.database;
     let is_unit = |start| database.name_at(&asked.file, start).is_none_or(|name| name.kind == NameKind::Unit);
-    let around = super::Around::new(&asked.tree.module, asked.range.clone());
+    let around = super::EnclosingNodes::new(&asked.tree.module, asked.range.clone());
     // The outermost product that is nothing but a literal and its units; a cursor in one unit of several means all.
-    let measured = around.expressions().find_map(|e| Some((e, Measured::new(e, &is_unit)?)));
+    let measured = around.expressions().find_map(|e| Some((e, LiteralWithUnit::new(e, &is_unit)?)));
     let Some((e, measured)) = measured.filter(|(e, _)| !matches!(e.kind, ExprKind::Number(_))) else {
         return;
     };

@@ -1,15 +1,15 @@
 //! Declares an unknown name, and takes back a declaration's `private`.
 
-use super::{Action, Asked, fix};
+use super::{Action, ActionRequest, fix};
 use crate::ide::Edit;
-use crate::ide::near::{Given, Receiver};
+use crate::ide::enclosing::{GivenValue, Receiver};
 use calyx_lang::ast::{Bind, Expr, ExprKind, StmtKind};
+use calyx_lang::common_units::written;
 use calyx_lang::declared::name_of;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::dimension::Dimension;
-use calyx_lang::usual_units::written;
 
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     match problem.code.as_str() {
         "E0220" => return variable_for_constant(asked, problem, found),
         "E0204" => return found.extend(public(asked, problem)),
@@ -77,18 +77,19 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
 }
 
 /// Whether something stands on the line before the statement.
-fn line_has_code(asked: &Asked, line: u32, start: u32) -> bool {
+fn line_has_code(asked: &ActionRequest, line: u32, start: u32) -> bool {
     asked.text.get(line as usize..start as usize).is_none_or(|before| !before.trim().is_empty())
 }
 
 /// The dimension of the parameter that takes a name as its argument.
-fn demanded(asked: &Asked, given: &Given, start: u32) -> Option<Dimension> {
+fn demanded(asked: &ActionRequest, given: &GivenValue, start: u32) -> Option<Dimension> {
     let (Receiver::Argument(argument) | Receiver::Positional(argument)) = given.to else { return None };
     let whole = given.value.span.start == start && matches!(given.value.kind, ExprKind::Name(_));
     if !whole || given.bind != Bind::Evaluate {
         return None;
     }
-    let around = super::Around::new(&asked.tree.module, argument.value.span.start..argument.value.span.end);
+    let around =
+        super::EnclosingNodes::new(&asked.tree.module, argument.value.span.start..argument.value.span.end);
     let (_, callee, arguments) = around.call()?;
     let callable = super::arguments::callable(asked, callee)?;
     let parameter = match &argument.name {
@@ -103,7 +104,7 @@ fn demanded(asked: &Asked, given: &Given, start: u32) -> Option<Dimension> {
 }
 
 /// `const` becomes `var` where a constant is assigned.
-fn variable_for_constant(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+fn variable_for_constant(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     for label in &problem.labels {
         let around = asked.around(label.span);
         let declared = around.statements().next_back().filter(|statement| match &statement.kind {
@@ -119,7 +120,7 @@ fn variable_for_constant(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Ac
 }
 
 /// Takes back the `private` of what another module hides.
-fn public(asked: &Asked, problem: &Diagnostic) -> Option<Action> {
+fn public(asked: &ActionRequest, problem: &Diagnostic) -> Option<Action> {
     let place = problem.primary.span;
     let around = asked.around(place);
     let member = around.expression().and_then(|e| match &e.kind {

@@ -4,14 +4,14 @@
 //! does not change in between, and a literal without unit keeps the unit it has by its use.
 
 use super::unused::{computes, is_written, without_declaration};
-use super::{Action, ActionKind, Asked, rewrite};
-use crate::ide::near::{Around, Receiver};
+use super::{Action, ActionKind, ActionRequest, rewrite};
+use crate::ide::enclosing::{EnclosingNodes, Receiver};
 use crate::ide::walk::Node;
 use calyx_lang::analysis::{Name, NameKind};
 use calyx_lang::ast::{BinaryOp, Bind, Expr, ExprKind, Mode, Stmt, StmtKind};
 use calyx_lang::span::Span;
 
-pub(super) fn extracting(asked: &Asked, found: &mut Vec<Action>) {
+pub(super) fn extracting(asked: &ActionRequest, found: &mut Vec<Action>) {
     if asked.range.is_empty() {
         return;
     }
@@ -61,7 +61,7 @@ pub(super) fn extracting(asked: &Asked, found: &mut Vec<Action>) {
     found.push(Action { kind: ActionKind::Extract, ..action });
 }
 
-fn trimmed(asked: &Asked) -> Span {
+fn trimmed(asked: &ActionRequest) -> Span {
     let text = asked.slice(Span { start: asked.range.start, end: asked.range.end, ..Span::default() });
     let start = asked.range.start + (text.len() - text.trim_start().len()) as u32;
     Span { start, end: start + text.trim().len() as u32, ..Span::default() }
@@ -81,7 +81,7 @@ fn evaluates_first(statement: &Stmt, e: &Expr) -> bool {
 }
 
 /// Whether computing an expression earlier changes nothing.
-fn is_movable(asked: &Asked, around: &Around, e: &Expr) -> bool {
+fn is_movable(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> bool {
     let perhaps = around.expressions().filter(|outer| outer.span != e.span).any(|outer| {
         matches!(&outer.kind, ExprKind::If { .. } | ExprKind::Binary { op: BinaryOp::And | BinaryOp::Or, .. })
     });
@@ -120,7 +120,7 @@ fn may_be_bare(e: &Expr) -> bool {
 }
 
 /// Whether params in an expression stay symbols where it stands.
-fn keeps_symbols(asked: &Asked, around: &Around, statement: &Stmt) -> bool {
+fn keeps_symbols(asked: &ActionRequest, around: &EnclosingNodes, statement: &Stmt) -> bool {
     matches!(statement.kind, StmtKind::Output { .. })
         || around.given().is_some_and(|given| given.bind == Bind::Symbolic)
         || matches!(&statement.kind, StmtKind::Var(all) if all.iter().any(|decl| matches!(decl.init, Some((Bind::Symbolic, _)))))
@@ -133,7 +133,7 @@ fn keeps_symbols(asked: &Asked, around: &Around, statement: &Stmt) -> bool {
 }
 
 /// Whether something called takes expressions rather than values.
-fn takes_symbols(asked: &Asked, callee: &Expr) -> bool {
+fn takes_symbols(asked: &ActionRequest, callee: &Expr) -> bool {
     let built_in =
         ["derivative", "gradient", "velocity", "acceleration", "angular_velocity", "angular_acceleration"];
     built_in.contains(&asked.slice(callee.span))
@@ -148,7 +148,7 @@ fn declared_in(statement: &Stmt, start: u32) -> bool {
 }
 
 /// The name of what takes the value, or one that says nothing.
-fn fresh_name(asked: &Asked, around: &Around, e: &Expr) -> String {
+fn fresh_name(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> String {
     let given = around.given().filter(|given| given.value.span == e.span);
     let base = match given.map(|given| given.to) {
         Some(Receiver::Argument(argument)) => argument.name.as_ref().map(|(name, _)| name.name.clone()),
@@ -170,13 +170,13 @@ fn fresh_name(asked: &Asked, around: &Around, e: &Expr) -> String {
     [base.clone()].into_iter().chain(numbered).find(|name| !taken(name)).unwrap_or(base)
 }
 
-pub(super) fn inlining(asked: &Asked, found: &mut Vec<Action>) {
+pub(super) fn inlining(asked: &ActionRequest, found: &mut Vec<Action>) {
     if let Some(action) = inlined(asked) {
         found.push(action);
     }
 }
 
-fn inlined(asked: &Asked) -> Option<Action> {
+fn inlined(asked: &ActionRequest) -> Option<Action> {
     let database = &asked.snapshot.database;
     let name = database.name_at(&asked.file, asked.range.start)?;
     let place = name.declared.filter(|place| {
@@ -259,7 +259,7 @@ fn inlined(asked: &Asked) -> Option<Action> {
 }
 
 /// Uses that need a name: `..record`, `x[i]` that may be handed back, and strings.
-fn is_special(asked: &Asked, around: &Around, user: &Expr) -> bool {
+fn is_special(asked: &ActionRequest, around: &EnclosingNodes, user: &Expr) -> bool {
     let spread = around.nodes.iter().any(|node| matches!(node, Node::Argument(argument) if argument.spread));
     let in_text = around.expressions().any(|outer| matches!(outer.kind, ExprKind::String(_)));
     let symbol = around

@@ -1,11 +1,11 @@
 //! What the compiler itself offers: fixes it is certain of, and what may be meant.
 
-use super::{Action, ActionKind, Asked, fix};
+use super::{Action, ActionKind, ActionRequest, fix};
 use crate::ide::{Edit, Snapshot, problems};
 use calyx_lang::diagnostic::{Diagnostic, Fix};
 use std::sync::Arc;
 
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     let edit = |fix: &Fix| asked.edit(fix.span.start, fix.span.end, &*fix.replacement);
     if let Some(certain) = &problem.fix {
         found.push(fix(capitalised(&certain.title), vec![edit(certain)]).preferred());

@@ -1,15 +1,15 @@
 //! A unit that fits what a format shows.
 
-use super::{Action, Asked, fix};
+use super::{Action, ActionRequest, fix};
 use crate::ide::walk::Node;
 use calyx_lang::ast::{Expr, ExprKind, Format, StringPart};
+use calyx_lang::common_units::usual;
 use calyx_lang::diagnostic::Diagnostic;
-use calyx_lang::usual_units::usual;
 
 /// Units offered for one format.
 const MOST_UNITS: usize = 4;
 
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     if problem.code != "E0401" && problem.code != "E0408" {
         return;
     }

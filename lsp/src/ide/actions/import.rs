@@ -1,6 +1,6 @@
 //! Imports the module that a name is missing from.
 
-use super::{Action, Asked, fix};
+use super::{Action, ActionRequest, fix};
 use crate::ide::Edit;
 use calyx_lang::analysis::NameKind;
 use calyx_lang::ast::StmtKind;
@@ -10,7 +10,7 @@ use calyx_lang::lexer::CommentKind;
 /// Modules offered for one name.
 const MOST_MODULES: usize = 4;
 
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     let name = asked.slice(problem.primary.span);
     if !matches!(problem.code.as_str(), "E0201" | "E0309" | "E0403") || name.is_empty() {
         return;
@@ -57,7 +57,7 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
 }
 
 /// The edit that imports a module: behind the other imports, else before everything but what documents the file.
-fn statement(asked: &Asked, module: &str) -> Edit {
+fn statement(asked: &ActionRequest, module: &str) -> Edit {
     let statements = &asked.tree.module.statements;
     let imports = statements.iter().rfind(|statement| matches!(statement.kind, StmtKind::Import(_)));
     if let Some(last) = imports {
@@ -70,7 +70,7 @@ fn statement(asked: &Asked, module: &str) -> Edit {
 }
 
 /// Where the comments begin that stand directly above a statement.
-fn documented(asked: &Asked, first: u32) -> u32 {
+fn documented(asked: &ActionRequest, first: u32) -> u32 {
     let Some(tokens) = asked.snapshot.database.tokens(&asked.file) else { return first };
     let mut from = first;
     for comment in tokens.comments.iter().filter(|comment| comment.span.end <= first).rev() {

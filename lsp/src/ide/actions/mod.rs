@@ -15,7 +15,7 @@ mod units;
 mod unused;
 mod vectors;
 
-use super::near::Around;
+use super::enclosing::EnclosingNodes;
 use super::problems;
 use super::{Edit, Snapshot};
 use calyx_lang::db::Parsed;
@@ -49,11 +49,11 @@ pub struct Action {
     pub preferred: bool,
     pub edits: Vec<Edit>,
     /// Code and place of the diagnostic that it mends.
-    pub mends: Option<(String, Range<u32>)>,
+    pub resolves: Option<(String, Range<u32>)>,
 }
 
 /// What is asked: a range of a file and what is known of it.
-struct Asked<'a> {
+struct ActionRequest<'a> {
     snapshot: &'a Snapshot,
     file: Arc<str>,
     range: Range<u32>,
@@ -72,7 +72,7 @@ pub fn actions(snapshot: &Snapshot, file: &str, range: Range<u32>) -> Vec<Action
         return Vec::new();
     }
     let problems = problems::of_file(snapshot, file);
-    let asked = Asked { snapshot, file: file.into(), range, text, tree, problems };
+    let asked = ActionRequest { snapshot, file: file.into(), range, text, tree, problems };
     let mut found = Vec::new();
     for problem in asked.problems.iter().filter(|problem| asked.touches(problem.primary.span)) {
         let from = found.len();
@@ -85,9 +85,9 @@ pub fn actions(snapshot: &Snapshot, file: &str, range: Range<u32>) -> Vec<Action
         arguments::of(&asked, problem, &mut found);
         vectors::of(&asked, problem, &mut found);
         formats::of(&asked, problem, &mut found);
-        let mended = (problem.code.clone(), problem.primary.span.start..problem.primary.span.end);
+        let fixed = (problem.code.clone(), problem.primary.span.start..problem.primary.span.end);
         for action in &mut found[from..] {
-            action.mends = Some(mended.clone());
+            action.resolves = Some(fixed.clone());
         }
     }
     found.sort_by_key(|action| !action.preferred);
@@ -108,7 +108,7 @@ pub fn actions(snapshot: &Snapshot, file: &str, range: Range<u32>) -> Vec<Action
     found
 }
 
-impl<'a> Asked<'a> {
+impl<'a> ActionRequest<'a> {
     fn touches(&self, span: Span) -> bool {
         span.start <= self.range.end && self.range.start <= span.end
     }
@@ -117,8 +117,8 @@ impl<'a> Asked<'a> {
         self.text.get(span.start as usize..span.end as usize).unwrap_or_default()
     }
 
-    fn around(&self, span: Span) -> Around<'_> {
-        Around::new(&self.tree.module, span.start..span.end)
+    fn around(&self, span: Span) -> EnclosingNodes<'_> {
+        EnclosingNodes::new(&self.tree.module, span.start..span.end)
     }
 
     fn edit(&self, start: u32, end: u32, replacement: impl Into<String>) -> Edit {
@@ -143,7 +143,7 @@ impl<'a> Asked<'a> {
 
 /// A quick fix.
 fn fix(title: impl Into<String>, edits: Vec<Edit>) -> Action {
-    Action { title: title.into(), kind: ActionKind::QuickFix, preferred: false, edits, mends: None }
+    Action { title: title.into(), kind: ActionKind::QuickFix, preferred: false, edits, resolves: None }
 }
 
 /// A rewrite.

@@ -1,6 +1,6 @@
 //! Outputs that a model lacks: without any its analysis shows nothing, and a symbolic name that nobody uses was meant as one.
 
-use super::{Action, Asked, fix, rewrite};
+use super::{Action, ActionRequest, fix, rewrite};
 use calyx_lang::analysis::NameKind;
 use calyx_lang::ast::{Bind, ExprKind, Stmt, StmtKind};
 use calyx_lang::diagnostic::Diagnostic;
@@ -9,7 +9,7 @@ use calyx_lang::diagnostic::Diagnostic;
 const MOST_OUTPUTS: usize = 6;
 
 /// A symbolic name without use: it becomes an output.
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     if problem.code != "W0201" {
         return;
     }
@@ -37,7 +37,7 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
 }
 
 /// A model that analyses and has no outputs: what can be observed of what it has.
-pub(super) fn missing(asked: &Asked, found: &mut Vec<Action>) {
+pub(super) fn missing(asked: &ActionRequest, found: &mut Vec<Action>) {
     let statements = &asked.tree.module.statements;
     let has_output = statements.iter().any(|statement| matches!(statement.kind, StmtKind::Output { .. }));
     let here = |statement: &&Stmt| {

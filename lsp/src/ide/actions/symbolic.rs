@@ -1,11 +1,11 @@
 //! `=` and `:=` exchanged: where a symbol is lost, where a value was meant.
 
-use super::{Action, Asked, fix};
-use crate::ide::near::{Given, Receiver};
+use super::{Action, ActionRequest, fix};
+use crate::ide::enclosing::{GivenValue, Receiver};
 use calyx_lang::ast::{Bind, StmtKind};
 use calyx_lang::diagnostic::Diagnostic;
 
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     let around = asked.around(problem.primary.span);
     let Some(given) = around.given() else { return };
     match problem.code.as_str() {
@@ -29,7 +29,7 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
                 .iter()
                 .find_map(|label| asked.snapshot.database.name_at(&asked.file, label.span.start)?.declared);
             let Some(place) = captured.filter(|place| place.file == asked.file) else { return };
-            let around = super::Around::new(&asked.tree.module, place.start..place.end);
+            let around = super::EnclosingNodes::new(&asked.tree.module, place.start..place.end);
             found.extend(around.given().and_then(|given| keep(asked, &given, "Bind")).map(Action::preferred));
         }
         _ => {}
@@ -37,7 +37,7 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
 }
 
 /// `=` becomes `:=`.
-fn keep(asked: &Asked, given: &Given, verb: &str) -> Option<Action> {
+fn keep(asked: &ActionRequest, given: &GivenValue, verb: &str) -> Option<Action> {
     let Receiver::Variable(_, decl) = given.to else { return None };
     if given.bind != Bind::Evaluate {
         return None;
@@ -47,7 +47,7 @@ fn keep(asked: &Asked, given: &Given, verb: &str) -> Option<Action> {
 }
 
 /// `var x = observable;` becomes an output.
-fn as_output(asked: &Asked, given: &Given) -> Option<Action> {
+fn as_output(asked: &ActionRequest, given: &GivenValue) -> Option<Action> {
     let Receiver::Variable(statement, decl) = given.to else { return None };
     let StmtKind::Var(all) = &statement.kind else { return None };
     let top = asked.tree.module.statements.iter().any(|top| top.span == statement.span);

@@ -1,14 +1,14 @@
 //! Writes the unit that a bare literal has by its use.
 
-use super::{Action, Asked, rewrite};
+use super::{Action, ActionRequest, rewrite};
 use crate::ide::numbers::needs_parentheses;
 use calyx_lang::analysis::Typed;
 use calyx_lang::ast::ExprKind;
-use calyx_lang::usual_units::written;
+use calyx_lang::common_units::written;
 
-pub(super) fn writing(asked: &Asked, found: &mut Vec<Action>) {
+pub(super) fn writing(asked: &ActionRequest, found: &mut Vec<Action>) {
     let database = &asked.snapshot.database;
-    let around = super::Around::new(&asked.tree.module, asked.range.clone());
+    let around = super::EnclosingNodes::new(&asked.tree.module, asked.range.clone());
     let Some(e) = around.expression().filter(|e| matches!(e.kind, ExprKind::Number(_))) else { return };
     let here = database.expressions(&asked.file, e.span.start..e.span.end);
     let bare = |typed: &&Typed| typed.bare && (typed.start, typed.end) == (e.span.start, e.span.end);

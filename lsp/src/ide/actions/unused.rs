@@ -1,15 +1,15 @@
 //! Removes what nobody reads.
 
-use super::{Action, Asked, fix};
+use super::{Action, ActionRequest, fix};
 use crate::ide::Edit;
-use crate::ide::near::only_computes;
-use calyx_lang::analysis::{NameKind, Place};
+use crate::ide::enclosing::only_computes;
+use calyx_lang::analysis::{NameKind, SourceRange};
 use calyx_lang::ast::{Bind, Expr, ExprKind, Stmt, StmtKind};
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::lexer::{CommentKind, Kind};
 use calyx_lang::span::Span;
 
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     match problem.code.as_str() {
         "W0201" => variable(asked, problem.primary.span, found),
         "W0203" => {
@@ -36,9 +36,9 @@ pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
     }
 }
 
-fn variable(asked: &Asked, place: Span, found: &mut Vec<Action>) {
+fn variable(asked: &ActionRequest, place: Span, found: &mut Vec<Action>) {
     let name = asked.slice(place);
-    let declared = Place { file: asked.file.clone(), start: place.start, end: place.end };
+    let declared = SourceRange { file: asked.file.clone(), start: place.start, end: place.end };
     let references = asked.snapshot.database.references(&declared);
     if let Some(edits) = removed(asked, place, references.iter().map(|(_, name)| name.start)) {
         found.push(fix(format!("Remove `{name}`"), edits));
@@ -53,21 +53,21 @@ fn variable(asked: &Asked, place: Span, found: &mut Vec<Action>) {
 }
 
 /// Whether an identifier stands anywhere in the file.
-pub(super) fn is_written(asked: &Asked, name: &str) -> bool {
+pub(super) fn is_written(asked: &ActionRequest, name: &str) -> bool {
     asked.snapshot.database.tokens(&asked.file).is_some_and(|tokens| {
         tokens.tokens.iter().any(|token| token.kind == Kind::Identifier && asked.slice(token.span) == name)
     })
 }
 
 /// Removes a variable's declaration and all that is assigned to it, if computing that does nothing else.
-fn removed(asked: &Asked, place: Span, references: impl Iterator<Item = u32>) -> Option<Vec<Edit>> {
+fn removed(asked: &ActionRequest, place: Span, references: impl Iterator<Item = u32>) -> Option<Vec<Edit>> {
     let mut edits = Vec::new();
     for start in references {
         if start == place.start {
             edits.push(without_declaration(asked, place, true)?);
             continue;
         }
-        let around = super::Around::new(&asked.tree.module, start..start);
+        let around = super::EnclosingNodes::new(&asked.tree.module, start..start);
         let statement = around.whole_statement()?;
         let StmtKind::Assign { place: Expr { kind: ExprKind::Name(name), .. }, value, .. } = &statement.kind
         else {
@@ -84,7 +84,7 @@ fn removed(asked: &Asked, place: Span, references: impl Iterator<Item = u32>) ->
 }
 
 /// Whether evaluating does nothing but compute.
-pub(super) fn computes(asked: &Asked, e: &Expr) -> bool {
+pub(super) fn computes(asked: &ActionRequest, e: &Expr) -> bool {
     only_computes(e, &|callee| match &callee.kind {
         ExprKind::Name(name) => {
             let known = asked.snapshot.database.name_at(&asked.file, name.span.start);
@@ -97,7 +97,7 @@ pub(super) fn computes(asked: &Asked, e: &Expr) -> bool {
 }
 
 /// The edit that takes a variable out of its `var`; with `pure`, only if its first value does nothing but compute.
-pub(super) fn without_declaration(asked: &Asked, place: Span, pure: bool) -> Option<Edit> {
+pub(super) fn without_declaration(asked: &ActionRequest, place: Span, pure: bool) -> Option<Edit> {
     let around = asked.around(place);
     let statement = around.whole_statement()?;
     let StmtKind::Var(all) = &statement.kind else { return None };
@@ -117,7 +117,7 @@ pub(super) fn without_declaration(asked: &Asked, place: Span, pure: bool) -> Opt
 }
 
 /// `var x = f();` becomes `f();`
-fn without_name(asked: &Asked, place: Span) -> Option<Edit> {
+fn without_name(asked: &ActionRequest, place: Span) -> Option<Edit> {
     let around = asked.around(place);
     let statement = around.whole_statement()?;
     let StmtKind::Var(all) = &statement.kind else { return None };
@@ -128,7 +128,7 @@ fn without_name(asked: &Asked, place: Span) -> Option<Edit> {
 }
 
 /// The edit that removes a statement with what documents it, and its lines if nothing else stands on them.
-pub(super) fn removal(asked: &Asked, statement: &Stmt) -> Edit {
+pub(super) fn removal(asked: &ActionRequest, statement: &Stmt) -> Edit {
     let mut start = statement.span.start;
     if let Some(tokens) = asked.snapshot.database.tokens(&asked.file) {
         for comment in tokens.comments.iter().rev().filter(|comment| comment.span.end <= statement.span.start)

@@ -1,10 +1,10 @@
 //! The products that two vectors have, where `*` was written.
 
-use super::{Action, Asked, fix};
+use super::{Action, ActionRequest, fix};
 use calyx_lang::ast::{BinaryOp, Expr, ExprKind};
 use calyx_lang::diagnostic::Diagnostic;
 
-pub(super) fn of(asked: &Asked, problem: &Diagnostic, found: &mut Vec<Action>) {
+pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     let vectors =
         problem.code == "E0304" && problem.help.as_deref().is_some_and(|help| help.contains("`dot(a, b)`"));
     if !vectors {

@@ -1,7 +1,7 @@
 //! Arguments by name of the call the cursor is in: those not given yet.
 
-use super::context::{Operator, Slot, Spot, Value};
-use super::item::{Insert, Item, ItemKind, Rank, Subject, Then, escaped};
+use super::context::{CompletionSite, Operator, Slot, Value};
+use super::item::{AfterInsert, Insert, Item, ItemKind, Rank, Subject, escaped};
 use super::request::{Called, Request};
 use crate::ide::shape::{self, Shape};
 use calyx_lang::analysis::{CallParameter, NameKind};
@@ -12,7 +12,7 @@ const FEW: usize = 2;
 
 /// Names of parameters, and records whose fields are parameters.
 pub fn arguments(request: &Request<'_>, items: &mut Vec<Item>) {
-    let Spot::Value(Value { slot: Slot::Argument { name: None, .. }, operator: Operator::None }) =
+    let CompletionSite::Value(Value { slot: Slot::Argument { name: None, .. }, operator: Operator::None }) =
         &request.context.spot
     else {
         return;
@@ -63,26 +63,26 @@ fn argument(request: &Request<'_>, called: &Called, parameter: &CallParameter, r
 }
 
 /// What stands in for the value until it is written.
-fn placeholder(parameter: &CallParameter) -> (String, Then) {
+fn placeholder(parameter: &CallParameter) -> (String, AfterInsert) {
     if !parameter.choices.is_empty() {
         let mut choices: Vec<&str> = parameter.choices.iter().map(String::as_str).collect();
         // The default first.
         let default = parameter.default.as_deref().unwrap_or_default().trim_matches('"');
         choices.sort_by_key(|choice| *choice != default);
         let choices: Vec<String> = choices.into_iter().map(choice).collect();
-        return (format!("\"${{1|{}|}}\"", choices.join(",")), Then::Nothing);
+        return (format!("\"${{1|{}|}}\"", choices.join(",")), AfterInsert::Nothing);
     }
     let shape = Shape::read(&parameter.ty);
     match (&parameter.default, shape) {
         (Some(default), shape) if shape.is("Bool") => {
             let other = if default == "TRUE" { "FALSE" } else { "TRUE" };
-            (format!("${{1|{other},{default}|}}"), Then::Nothing)
+            (format!("${{1|{other},{default}|}}"), AfterInsert::Nothing)
         }
-        (_, shape) if shape.is("String") => ("\"$1\"".into(), Then::Nothing),
-        (_, Shape::Array(_)) => ("[$1]".into(), Then::Completion),
-        (Some(default), _) => (format!("${{1:{}}}", escaped(default)), Then::Nothing),
-        (None, Shape::Named(_)) => ("$1".into(), Then::Completion),
-        (None, _) => ("$1".into(), Then::Nothing),
+        (_, shape) if shape.is("String") => ("\"$1\"".into(), AfterInsert::Nothing),
+        (_, Shape::Array(_)) => ("[$1]".into(), AfterInsert::Completion),
+        (Some(default), _) => (format!("${{1:{}}}", escaped(default)), AfterInsert::Nothing),
+        (None, Shape::Named(_)) => ("$1".into(), AfterInsert::Completion),
+        (None, _) => ("$1".into(), AfterInsert::Nothing),
     }
 }
 

@@ -2,14 +2,16 @@
 
 mod value;
 
-use crate::ide::cursor::{Around, Block, BlockKind, Bracket, Call, Open, Standing, Statement};
+use crate::ide::cursor::{
+    Block, BlockKind, Bracket, Call, CursorContext, CursorRegion, OpenDelimiter, Statement,
+};
 use calyx_lang::ast::Bind;
 use calyx_lang::lexer::{Kind, Tokens};
 use std::ops::Range;
 
 /// What can stand at the cursor.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Spot {
+pub enum CompletionSite {
     /// Nothing is offered: in comments, numbers and texts, and where a new name is declared.
     Nothing,
     /// The beginning of a statement.
@@ -30,7 +32,7 @@ pub enum Spot {
     TypeMember(String),
     /// Behind a `.`: the tokens of what stands before it, and the value that is being written.
     Member(Range<usize>, Value),
-    /// Behind a number; the words are those of [`Spot::After`].
+    /// Behind a number; the words are those of [`CompletionSite::After`].
     Unit(Value, Vec<&'static str>),
     /// In a format: the tokens of the value that is shown.
     FormatUnit(Range<usize>),
@@ -113,24 +115,26 @@ pub enum Operator {
 
 /// A cursor and what can stand there.
 pub struct Context<'a> {
-    pub around: Around<'a>,
+    pub around: CursorContext<'a>,
     pub statement: Statement,
     pub blocks: Vec<Block>,
-    pub spot: Spot,
+    pub spot: CompletionSite,
 }
 
 impl<'a> Context<'a> {
     pub fn new(text: &'a str, tokens: &'a Tokens, offset: usize) -> Self {
-        let around = Around::new(text, tokens, offset);
+        let around = CursorContext::new(text, tokens, offset);
         let standing = around.standing(tokens);
-        let string = matches!(standing, Standing::Text(_)).then(|| around.string_open()).flatten();
+        let string = matches!(standing, CursorRegion::Text(_)).then(|| around.string_open()).flatten();
         let statement = around.statement(string.unwrap_or(around.before));
         let blocks = around.blocks(statement.start).collect();
-        let mut context = Context { around, statement, blocks, spot: Spot::Nothing };
+        let mut context = Context { around, statement, blocks, spot: CompletionSite::Nothing };
         context.spot = match standing {
-            Standing::Comment | Standing::Number | Standing::Text(None) => Spot::Nothing,
-            Standing::Text(Some(text)) => context.text(text, string),
-            Standing::Code => context.find(),
+            CursorRegion::Comment | CursorRegion::Number | CursorRegion::Text(None) => {
+                CompletionSite::Nothing
+            }
+            CursorRegion::Text(Some(text)) => context.text(text, string),
+            CursorRegion::Code => context.find(),
         };
         context
     }
@@ -159,7 +163,7 @@ impl<'a> Context<'a> {
         self.around.kind(at)
     }
 
-    fn find(&self) -> Spot {
+    fn find(&self) -> CompletionSite {
         let end = self.around.before;
         let last = self.around.previous(end);
         if let Some(spot) = self.type_spot(end) {
@@ -167,10 +171,10 @@ impl<'a> Context<'a> {
         }
         match self.statement.open.first() {
             Some(open) => match open.kind {
-                Bracket::Catch => Spot::Nothing,
+                Bracket::Catch => CompletionSite::Nothing,
                 Bracket::Parameters => self.parameter(open.at),
                 Bracket::Interpolation => self.interpolated(open.at),
-                Bracket::For if last == Some(Kind::OpenParen) => Spot::Words(vec!["var"]),
+                Bracket::For if last == Some(Kind::OpenParen) => CompletionSite::Words(vec!["var"]),
                 _ => self.operand(0, end),
             },
             None => self.plain_statement(end),
@@ -178,36 +182,38 @@ impl<'a> Context<'a> {
     }
 
     /// A statement without open brackets.
-    fn plain_statement(&self, end: usize) -> Spot {
+    fn plain_statement(&self, end: usize) -> CompletionSite {
         let start = self.statement.start;
         if start == end {
             return match self.blocks.first().map(|block| block.kind) {
-                Some(BlockKind::Record) => Spot::Nothing,
-                _ => Spot::Statement,
+                Some(BlockKind::Record) => CompletionSite::Nothing,
+                _ => CompletionSite::Statement,
             };
         }
         // A name on a line of its own begins a statement, though the line above is not ended.
         if self.around.cursor_begins_line() && self.around.ends_expression(end - 1) {
-            return Spot::Statement;
+            return CompletionSite::Statement;
         }
         if self.blocks.first().is_some_and(|block| block.kind == BlockKind::Record) {
             return self.declared(start, end);
         }
         let alone = end == start + 1;
         match self.word(start, end) {
-            Some(Kind::Import) => Spot::Import(self.path(start + 1, end)),
-            Some(Kind::Units) if alone => Spot::System,
-            Some(Kind::Goto) if alone => Spot::Label,
+            Some(Kind::Import) => CompletionSite::Import(self.path(start + 1, end)),
+            Some(Kind::Units) if alone => CompletionSite::System,
+            Some(Kind::Goto) if alone => CompletionSite::Label,
             Some(Kind::Private) if alone => {
-                Spot::Words(vec!["function", "const", "record", "dimension", "unit"])
+                CompletionSite::Words(vec!["function", "const", "record", "dimension", "unit"])
             }
-            Some(Kind::Extern) if alone => Spot::Words(vec!["pure", "scene", "effect", "function"]),
-            Some(Kind::Extern) if end == start + 2 => Spot::Words(vec!["function"]),
-            Some(Kind::Host | Kind::Test) if alone => Spot::Words(vec!["function"]),
-            Some(Kind::Var) if alone || self.around.previous(end) == Some(Kind::Comma) => Spot::Nothing,
+            Some(Kind::Extern) if alone => CompletionSite::Words(vec!["pure", "scene", "effect", "function"]),
+            Some(Kind::Extern) if end == start + 2 => CompletionSite::Words(vec!["function"]),
+            Some(Kind::Host | Kind::Test) if alone => CompletionSite::Words(vec!["function"]),
+            Some(Kind::Var) if alone || self.around.previous(end) == Some(Kind::Comma) => {
+                CompletionSite::Nothing
+            }
             Some(Kind::Function) => match self.around.previous(end) {
                 Some(Kind::Bind) => self.operand(0, end),
-                _ => Spot::Nothing,
+                _ => CompletionSite::Nothing,
             },
             Some(
                 Kind::Param
@@ -218,8 +224,10 @@ impl<'a> Context<'a> {
                 | Kind::Unit
                 | Kind::Units
                 | Kind::Goto,
-            ) if alone => Spot::Nothing,
-            Some(Kind::Break | Kind::Continue | Kind::Units | Kind::Goto | Kind::Record) => Spot::Nothing,
+            ) if alone => CompletionSite::Nothing,
+            Some(Kind::Break | Kind::Continue | Kind::Units | Kind::Goto | Kind::Record) => {
+                CompletionSite::Nothing
+            }
             _ => self.operand(0, end),
         }
     }
@@ -254,58 +262,58 @@ impl<'a> Context<'a> {
     }
 
     /// `in name: Type = default in range` as far as it is written, in a list of parameters.
-    fn parameter(&self, open: usize) -> Spot {
+    fn parameter(&self, open: usize) -> CompletionSite {
         let end = self.around.before;
         let start = self.after_comma(open + 1, end);
         if start == end {
-            return Spot::Words(vec!["in", "out", "inout"]);
+            return CompletionSite::Words(vec!["in", "out", "inout"]);
         }
         if matches!(self.kind(start), Some(Kind::In | Kind::Out | Kind::InOut)) {
             return self.declared(start + 1, end);
         }
-        Spot::Nothing
+        CompletionSite::Nothing
     }
 
     /// `name: Type = default in range` as far as it is written; a type is told before.
-    fn declared(&self, start: usize, end: usize) -> Spot {
+    fn declared(&self, start: usize, end: usize) -> CompletionSite {
         let assigned = (start..end).find(|&at| matches!(self.kind(at), Some(Kind::Assign | Kind::Bind)));
         let domain = (start..end).any(|at| self.kind(at) == Some(Kind::In));
         if assigned.is_some() || domain {
             return self.operand(0, end);
         }
-        Spot::Nothing
+        CompletionSite::Nothing
     }
 
-    fn interpolated(&self, open: usize) -> Spot {
+    fn interpolated(&self, open: usize) -> CompletionSite {
         let end = self.around.before;
         let format = (open + 1..end).find(|&at| self.kind(at) == Some(Kind::Format));
         match format {
             Some(format)
                 if matches!(self.around.previous(end), Some(Kind::Format | Kind::Star | Kind::Slash)) =>
             {
-                Spot::FormatUnit(open + 1..format)
+                CompletionSite::FormatUnit(open + 1..format)
             }
-            Some(_) => Spot::Nothing,
+            Some(_) => CompletionSite::Nothing,
             None => self.operand(0, end),
         }
     }
 
     /// The inside of a string.
-    fn text(&self, text: Range<usize>, open: Option<usize>) -> Spot {
+    fn text(&self, text: Range<usize>, open: Option<usize>) -> CompletionSite {
         match open {
             // Texts are not parts of expressions, but for comparisons.
             Some(open) => match self.value(0, open) {
                 Value { operator: Operator::Factor(..) | Operator::Exponent | Operator::Truth, .. } => {
-                    Spot::Nothing
+                    CompletionSite::Nothing
                 }
-                value => Spot::Text(value, text),
+                value => CompletionSite::Text(value, text),
             },
-            None => Spot::Nothing,
+            None => CompletionSite::Nothing,
         }
     }
 
     /// Whether a type belongs before the token `end`.
-    fn type_spot(&self, end: usize) -> Option<Spot> {
+    fn type_spot(&self, end: usize) -> Option<CompletionSite> {
         let last = end.checked_sub(1)?;
         let begun = match self.kind(last)? {
             Kind::Colon | Kind::Arrow | Kind::Assign | Kind::Star | Kind::Slash | Kind::OpenParen => true,
@@ -317,10 +325,12 @@ impl<'a> Context<'a> {
             return None;
         }
         Some(match self.kind(last) {
-            Some(Kind::Dot) => Spot::TypeMember(self.around.source(last.checked_sub(1)?).to_string()),
-            _ if begun => Spot::Type,
+            Some(Kind::Dot) => {
+                CompletionSite::TypeMember(self.around.source(last.checked_sub(1)?).to_string())
+            }
+            _ if begun => CompletionSite::Type,
             _ if self.around.cursor_begins_line() => return None,
-            _ => Spot::Nothing,
+            _ => CompletionSite::Nothing,
         })
     }
 
@@ -368,25 +378,27 @@ impl<'a> Context<'a> {
     }
 
     /// An operand of an expression, in the brackets `open[depth]`.
-    fn operand(&self, depth: usize, end: usize) -> Spot {
+    fn operand(&self, depth: usize, end: usize) -> CompletionSite {
         let value = self.value(depth, end);
         let start = self.region(depth, end);
         let Some(last) = end.checked_sub(1).filter(|&last| last >= start) else {
-            return Spot::Value(value);
+            return CompletionSite::Value(value);
         };
         match self.kind(last) {
             Some(Kind::Dot) => self.member(last, value),
-            Some(Kind::At) => Spot::Symbol,
-            Some(Kind::Identifier) if self.is_bare_at(last, start) => Spot::Symbol,
+            Some(Kind::At) => CompletionSite::Symbol,
+            Some(Kind::Identifier) if self.is_bare_at(last, start) => CompletionSite::Symbol,
             Some(Kind::Number) if !self.around.cursor_begins_line() => match self.behind(depth, start, end) {
-                Spot::After(words) => Spot::Unit(value, words),
-                _ => Spot::Nothing,
+                CompletionSite::After(words) => CompletionSite::Unit(value, words),
+                _ => CompletionSite::Nothing,
             },
-            Some(Kind::CloseParen) if self.closes_condition(last) => Spot::Value(value),
+            Some(Kind::CloseParen) if self.closes_condition(last) => CompletionSite::Value(value),
             _ if self.around.ends_expression(last) => self.behind(depth, start, end),
             // `(2 mm)^`, `2 mm^`: a number is typed here.
-            Some(Kind::Caret) if last >= 2 && self.kind(last - 2) == Some(Kind::Number) => Spot::Nothing,
-            _ => Spot::Value(value),
+            Some(Kind::Caret) if last >= 2 && self.kind(last - 2) == Some(Kind::Number) => {
+                CompletionSite::Nothing
+            }
+            _ => CompletionSite::Value(value),
         }
     }
 
@@ -396,12 +408,12 @@ impl<'a> Context<'a> {
     }
 
     /// Words that go on behind a value.
-    fn behind(&self, depth: usize, start: usize, end: usize) -> Spot {
+    fn behind(&self, depth: usize, start: usize, end: usize) -> CompletionSite {
         // Two operands in a row, on two lines: a `,`, a `;` or an operator is missing.
         if self.around.cursor_begins_line() && depth < self.statement.open.len() {
             let outer = self.around.indentation(self.around.range(self.statement.start).start);
             let begins = self.around.indentation(self.around.word.start) <= outer;
-            return if begins { Spot::Statement } else { Spot::Nothing };
+            return if begins { CompletionSite::Statement } else { CompletionSite::Nothing };
         }
         let mut words = Vec::new();
         if self.has_open_choice(start, end) {
@@ -416,7 +428,7 @@ impl<'a> Context<'a> {
         if self.kind(end.wrapping_sub(1)) != Some(Kind::Number) {
             words.push("at");
         }
-        Spot::After(words)
+        CompletionSite::After(words)
     }
 
     /// Whether an `if (c) a` of an expression lacks its `else`.
@@ -426,7 +438,7 @@ impl<'a> Context<'a> {
         count(Kind::If) > count(Kind::Else)
     }
 
-    fn member(&self, dot: usize, value: Value) -> Spot {
+    fn member(&self, dot: usize, value: Value) -> CompletionSite {
         let mut first = dot;
         while let Some(before) = first.checked_sub(1) {
             match self.kind(before) {
@@ -451,7 +463,7 @@ impl<'a> Context<'a> {
         }
         // The operator before the base decides what is expected.
         let value = Value { operator: self.operator(self.region(0, first), first), ..value };
-        Spot::Member(first..dot, value)
+        CompletionSite::Member(first..dot, value)
     }
 }
 

@@ -4,7 +4,7 @@ use super::item::{Item, Rank};
 use super::names;
 use super::request::Request;
 use crate::ide::Edit;
-use crate::ide::cursor::Around;
+use crate::ide::cursor::CursorContext;
 use calyx_lang::lexer::Kind;
 
 /// Letters that must be typed: a list of all modules' names helps nobody.
@@ -38,7 +38,7 @@ pub fn not_imported(request: &Request<'_>, items: &mut Vec<Item>) {
 }
 
 /// The modules that a file imports.
-pub fn imported(around: &Around<'_>) -> Vec<String> {
+pub fn imported(around: &CursorContext<'_>) -> Vec<String> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(kind) = around.kind(at) {
@@ -51,7 +51,7 @@ pub fn imported(around: &Around<'_>) -> Vec<String> {
     found
 }
 
-fn path(around: &Around<'_>, from: usize) -> String {
+fn path(around: &CursorContext<'_>, from: usize) -> String {
     let names = (from..).map_while(|at| match around.kind(at) {
         Some(Kind::Identifier | Kind::Dot) => Some(around.source(at)),
         _ => None,
@@ -60,7 +60,7 @@ fn path(around: &Around<'_>, from: usize) -> String {
 }
 
 /// The edit that imports a module: below the last import, else above all that the file does.
-pub fn import(file: &str, around: &Around<'_>, path: &str) -> Edit {
+pub fn import(file: &str, around: &CursorContext<'_>, path: &str) -> Edit {
     let tokens = (0..).map_while(|at| around.kind(at).map(|kind| (at, kind)));
     let last = tokens.filter(|(_, kind)| *kind == Kind::Import).last();
     let (offset, replacement) = match last {
@@ -76,7 +76,7 @@ pub fn import(file: &str, around: &Around<'_>, path: &str) -> Edit {
 }
 
 /// Where a file's first statement begins, its comments included: behind what documents the file itself.
-fn head(around: &Around<'_>) -> usize {
+fn head(around: &CursorContext<'_>) -> usize {
     let mut offset = 0;
     let mut rest = around.text;
     // A block of comments with an empty line after it speaks of the file.

@@ -1,7 +1,7 @@
 //! What is offered: plain data, which the server turns into messages.
 
 use crate::ide::Edit;
-use calyx_lang::analysis::{NameKind, Place};
+use calyx_lang::analysis::{NameKind, SourceRange};
 
 /// Everything that can be written at a cursor, best first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,7 +29,7 @@ pub struct Item {
     /// What its documentation is asked by.
     pub subject: Option<Subject>,
     /// What an editor shows next.
-    pub then: Then,
+    pub then: AfterInsert,
 }
 
 /// What is put in.
@@ -57,7 +57,7 @@ pub enum ItemKind {
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Then {
+pub enum AfterInsert {
     #[default]
     Nothing,
     /// The parameters of what was put in.
@@ -69,9 +69,9 @@ pub enum Then {
 /// What an item is about, small enough to travel to the editor and back.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Subject {
-    Declaration(Place),
+    Declaration(SourceRange),
     /// A parameter of what is declared at the place, or a field.
-    Parameter(Place, String),
+    Parameter(SourceRange, String),
     /// A function or constant of the language.
     Builtin(String),
     Keyword(String),
@@ -110,7 +110,7 @@ impl Item {
             rank,
             import: None,
             subject: None,
-            then: Then::Nothing,
+            then: AfterInsert::Nothing,
         }
     }
 

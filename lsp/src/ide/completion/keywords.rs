@@ -1,6 +1,6 @@
 //! Words of the language where they can stand, with what usually follows them.
 
-use super::context::{Spot, Value};
+use super::context::{CompletionSite, Value};
 use super::item::{Insert, Item, ItemKind, Rank, Subject};
 use super::request::Request;
 use crate::ide::cursor::BlockKind;
@@ -9,7 +9,7 @@ use calyx_lang::units::UnitSystem;
 
 /// Where a statement may stand.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum StatementPosition {
     /// The top level of a model.
     Model,
     /// The top level of a file that is imported, which runs nothing.
@@ -23,10 +23,10 @@ struct Keyword {
     detail: &'static str,
     /// `LENGTH` stands for the system's unit of length.
     snippet: &'static str,
-    stands: &'static [Place],
+    stands: &'static [StatementPosition],
 }
 
-use Place::{Block, Model, Module};
+use StatementPosition::{Block, Model, Module};
 
 /// In the order of use at the beginning of an empty statement.
 const STATEMENTS: &[Keyword] = &[
@@ -253,7 +253,7 @@ pub fn words(request: &Request<'_>, words: &[&'static str], items: &mut Vec<Item
     for (order, word) in words.iter().enumerate() {
         let (snippet, detail) = match *word {
             "at" => ("at Time = $0", "the value at a time or param"),
-            "in" if matches!(request.context.spot, Spot::After(_) | Spot::Unit(..)) => {
+            "in" if matches!(request.context.spot, CompletionSite::After(_) | CompletionSite::Unit(..)) => {
                 ("in $0", "a range or choices")
             }
             "in" => ("in ", "passes a value"),

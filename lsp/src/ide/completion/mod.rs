@@ -17,19 +17,19 @@ mod units;
 mod words;
 
 pub use documentation::{documentation, parameter_text};
-pub use item::{Completions, Insert, Item, ItemKind, Rank, Subject, Then};
+pub use item::{AfterInsert, Completions, Insert, Item, ItemKind, Rank, Subject};
 
 use super::{Position, Snapshot};
 use calyx_lang::analysis::NameKind;
 use calyx_lang::lexer::Kind;
-use context::{Context, Operator, Slot, Spot};
+use context::{CompletionSite, Context, Operator, Slot};
 use request::Request;
 
 /// Characters after which an editor asks without being told to.
 pub const TRIGGERS: &[&str] = &[".", "\"", " ", "("];
 
 /// How an editor asks.
-pub struct Asked<'a> {
+pub struct CompletionTrigger<'a> {
     /// The character that asked, where it was not the user.
     pub typed: Option<char>,
     /// Dotted paths of files that can be imported, beyond those the database knows.
@@ -37,7 +37,7 @@ pub struct Asked<'a> {
 }
 
 /// What can be written at a cursor.
-pub fn complete(snapshot: &Snapshot, position: &Position, asked: &Asked<'_>) -> Completions {
+pub fn complete(snapshot: &Snapshot, position: &Position, asked: &CompletionTrigger<'_>) -> Completions {
     let database = &snapshot.database;
     let file = &*position.file;
     let (Some(text), Some(tokens)) = (database.text(file), database.tokens(file)) else {
@@ -56,7 +56,7 @@ pub fn complete(snapshot: &Snapshot, position: &Position, asked: &Asked<'_>) -> 
     offer(&request, asked, &mut items);
     let around = &request.context.around;
     let (mut start, mut end, mut prefix) = (around.word.start, around.word.end, around.prefix());
-    if let Spot::Text(_, range) = &request.context.spot {
+    if let CompletionSite::Text(_, range) = &request.context.spot {
         (start, end) = (range.start, range.end);
         prefix = text.get(range.start..offset).unwrap_or_default();
     }
@@ -70,57 +70,60 @@ fn answers(context: &Context<'_>, typed: Option<char>) -> bool {
     let last = around.previous(around.before);
     match typed {
         Some(' ') => match &context.spot {
-            Spot::Unit(..)
-            | Spot::Import(_)
-            | Spot::System
-            | Spot::Label
-            | Spot::Symbol
-            | Spot::FormatUnit(_) => true,
-            Spot::Value(value) => match &value.slot {
+            CompletionSite::Unit(..)
+            | CompletionSite::Import(_)
+            | CompletionSite::System
+            | CompletionSite::Label
+            | CompletionSite::Symbol
+            | CompletionSite::FormatUnit(_) => true,
+            CompletionSite::Value(value) => match &value.slot {
                 Slot::Argument { name: None, .. } => last == Some(Kind::Comma),
                 Slot::Argument { name: Some(_), .. } => matches!(last, Some(Kind::Assign | Kind::Bind)),
                 _ => false,
             },
             _ => false,
         },
-        Some('"') => matches!(context.spot, Spot::Text(..)),
-        Some('.') => matches!(context.spot, Spot::Member(..) | Spot::Import(_) | Spot::TypeMember(_)),
+        Some('"') => matches!(context.spot, CompletionSite::Text(..)),
+        Some('.') => matches!(
+            context.spot,
+            CompletionSite::Member(..) | CompletionSite::Import(_) | CompletionSite::TypeMember(_)
+        ),
         Some('(') => {
-            matches!(&context.spot, Spot::Value(value) if matches!(value.slot, Slot::Argument { .. }))
+            matches!(&context.spot, CompletionSite::Value(value) if matches!(value.slot, Slot::Argument { .. }))
         }
-        _ => context.spot != Spot::Nothing,
+        _ => context.spot != CompletionSite::Nothing,
     }
 }
 
-fn offer(request: &Request<'_>, asked: &Asked<'_>, items: &mut Vec<Item>) {
+fn offer(request: &Request<'_>, asked: &CompletionTrigger<'_>, items: &mut Vec<Item>) {
     match &request.context.spot {
-        Spot::Nothing => {}
-        Spot::Statement => {
+        CompletionSite::Nothing => {}
+        CompletionSite::Statement => {
             keywords::statements(request, items);
             names::statements(request, items);
             imports::not_imported(request, items);
         }
-        Spot::Words(words) | Spot::After(words) => keywords::words(request, words, items),
-        Spot::Import(path) => words::modules(request, path, &(asked.beside)(), items),
-        Spot::System => words::systems(request, items),
-        Spot::Label => words::labels(request, items),
-        Spot::Symbol => names::symbols(request, items, true),
-        Spot::Type => words::types(request, items),
-        Spot::TypeMember(module) => words::types_of(request, module, items),
-        Spot::Member(base, value) => {
+        CompletionSite::Words(words) | CompletionSite::After(words) => keywords::words(request, words, items),
+        CompletionSite::Import(path) => words::modules(request, path, &(asked.beside)(), items),
+        CompletionSite::System => words::systems(request, items),
+        CompletionSite::Label => words::labels(request, items),
+        CompletionSite::Symbol => names::symbols(request, items, true),
+        CompletionSite::Type => words::types(request, items),
+        CompletionSite::TypeMember(module) => words::types_of(request, module, items),
+        CompletionSite::Member(base, value) => {
             let name = request.source(base);
             match request.find(name) {
                 Some(known) if known.kind == NameKind::Module => names::members(request, name, value, items),
                 _ => words::parts(request, &request.shape_of(base), items),
             }
         }
-        Spot::Unit(_, words) => {
+        CompletionSite::Unit(_, words) => {
             units::units(request, items);
             keywords::words(request, words, items);
         }
-        Spot::FormatUnit(shown) => units::format_units(request, &request.shape_of(shown), items),
-        Spot::Text(..) => words::choices(request, false, items),
-        Spot::Value(value) => {
+        CompletionSite::FormatUnit(shown) => units::format_units(request, &request.shape_of(shown), items),
+        CompletionSite::Text(..) => words::choices(request, false, items),
+        CompletionSite::Value(value) => {
             arguments::arguments(request, items);
             if !names::wanted(request) {
                 return;

@@ -1,7 +1,7 @@
 //! Names in scope, and what imported modules have under their own names.
 
-use super::context::{Operator, Slot, Spot, Value};
-use super::item::{Insert, Item, ItemKind, Rank, Subject, Then};
+use super::context::{CompletionSite, Operator, Slot, Value};
+use super::item::{AfterInsert, Insert, Item, ItemKind, Rank, Subject};
 use super::request::Request;
 use crate::ide::callee;
 use crate::ide::shape::{Fit, Shape};
@@ -219,7 +219,7 @@ pub fn item(request: &Request<'_>, known: &Visible, module: Option<&str>, rank: 
             let empty = ty.starts_with("()");
             let snippet = if empty { format!("{label}()") } else { format!("{label}($0)") };
             item.insert = Insert::snippet(label, snippet);
-            item.then = if empty { Then::Nothing } else { Then::Signature };
+            item.then = if empty { AfterInsert::Nothing } else { AfterInsert::Signature };
         }
     }
     item
@@ -251,9 +251,10 @@ pub fn signature(ty: &str) -> String {
 /// Whether names of values are offered at all: not behind arguments that have names.
 pub fn wanted(request: &Request<'_>) -> bool {
     match &request.context.spot {
-        Spot::Value(Value { slot: Slot::Argument { name: None, .. }, operator: Operator::None }) => {
-            request.call.as_ref().is_none_or(|call| call.in_order)
-        }
+        CompletionSite::Value(Value {
+            slot: Slot::Argument { name: None, .. },
+            operator: Operator::None,
+        }) => request.call.as_ref().is_none_or(|call| call.in_order),
         _ => true,
     }
 }

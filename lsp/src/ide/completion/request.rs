@@ -1,6 +1,6 @@
 //! What the sources of items know of a cursor: the names it sees, and what is expected there.
 
-use super::context::{Context, Operator, Slot, Spot, Value};
+use super::context::{CompletionSite, Context, Operator, Slot, Value};
 use crate::ide::callee::{self, matched, position};
 use crate::ide::cursor::BlockKind;
 use crate::ide::shape::{self, Shape};
@@ -58,7 +58,11 @@ impl Default for Expected {
 impl<'a> Request<'a> {
     pub fn new(database: &'a Database, file: &'a str, context: Context<'a>, offset: u32) -> Self {
         let visible = match context.spot {
-            Spot::Nothing | Spot::Import(_) | Spot::System | Spot::Words(_) | Spot::Label => Vec::new(),
+            CompletionSite::Nothing
+            | CompletionSite::Import(_)
+            | CompletionSite::System
+            | CompletionSite::Words(_)
+            | CompletionSite::Label => Vec::new(),
             _ => database.seen(file, offset),
         };
         let mut request = Request {
@@ -72,9 +76,10 @@ impl<'a> Request<'a> {
         };
         request.infer();
         let value = match &request.context.spot {
-            Spot::Value(value) | Spot::Unit(value, _) | Spot::Text(value, _) | Spot::Member(_, value) => {
-                Some(value.clone())
-            }
+            CompletionSite::Value(value)
+            | CompletionSite::Unit(value, _)
+            | CompletionSite::Text(value, _)
+            | CompletionSite::Member(_, value) => Some(value.clone()),
             _ => None,
         };
         if let Some(value) = value {

@@ -1,6 +1,6 @@
 //! Units behind numbers and in formats: those of the dimension that is wanted first, in the file's system.
 
-use super::context::{Operator, Spot, Value};
+use super::context::{CompletionSite, Operator, Value};
 use super::item::{Insert, Item, ItemKind, Rank, Subject};
 use super::request::Request;
 use crate::ide::callee;
@@ -92,17 +92,17 @@ struct Offered {
 pub fn units(request: &Request<'_>, items: &mut Vec<Item>) {
     let expected = &request.expected;
     match &request.context.spot {
-        Spot::Unit(..) => {
+        CompletionSite::Unit(..) => {
             if let Some(wanted) = wanted(request) {
                 offer(request, &expected.shape, wanted, items, &insert_behind_number);
             }
         }
-        Spot::Value(Value { operator: Operator::Factor(left, _), .. })
+        CompletionSite::Value(Value { operator: Operator::Factor(left, _), .. })
             if request.context.around.kind(left.start) == Some(Kind::Number)
                 && request.quantity(left).is_some() =>
         {
             let dimension = expected.shape.dimension().or(expected.hint).filter(|d| !d.is_none());
-            let wanted = Wanted { dimension, sure: true, rest: typed(request), compound: false };
+            let wanted = ExpectedUnit { dimension, sure: true, rest: typed(request), compound: false };
             offer(request, &expected.shape, wanted, items, &|unit| unit.name.clone());
         }
         _ => {}
@@ -111,7 +111,7 @@ pub fn units(request: &Request<'_>, items: &mut Vec<Item>) {
 
 /// In a format: of the dimension of what is shown.
 pub fn format_units(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>) {
-    let wanted = Wanted {
+    let wanted = ExpectedUnit {
         dimension: shape.dimension(),
         sure: true,
         rest: shape.dimension().is_none(),
@@ -120,7 +120,7 @@ pub fn format_units(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>)
     offer(request, shape, wanted, items, &|unit| unit.name.clone());
 }
 
-struct Wanted {
+struct ExpectedUnit {
     dimension: Option<Dimension>,
     /// It is demanded, and not only suggested by a name.
     sure: bool,
@@ -131,23 +131,23 @@ struct Wanted {
 }
 
 /// `None` where no unit belongs behind a number.
-fn wanted(request: &Request<'_>) -> Option<Wanted> {
+fn wanted(request: &Request<'_>) -> Option<ExpectedUnit> {
     let expected = &request.expected;
     let typed = typed(request);
     match &expected.shape {
         Shape::Number(Some(dimension)) | Shape::Vector(Some(dimension)) if dimension.is_none() => {
-            typed.then_some(Wanted { dimension: None, sure: true, rest: true, compound: false })
+            typed.then_some(ExpectedUnit { dimension: None, sure: true, rest: true, compound: false })
         }
         Shape::Number(Some(dimension)) | Shape::Vector(Some(dimension)) => {
             let sure = !expected.weak;
-            Some(Wanted { dimension: Some(*dimension), sure, rest: typed || !sure, compound: true })
+            Some(ExpectedUnit { dimension: Some(*dimension), sure, rest: typed || !sure, compound: true })
         }
         Shape::Named(name) if name == "String" || (name == "Bool" && !expected.weak) => None,
         // A dimension of the program's own has units of its own.
         Shape::Named(_) if !expected.weak => {
-            Some(Wanted { dimension: None, sure: true, rest: typed, compound: false })
+            Some(ExpectedUnit { dimension: None, sure: true, rest: typed, compound: false })
         }
-        _ => Some(Wanted { dimension: expected.hint, sure: false, rest: true, compound: true }),
+        _ => Some(ExpectedUnit { dimension: expected.hint, sure: false, rest: true, compound: true }),
     }
 }
 
@@ -166,7 +166,7 @@ fn insert_behind_number(unit: &Offered) -> String {
 fn offer(
     request: &Request<'_>,
     shape: &Shape,
-    wanted: Wanted,
+    wanted: ExpectedUnit,
     items: &mut Vec<Item>,
     written: &dyn Fn(&Offered) -> String,
 ) {

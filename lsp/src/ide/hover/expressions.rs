@@ -2,10 +2,10 @@
 
 use super::code;
 use crate::ide::Snapshot;
-use crate::ide::symbols_of::value_at;
+use crate::ide::symbol_dependencies::value_at;
 use calyx_elaborate::SymbolKind;
 use calyx_elaborate::binding::{Binding, binding, definition_in};
-use calyx_lang::analysis::Place;
+use calyx_lang::analysis::SourceRange;
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 
@@ -14,7 +14,7 @@ const LONGEST: usize = 400;
 
 /// The expression that what is declared at a place stands for, simplified, and the symbols it is free in. Nothing if the model
 /// was not elaborated with it.
-pub(super) fn of(snapshot: &Snapshot, place: &Place) -> Option<(Option<String>, String)> {
+pub(super) fn of(snapshot: &Snapshot, place: &SourceRange) -> Option<(Option<String>, String)> {
     let database = &snapshot.database;
     let tree = database.around(&place.file, place.start)?;
     let span = value_at(&tree.module, place.start)?.span;
@@ -75,7 +75,7 @@ fn symbols(found: &Binding) -> String {
 /// since.
 pub(super) fn value(
     snapshot: &Snapshot,
-    place: &Place,
+    place: &SourceRange,
     name: &str,
     dimension: Option<Dimension>,
     system: UnitSystem,

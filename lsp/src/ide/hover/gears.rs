@@ -2,11 +2,11 @@
 
 use crate::ide::Snapshot;
 use crate::ide::elaborated::Elaborated;
-use crate::ide::near::Around;
-use crate::ide::symbols_of::value_at;
+use crate::ide::enclosing::EnclosingNodes;
+use crate::ide::symbol_dependencies::value_at;
 use calyx_elaborate::shown::value;
-use calyx_elaborate::{GearGeometry, Made, MeshGeometry, Quantity};
-use calyx_lang::analysis::{Name, NameKind, Place};
+use calyx_elaborate::{CreatedAt, GearGeometry, MeshGeometry, Quantity};
+use calyx_lang::analysis::{Name, NameKind, SourceRange};
 use calyx_lang::ast::ExprKind;
 use calyx_lang::units::UnitSystem;
 
@@ -48,15 +48,15 @@ fn call(snapshot: &Snapshot, file: &str, name: &Name) -> Option<(String, u32)> {
 }
 
 /// Where the name that is called ends in the call at a place.
-fn callee_end(snapshot: &Snapshot, place: &Place) -> Option<u32> {
+fn callee_end(snapshot: &Snapshot, place: &SourceRange) -> Option<u32> {
     let tree = snapshot.database.around(&place.file, place.start)?;
-    let around = Around::new(&tree.module, place.start..place.end);
+    let around = EnclosingNodes::new(&tree.module, place.start..place.end);
     let e = around.expressions().find(|e| (e.span.start, e.span.end) == (place.start, place.end))?;
     let ExprKind::Call { callee, .. } = &e.kind else { return None };
     Some(callee.span.end)
 }
 
-fn of_gear(elaborated: &Elaborated, made: &Made<GearGeometry>, system: UnitSystem) -> String {
+fn of_gear(elaborated: &Elaborated, made: &CreatedAt<GearGeometry>, system: UnitSystem) -> String {
     let Some(gear) = made.first.first() else { return String::new() };
     let mut rows = rows(gear.quantities.iter().filter(|quantity| quantity.essential), system);
     for membership in gear.meshes.iter().take(MOST_MESHES) {
@@ -76,7 +76,7 @@ fn of_gear(elaborated: &Elaborated, made: &Made<GearGeometry>, system: UnitSyste
     table(&format!("Geometry{of}{}", first_of(made.count)), &rows)
 }
 
-fn of_mesh(made: &Made<MeshGeometry>, system: UnitSystem) -> String {
+fn of_mesh(made: &CreatedAt<MeshGeometry>, system: UnitSystem) -> String {
     let Some(mesh) = made.first.first() else { return String::new() };
     let [first, second] = &mesh.bodies;
     let of_both = |quantity: &&Quantity| quantity.essential && quantity.member.is_none();

@@ -2,8 +2,8 @@
 
 use super::words::card;
 use super::{code, expressions, gears, numbers, paragraphs};
-use crate::ide::{Position, Snapshot, constant, symbols_of};
-use calyx_lang::analysis::{CallParameter, Declaration, Name, NameKind, Place};
+use crate::ide::{Position, Snapshot, constant, symbol_dependencies};
+use calyx_lang::analysis::{CallParameter, Declaration, Name, NameKind, SourceRange};
 use calyx_lang::db::Database;
 use calyx_lang::declared::{Declared, find};
 use calyx_lang::dimension::Dimension;
@@ -47,7 +47,7 @@ pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<Stri
     let simplified = if symbols { expressions::of(snapshot, place) } else { None };
     let (expression, free) = match simplified {
         Some((expression, free)) => (expression, Some(free)),
-        None => (None, symbols.then(|| symbols_of::line(database, place)).flatten()),
+        None => (None, symbols.then(|| symbol_dependencies::line(database, place)).flatten()),
     };
     let module =
         database.module_of(&place.file).filter(|_| place.file != at.file && name.kind != NameKind::Field);
@@ -85,7 +85,7 @@ fn of_language(name: &Name) -> Option<String> {
 }
 
 /// The parameter or field that is declared at a place, as it is called.
-fn parameter(database: &Database, place: &Place) -> Option<CallParameter> {
+fn parameter(database: &Database, place: &SourceRange) -> Option<CallParameter> {
     let tree = database.around(&place.file, place.start)?;
     let owner = match find(&tree.module, place.start)?.1 {
         Declared::Parameter(decl, _) => decl.name.span,
@@ -93,7 +93,7 @@ fn parameter(database: &Database, place: &Place) -> Option<CallParameter> {
         _ => return None,
     };
     let callable =
-        database.callable(&Place { file: place.file.clone(), start: owner.start, end: owner.end })?;
+        database.callable(&SourceRange { file: place.file.clone(), start: owner.start, end: owner.end })?;
     callable.parameters.into_iter().find(|parameter| parameter.declared.as_ref() == Some(place))
 }
 
@@ -130,14 +130,14 @@ fn of_parameter(parameter: &CallParameter, declaration: &Declaration, system: Un
 }
 
 /// The dimension of the number that a name holds.
-fn dimension(snapshot: &Snapshot, at: &Position, name: &Name, place: &Place) -> Option<Dimension> {
+fn dimension(snapshot: &Snapshot, at: &Position, name: &Name, place: &SourceRange) -> Option<Dimension> {
     let database = &snapshot.database;
     let here = database.expressions(&at.file, name.start..name.end);
     let used = here.iter().find(|typed| (typed.start, typed.end) == (name.start, name.end));
     let known = used.and_then(|typed| typed.dimension);
     let first = || {
         let tree = database.around(&place.file, place.start)?;
-        let value = symbols_of::value_at(&tree.module, place.start)?;
+        let value = symbol_dependencies::value_at(&tree.module, place.start)?;
         let typed = database.expressions(&place.file, value.span.start..value.span.end);
         typed.iter().find(|typed| (typed.start, typed.end) == (value.span.start, value.span.end))?.dimension
     };

@@ -1,17 +1,17 @@
 //! Numbers and units: the same in other units, and what a unit is.
 
 use super::{Hover, paragraphs};
-use crate::ide::near::Around;
-use crate::ide::numbers::{Measured, in_unit};
+use crate::ide::enclosing::EnclosingNodes;
+use crate::ide::numbers::{LiteralWithUnit, in_unit};
 use crate::ide::{Position, Snapshot};
 use calyx_abi::text::number;
 use calyx_lang::analysis::{Name, NameKind};
 use calyx_lang::ast::ExprKind;
+use calyx_lang::common_units::{usual, written};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::ir::DisplayUnit;
 use calyx_lang::lexer::Kind;
 use calyx_lang::units::{Unit, UnitSystem};
-use calyx_lang::usual_units::{usual, written};
 
 /// Other units that are shown for one quantity.
 const MOST_UNITS: usize = 5;
@@ -39,7 +39,7 @@ pub(super) fn at(snapshot: &Snapshot, at: &Position) -> Option<Hover> {
     let here = typed.iter().find(|typed| (typed.start, typed.end) == (range.start, range.end))?;
     let dimension = here.dimension.filter(|dimension| here.bare && !dimension.is_none())?;
     let unit = system.unit_of(dimension);
-    let bare = Measured { unit: unit.clone(), ..measured };
+    let bare = LiteralWithUnit { unit: unit.clone(), ..measured };
     let by_use = format!("`{}` by its use, in `{}`", here.ty, unit.name);
     Some(Hover { range, markdown: paragraphs([Some(by_use), equal(&bare, system)]) })
 }
@@ -89,15 +89,15 @@ fn system_of(snapshot: &Snapshot, file: &str) -> Option<UnitSystem> {
 }
 
 /// The widest product of a literal and units around a place.
-fn measured(snapshot: &Snapshot, at: &Position, start: u32) -> Option<(Measured, UnitSystem)> {
+fn measured(snapshot: &Snapshot, at: &Position, start: u32) -> Option<(LiteralWithUnit, UnitSystem)> {
     let database = &snapshot.database;
     let tree = database.around(&at.file, start)?;
     let is_unit = |start| database.name_at(&at.file, start).is_none_or(|name| name.kind == NameKind::Unit);
-    let around = Around::new(&tree.module, start..start);
+    let around = EnclosingNodes::new(&tree.module, start..start);
     let found = around
         .expressions()
         .filter(|e| !matches!(e.kind, ExprKind::Name(_)))
-        .find_map(|e| Measured::new(e, &is_unit));
+        .find_map(|e| LiteralWithUnit::new(e, &is_unit));
     // A cursor between two literals belongs to the later one in the tree.
     Some((
         found.filter(|found| found.start <= start && start <= found.end)?,
@@ -105,14 +105,14 @@ fn measured(snapshot: &Snapshot, at: &Position, start: u32) -> Option<(Measured,
     ))
 }
 
-fn in_other_units(measured: &Measured, system: UnitSystem) -> Option<String> {
+fn in_other_units(measured: &LiteralWithUnit, system: UnitSystem) -> Option<String> {
     let dimension = measured.dimension()?;
     let name = dimension.known_name().map(|name| format!("`{name}`"));
     Some(paragraphs([name, equal(measured, system)]))
 }
 
 /// A line with the same quantity in other units.
-fn equal(measured: &Measured, system: UnitSystem) -> Option<String> {
+fn equal(measured: &LiteralWithUnit, system: UnitSystem) -> Option<String> {
     let dimension = measured.dimension().filter(|_| measured.value.is_finite())?;
     let others = usual(dimension, system).into_iter().filter(|unit| unit.name != measured.unit.name);
     let shown: Vec<String> = others

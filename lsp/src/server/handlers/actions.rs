@@ -60,7 +60,7 @@ fn code_actions(view: &View, params: CodeActionParams) -> Result<Option<Vec<Code
 }
 
 fn code_action(view: &View, action: &Action, shown: &[Diagnostic]) -> CodeActionOrCommand {
-    let mended = action.mends.as_ref().and_then(|(code, range)| {
+    let fixed = action.resolves.as_ref().and_then(|(code, range)| {
         let range = view.range(&view.file, range.clone())?;
         let same = |diagnostic: &&Diagnostic| {
             diagnostic.range == range && diagnostic.code == Some(NumberOrString::String(code.clone()))
@@ -70,7 +70,7 @@ fn code_action(view: &View, action: &Action, shown: &[Diagnostic]) -> CodeAction
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(kind(action.kind)),
-        diagnostics: mended.map(|diagnostic| vec![diagnostic]),
+        diagnostics: fixed.map(|diagnostic| vec![diagnostic]),
         edit: Some(view.workspace_edit(&action.edits)),
         is_preferred: action.preferred.then_some(true),
         ..CodeAction::default()

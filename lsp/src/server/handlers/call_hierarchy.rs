@@ -3,7 +3,7 @@
 use crate::ide::call_hierarchy::{Calls, Item, incoming, outgoing, prepare};
 use crate::server::router::Router;
 use crate::server::view::View;
-use calyx_lang::analysis::Place;
+use calyx_lang::analysis::SourceRange;
 use serde_json::{Value, json};
 use tower_lsp_server::jsonrpc::Result;
 use tower_lsp_server::ls_types::request::{
@@ -63,7 +63,7 @@ fn ranges(view: &View, file: &str, calls: &Calls) -> Vec<Range> {
 /// An item as clients know it. It remembers its place, and the document that the client asked about first: a file of the library need
 /// not be open.
 fn shown(view: &View, item: &Item, asked: &Uri) -> Option<CallHierarchyItem> {
-    let Place { file, start, end } = &item.place;
+    let SourceRange { file, start, end } = &item.place;
     Some(CallHierarchyItem {
         name: item.name.clone(),
         kind: if item.kind.is_some() { SymbolKind::FUNCTION } else { SymbolKind::FILE },
@@ -77,10 +77,13 @@ fn shown(view: &View, item: &Item, asked: &Uri) -> Option<CallHierarchyItem> {
 }
 
 /// The place of an item that a client asks about, and the document it was found from.
-fn meant(item: &CallHierarchyItem) -> Option<(Place, Uri)> {
+fn meant(item: &CallHierarchyItem) -> Option<(SourceRange, Uri)> {
     let data = item.data.as_ref()?;
     let offset = |key| data.get(key).and_then(Value::as_u64).map(|offset| offset as u32);
-    let place =
-        Place { file: data.get("file")?.as_str()?.into(), start: offset("start")?, end: offset("end")? };
+    let place = SourceRange {
+        file: data.get("file")?.as_str()?.into(),
+        start: offset("start")?,
+        end: offset("end")?,
+    };
     Some((place, data.get("uri")?.as_str()?.parse().ok()?))
 }

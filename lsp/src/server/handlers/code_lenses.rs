@@ -5,7 +5,7 @@ use crate::ide::source::Source;
 use crate::server::commands::{PLAN, RUN, TEST};
 use crate::server::router::Router;
 use crate::server::view::View;
-use calyx_lang::analysis::Place;
+use calyx_lang::analysis::SourceRange;
 use serde_json::{Value, json};
 use tower_lsp_server::jsonrpc::Result;
 use tower_lsp_server::ls_types::request::{CodeLensRequest, CodeLensResolve};
@@ -44,7 +44,7 @@ fn of_document(view: &View, params: CodeLensParams) -> Result<Option<Vec<CodeLen
 fn resolve(view: &View, lens: CodeLens) -> Result<CodeLens> {
     let offset = |key| lens.data.as_ref()?.get(key)?.as_u64().map(|offset| offset as u32);
     let (Some(start), Some(end)) = (offset("start"), offset("end")) else { return Ok(lens) };
-    let count = uses(&view.snapshot, &Place { file: view.file.clone(), start, end }).len();
+    let count = uses(&view.snapshot, &SourceRange { file: view.file.clone(), start, end }).len();
     let title = match count {
         0 => "not used".to_string(),
         1 => "1 use".to_string(),

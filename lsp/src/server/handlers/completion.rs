@@ -1,12 +1,12 @@
 //! What can be written at a cursor, and what is called around it.
 
-use crate::ide::completion::{self, Completions, Item, ItemKind, Subject, Then};
+use crate::ide::completion::{self, AfterInsert, Completions, Item, ItemKind, Subject};
 use crate::ide::signature;
 use crate::server::client::Client;
 use crate::server::project::dotted;
 use crate::server::router::Router;
 use crate::server::view::View;
-use calyx_lang::analysis::{NameKind, Place};
+use calyx_lang::analysis::{NameKind, SourceRange};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::Path;
@@ -45,8 +45,11 @@ fn complete(view: &View, params: CompletionParams) -> Result<Option<CompletionRe
     let Some(position) = view.position(&params.text_document_position) else { return Ok(None) };
     let typed = params.context.and_then(|context| context.trigger_character?.chars().next());
     let beside = || modules_beside(&position.file);
-    let found =
-        completion::complete(&view.snapshot, &position, &completion::Asked { typed, beside: &beside });
+    let found = completion::complete(
+        &view.snapshot,
+        &position,
+        &completion::CompletionTrigger { typed, beside: &beside },
+    );
     let uri = &params.text_document_position.text_document.uri;
     Ok(list(view, uri, &position.file, found).map(CompletionResponse::List))
 }
@@ -69,7 +72,7 @@ fn modules_beside(file: &str) -> Vec<String> {
 }
 
 /// What a client can show.
-struct Shown {
+struct ClientSupport {
     snippets: bool,
     label_details: bool,
     indents: bool,
@@ -78,8 +81,8 @@ struct Shown {
     commands: Vec<String>,
 }
 
-impl Shown {
-    fn by(client: &Client) -> Shown {
+impl ClientSupport {
+    fn by(client: &Client) -> ClientSupport {
         let document = client.capabilities.text_document.as_ref();
         let completion: Option<&CompletionClientCapabilities> =
             document.and_then(|document| document.completion.as_ref());
@@ -88,7 +91,7 @@ impl Shown {
         // As rust-analyzer has it: the client lists its own commands.
         let experimental = client.capabilities.experimental.as_ref();
         let commands = experimental.and_then(|value| value.pointer("/commands/commands")?.as_array());
-        Shown {
+        ClientSupport {
             snippets: item.and_then(|item| item.snippet_support).unwrap_or(false),
             label_details: item.and_then(|item| item.label_details_support).unwrap_or(false),
             indents: modes.is_some_and(|modes| modes.value_set.contains(&InsertTextMode::ADJUST_INDENTATION)),
@@ -101,11 +104,11 @@ impl Shown {
         }
     }
 
-    fn command(&self, then: Then) -> Option<Command> {
+    fn command(&self, then: AfterInsert) -> Option<Command> {
         let (command, title) = match then {
-            Then::Nothing => return None,
-            Then::Signature => ("editor.action.triggerParameterHints", "Show parameters"),
-            Then::Completion => ("editor.action.triggerSuggest", "Show values"),
+            AfterInsert::Nothing => return None,
+            AfterInsert::Signature => ("editor.action.triggerParameterHints", "Show parameters"),
+            AfterInsert::Completion => ("editor.action.triggerSuggest", "Show values"),
         };
         let known = self.commands.iter().any(|known| known == command);
         known.then(|| Command { title: title.to_owned(), command: command.to_owned(), arguments: None })
@@ -114,7 +117,7 @@ impl Shown {
 
 fn list(view: &View, uri: &Uri, file: &str, found: Completions) -> Option<CompletionList> {
     let range = view.range(file, found.start..found.end)?;
-    let shown = Shown::by(&view.client);
+    let shown = ClientSupport::by(&view.client);
     let items = found.items.into_iter().enumerate().map(|(place, item)| {
         let (new_text, snippet) = match (&item.insert.snippet, shown.snippets) {
             (Some(snippet), true) => (snippet.clone(), true),
@@ -202,8 +205,10 @@ enum About {
 impl Data {
     fn new(uri: &Uri, subject: &Subject) -> Data {
         let about = match subject.clone() {
-            Subject::Declaration(Place { file, start, end }) => About::Place(file.to_string(), start, end),
-            Subject::Parameter(Place { file, start, end }, name) => {
+            Subject::Declaration(SourceRange { file, start, end }) => {
+                About::Place(file.to_string(), start, end)
+            }
+            Subject::Parameter(SourceRange { file, start, end }, name) => {
                 About::Parameter(file.to_string(), start, end, name)
             }
             Subject::Builtin(name) => About::Builtin(name),
@@ -218,7 +223,7 @@ impl Data {
     }
 
     fn subject(self) -> Subject {
-        let place = |file: String, start, end| Place { file: file.into(), start, end };
+        let place = |file: String, start, end| SourceRange { file: file.into(), start, end };
         match self.about {
             About::Place(file, start, end) => Subject::Declaration(place(file, start, end)),
             About::Parameter(file, start, end, name) => Subject::Parameter(place(file, start, end), name),
@@ -286,14 +291,14 @@ fn signature_help(view: &View, params: SignatureHelpParams) -> Result<Option<Sig
 #[cfg(test)]
 mod tests {
     use super::{Data, Subject};
-    use calyx_lang::analysis::Place;
+    use calyx_lang::analysis::SourceRange;
     use std::str::FromStr;
     use tower_lsp_server::ls_types::Uri;
 
     #[test]
     fn what_an_item_is_about_comes_back() {
         let uri = Uri::from_str("file:///a.cx").expect("a path");
-        let place = Place { file: "/a.cx".into(), start: 3, end: 8 };
+        let place = SourceRange { file: "/a.cx".into(), start: 3, end: 8 };
         for subject in [
             Subject::Declaration(place.clone()),
             Subject::Parameter(place, "depth".into()),

@@ -1,8 +1,8 @@
 //! Laying out texts: whole, in part, and while somebody types.
 
 use crate::ide::formatting::{Change, format_file, format_selection};
+use crate::ide::on_type_formatting::{TRIGGERS, typed};
 use crate::ide::source::Source;
-use crate::ide::typing::{TRIGGERS, typed};
 use crate::server::router::Router;
 use crate::server::view::View;
 use tower_lsp_server::jsonrpc::Result;

@@ -1,6 +1,6 @@
 //! Hints beside what is written.
 
-use crate::ide::inlay_hints::{Hint, HintKind, OutputResult, Results, Wanted, hints};
+use crate::ide::inlay_hints::{Hint, HintKind, HintSettings, OutputResult, Results, hints};
 use crate::ide::source::Source;
 use crate::server::router::Router;
 use crate::server::view::View;
@@ -23,7 +23,7 @@ fn inlay_hints(view: &View, params: InlayHintParams) -> Result<Option<Vec<InlayH
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     let Some(range) = view.bytes(&view.file, params.range) else { return Ok(None) };
     let results = results(view, source.text);
-    let found = hints(&view.snapshot, &source, &view.file, range, Wanted::default(), &results);
+    let found = hints(&view.snapshot, &source, &view.file, range, HintSettings::default(), &results);
     Ok(Some(found.into_iter().filter_map(|hint| convert(view, hint)).collect()))
 }
 

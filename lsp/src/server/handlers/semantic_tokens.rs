@@ -32,7 +32,7 @@ pub fn offer(capabilities: &mut ServerCapabilities) {
 }
 
 pub fn route(router: &mut Router) {
-    let told = Arc::new(Told::default());
+    let told = Arc::new(SentTokens::default());
     let known = told.clone();
     router.on::<SemanticTokensFullRequest>(move |view, params| full(&known, view, &params));
     router.on::<SemanticTokensFullDeltaRequest>(move |view, params| delta(&told, view, &params));
@@ -41,7 +41,7 @@ pub fn route(router: &mut Router) {
 
 /// What clients were last told of each document that is open.
 #[derive(Default)]
-struct Told(Mutex<Answers>);
+struct SentTokens(Mutex<Answers>);
 
 #[derive(Default)]
 struct Answers {
@@ -49,7 +49,7 @@ struct Answers {
     last: HashMap<Uri, (String, Vec<SemanticToken>)>,
 }
 
-impl Told {
+impl SentTokens {
     /// Keeps an answer, gives it an id, and forgets documents that have been closed.
     fn keep(&self, view: &View, uri: &Uri, data: Vec<SemanticToken>) -> String {
         let mut answers = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -69,7 +69,11 @@ impl Told {
     }
 }
 
-fn full(told: &Told, view: &View, params: &SemanticTokensParams) -> Result<Option<SemanticTokensResult>> {
+fn full(
+    told: &SentTokens,
+    view: &View,
+    params: &SemanticTokensParams,
+) -> Result<Option<SemanticTokensResult>> {
     let Some(data) = whole(view) else { return Ok(None) };
     let result_id = Some(told.keep(view, &params.text_document.uri, data.clone()));
     Ok(Some(SemanticTokens { result_id, data }.into()))
@@ -77,7 +81,7 @@ fn full(told: &Told, view: &View, params: &SemanticTokensParams) -> Result<Optio
 
 /// What has changed since an answer, or everything if it is not known any more.
 fn delta(
-    told: &Told,
+    told: &SentTokens,
     view: &View,
     params: &SemanticTokensDeltaParams,
 ) -> Result<Option<SemanticTokensFullDeltaResult>> {

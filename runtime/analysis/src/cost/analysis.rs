@@ -1,7 +1,7 @@
 //! Cost of a whole analysis: structures, positions and error estimates.
 
 use super::{Cost, Rates, positions, structure};
-use crate::estimate::{Estimates, Sibling, siblings_of};
+use crate::estimate::{Estimates, PerturbedSolve, perturbed_solves_of};
 use crate::scene::Scene;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::observed::OutputRequest;
@@ -90,18 +90,28 @@ impl Task<'_> {
             Estimates::None => {}
             _ if in_time => add(Cost { time: OF_STEPS * own.time, memory: own.memory }),
             estimates => {
-                for sibling in siblings_of(estimates, fidelity, options, self.positions, self.outputs.len()) {
-                    let Some((part, fidelity)) = self.of_sibling(&sibling, in_space, meshes, rates) else {
+                for perturbed_solve in
+                    perturbed_solves_of(estimates, fidelity, options, self.positions, self.outputs.len())
+                {
+                    let Some((part, fidelity)) =
+                        self.of_perturbed_solve(&perturbed_solve, in_space, meshes, rates)
+                    else {
                         continue;
                     };
                     let Part { structures, twisted, in_space } = part;
                     let memory = structures.iter().map(|(_, cost)| cost.memory).sum();
                     let time = structures.iter().map(|(_, cost)| cost.time).sum();
                     // The structures of the analysis are available.
-                    if sibling.condensed {
+                    if perturbed_solve.condensed {
                         add(Cost { time, memory });
                     }
-                    add(solve(fidelity, in_space, twisted, sibling.coarse_grid, sibling.positions));
+                    add(solve(
+                        fidelity,
+                        in_space,
+                        twisted,
+                        perturbed_solve.coarse_grid,
+                        perturbed_solve.positions,
+                    ));
                 }
             }
         }
@@ -110,14 +120,14 @@ impl Task<'_> {
 
     /// Returns the structures of a perturbed solve and its fidelity: the first of those that
     /// support the scene. A perturbed solve that fails costs nothing.
-    fn of_sibling(
+    fn of_perturbed_solve(
         &self,
-        sibling: &Sibling,
+        perturbed_solve: &PerturbedSolve,
         in_space: bool,
         meshes: &mut Meshes,
         rates: &Rates,
     ) -> Option<(Part, Fidelity)> {
-        sibling.models.iter().find_map(|&(fidelity, structure)| {
+        perturbed_solve.models.iter().find_map(|&(fidelity, structure)| {
             // Three-dimensional closed-form models are compared with three-dimensional finite
             // elements.
             if fidelity == Fidelity::Plane && self.fidelity != Fidelity::Plane && in_space {
@@ -140,7 +150,7 @@ impl Task<'_> {
             Some(counted) => counted,
             None => {
                 let planned = if self.in_time { Plan::in_time } else { Plan::new };
-                let plan = planned(self.scene, fidelity, options)?.yielding(self.scene, self.outputs)?;
+                let plan = planned(self.scene, fidelity, options)?.for_outputs(self.scene, self.outputs)?;
                 let (in_space, sizes) = (plan.in_space, sizes(self.scene, &plan));
                 meshes.0.push(Mesh { fidelity, options, in_space, sizes });
                 meshes.0.len() - 1

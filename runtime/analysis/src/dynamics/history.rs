@@ -1,12 +1,12 @@
 //! Transient analysis from its start through all time steps, row by row.
 
-mod evidence;
+mod error_evidence;
 
-use crate::analysis::{ERRORS, Event, Observer, check_solved, refuse_nan, tells_fields};
+use crate::analysis::{ERRORS, Event, Observer, check_solved, refuse_nan, requests_fields};
 use crate::dynamic_options::{DynamicOptions, Start};
 use crate::estimate::{self, Estimates};
-use crate::observe::Observe;
-use crate::observe::{Equilibrium, ModesTable};
+use crate::observables::Observe;
+use crate::observables::{Equilibrium, ModesTable};
 use crate::options::AnalysisOptions;
 use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
@@ -21,8 +21,8 @@ use calyx_model::plan::Plan;
 use calyx_model::position::Position;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
-use calyx_solve::integration::{Effective, Forces, Matrices, State, Step, kept_positions, steps};
-use calyx_solve::modal::{Elastic, Modes};
+use calyx_solve::integration::{EffectiveMatrix, Forces, Matrices, State, Step, kept_positions, steps};
+use calyx_solve::modal::{ModalElimination, Modes};
 use calyx_solve::step::StepResult;
 use calyx_solve::system::System;
 use calyx_solve::vibration::check_vibrations;
@@ -95,7 +95,7 @@ impl<'s> History<'s> {
         let inertias = system.inertias().to_vec();
         system.modes = timing.stage("modes", || Modes::find(scene, &plan, &options.resources, highest))?;
         check_vibrations(&system, scene)?;
-        let count = system.freedoms.len() + system.modes.count();
+        let count = system.dofs.len() + system.modes.count();
         let sizing = system.load_at(dynamics.from)?;
         let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
         let mut history = History {
@@ -120,13 +120,13 @@ impl<'s> History<'s> {
             analysis,
             rounding: None,
         };
-        history.go_on_behind(options.solved.clone())?;
+        history.resume_after(options.solved.clone())?;
         observer.observe(Event::Stage("positions"))?;
         Ok(history)
     }
 
     /// Resumes after the rows of an earlier run, in the state of the last one.
-    fn go_on_behind(&mut self, solved: Vec<Solved>) -> Result<(), EngineError> {
+    fn resume_after(&mut self, solved: Vec<Solved>) -> Result<(), EngineError> {
         let Some(last) = solved.last() else { return Ok(()) };
         let count = self.state.displacement.len();
         let (state, contact) = last.state.split_at(3 * count.min(last.state.len() / 3));
@@ -179,7 +179,7 @@ impl<'s> History<'s> {
             _ => loop {
                 self.resources.interrupt.check()?;
                 let Some(next) = self.steps.get(self.taken).copied() else { return Ok(()) };
-                let Taken { mut result, state, contact } = self.step(&next, &self.state)?;
+                let CompletedStep { mut result, state, contact } = self.step(&next, &self.state)?;
                 // Residuals of steps without a row are reported with the next row.
                 passed = passed.worst(&result.certificate);
                 for warning in std::mem::take(&mut result.warnings) {
@@ -216,11 +216,11 @@ impl<'s> History<'s> {
             Start::Equilibrium => {
                 let matrices = Matrices::at(system, &self.inertias, time)?;
                 let springs = system.springs_at(time)?;
-                let mut load = system.load_in_part(time, part)?;
+                let mut load = system.scaled_load(time, part)?;
                 load.iter_mut().zip(&matrices.load).for_each(|(load, own)| *load += own);
                 let squares = system.modes.squares.clone();
                 let (m, count) = (load.len(), squares.len());
-                let elastic = Elastic {
+                let elastic = ModalElimination {
                     modes: &system.modes,
                     coupling: vec![0.0; m * count],
                     load: matrices.modal_load.clone(),
@@ -237,8 +237,8 @@ impl<'s> History<'s> {
                 step.velocity = state.velocity.clone();
                 // The static solution has no velocity relative to the prescribed motion.
                 let nothing = matrices.following(system, &state.velocity, &state.velocity);
-                step.beside = self.beside(&matrices, &at, &nothing, &state);
-                let rest = Effective {
+                step.other_loads = self.other_loads(&matrices, &at, &nothing, &state);
+                let rest = EffectiveMatrix {
                     matrix: &springs.stiffness,
                     coupling: &elastic.coupling,
                     stiffness: &elastic.stiffness,
@@ -253,7 +253,7 @@ impl<'s> History<'s> {
                 // The initial accelerations are those of a step of negligible length.
                 let at_once = 1e-6 * self.steps.first().map_or(1.0, |step| step.length);
                 let step = Step { time, length: at_once, load: part, kept: true };
-                let Taken { mut result, state, contact } = self.step(&step, &self.state)?;
+                let CompletedStep { mut result, state, contact } = self.step(&step, &self.state)?;
                 self.state.acceleration = state.acceleration;
                 self.contact = contact;
                 result.motion = self.state.displacement[..result.motion.len()].to_vec();
@@ -264,11 +264,11 @@ impl<'s> History<'s> {
     }
 
     /// Takes a step from a state; returns the result and the new state.
-    fn step(&self, step: &Step, state: &State) -> Result<Taken, EngineError> {
+    fn step(&self, step: &Step, state: &State) -> Result<CompletedStep, EngineError> {
         let (h, scheme, system) = (step.length, self.options.scheme, &self.system);
-        let (m, count) = (system.freedoms.len(), system.modes.count());
+        let (m, count) = (system.dofs.len(), system.modes.count());
         let matrices = Matrices::at(system, &self.inertias, step.time)?;
-        let fast = matrices.softening(system)?;
+        let fast = matrices.speed_warnings(system)?;
         let springs = system.springs_at(step.time)?;
         let predicted = scheme.predicted(state, h);
         let [of_mass, of_damping, _] = scheme.weights(h);
@@ -277,7 +277,7 @@ impl<'s> History<'s> {
 
         // DOFs: M y'' + (C + a M + b K) y' + K y.
         let mut matrix = vec![0.0; m * m];
-        let mut load = system.load_in_part(step.time, step.load)?;
+        let mut load = system.scaled_load(step.time, step.load)?;
         for i in 0..m {
             load[i] += springs.load[i] + matrices.load[i];
             for j in 0..m {
@@ -307,7 +307,7 @@ impl<'s> History<'s> {
 
         // Terms that would make the matrix unsymmetric, from the solution with the contact forces
         // of the previous step.
-        let effective = Effective { matrix: &matrix, coupling: &coupling, stiffness: &stiffness };
+        let effective = EffectiveMatrix { matrix: &matrix, coupling: &coupling, stiffness: &stiffness };
         let following = |y: &[f64]| {
             let rates: Vec<f64> = y.iter().map(|y| of_damping * y).collect();
             matrices.following(system, y, &rates).on_coordinates(system)
@@ -323,7 +323,7 @@ impl<'s> History<'s> {
         load.iter_mut().zip(following.on_coordinates(system)).for_each(|(load, more)| *load += more);
 
         let modal_load = load.split_off(m);
-        let elastic = Elastic {
+        let elastic = ModalElimination {
             modes: &system.modes,
             stiffness: stiffness.clone(),
             coupling: coupling.clone(),
@@ -341,23 +341,28 @@ impl<'s> History<'s> {
         let state = scheme.corrected(predicted.clone(), &y, h);
         result.modal = state.displacement[m..].to_vec();
         result.velocity = state.velocity.clone();
-        result.beside = self.beside(&matrices, step, &following, &state);
+        result.other_loads = self.other_loads(&matrices, step, &following, &state);
         // Add the damping proportional to the stiffness of bearings, which the bearings do not
         // report themselves.
-        for (i, freedom) in system.freedoms.iter().enumerate() {
+        for (i, dof) in system.dofs.iter().enumerate() {
             let row = &springs.stiffness[i * m..(i + 1) * m];
             let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
-            result.beside[freedom.body][freedom.component] -=
-                system.width(freedom.body) * by_stiffness * rate;
+            result.other_loads[dof.body][dof.component] -= system.width(dof.body) * by_stiffness * rate;
         }
         result.warnings.extend(fast);
         // Observables use the springs of the scene, not the matrix of a step.
         result.problem.stiffness = springs.stiffness;
-        Ok(Taken { result, state, contact })
+        Ok(CompletedStep { result, state, contact })
     }
 
     /// Returns the forces on each body besides contact, bearings and its whole load.
-    fn beside(&self, matrices: &Matrices, step: &Step, following: &Forces, state: &State) -> Vec<[f64; 6]> {
+    fn other_loads(
+        &self,
+        matrices: &Matrices,
+        step: &Step,
+        following: &Forces,
+        state: &State,
+    ) -> Vec<[f64; 6]> {
         // Mass-proportional damping acts like an acceleration proportional to the rate.
         let [by_mass, _] = self.options.rayleigh;
         let rates = state.acceleration.iter().zip(&state.velocity);
@@ -399,7 +404,7 @@ impl<'s> History<'s> {
             estimate::attach(&mut summaries, &rows, self.outputs, observables, &evidence);
             self.timing.add(ERRORS, started.elapsed());
         }
-        self.timing.memory = self.resources.interrupt.most_asked();
+        self.timing.memory = self.resources.interrupt.largest_request();
         Ok(AnalysisResult {
             plan: self.plan,
             rows,
@@ -413,7 +418,7 @@ impl<'s> History<'s> {
 }
 
 /// Step with its result.
-struct Taken {
+struct CompletedStep {
     result: StepResult,
     state: State,
     /// Contact forces on all coordinates, per width of the model.
@@ -460,7 +465,7 @@ pub fn dynamic(
     while let Some(solved) = history.next() {
         let solved = &solved?;
         let (index, count) = (history.solved().len() - 1, history.rows());
-        let told = tells_fields(options.fields, index, count);
+        let told = requests_fields(options.fields, index, count);
         let fields = history.equilibrium().filter(|_| told).map(|at| at.fields_with(meshed.as_ref()));
         let fields = fields.transpose()?;
         observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })?;

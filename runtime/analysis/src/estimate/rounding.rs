@@ -6,7 +6,7 @@
 //! roundings of the bodies' positions and rotations, and forces balance to some roundings of the
 //! loads. Stresses, pressures and stiffnesses are not such sums and are never treated as rounding.
 
-use crate::observe::Quantity;
+use crate::observables::Quantity;
 use crate::scene::Scene;
 use calyx_model::observed::{Observed, OutputRequest};
 

@@ -45,7 +45,7 @@ const RISING: f64 = 1e-3;
 const CHANGING: f64 = 1e-3;
 
 /// Positions of a curve.
-pub(crate) struct Course {
+pub(crate) struct SamplingContext {
     /// Ascending positions: fractions of a mesh cycle, or time, s.
     at: Vec<f64>,
     /// Period of a closed curve: one cycle.
@@ -60,7 +60,7 @@ pub(crate) struct Course {
 
 /// An interval, as far as the largest value in it is concerned.
 #[derive(Clone, Copy, Debug)]
-struct Look {
+struct Extrapolation {
     /// Root mean square of the rise above a level.
     rise: f64,
     /// Miss distance of the better extrapolation at the opposite end.
@@ -69,10 +69,10 @@ struct Look {
     kink: Option<f64>,
 }
 
-impl Course {
+impl SamplingContext {
     /// Creates the curve, with the jumps of an output if given; `None` if the positions of the rows
     /// do not advance.
-    pub(crate) fn of(rows: &[StepRow], output: Option<usize>) -> Option<Course> {
+    pub(crate) fn of(rows: &[StepRow], output: Option<usize>) -> Option<SamplingContext> {
         let positions = || rows.iter().map(|row| &row.position);
         let cyclic = positions().any(|position| position.cycle != 0.0);
         let at: Vec<f64> = positions().map(|p| if cyclic { p.cycle } else { p.time }).collect();
@@ -80,7 +80,7 @@ impl Course {
             return None;
         }
         let named: Vec<bool> = positions().map(|position| !position.name.is_empty()).collect();
-        let mut course = Course { at, period: 1.0, beside: Vec::new(), breaks: Vec::new(), named };
+        let mut course = SamplingContext { at, period: 1.0, beside: Vec::new(), breaks: Vec::new(), named };
         let is_beside = |i: usize| {
             let both = course.named[i] && course.named[(i + 1) % rows.len()];
             cyclic && both && course.place(i as isize + 1) - course.at[i] < BESIDE
@@ -176,10 +176,10 @@ impl Course {
     }
 
     /// The largest value in an interval against a level.
-    fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Look {
+    fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Extrapolation {
         let (continued, alone) = self.continued(interval, of, closed, true);
         let missed = missed(&continued, alone);
-        Look { rise: continued.largest(level).rise, missed, kink: continued.kink() }
+        Extrapolation { rise: continued.largest(level).rise, missed, kink: continued.kink() }
     }
 
     /// Returns the excess of the estimated maximum between positions over the largest value at the
@@ -228,7 +228,12 @@ impl Course {
 
     /// Estimates the errors of the statistics due to the variation between positions. `known` is
     /// the curve of the positions and of others between them, with its values.
-    pub(crate) fn errors(&self, ends: &[Ends], known: (&Course, &[Ends]), closed: bool) -> Statistics {
+    pub(crate) fn errors(
+        &self,
+        ends: &[Ends],
+        known: (&SamplingContext, &[Ends]),
+        closed: bool,
+    ) -> Statistics {
         let beyond = |of: &dyn Fn(&Ends) -> f64| {
             let most = ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
             known.0.above(&known.1.iter().map(of).collect::<Vec<_>>(), closed) - most
@@ -252,8 +257,8 @@ fn missed(continued: &Continuations, alone: [bool; 2]) -> f64 {
 }
 
 /// Output with its known values.
-pub(crate) struct Known<'a> {
-    pub course: &'a Course,
+pub(crate) struct SampledOutput<'a> {
+    pub course: &'a SamplingContext,
     pub ends: Vec<Ends>,
     pub closed: bool,
 }
@@ -274,11 +279,11 @@ pub(crate) struct Promising {
 /// Two orders take turns, the first one if `turn` is even. The first is by the expected rise above
 /// the extreme, relative to peak to peak. The second adds the misfit of continuations in any output:
 /// a feature that one output shows is hidden in others, such as a pair that takes up load.
-pub(crate) fn most_promising(all: &[Known<'_>], average: f64, turn: usize) -> Vec<Promising> {
+pub(crate) fn most_promising(all: &[SampledOutput<'_>], average: f64, turn: usize) -> Vec<Promising> {
     // Interval, rise relative to peak to peak, and the rest, for every output and either sign.
-    let mut looks: Vec<(usize, f64, Look)> = Vec::new();
+    let mut looks: Vec<(usize, f64, Extrapolation)> = Vec::new();
     let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
-    for Known { course, ends, closed } in all {
+    for SampledOutput { course, ends, closed } in all {
         if !ends.iter().all(|end| (end.low + end.high).is_finite()) {
             continue;
         }

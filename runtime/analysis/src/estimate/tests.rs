@@ -29,7 +29,7 @@ fn estimated_and_true(
     value: impl Fn(f64) -> f64,
 ) -> (Statistics, [f64; 2]) {
     let rows = rows(at, value);
-    let course = Course::of(&rows, Some(0)).expect("it goes somewhere");
+    let course = SamplingContext::of(&rows, Some(0)).expect("it goes somewhere");
     let values = ends(&rows, 0);
     let found = values.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
     let sum: f64 = (0..at.len())
@@ -75,19 +75,19 @@ fn an_extreme_where_slopes_jump_is_seen() {
 fn measured(at: &[(f64, &'static str)], more: usize, course: impl Fn(f64) -> f64 + Copy) -> [f64; 2] {
     let found = rows(at, course);
     let largest = (0..100_000).map(|k| course(k as f64 / 1e5)).fold(f64::NEG_INFINITY, f64::max);
-    let own = Course::of(&found, Some(0)).expect("it goes somewhere");
+    let own = SamplingContext::of(&found, Some(0)).expect("it goes somewhere");
     let values = ends(&found, 0);
     let most = values.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
     let mut all = found.clone();
     for turn in 0..more {
-        let course_of = Course::of(&all, Some(0)).expect("it goes somewhere");
-        let known = [sampling::Known { course: &course_of, ends: ends(&all, 0), closed: true }];
+        let course_of = SamplingContext::of(&all, Some(0)).expect("it goes somewhere");
+        let known = [sampling::SampledOutput { course: &course_of, ends: ends(&all, 0), closed: true }];
         let promising = sampling::most_promising(&known, own.average(), turn);
         let place = sampling::divided(&all, promising[0]).cycle;
         all.extend(rows(&[(place, "")], course));
         all.sort_by(|a, b| a.position.cycle.total_cmp(&b.position.cycle));
     }
-    let finer = Course::of(&all, Some(0)).expect("it goes somewhere");
+    let finer = SamplingContext::of(&all, Some(0)).expect("it goes somewhere");
     [own.errors(&values, (&own, &values), true), own.errors(&values, (&finer, &ends(&all, 0)), true)]
         .map(|errors| errors.max / (largest - most))
 }
@@ -206,7 +206,7 @@ fn jumps_that_positions_enclose_are_no_error() {
     let step = |x: f64| if (0.3..0.7).contains(&x) { 1.0 } else { 2.0 } + 0.1 * x;
     // Open curve: it has risen by 0.1 at the end of the cycle.
     let rows = rows(&at, step);
-    let course = Course::of(&rows, Some(0)).expect("it goes somewhere");
+    let course = SamplingContext::of(&rows, Some(0)).expect("it goes somewhere");
     let values = ends(&rows, 0);
     let errors = course.errors(&values, (&course, &values), false);
     assert!(errors.max < 1e-9 && errors.min < 1e-9 && errors.mean < 1e-9, "{errors:?}");
@@ -227,10 +227,10 @@ fn the_mean_of_a_kinked_course_is_seen() {
 #[test]
 fn rows_that_go_nowhere_say_nothing_of_what_lies_between() {
     let one = rows(&uniform(1), |_| 1.0);
-    assert!(Course::of(&one, Some(0)).is_none());
+    assert!(SamplingContext::of(&one, Some(0)).is_none());
     let mut twice = rows(&uniform(2), |_| 1.0);
     twice[1].position = twice[0].position.clone();
-    assert!(Course::of(&twice, Some(0)).is_none());
+    assert!(SamplingContext::of(&twice, Some(0)).is_none());
 }
 
 #[test]

@@ -35,7 +35,7 @@ impl Setting {
 
 /// Setting with its estimated error.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tried {
+pub struct Attempt {
     /// The setting.
     pub setting: Setting,
     /// True if all positions were solved, false for a few.
@@ -45,7 +45,7 @@ pub struct Tried {
     pub worst: (String, f64),
 }
 
-impl Tried {
+impl Attempt {
     /// Describes the error.
     pub(crate) fn error(&self) -> String {
         match &self.worst {
@@ -57,14 +57,14 @@ impl Tried {
 
 /// Outcome of a tolerance search.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chosen {
+pub struct ToleranceOutcome {
     /// Tolerance, relative to the largest magnitude of every output.
     pub tolerance: f64,
     /// Setting of the results.
     pub setting: Setting,
     /// All settings tried, in order. If the tolerance is met, the last is the setting of the
     /// results, at all positions.
-    pub tried: Vec<Tried>,
+    pub tried: Vec<Attempt>,
     /// Index of the setting of the results.
     pub taken: usize,
     /// Reason why the search ended before a setting met the tolerance, if so.
@@ -80,7 +80,7 @@ pub(crate) const EXHAUSTED: &str = "no setting is estimated to meet it";
 pub(crate) const LARGER: &str =
     "ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
 
-impl Chosen {
+impl ToleranceOutcome {
     /// Returns the warning if the results do not meet the tolerance.
     pub fn missed(&self) -> Option<EngineError> {
         let reason = self.ended.as_ref()?;
@@ -131,18 +131,18 @@ pub(crate) fn percent(part: f64) -> String {
 
 /// A setting that is tried next for a tolerance, as reported to observers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Choosing {
+pub struct SearchProgress {
     /// The setting.
     pub setting: Setting,
     /// True for all positions, false for a few of them.
     pub whole: bool,
     /// The attempt with the least estimated error so far: an interrupted search ends with it.
-    pub best: Option<Tried>,
+    pub best: Option<Attempt>,
     /// Fraction of the permitted work that is done, 0 to 1.
     pub part: f64,
 }
 
-impl Choosing {
+impl SearchProgress {
     /// Describes the setting and the progress.
     pub fn describe(&self) -> String {
         let mut text = format!("trying {}", self.setting.describe());

@@ -55,7 +55,7 @@ pub fn order_map(
     let a_turn = (TAU / by_angle.step).round();
     let (count, lines_of) = ((turns * a_turn).round() as usize, (turns.ceil() * a_turn) as usize);
     for first in pieces_of_map(&by_angle, count) {
-        let _room = interrupt.room_for(BYTES_PER_LINE * lines_of.max(count) as u64)?;
+        let _room = interrupt.reserve_memory(BYTES_PER_LINE * lines_of.max(count) as u64)?;
         let spectrum = padded_spectrum(&by_angle.part(first, count), window, lines_of);
         // The highest order is a multiple of the line spacing more often than its digits show.
         let lines = (highest / (spectrum.resolution * TAU) + 1e-9).floor() as usize + 1;
@@ -124,8 +124,8 @@ fn inverse(values: &[f64], at: usize, wanted: f64) -> f64 {
     }
     // Secant iteration on the interpolating polynomial, which is nearly linear.
     for _ in 0..4 {
-        let [here, beside] = [0.0, 1e-3].map(|by| lagrange(around, place + by - first as f64));
-        place -= (here - wanted) * 1e-3 / (beside - here);
+        let [here, other_loads] = [0.0, 1e-3].map(|by| lagrange(around, place + by - first as f64));
+        place -= (here - wanted) * 1e-3 / (other_loads - here);
     }
     place
 }

@@ -59,8 +59,8 @@ impl Window {
         let nearest = off.round();
         // Between lines each term of the series has a sine divided by its distance; on the line of
         // a term only that term contributes.
-        let beside = off - nearest;
-        if beside.abs() < 1e-9 {
+        let other_loads = off - nearest;
+        if other_loads.abs() < 1e-9 {
             let term = self.terms().get(nearest.abs() as usize).copied().unwrap_or(0.0);
             return if nearest == 0.0 { 1.0 } else { 0.5 * term / self.terms()[0] };
         }

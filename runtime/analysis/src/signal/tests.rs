@@ -186,7 +186,7 @@ fn samples_at_angles_are_those_of_a_band_limited_signal() {
 /// The impulse response of a damped oscillator is x = e^{-d t} sin(w t) / (m w), and its transfer
 /// function is 1 / (m (w0² - W² + 2 i d W)).
 #[test]
-fn a_blow_shows_the_transfer_function_of_an_oscillator() {
+fn a_impulse_shows_the_transfer_function_of_an_oscillator() {
     let (mass, natural, damping) = (2.0, TAU * 100.0, 20.0);
     let damped = f64::sqrt(natural * natural - damping * damping);
     let momentum = -0.3;

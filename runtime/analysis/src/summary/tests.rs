@@ -1,7 +1,7 @@
 //! Tests of summaries of known signals.
 
 use super::*;
-use crate::observe::{Equilibrium, Quantity};
+use crate::observables::{Equilibrium, Quantity};
 use crate::scene::Scene;
 use calyx_model::observed::Observed;
 use calyx_model::position::Position;
@@ -32,7 +32,7 @@ fn cycle() -> Vec<f64> {
 
 fn summary(quantity: Quantity, at: &[f64], signal: impl Fn(f64) -> Observed) -> OutputSummary {
     let mut scene = Scene::default();
-    let request = OutputRequest::observing("signal", scene.observe(Signal(quantity)));
+    let request = OutputRequest::observing("signal", scene.add_observable(Signal(quantity)));
     let row = |&cycle: &f64| StepRow {
         position: Position { time: 3.0 + 0.2 * cycle, cycle, roll: 0.0, name: Cow::Borrowed("") },
         outputs: vec![signal(cycle)],

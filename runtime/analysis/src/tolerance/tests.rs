@@ -29,7 +29,7 @@ struct Errors {
 
 impl Errors {
     /// Returns the errors of a setting, and the total.
-    fn of(&self, setting: &Setting) -> (Wanting, f64) {
+    fn of(&self, setting: &Setting) -> (Shortfall, f64) {
         let rank = match setting.fidelity {
             Fidelity::Rigid => 0,
             Fidelity::Analytic => 1,
@@ -42,7 +42,7 @@ impl Errors {
         let between = self.between / (setting.positions * setting.positions) as f64;
         // The comparison with the next level includes the mesh error of this one.
         let level = self.levels[rank] + mesh;
-        let wanting = Wanting { values: false, level, beyond_mesh: level - mesh, grid, between };
+        let wanting = Shortfall { values: false, level, beyond_mesh: level - mesh, grid, between };
         (wanting, level + grid + between)
     }
 }
@@ -161,7 +161,7 @@ fn what_is_tried_follows_from_what_is_wrong() {
 /// without a next one the search fails.
 #[test]
 fn a_level_without_values_is_left() {
-    let wanting = Wanting {
+    let wanting = Shortfall {
         values: true,
         level: f64::INFINITY,
         beyond_mesh: f64::NAN,

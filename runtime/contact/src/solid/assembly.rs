@@ -7,7 +7,7 @@
 use super::grid::Cell;
 use super::half_space::mean_inverse_distance;
 use super::image::{Images, PlacedMirror};
-use super::intervals::{Answers, Intervals};
+use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -31,7 +31,7 @@ pub struct Side<'a> {
 
 /// Contact patch: its two different bodies, in the order of its grid's sides, and its cells.
 #[derive(Clone, Copy)]
-pub struct Patch<'a> {
+pub struct PatchCells<'a> {
     /// First and second body.
     pub sides: [Side<'a>; 2],
     /// Frame of the grid.
@@ -45,7 +45,7 @@ pub struct Patch<'a> {
 ///
 /// # Errors
 /// The interrupt's.
-pub fn compliance(patches: &[Patch], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let starts: Vec<usize> = patches
         .iter()
         .scan(0, |next, patch| {
@@ -85,20 +85,25 @@ fn is_symmetric(block: &[f64], n: usize) -> bool {
 
 /// Computes the influence coefficients between the cells of two patches, or of one, by the
 /// structures of the bodies they share.
-fn structural(observing: &Patch, loaded: &Patch, interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+fn structural(
+    observing: &PatchCells,
+    loaded: &PatchCells,
+    interrupt: &Interrupt,
+) -> Result<Vec<f64>, EngineError> {
     let mut block = vec![0.0; observing.cells.len() * loaded.cells.len()];
     for (a, observer) in observing.sides.iter().enumerate() {
         for (b, load) in loaded.sides.iter().enumerate() {
             if observer.body != load.body {
                 continue;
             }
-            let spots =
-                |patch: &Patch, side: usize| patch.cells.iter().map(|c| c.spot(side)).collect::<Vec<_>>();
+            let segments = |patch: &PatchCells, side: usize| {
+                patch.cells.iter().map(|c| c.segment(side)).collect::<Vec<_>>()
+            };
             observer.structure.add_compliance_until(
                 observer.chart,
-                &spots(observing, a),
+                &segments(observing, a),
                 load.chart,
-                &spots(loaded, b),
+                &segments(loaded, b),
                 &mut block,
                 interrupt,
             )?;
@@ -108,7 +113,7 @@ fn structural(observing: &Patch, loaded: &Patch, interrupt: &Interrupt) -> Resul
 }
 
 /// Adds the half-spaces of both bodies, with their image loads, to the diagonal block of a patch.
-fn add_half_spaces(patch: &Patch, block: &mut [f64], interrupt: &Interrupt) -> Result<(), EngineError> {
+fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt) -> Result<(), EngineError> {
     let n = patch.cells.len();
     let softness = |side: &Side| {
         let modulus = side.structure.surface_modulus();
@@ -142,11 +147,11 @@ fn add_half_spaces(patch: &Patch, block: &mut [f64], interrupt: &Interrupt) -> R
     // their sum, and for inclined mirrors on more.
     let [across, along] = [0, 1].map(|axis| Intervals::of(patch.cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
-    let mut direct_known = Answers::new([across.pairs(apart), along.pairs(apart)], n);
+    let mut direct_known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
     let mut images_known = images.iter().all(|images| images.is_level).then(|| {
         let is_upright = images.iter().all(Images::is_upright);
         let rows = if is_upright { along.pairs(|one, other| one + other) } else { along.each_pair() };
-        Answers::new([across.pairs(apart), rows], n)
+        RelationCache::new([across.pairs(apart), rows], n)
     });
     for i in 0..n {
         interrupt.check()?;

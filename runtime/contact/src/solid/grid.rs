@@ -8,15 +8,15 @@
 //! of a cell would remain. Gaps are exact separations along the normal of the frame, averaged over
 //! the cell like its uniform pressure.
 
-use super::across::{Limit, closest_across, limits};
+use super::contact_line::{ContactLine, ends_along, relative_curvature};
+use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::ridge::{Ridge, ends_along, relative_curvature};
-use super::sheet::Sheet;
+use super::transverse_approach::{SurfaceEnd, closest_across, limits};
 use crate::grid::{Edge, MARGIN, cell_bounds};
 use crate::pressure::hertz_half_width;
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
 use calyx_numerics::vec3::{Vector, dot};
-use calyx_structure::solid::{SolidStructure, Spot};
+use calyx_structure::solid::{SolidStructure, SurfaceSegment};
 use std::ops::Range;
 
 /// Contact cell: a rectangle of the tangent plane under uniform pressure.
@@ -48,8 +48,8 @@ impl Cell {
     }
 
     /// Returns the loaded spot on the body of a side.
-    pub fn spot(&self, side: usize) -> Spot {
-        Spot { place: self.places[side], length: self.axial[side] }
+    pub fn segment(&self, side: usize) -> SurfaceSegment {
+        SurfaceSegment { place: self.places[side], length: self.axial[side] }
     }
 
     /// Returns the ends across (axis 0) or along (1) the contact line, m.
@@ -138,12 +138,18 @@ pub fn contact_modulus(first: &dyn SolidStructure, second: &dyn SolidStructure) 
 
 /// Creates the grid around a contact line of `first` and `second`. The grid has no cells if the
 /// surfaces do not face each other.
-pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: &GridOptions) -> Grid {
+pub fn build_grid(
+    first: PlacedSurface,
+    second: PlacedSurface,
+    contact_line: &ContactLine,
+    options: &GridOptions,
+) -> Grid {
     let placed = [first, second];
-    let frame = ridge.frame;
-    let sheets = [0, 1].map(|side| Sheet::new(placed[side], frame, ridge.places[side], options.search_edges));
-    let (y, surface_ends) = length_along(ridge, options);
-    let flank = flank_curvature(&sheets, ridge);
+    let frame = contact_line.frame;
+    let height_fields = [0, 1]
+        .map(|side| HeightField::new(placed[side], frame, contact_line.places[side], options.search_edges));
+    let (y, surface_ends) = length_along(contact_line, options);
+    let flank = flank_curvature(&height_fields, contact_line);
     let width = options.width.unwrap_or_else(|| {
         // In a point contact the middle carries 1.5 times the average line load; in a line contact
         // the load is uniform.
@@ -153,7 +159,7 @@ pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: 
     });
     let half_counts = [options.half_count, options.half_slices];
     let extent = [width, y[1] - y[0]];
-    let [low, high] = ridge.extent();
+    let [low, high] = contact_line.extent();
     let line = high - low;
     let unit_half_width = unit_half_width(options.contact_modulus, flank);
     let (cells, slices) = (Vec::new(), Vec::new());
@@ -163,9 +169,9 @@ pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: 
     }
     let layer = Layer {
         placed,
-        sheets,
+        height_fields,
         frame,
-        edges: edges(&placed, ridge, flank),
+        edges: edges(&placed, contact_line, flank),
         pitch: [width / (2 * half_counts[0] + 1) as f64, extent[1] / (2 * half_counts[1] + 1) as f64],
         half_count: half_counts[0],
         middle: 0.5 * (y[0] + y[1]),
@@ -173,13 +179,13 @@ pub fn lay(first: PlacedSurface, second: PlacedSurface, ridge: &Ridge, options: 
         surface_ends,
         search_edges: options.search_edges,
     };
-    layer.fill(&mut grid, ridge.places);
+    layer.fill(&mut grid, contact_line.places);
     grid
 }
 
 /// Returns y of the grid's ends, and whether they are ends of the surfaces.
-fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
-    let all = ridge.extent();
+fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
+    let all = contact_line.extent();
     let clipped = |[low, high]: [f64; 2]| {
         let y = [low.max(all[0]), high.min(all[1])];
         (y, [y[0] <= all[0], y[1] >= all[1]])
@@ -189,7 +195,7 @@ fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
     }
     // The approach decreases as more of the contact line is loaded.
     let within = |depth: f64| -> [f64; 2] {
-        let floor = ridge.gap;
+        let floor = contact_line.gap;
         let crossing = |step: &mut dyn Iterator<Item = &[f64; 2]>| {
             let (mut y, mut rise) = (0.0, 0.0f64);
             for &[next, gap] in step {
@@ -203,13 +209,14 @@ fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
             }
             y
         };
-        let points: Vec<[f64; 2]> = ridge.points.iter().map(|point| [point.at[1], point.gap]).collect();
+        let points: Vec<[f64; 2]> =
+            contact_line.points.iter().map(|point| [point.at[1], point.gap]).collect();
         let low = crossing(&mut points.iter().rev().filter(|[y, _]| *y < 0.0));
         let high = crossing(&mut points.iter().filter(|[y, _]| *y > 0.0));
         [low, high]
     };
     let (mut shallow, mut deep) =
-        (0.0, 2.0 * ridge.points.iter().map(|point| point.gap - ridge.gap).fold(0.0, f64::max));
+        (0.0, 2.0 * contact_line.points.iter().map(|point| point.gap - contact_line.gap).fold(0.0, f64::max));
     let enough = |depth: f64| {
         let [low, high] = within(depth);
         depth * (high - low) * options.contact_modulus >= DEPTH * options.force
@@ -226,20 +233,24 @@ fn length_along(ridge: &Ridge, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
 
 /// Returns the sum of both surfaces' curvatures across the contact line at the closest approach,
 /// each on its flank, 1/m.
-fn flank_curvature(sheets: &[Sheet; 2], ridge: &Ridge) -> f64 {
+fn flank_curvature(height_fields: &[HeightField; 2], contact_line: &ContactLine) -> f64 {
     // Finite differences next to an edge would include its curvature.
     let beside_edge = |side: usize| {
-        let surface = sheets[side].placed.surface;
+        let surface = height_fields[side].placed.surface;
         let [[first, last], _] = surface.range();
-        surface.edge_from().is_some_and(|start| ridge.places[side][0] + NEAR_EDGE * (last - first) > start)
+        surface
+            .edge_from()
+            .is_some_and(|start| contact_line.places[side][0] + NEAR_EDGE * (last - first) > start)
     };
     if !(0..2).any(beside_edge)
-        && !ridge.at_end
-        && let Some([[across, _], _]) = relative_curvature(sheets, ridge.places)
+        && !contact_line.at_end
+        && let Some([[across, _], _]) = relative_curvature(height_fields, contact_line.places)
     {
         return across;
     }
-    (0..2).map(|side| curvature_beside_edge(&sheets[side].placed, ridge.places[side], -1.0)).sum()
+    (0..2)
+        .map(|side| curvature_beside_edge(&height_fields[side].placed, contact_line.places[side], -1.0))
+        .sum()
 }
 
 /// Returns the curvature along u of the flank (`side` -1) or the edge (+1) next to the start of the
@@ -268,11 +279,11 @@ struct RoundedEdge {
 
 /// Returns the edges of both surfaces that a grid can resolve. Cell sizes follow the root of the
 /// curvature like Hertzian widths.
-fn edges(placed: &[PlacedSurface; 2], ridge: &Ridge, flank: f64) -> Vec<RoundedEdge> {
+fn edges(placed: &[PlacedSurface; 2], contact_line: &ContactLine, flank: f64) -> Vec<RoundedEdge> {
     let found = (0..2).filter_map(|side| {
         let start = placed[side].surface.edge_from()?;
-        let v = ridge.places[side][1];
-        let other = curvature_beside_edge(&placed[1 - side], ridge.places[1 - side], -1.0);
+        let v = contact_line.places[side][1];
+        let other = curvature_beside_edge(&placed[1 - side], contact_line.places[1 - side], -1.0);
         let ratio = (flank / (curvature_beside_edge(&placed[side], [start, v], 1.0) + other)).sqrt();
         // A sharper edge is a corner, which no grid resolves.
         let resolved = ratio > SHARPEST_EDGE && start < placed[side].surface.range()[0][1];
@@ -284,7 +295,7 @@ fn edges(placed: &[PlacedSurface; 2], ridge: &Ridge, flank: f64) -> Vec<RoundedE
 /// Builder of the slices.
 struct Layer<'a> {
     placed: [PlacedSurface<'a>; 2],
-    sheets: [Sheet<'a>; 2],
+    height_fields: [HeightField<'a>; 2],
     frame: PatchFrame,
     edges: Vec<RoundedEdge>,
     /// Sizes of a whole cell.
@@ -355,24 +366,24 @@ impl Layer<'_> {
     /// A slice, or `None` where the surfaces do not lie over each other.
     fn slice(&self, index: i32, guess: Places) -> Option<Laid> {
         let y = self.center(index);
-        let ridge = closest_across(&self.sheets, y, guess)?;
-        let places = ridge.places();
-        if ridge.end.is_some() && !self.search_edges {
+        let contact_line = closest_across(&self.height_fields, y, guess)?;
+        let places = contact_line.places();
+        if contact_line.end.is_some() && !self.search_edges {
             return Some(Laid { places, ..Laid::default() });
         }
-        let column = (ridge.at()[0] / self.pitch[0]).round();
+        let column = (contact_line.at()[0] / self.pitch[0]).round();
         let center = column * self.pitch[0];
         let (bounds, surface_ends) = self.bounds(center, y, places);
         let cut = self.is_cut(&bounds, y, places);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
         for x in bounds.windows(2) {
-            if let Some((cell, found)) = self.cell([x[0], x[1]], [y, ridge.at()[0]], cut, guess) {
+            if let Some((cell, found)) = self.cell([x[0], x[1]], [y, contact_line.at()[0]], cut, guess) {
                 guess = found;
                 cells.push(cell);
             }
         }
-        let edges = Some(self.edges_beside(y, ridge.at()[0], places));
+        let edges = Some(self.edges_beside(y, contact_line.at()[0], places));
         Some(Laid { cells, surface_ends, edges, places })
     }
 
@@ -383,11 +394,11 @@ impl Layer<'_> {
         let mut range = [center - half, center + half];
         let inside = |x: f64| {
             (0..2).all(|side| {
-                let sheet = &self.sheets[side];
-                let across = sheet.roles[0];
+                let height_field = &self.height_fields[side];
+                let across = height_field.roles[0];
                 let edge = self.edges.iter().find(|edge| edge.side == side && across == 0);
-                sheet.over([x, y], places[side]).is_some_and(|foot| {
-                    let [low, high] = sheet.range[across];
+                height_field.over([x, y], places[side]).is_some_and(|foot| {
+                    let [low, high] = height_field.range[across];
                     let high = edge.map_or(high, |edge| edge.start.min(high));
                     (low..=high).contains(&foot.place[across])
                 })
@@ -413,9 +424,9 @@ impl Layer<'_> {
             range[side] = edge.towards * (edge.towards * range[side]).min(edge.towards * limit);
         }
         let mut surface_ends = [false; 2];
-        if let Some([low, high]) = limits(&self.sheets, y, places) {
+        if let Some([low, high]) = limits(&self.height_fields, y, places) {
             let cut =
-                |limit: Limit, outside: bool, end: usize, range: &mut [f64; 2], ends: &mut [bool; 2]| {
+                |limit: SurfaceEnd, outside: bool, end: usize, range: &mut [f64; 2], ends: &mut [bool; 2]| {
                     if outside {
                         range[end] = limit.x;
                         ends[end] = true;
@@ -439,7 +450,7 @@ impl Layer<'_> {
 
     /// Where the first flank ends at low and at high x of the slice at `y`.
     fn flank_ends(&self, y: f64, places: Places) -> FlankEnds {
-        let surfaces = limits(&self.sheets, y, places).map_or(ENDLESS, |[low, high]| [low.x, high.x]);
+        let surfaces = limits(&self.height_fields, y, places).map_or(ENDLESS, |[low, high]| [low.x, high.x]);
         let edges = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places));
         edges.fold(surfaces, |[low, high], edge| match edge.towards > 0.0 {
             true => [low, high.min(edge.x)],
@@ -449,12 +460,12 @@ impl Layer<'_> {
 
     /// Returns the start of an edge on the tangent plane at `y`.
     fn edge_at(&self, edge: &RoundedEdge, y: f64, places: Places) -> Option<Edge> {
-        let sheet = &self.sheets[edge.side];
-        if sheet.roles[0] != 0 {
+        let height_field = &self.height_fields[edge.side];
+        if height_field.roles[0] != 0 {
             return None;
         }
-        let foot = sheet.on_line(0, edge.start, 1, y, places[edge.side][1])?;
-        Some(Edge { x: foot.at[0], towards: sheet.sense(0, &foot), cell: self.pitch[0] * edge.ratio })
+        let foot = height_field.on_line(0, edge.start, 1, y, places[edge.side][1])?;
+        Some(Edge { x: foot.at[0], towards: height_field.sense(0, &foot), cell: self.pitch[0] * edge.ratio })
     }
 
     /// Returns whether an edge is too far from a slice to affect its cells.
@@ -473,37 +484,45 @@ impl Layer<'_> {
         }
         let reach = (0.5 + LEAST_PART) * self.pitch[1];
         [first, last].iter().any(|&x| {
-            ends_along(&self.sheets, x, places).is_none_or(|[low, high]| low > y - reach || high < y + reach)
+            ends_along(&self.height_fields, x, places)
+                .is_none_or(|[low, high]| low > y - reach || high < y + reach)
         })
     }
 
-    /// Returns the cell over `x` of the slice at `y` with its contact line at `ridge`, optionally
+    /// Returns the cell over `x` of the slice at `y` with its contact line at `contact_line`, optionally
     /// `cut` at the side faces, and the surface coordinates of its centre.
-    fn cell(&self, x: [f64; 2], [y, ridge]: [f64; 2], cut: bool, guess: Places) -> Option<(Cell, Places)> {
+    fn cell(
+        &self,
+        x: [f64; 2],
+        [y, contact_line]: [f64; 2],
+        cut: bool,
+        guess: Places,
+    ) -> Option<(Cell, Places)> {
         let middle = 0.5 * (x[0] + x[1]);
         let slice = [y - 0.5 * self.pitch[1], y + 0.5 * self.pitch[1]];
         let ends = if cut { self.cut_ends(middle, slice, guess)? } else { slice };
         let center = [middle, 0.5 * (ends[0] + ends[1])];
         let size = [x[1] - x[0], ends[1] - ends[0]];
-        let feet = [self.sheets[0].over(center, guess[0])?, self.sheets[1].over(center, guess[1])?];
+        let feet =
+            [self.height_fields[0].over(center, guess[0])?, self.height_fields[1].over(center, guess[1])?];
         let places = feet.map(|foot| foot.place);
         let own = feet[1].height - feet[0].height;
         let mut gap = 0.0;
         for (a, weight_a) in ACROSS {
             for b in ALONG {
                 let at = [center[0] + 0.5 * a * size[0], center[1] + 0.5 * b * size[1]];
-                let there = |side: usize| self.sheets[side].height_near(&feet[side], at);
+                let there = |side: usize| self.height_fields[side].height_near(&feet[side], at);
                 let separation = there(1).zip(there(0)).map_or(own, |(second, first)| second - first);
                 gap += weight_a / ALONG.len() as f64 * separation;
             }
         }
-        let ridge = match ends == slice {
-            true => ridge,
-            false => closest_across(&self.sheets, center[1], places)?.at()[0],
+        let contact_line = match ends == slice {
+            true => contact_line,
+            false => closest_across(&self.height_fields, center[1], places)?.at()[0],
         };
         let edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
         let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
-        let point = self.frame.at([self.snapped(ridge), center[1]]);
+        let point = self.frame.at([self.snapped(contact_line), center[1]]);
         Some((Cell { center, size, places, axial, gap, point, edge }, places))
     }
 
@@ -511,7 +530,7 @@ impl Layer<'_> {
     /// if they are near; `None` if the neighbouring cell absorbs it.
     fn cut_ends(&self, x: f64, slice: [f64; 2], guess: Places) -> Option<[f64; 2]> {
         let mut ends = slice;
-        let faces = ends_along(&self.sheets, x, guess)?;
+        let faces = ends_along(&self.height_fields, x, guess)?;
         let part = LEAST_PART * self.pitch[1];
         if self.surface_ends[0] {
             if faces[0] > slice[1] - part {

@@ -9,7 +9,7 @@ impl Pair {
     /// Flanks of both in the coordinates of their bodies, and the poses: in contact at mid-face.
     fn flanks(&self) -> ([Helicoid; 2], [Pose; 2]) {
         let (flanks, turns) = self.turned();
-        let pose = |turn: f64, x: f64| Pose { origin: [x, 0.0, 0.0], ..Pose::IDENTITY }.turned_first(turn);
+        let pose = |turn: f64, x: f64| Pose { origin: [x, 0.0, 0.0], ..Pose::IDENTITY }.rotated_first(turn);
         (flanks, [pose(turns[0], 0.0), pose(turns[1], self.center())])
     }
 }
@@ -21,19 +21,19 @@ fn aligned_helicoids_touch_along_their_generator() {
             let pair = Pair { base_helix: helix, phase, ..HELICAL };
             let (flanks, poses) = pair.flanks();
             let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
-            let ridge = find_ridge(placed[0], placed[1], true).expect("they touch");
-            assert!(ridge.gap.abs() < 1e-16, "{:e}", ridge.gap);
-            for point in &ridge.points {
+            let contact_line = find_contact_line(placed[0], placed[1], true).expect("they touch");
+            assert!(contact_line.gap.abs() < 1e-16, "{:e}", contact_line.gap);
+            for point in &contact_line.points {
                 assert!(point.gap.abs() < 1e-16 && point.at[0].abs() < 1e-14, "{point:?}");
             }
             // The contact line is the generator: at the base helix angle to the axes, in the plane
             // of action.
-            let [x, y, z] = ridge.frame.normal;
+            let [x, y, z] = contact_line.frame.normal;
             let alpha = pair.pressure_angle;
             let expected = unit([alpha.sin() * helix.cos(), alpha.cos() * helix.cos(), -helix.sin()]);
             assert!((x - expected[0]).abs() + (y - expected[1]).abs() + (z - expected[2]).abs() < 1e-14);
             let full = 2.0 * pair.half_face / helix.cos();
-            let [low, high] = ridge.extent();
+            let [low, high] = contact_line.extent();
             assert!(((high - low) / full - 1.0).abs() < 1e-12);
         }
     }
@@ -43,7 +43,7 @@ fn aligned_helicoids_touch_along_their_generator() {
 fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
     let (flanks, poses) = HELICAL.flanks();
     let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
-    let ridge = find_ridge(placed[0], placed[1], true).expect("they touch");
+    let contact_line = find_contact_line(placed[0], placed[1], true).expect("they touch");
     let options = GridOptions {
         half_count: 8,
         half_slices: 8,
@@ -53,7 +53,7 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
         contact_modulus: 1.1e11,
         search_edges: true,
     };
-    let grid = lay(placed[0], placed[1], &ridge, &options);
+    let grid = build_grid(placed[0], placed[1], &contact_line, &options);
     // All cells except those at the side faces are whole.
     let longest = grid.cells.iter().map(|cell| cell.size[1]).fold(0.0, f64::max);
     assert!(grid.cells.iter().filter(|cell| (cell.size[1] / longest - 1.0).abs() < 1e-12).count() >= 17 * 15);
@@ -84,10 +84,10 @@ fn a_crown_opens_the_gap_as_a_parabola() {
     let pair = Pair { crown: 0.05, ..HELICAL };
     let (flanks, poses) = pair.flanks();
     let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
-    let ridge = find_ridge(placed[0], placed[1], true).expect("they touch");
-    assert!(ridge.gap.abs() < 1e-15 && ridge.frame.point[2].abs() < 1e-9, "{ridge:?}");
-    for point in &ridge.points {
-        let z = ridge.frame.at(point.at)[2];
+    let contact_line = find_contact_line(placed[0], placed[1], true).expect("they touch");
+    assert!(contact_line.gap.abs() < 1e-15 && contact_line.frame.point[2].abs() < 1e-9, "{contact_line:?}");
+    for point in &contact_line.points {
+        let z = contact_line.frame.at(point.at)[2];
         let expected = 2.0 * pair.crown * z * z;
         // The slopes of the crowning tilt the surfaces slightly.
         assert!((point.gap - expected).abs() < 2e-3 * expected + 1e-12, "{z}: {:e} {expected:e}", point.gap);
@@ -110,11 +110,15 @@ fn misaligned_flanks_meet_at_a_face() {
     let columns = [0, 1, 2].map(|k: usize| turned(poses[1].rotation.map(|row| row[k])));
     poses[1].rotation = [0, 1, 2].map(|row: usize| columns.map(|column| column[row]));
     let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
-    let ridge = find_ridge(placed[0], placed[1], true).expect("they face each other");
-    let gaps = [ridge.points[0].gap, ridge.points[ridge.points.len() - 1].gap];
+    let contact_line = find_contact_line(placed[0], placed[1], true).expect("they face each other");
+    let gaps = [contact_line.points[0].gap, contact_line.points[contact_line.points.len() - 1].gap];
     let opening = (gaps[1] - gaps[0]).abs();
     assert!((opening / (2.0 * pair.half_face * lean) - 1.0).abs() < 1e-3, "{gaps:?}");
-    assert!((ridge.gap - gaps[0].min(gaps[1])).abs() < 1e-12 && ridge.gap < -1e-5, "{gaps:?} {}", ridge.gap);
+    assert!(
+        (contact_line.gap - gaps[0].min(gaps[1])).abs() < 1e-12 && contact_line.gap < -1e-5,
+        "{gaps:?} {}",
+        contact_line.gap
+    );
 }
 
 #[test]
@@ -123,12 +127,16 @@ fn faces_that_overlap_in_part_touch_where_both_are() {
     // The second gear is displaced along its axis by 10 mm and rotated with its helix.
     let shift = 0.01;
     poses[1].origin[2] += shift;
-    poses[1] = poses[1].turned_first(flanks[1].twist * shift);
+    poses[1] = poses[1].rotated_first(flanks[1].twist * shift);
     let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
-    let ridge = find_ridge(placed[0], placed[1], true).expect("they touch");
-    assert!(ridge.gap.abs() < 1e-14);
+    let contact_line = find_contact_line(placed[0], placed[1], true).expect("they touch");
+    assert!(contact_line.gap.abs() < 1e-14);
     let expected = (2.0 * HELICAL.half_face - shift) / HELICAL.base_helix.cos();
-    assert!(((ridge.extent()[1] - ridge.extent()[0]) / expected - 1.0).abs() < 1e-6, "{:?}", ridge.extent());
+    assert!(
+        ((contact_line.extent()[1] - contact_line.extent()[0]) / expected - 1.0).abs() < 1e-6,
+        "{:?}",
+        contact_line.extent()
+    );
 }
 
 #[test]
@@ -141,16 +149,16 @@ fn a_generator_that_leaves_the_flank_ends_there() {
     // axial length.
     flanks[0].u[1] = path + 0.4 * HELICAL.half_face * HELICAL.base_helix.tan();
     let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
-    let nominal = find_ridge(placed[0], placed[1], false).expect("they touch");
+    let nominal = find_contact_line(placed[0], placed[1], false).expect("they touch");
     let length = nominal.extent()[1] - nominal.extent()[0];
     let expected = 1.4 * HELICAL.half_face / HELICAL.base_helix.cos();
     assert!((length / expected - 1.0).abs() < 1e-6, "{length} {expected}");
     assert!(nominal.gap.abs() < 1e-15 && nominal.points.iter().all(|point| !point.at_end));
     // With edges searched, the contact line continues along the edge of the tip, and the gap opens.
-    let whole = find_ridge(placed[0], placed[1], true).expect("they touch");
+    let whole = find_contact_line(placed[0], placed[1], true).expect("they touch");
     assert!(whole.gap.abs() < 1e-15);
     assert!(whole.points.iter().any(|point| point.at_end && point.gap > 1e-6), "{:?}", whole.points);
-    let count = |search_edges: bool, ridge: &Ridge| {
+    let count = |search_edges: bool, contact_line: &ContactLine| {
         let options = GridOptions {
             half_count: 6,
             half_slices: 10,
@@ -160,7 +168,7 @@ fn a_generator_that_leaves_the_flank_ends_there() {
             contact_modulus: 1.1e11,
             search_edges,
         };
-        let grid = lay(placed[0], placed[1], ridge, &options);
+        let grid = build_grid(placed[0], placed[1], contact_line, &options);
         assert!(grid.cells.iter().all(|cell| cell.gap > -1e-12));
         (
             grid.cells.len(),

@@ -7,7 +7,7 @@ use crate::problem::{ContactProblem, Solution};
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, cross, unit};
 use calyx_structure::Chart;
-use calyx_structure::solid::{Mirror, SimpleSolid};
+use calyx_structure::solid::{HalfSpaceBody, Mirror};
 use std::f64::consts::PI;
 
 /// Two caps pressed together along their common normal by a force.
@@ -45,12 +45,12 @@ impl Press {
         PlacedSurface { surface: &self.caps[side], pose: self.poses[side] }
     }
 
-    fn ridge(&self) -> Ridge {
-        find_ridge(self.placed(0), self.placed(1), true).expect("they face each other")
+    fn contact_line(&self) -> ContactLine {
+        find_contact_line(self.placed(0), self.placed(1), true).expect("they face each other")
     }
 
     fn run(&self) -> Pressed {
-        let ridge = self.ridge();
+        let contact_line = self.contact_line();
         let mut options = GridOptions {
             half_count: self.half_counts[0],
             half_slices: self.half_counts[1],
@@ -60,12 +60,12 @@ impl Press {
             contact_modulus: self.modulus,
             search_edges: true,
         };
-        let body = SimpleSolid::half_space(Vec::new(), 1, 2.0 * self.modulus).between(self.mirrors.clone());
+        let body = HalfSpaceBody::half_space(Vec::new(), 1, 2.0 * self.modulus).between(self.mirrors.clone());
         for _ in 0..4 {
-            let grid = lay(self.placed(0), self.placed(1), &ridge, &options);
+            let grid = build_grid(self.placed(0), self.placed(1), &contact_line, &options);
             let chart = Chart { tooth: 0, surface: 0 };
             let side = |k: usize| Side { body: k, structure: &body, chart, pose: self.poses[k] };
-            let patch = Patch { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
+            let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
             let n = grid.cells.len();
             let problem = ContactProblem {
                 compliance: compliance(&[patch], &Interrupt::never()).expect("no interrupt"),
@@ -307,8 +307,12 @@ fn a_long_cylinder_between_faces_is_a_line_contact() {
         half_counts: [10, 8],
         ..press([radius, radius], modulus, 2.0 * half_length * line_load)
     };
-    let ridge = between.ridge();
-    assert!(ridge.gap.abs() < 1e-18 && ridge.extent() == [-half_length, half_length], "{:?}", ridge.extent());
+    let contact_line = between.contact_line();
+    assert!(
+        contact_line.gap.abs() < 1e-18 && contact_line.extent() == [-half_length, half_length],
+        "{:?}",
+        contact_line.extent()
+    );
     let pressed = between.run();
     // Hertz (Johnson, eqs. 4.43 to 4.45).
     let half_width = (4.0 * line_load * radius / (PI * modulus)).sqrt();

@@ -1,30 +1,30 @@
 //! Three-dimensional contact of surfaces: contact lines, contact grids and compliance.
 //!
-//! [`find_ridge`] finds the contact line, along which two placed surfaces are closest; [`lay`]
+//! [`find_contact_line`] finds the contact line, along which two placed surfaces are closest; [`build_grid`]
 //! creates the cells; [`compliance`] computes their compliance matrix and [`first_guess`] an
 //! initial active set. Contact problem and solver are those of plane contact, with forces in N
 //! instead of N/m. [`pressures`], [`assess`] and [`peak`] evaluate the solution.
 //!
 //! See `docs/theory/contact.md`.
 
-mod across;
+mod active_set_guess;
 mod assembly;
+mod contact_line;
 mod grid;
-mod guess;
 mod half_space;
+mod height_field;
 mod image;
-mod intervals;
+mod interval_pairs;
 mod placement;
 mod pressure;
-mod ridge;
-mod sheet;
+mod transverse_approach;
 
-pub use assembly::{Patch, Side, compliance};
-pub use grid::{Cell, Grid, GridOptions, Slice, contact_modulus, lay};
-pub use guess::first_guess;
+pub use active_set_guess::first_guess;
+pub use assembly::{PatchCells, Side, compliance};
+pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};
+pub use grid::{Cell, Grid, GridOptions, Slice, build_grid, contact_modulus};
 pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};
 pub use pressure::{GridReport, Peak, assess, half_axes, peak, peak_in, pressures, slice_peaks_in};
-pub use ridge::{Ridge, RidgePoint, find_ridge};
 
 #[cfg(test)]
 mod helical_tests;

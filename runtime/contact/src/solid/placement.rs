@@ -34,7 +34,7 @@ impl Pose {
 
     /// Composes the pose with a preceding rotation by `angle` (rad) about the z axis, like that of
     /// a tooth in its gear.
-    pub fn turned_first(&self, angle: f64) -> Pose {
+    pub fn rotated_first(&self, angle: f64) -> Pose {
         let (sine, cosine) = angle.sin_cos();
         let turn = |[x, y, z]: Vector| [x * cosine + y * sine, y * cosine - x * sine, z];
         Pose { rotation: self.rotation.map(turn), origin: self.origin }

@@ -117,7 +117,7 @@ fn number(points: &[[f64; 3]], cells: &[(Cell, Vec<usize>)], order: u8) -> (Vec<
     let mut known = HashMap::<Vec<(usize, i64)>, usize>::new();
     let mut positions = Vec::new();
     let mut of_cell = |(kind, corners): &(Cell, Vec<usize>)| {
-        let places = kind.interpolation(order).node_places();
+        let places = kind.interpolation(order).node_coordinates();
         let node = |place: [f64; 3]| {
             let shares = kind.interpolation(1).shapes(place);
             // Shares are whole multiples of this.

@@ -1,8 +1,8 @@
 //! Interpolation in solid elements: Lagrange hexahedra, pentahedra and tetrahedra, and section
 //! elements with axodes (FQP, report 3.1.4). Used for displacements and coordinates.
 
-use super::line::{equispaced, lagrange, lobatto};
-use crate::interpolation::{ElementOrder, side_place};
+use super::line_interpolation::{equispaced, lagrange, lobatto};
+use crate::interpolation::{ElementOrder, side_point};
 use calyx_numerics::quadrature::gauss_legendre;
 use std::sync::Arc;
 
@@ -100,14 +100,14 @@ impl Interpolation {
     /// Returns the indices of the nodes at the corners of the cell, in the order of its linear
     /// interpolation.
     pub fn corners(&self) -> Vec<usize> {
-        let places = self.node_places();
+        let places = self.node_coordinates();
         let node = |corner: [f64; 3]| {
             let distance =
                 |place: &[f64; 3]| (0..3).map(|axis| (place[axis] - corner[axis]).abs()).sum::<f64>();
             places.iter().position(|place| distance(place) < 1e-9)
         };
         // Every interpolation has nodes at all corners.
-        self.cell().interpolation(1).node_places().into_iter().filter_map(node).collect()
+        self.cell().interpolation(1).node_coordinates().into_iter().filter_map(node).collect()
     }
 
     /// Returns the number of nodes.
@@ -122,7 +122,7 @@ impl Interpolation {
     }
 
     /// Returns the local coordinates of the nodes.
-    pub fn node_places(&self) -> Vec<[f64; 3]> {
+    pub fn node_coordinates(&self) -> Vec<[f64; 3]> {
         match self {
             Self::Hexahedron(order) => {
                 let line = equispaced(*order);
@@ -154,7 +154,7 @@ impl Interpolation {
                 let axode = |([xi, eta], &order): ([f64; 2], &u8)| {
                     lobatto(order).into_iter().map(move |zeta| [xi, eta, zeta])
                 };
-                section.node_places().into_iter().zip(axial.iter()).flat_map(axode).collect()
+                section.node_coordinates().into_iter().zip(axial.iter()).flat_map(axode).collect()
             }
         }
     }
@@ -272,10 +272,10 @@ impl Cell {
 
     /// Returns the local coordinates of a point of a face at its coordinates `a` and `b`, and their
     /// derivatives; the cross product of the images of the derivatives points outwards.
-    pub fn face_place(self, face: usize, [a, b]: [f64; 2]) -> ([f64; 3], [[f64; 3]; 2]) {
+    pub fn face_coordinates(self, face: usize, [a, b]: [f64; 2]) -> ([f64; 3], [[f64; 3]; 2]) {
         match (self, face) {
             (Self::Hexahedron, 0..=3) => {
-                let [xi, eta] = side_place(face, a);
+                let [xi, eta] = side_point(face, a);
                 let [along_xi, along_eta] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][face];
                 ([xi, eta, b], [[along_xi, along_eta, 0.0], [0.0, 0.0, 1.0]])
             }

@@ -1,7 +1,7 @@
 //! Consistent loads on faces of elements.
 
 use super::interpolation::Interpolation;
-use super::line::{equispaced, lagrange, lobatto};
+use super::line_interpolation::{equispaced, lagrange, lobatto};
 use super::mesh::{FacePoint, FaceSet};
 use super::model::SolidModel;
 use crate::sparse::SparseVector;

@@ -48,7 +48,7 @@ pub struct SolidElement {
 
 /// Point in an element, by its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SolidPlace {
+pub struct SolidElementPoint {
     /// Index in [`SolidMesh::elements`].
     pub element: usize,
     /// Local coordinates `xi`, `eta`, `zeta`, see [`Cell`].
@@ -77,7 +77,7 @@ pub struct FaceSet {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FacePoint {
     /// Element and local coordinates.
-    pub place: SolidPlace,
+    pub place: SolidElementPoint,
     /// Position, m.
     pub position: [f64; 3],
     /// Orthonormal tangents: along the first coordinate (on charts, increasing arc length), and
@@ -149,17 +149,17 @@ impl SolidMesh {
     }
 
     /// Returns the position of a point, m.
-    pub fn position(&self, place: SolidPlace) -> [f64; 3] {
+    pub fn position(&self, place: SolidElementPoint) -> [f64; 3] {
         self.map(place).position
     }
 
     /// Returns `jacobian[axis][local]`: derivatives of the position by the local coordinates at a
     /// point, m.
-    pub fn jacobian(&self, place: SolidPlace) -> [[f64; 3]; 3] {
+    pub fn jacobian(&self, place: SolidElementPoint) -> [[f64; 3]; 3] {
         self.map(place).jacobian
     }
 
-    fn map(&self, place: SolidPlace) -> Mapped {
+    fn map(&self, place: SolidElementPoint) -> Mapped {
         let element = &self.elements[place.element];
         let shapes = element.coordinate_interpolation.shapes(place.local);
         let mut position = [0.0; 3];
@@ -185,11 +185,11 @@ impl SolidMesh {
         jacobian
     }
 
-    /// Returns the point of a face at its coordinates (see [`Cell::face_place`]).
+    /// Returns the point of a face at its coordinates (see [`Cell::face_coordinates`]).
     pub fn face_point(&self, face: ElementFace, at: [f64; 2]) -> FacePoint {
         let cell = self.elements[face.element].interpolation.cell();
-        let (local, directions) = cell.face_place(face.face, at);
-        let place = SolidPlace { element: face.element, local };
+        let (local, directions) = cell.face_coordinates(face.face, at);
+        let place = SolidElementPoint { element: face.element, local };
         let Mapped { position, jacobian } = self.map(place);
         let along = directions.map(|direction| [0, 1, 2].map(|axis| dot(jacobian[axis], direction)));
         FacePoint::new(place, position, along)
@@ -214,7 +214,7 @@ impl SolidMesh {
         for (index, element) in self.elements.iter().enumerate() {
             let kind = &element.coordinate_interpolation;
             let table = tables.entry(kind).or_insert_with(|| {
-                let mut places = kind.node_places();
+                let mut places = kind.node_coordinates();
                 places.push(kind.cell().middle());
                 places.into_iter().map(|place| (place, kind.shapes(place))).collect::<Vec<_>>()
             });
@@ -222,7 +222,7 @@ impl SolidMesh {
                 // The comparison is negated so that NaN counts as folded.
                 let sound = determinant(self.jacobian_of(element, shapes)) > 0.0;
                 if !sound {
-                    return Some((index, self.position(SolidPlace { element: index, local: *local })));
+                    return Some((index, self.position(SolidElementPoint { element: index, local: *local })));
                 }
             }
         }
@@ -234,7 +234,7 @@ impl Interpolation {
     /// Returns the indices of the nodes on a face, ascending.
     pub fn face_nodes(&self, face: usize) -> Vec<usize> {
         let cell: Cell = self.cell();
-        let places = self.node_places().into_iter().enumerate();
+        let places = self.node_coordinates().into_iter().enumerate();
         places.filter(|(_, place)| cell.is_on_face(face, *place)).map(|(node, _)| node).collect()
     }
 }
@@ -242,7 +242,7 @@ impl Interpolation {
 impl FacePoint {
     /// Builds a face point from the derivatives of the position by the two coordinates, whose cross
     /// product points outwards.
-    pub(super) fn new(place: SolidPlace, position: [f64; 3], along: [[f64; 3]; 2]) -> Self {
+    pub(super) fn new(place: SolidElementPoint, position: [f64; 3], along: [[f64; 3]; 2]) -> Self {
         let outward = cross(along[0], along[1]);
         let area = norm(outward);
         let normal = outward.map(|part| part / area);

@@ -21,10 +21,10 @@
 
 mod assembly;
 pub mod cells;
+pub mod dof_sets;
 pub mod fourier;
-pub mod freedoms;
 pub mod interpolation;
-pub mod line;
+pub mod line_interpolation;
 mod load;
 pub mod mesh;
 pub mod model;
@@ -34,10 +34,10 @@ pub mod sweep;
 mod swept;
 
 pub use cells::CellError;
+pub use dof_sets::{DofError, DofKind, DofSets, Reduced};
 pub use fourier::{Component, RevolutionSurface, Series, Term};
-pub use freedoms::{Freedom, FreedomError, FreedomSets, Reduced};
 pub use interpolation::{Cell, Interpolation};
-pub use mesh::{ABSENT, ElementFace, FacePoint, FaceSet, SolidElement, SolidMesh, SolidPlace};
+pub use mesh::{ABSENT, ElementFace, FacePoint, FaceSet, SolidElement, SolidElementPoint, SolidMesh};
 pub use model::SolidModel;
 pub use recovery::{ErrorEstimate, RecoveredStress};
 pub use surface_stress::{SurfaceStressRecovery, SurfaceStressRows};

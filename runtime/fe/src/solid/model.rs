@@ -3,7 +3,7 @@
 
 use super::assembly::{Coupling, assemble};
 use super::interpolation::{Interpolation, SolidShape};
-use super::mesh::{SolidElement, SolidMesh, SolidPlace, cross, determinant, dot};
+use super::mesh::{SolidElement, SolidElementPoint, SolidMesh, cross, determinant, dot};
 use crate::material::Material;
 use crate::sparse::SparseVector;
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
@@ -189,7 +189,7 @@ impl SolidModel {
 
     /// Returns the row for the displacement at a point in a direction; also the load vector of a
     /// unit force there.
-    pub fn displacement_row(&self, place: SolidPlace, direction: [f64; 3]) -> SparseVector {
+    pub fn displacement_row(&self, place: SolidElementPoint, direction: [f64; 3]) -> SparseVector {
         let element = &self.mesh.elements[place.element];
         let shapes = element.interpolation.shapes(place.local);
         let terms = element.nodes.iter().zip(&shapes).filter(|(_, shape)| shape[0] != 0.0);
@@ -199,7 +199,7 @@ impl SolidModel {
     }
 
     /// Returns the displacement at a point, from a full vector, m.
-    pub fn displacement(&self, place: SolidPlace, displacements: &[f64]) -> [f64; 3] {
+    pub fn displacement(&self, place: SolidElementPoint, displacements: &[f64]) -> [f64; 3] {
         let element = &self.mesh.elements[place.element];
         let mut sum = [0.0; 3];
         for (shape, &node) in element.interpolation.shapes(place.local).iter().zip(&element.nodes) {
@@ -212,14 +212,14 @@ impl SolidModel {
 
     /// Returns the derivatives of the displacement shape functions of an element by x, y and z, in
     /// the order of its nodes.
-    pub fn gradients(&self, place: SolidPlace) -> Vec<[f64; 3]> {
+    pub fn gradients(&self, place: SolidElementPoint) -> Vec<[f64; 3]> {
         let element = &self.mesh.elements[place.element];
         let inverse = Inverse::new(self.mesh.jacobian(place));
         element.interpolation.shapes(place.local).iter().map(|shape| inverse.gradient(shape)).collect()
     }
 
     /// Returns the element stresses (Pa) at a point, without smoothing, from a full vector.
-    pub fn stress(&self, place: SolidPlace, displacements: &[f64]) -> [f64; 6] {
+    pub fn stress(&self, place: SolidElementPoint, displacements: &[f64]) -> [f64; 6] {
         let element = &self.mesh.elements[place.element];
         let mut gradient = [[0.0; 3]; 3];
         for (shape, &node) in self.gradients(place).iter().zip(&element.nodes) {
@@ -242,7 +242,7 @@ impl SolidModel {
     }
 
     /// Returns the rows for the element stresses (Pa) at a point, without smoothing.
-    pub fn stress_rows(&self, place: SolidPlace) -> StressRows {
+    pub fn stress_rows(&self, place: SolidElementPoint) -> StressRows {
         let element = &self.mesh.elements[place.element];
         let gradients = self.gradients(place);
         let terms = element.nodes.iter().copied().zip(gradients).collect::<Vec<_>>();

@@ -13,7 +13,7 @@
 //! is interpolated between the nodes like displacements.
 
 use super::interpolation::{Cell, Interpolation};
-use super::mesh::{SolidElement, SolidMesh, SolidPlace};
+use super::mesh::{SolidElement, SolidElementPoint, SolidMesh};
 use super::model::{Inverse, SolidModel};
 use crate::stress::{fit, nearness};
 use calyx_numerics::quadrature::gauss_legendre;
@@ -63,7 +63,7 @@ impl Cell {
             let place = move |place: [f64; 3]| {
                 [0, 1, 2].map(|axis| middle[axis] + factor * (place[axis] - middle[axis]))
             };
-            let places = if across == 1 { vec![middle] } else { kind.node_places() };
+            let places = if across == 1 { vec![middle] } else { kind.node_coordinates() };
             places.into_iter().map(place).collect::<Vec<_>>()
         };
         match self {
@@ -97,7 +97,7 @@ impl Cell {
 impl SolidModel {
     /// Smooths the stresses of a solution, a full vector of displacements.
     pub fn recover_stress<'a>(&'a self, displacements: &'a [f64]) -> RecoveredStress<'a> {
-        let patches = Patches::new(&self.mesh);
+        let patches = RecoveryPatches::new(&self.mesh);
         let indices = (0..self.mesh.elements.len()).collect::<Vec<_>>();
         let samples = indices.par_iter().map(|&index| self.samples(index, displacements)).collect::<Vec<_>>();
         let around = (0..self.mesh.nodes.len()).map(|node| patches.corners_for(node)).collect::<Vec<_>>();
@@ -134,7 +134,7 @@ impl SolidModel {
         let kind = &self.mesh.elements[index].interpolation;
         let places = kind.cell().superconvergent(kind.lowest());
         let sample = |local| {
-            let place = SolidPlace { element: index, local };
+            let place = SolidElementPoint { element: index, local };
             (self.mesh.position(place), self.stress(place, displacements))
         };
         places.into_iter().map(sample).collect()
@@ -142,7 +142,7 @@ impl SolidModel {
 }
 
 /// Elements and corners around nodes.
-struct Patches {
+struct RecoveryPatches {
     elements_of: Vec<Vec<usize>>,
     /// Corners of each element, as nodes.
     corners: Vec<Vec<usize>>,
@@ -151,7 +151,7 @@ struct Patches {
     from_inside: bool,
 }
 
-impl Patches {
+impl RecoveryPatches {
     fn new(mesh: &SolidMesh) -> Self {
         let mut elements_of = vec![Vec::new(); mesh.nodes.len()];
         for (index, element) in mesh.elements.iter().enumerate() {
@@ -241,7 +241,7 @@ impl Fit {
         let center = mesh.nodes[corner];
         let kind = &mesh.elements[element].interpolation;
         // Along the element's own axes, so that its orders are those of the polynomial.
-        let jacobian = mesh.jacobian(SolidPlace { element, local: kind.cell().middle() });
+        let jacobian = mesh.jacobian(SolidElementPoint { element, local: kind.cell().middle() });
         let inverse = Matrix3::from_fn(|axis, local| jacobian[axis][local]).try_inverse();
         let inverse = inverse.unwrap_or_else(Matrix3::identity);
         let off = |at: [f64; 3]| inverse * Vector3::from_fn(|axis, _| at[axis] - center[axis]);
@@ -297,7 +297,7 @@ fn powers(p: i32, q: i32) -> Vec<[i32; 3]> {
 
 impl RecoveredStress<'_> {
     /// Returns the smoothed stress at a point, Pa.
-    pub fn at(&self, place: SolidPlace) -> [f64; 6] {
+    pub fn at(&self, place: SolidElementPoint) -> [f64; 6] {
         let element = &self.model.mesh.elements[place.element];
         let shapes =
             element.interpolation.shapes(place.local).into_iter().map(|shape| shape[0]).collect::<Vec<_>>();
@@ -320,7 +320,7 @@ impl RecoveredStress<'_> {
             let points = displacement.highest().map(|order| usize::from(order) + 1);
             let (mut error, mut energy) = (0.0, 0.0);
             for (local, weight) in displacement.cell().quadrature(points) {
-                let place = SolidPlace { element: index, local };
+                let place = SolidElementPoint { element: index, local };
                 let volume =
                     Inverse::new(model.mesh.jacobian_of(element, &coordinate.shapes(local))).determinant;
                 let own = model.stress(place, self.displacements);

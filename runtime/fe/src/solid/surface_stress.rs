@@ -10,7 +10,7 @@ use super::interpolation::{Interpolation, SolidShape};
 use super::mesh::{FacePoint, FaceSet};
 use super::model::{Inverse, SolidModel};
 use super::swept::Swept;
-use crate::mesh::{EdgeChain, Place};
+use crate::mesh::{EdgeChain, ElementPoint};
 use crate::sparse::SparseVector;
 use crate::stress::{elements_of, fit_weights, nearness, sample_weights};
 use calyx_numerics::quadrature::gauss_legendre;
@@ -79,7 +79,7 @@ impl<'a> SurfaceStressRecovery<'a> {
 
     /// Returns an upper bound of the memory of the rows of one point, bytes: as if no two elements
     /// shared a node.
-    pub fn memory_of_place(&self) -> u64 {
+    pub fn memory_per_point(&self) -> u64 {
         let section = &self.swept.section;
         let patch = |nodes: &[usize]| {
             nodes.iter().flat_map(|&node| &self.elements_of[node]).collect::<BTreeSet<_>>().len()
@@ -114,7 +114,7 @@ impl<'a> SurfaceStressRecovery<'a> {
 
     /// Returns the smoothed displacement gradient as a sum over nodes of displacement times vector:
     /// the mean of the fits around some layers.
-    fn gradient(&self, place: Place, layers: &[usize], z: f64) -> Vec<(usize, [f64; 3])> {
+    fn gradient(&self, place: ElementPoint, layers: &[usize], z: f64) -> Vec<(usize, [f64; 3])> {
         let mesh = &self.model.mesh;
         let count = self.swept.section.elements.len();
         let across = sample_weights(&self.swept.section, &self.elements_of, place);

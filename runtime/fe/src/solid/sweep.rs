@@ -3,10 +3,10 @@
 //! z), arc length of the chain by axial coordinate.
 
 use super::interpolation::Interpolation;
-use super::line::{equispaced, lagrange, lobatto};
-use super::mesh::{ElementFace, FacePoint, FaceSet, SolidElement, SolidMesh, SolidPlace};
+use super::line_interpolation::{equispaced, lagrange, lobatto};
+use super::mesh::{ElementFace, FacePoint, FaceSet, SolidElement, SolidElementPoint, SolidMesh};
 use super::swept::{FaceChart, Swept};
-use crate::interpolation::side_place;
+use crate::interpolation::side_point;
 use crate::mesh::{ArcLength, EdgeChain, ElementEdge, PlaneMesh};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -161,7 +161,7 @@ impl SolidMesh {
             let table = tables.entry(kinds).or_insert_with(|| {
                 let values =
                     |place| kinds.1.shapes(place).into_iter().map(|shape| shape[0]).collect::<Vec<_>>();
-                kinds.0.node_places().into_iter().map(values).collect::<Vec<_>>()
+                kinds.0.node_coordinates().into_iter().map(values).collect::<Vec<_>>()
             });
             for (&node, shapes) in element.nodes.iter().zip(&*table) {
                 positions[node].get_or_insert_with(|| {
@@ -196,7 +196,7 @@ impl SolidMesh {
         swept: &'a Swept,
         edge: usize,
         layer: usize,
-    ) -> Patch<'a> {
+    ) -> SweptFace<'a> {
         let of_section = &chart.edges[edge];
         let element = layer * swept.section.elements.len() + of_section.element;
         let flat = &swept.section.elements[of_section.element];
@@ -205,7 +205,7 @@ impl SolidMesh {
             Interpolation::Axodes { axial, .. } => axial.first().copied().unwrap_or(1),
             _ => 1,
         };
-        Patch {
+        SweptFace {
             mesh: self,
             swept,
             measure: chart.measure,
@@ -219,7 +219,7 @@ impl SolidMesh {
 }
 
 /// Swept face with coordinates `t` (along the chain, -1 ..= 1) and `zeta`.
-pub(super) struct Patch<'a> {
+pub(super) struct SweptFace<'a> {
     mesh: &'a SolidMesh,
     swept: &'a Swept,
     measure: ArcLength,
@@ -232,7 +232,7 @@ pub(super) struct Patch<'a> {
     side: Vec<usize>,
 }
 
-impl Patch<'_> {
+impl SweptFace<'_> {
     /// Returns the coordinate `t` at an arc length, clamped to the ends.
     pub fn parameter(&self, s: f64) -> f64 {
         self.swept.section.edge_parameter(self.measure, self.edge, s)
@@ -267,7 +267,7 @@ impl Patch<'_> {
             s: self.swept.section.arc_length(self.measure, self.edge, t),
             arc_per_t: self.arc_per_t(t),
             speed: self.swept.section.edge_point(self.edge, t).speed,
-            local: side_place(self.edge.side, own),
+            local: side_point(self.edge.side, own),
             shapes: lagrange(&self.lines[0], own),
         }
     }
@@ -291,7 +291,7 @@ impl Patch<'_> {
             }
         }
         let [xi, eta] = across.local;
-        let place = SolidPlace { element: self.element, local: [xi, eta, along.zeta] };
+        let place = SolidElementPoint { element: self.element, local: [xi, eta, along.zeta] };
         let mut point = FacePoint::new(place, position, [by_t, by_zeta]);
         // On a true profile, areas refer to its arc length: the area per length on the mesh is
         // taken as that per arc length of the profile.
@@ -305,7 +305,7 @@ impl Patch<'_> {
     }
 }
 
-/// Data of a position along the chain, see [`Patch::at_chain`].
+/// Data of a position along the chain, see [`SweptFace::at_chain`].
 pub(super) struct AtChain {
     /// Arc length, m.
     pub s: f64,
@@ -319,7 +319,7 @@ pub(super) struct AtChain {
     shapes: Vec<(f64, f64)>,
 }
 
-/// Data of a position along the axis, see [`Patch::at_axis`].
+/// Data of a position along the axis, see [`SweptFace::at_axis`].
 pub(super) struct AtAxis {
     zeta: f64,
     /// Axial coordinate, m.

@@ -3,8 +3,8 @@
 use crate::MATERIAL;
 use calyx_fe::material::Plane;
 use calyx_fe::{
-    Block, Constraints, Curve, ElementOrder, MeshBuilder, Place, PlaneModel, Side, Solver, StressRecovery,
-    quadrature::gauss_legendre, uniform,
+    Block, Constraints, Curve, ElementOrder, ElementPoint, MeshBuilder, PlaneModel, Side, Solver,
+    StressRecovery, quadrature::gauss_legendre, uniform,
 };
 use std::f64::consts::FRAC_PI_2;
 
@@ -50,7 +50,7 @@ fn errors(
     for (index, element) in mesh.elements.iter().enumerate() {
         let rule = gauss_legendre(usize::from(element.order.highest()) + 3);
         for (xi, eta, weight) in rule.iter().flat_map(|a| rule.iter().map(move |b| (a.0, b.0, a.1 * b.1))) {
-            let place = Place { element: index, xi, eta };
+            let place = ElementPoint { element: index, xi, eta };
             let [[a, b], [c, d]] = mesh.jacobian(place);
             let (at, weight) = (mesh.position(place), weight * (a * d - b * c));
             let (u, sigma) = (displacement(at), stress(at));

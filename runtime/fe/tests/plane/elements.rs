@@ -30,7 +30,7 @@ fn element(order: ElementOrder) -> PlaneMesh {
 #[test]
 fn shape_functions_are_one_at_their_node_and_zero_at_the_others() {
     for order in orders() {
-        let places = order.node_places();
+        let places = order.node_coordinates();
         assert_eq!(places.len(), order.node_count());
         for (node, place) in places.iter().enumerate() {
             for (index, shape) in order.shapes(place[0], place[1]).iter().enumerate() {
@@ -66,8 +66,12 @@ fn full_orders_interpolate_their_whole_tensor_product() {
         let power = |[x, y]: [f64; 2]| (0.3 + x).powi(degree.into()) * (y - 0.8).powi(degree.into());
         let place = [0.37, -0.59];
         let shapes = order.shapes(place[0], place[1]);
-        let value =
-            order.node_places().iter().zip(&shapes).map(|(&node, shape)| power(node) * shape[0]).sum::<f64>();
+        let value = order
+            .node_coordinates()
+            .iter()
+            .zip(&shapes)
+            .map(|(&node, shape)| power(node) * shape[0])
+            .sum::<f64>();
         assert!((value - power(place)).abs() < 1e-13);
     }
 }

@@ -3,7 +3,8 @@
 use crate::MATERIAL;
 use calyx_fe::material::Plane;
 use calyx_fe::{
-    Block, Constraints, Curve, ElementOrder, MeshBuilder, Place, PlaneMesh, PlaneModel, Side, Solver, uniform,
+    Block, Constraints, Curve, ElementOrder, ElementPoint, MeshBuilder, PlaneMesh, PlaneModel, Side, Solver,
+    uniform,
 };
 use std::collections::BTreeSet;
 
@@ -75,7 +76,7 @@ fn check(name: &str, mesh: PlaneMesh) {
     let stress = [d11 * xx + d12 * yy, d12 * xx + d11 * yy, d33 * (xy + yx)];
     for element in 0..mesh.elements.len() {
         for (xi, eta) in [(0.0, 0.0), (-1.0, 1.0), (0.7, -0.3)] {
-            let found = model.stress(Place { element, xi, eta }, &solved);
+            let found = model.stress(ElementPoint { element, xi, eta }, &solved);
             for (found, stress) in found.iter().zip(&stress) {
                 assert!(
                     (found - stress).abs() < TOLERANCE * d11 * 1e-2,

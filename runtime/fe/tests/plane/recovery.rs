@@ -3,7 +3,7 @@
 use crate::MATERIAL;
 use calyx_fe::material::Plane;
 use calyx_fe::{
-    Block, ElementOrder, MeshBuilder, Place, PlaneModel, StressRecovery, principal_stresses, uniform,
+    Block, ElementOrder, ElementPoint, MeshBuilder, PlaneModel, StressRecovery, principal_stresses, uniform,
 };
 
 #[test]
@@ -20,7 +20,7 @@ fn stresses_of_polynomial_displacements_are_recovered_exactly() {
         let [d11, d12, d33] = model.elasticity();
         let recovery = StressRecovery::new(&model);
         for element in 0..model.mesh.elements.len() {
-            let place = Place { element, xi: 0.4, eta: -1.0 };
+            let place = ElementPoint { element, xi: 0.4, eta: -1.0 };
             let [x, y] = model.mesh.position(place);
             let (f, g) = (
                 f64::from(power) * (x + 2.0 * y).powi(power - 1),

@@ -4,7 +4,7 @@ use crate::shapes::{Kind, cube, kinds};
 use crate::{MATERIAL, dot, solve};
 use calyx_fe::Constraints;
 use calyx_fe::material::Material;
-use calyx_fe::solid::{SolidModel, SolidPlace};
+use calyx_fe::solid::{SolidElementPoint, SolidModel};
 use std::collections::BTreeSet;
 
 /// Observed orders may miss those of theory by this.
@@ -79,7 +79,7 @@ fn errors(problem: &Problem<'_>, kind: Kind, divisions: [usize; 3]) -> Errors {
     for (index, element) in model.mesh.elements.iter().enumerate() {
         let [p, q] = element.interpolation.highest().map(|order| usize::from(order) + 3);
         for (local, weight) in element.interpolation.cell().quadrature([p, q]) {
-            let place = SolidPlace { element: index, local };
+            let place = SolidElementPoint { element: index, local };
             let [a, b, c] = model.mesh.jacobian(place);
             let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
             let weight = weight * dot(a, cross);

@@ -2,7 +2,7 @@
 
 use crate::shapes::{Kind, cube, kinds};
 use crate::{GRADIENT, MATERIAL, dot, linear_field, residual, solve, traction};
-use calyx_fe::solid::{Cell, Interpolation, SolidModel, SolidPlace};
+use calyx_fe::solid::{Cell, Interpolation, SolidElementPoint, SolidModel};
 use calyx_fe::{Constraints, ElementOrder};
 use nalgebra::DMatrix;
 use std::collections::BTreeSet;
@@ -29,7 +29,7 @@ const INSIDE: [f64; 3] = [0.31, 0.22, 0.17];
 #[test]
 fn shape_functions_are_one_at_their_node_and_zero_at_the_others() {
     for kind in interpolations() {
-        let places = kind.node_places();
+        let places = kind.node_coordinates();
         assert_eq!(places.len(), kind.node_count(), "{kind:?}");
         for (node, &place) in places.iter().enumerate() {
             for (index, shape) in kind.shapes(place).iter().enumerate() {
@@ -49,7 +49,8 @@ fn shape_functions_sum_to_one_reproduce_their_order_and_differentiate_consistent
         // A polynomial of the order of each direction, of that order altogether.
         let total = p.min(q);
         let polynomial = |[x, y, z]: [f64; 3]| (0.3 + 0.5 * x - 0.7 * y + 0.4 * z).powi(total) + z.powi(q);
-        let sum = shapes.iter().zip(kind.node_places()).map(|(shape, place)| shape[0] * polynomial(place));
+        let sum =
+            shapes.iter().zip(kind.node_coordinates()).map(|(shape, place)| shape[0] * polynomial(place));
         assert!((sum.sum::<f64>() - polynomial(INSIDE)).abs() < 1e-13, "{kind:?}");
         for part in 0..4 {
             let sum = shapes.iter().map(|shape| shape[part]).sum::<f64>();
@@ -75,7 +76,7 @@ fn faces_lie_on_the_cell_and_point_out_of_it() {
         let mut outward = [0.0; 3];
         for face in 0..cell.face_count() {
             for (at, weight) in cell.face_quadrature(face, 3) {
-                let (place, [a, b]) = cell.face_place(face, at);
+                let (place, [a, b]) = cell.face_coordinates(face, at);
                 assert!(cell.is_on_face(face, place), "{cell:?}, face {face}");
                 let normal =
                     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -128,7 +129,7 @@ fn constant_strain_on_distorted_meshes() {
             }
             let exact = model.stress_of(GRADIENT);
             for element in 0..mesh.elements.len() {
-                let found = model.stress(SolidPlace { element, local: INSIDE }, &solved);
+                let found = model.stress(SolidElementPoint { element, local: INSIDE }, &solved);
                 for (found, exact) in found.iter().zip(&exact) {
                     assert!(
                         (found - exact).abs() < 1e-9 * MATERIAL.youngs_modulus * 1e-3,
@@ -215,7 +216,7 @@ fn mass_has_the_total_and_the_moments_of_the_volume() {
             let (mut volume, mut about_x, mut first_z) = (0.0, 0.0, 0.0);
             for (index, element) in model.mesh.elements.iter().enumerate() {
                 for (local, weight) in element.interpolation.cell().quadrature([9, 9]) {
-                    let place = SolidPlace { element: index, local };
+                    let place = SolidElementPoint { element: index, local };
                     let [a, b, c] = model.mesh.jacobian(place);
                     let cross =
                         [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];

@@ -1,8 +1,8 @@
 //! The solid elements against what theory says of them.
 
 mod convergence;
+mod dof_sets;
 mod elements;
-mod freedoms;
 mod recovery;
 mod shapes;
 mod sweep;

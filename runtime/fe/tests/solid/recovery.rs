@@ -3,7 +3,7 @@
 use crate::convergence::{Problem, cylinder, solved, sphere};
 use crate::shapes::{Kind, cube, kinds};
 use crate::{GRADIENT, MATERIAL, dot, linear_field};
-use calyx_fe::solid::{SolidModel, SolidPlace};
+use calyx_fe::solid::{SolidElementPoint, SolidModel};
 
 /// Energies of the error: of the solution's own stresses, of the smoothed ones, and as estimated; relative to that of the
 /// solution.
@@ -15,7 +15,7 @@ fn errors(problem: &Problem<'_>, kind: Kind, divisions: [usize; 3]) -> [f64; 3] 
     for (index, element) in model.mesh.elements.iter().enumerate() {
         let [p, q] = element.interpolation.highest().map(|order| usize::from(order) + 3);
         for (local, weight) in element.interpolation.cell().quadrature([p, q]) {
-            let place = SolidPlace { element: index, local };
+            let place = SolidElementPoint { element: index, local };
             let [a, b, c] = model.mesh.jacobian(place);
             let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
             let weight = weight * dot(a, cross);

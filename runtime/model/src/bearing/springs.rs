@@ -1,9 +1,9 @@
 //! Contribution of all bearings to the contact problem: stiffness and loads on the DOFs, and gap
-//! equations of the stops, followed by those of spline teeth ([`crate::lug_contact`]).
+//! equations of the stops, followed by those of spline teeth ([`crate::spline_contact`]).
 
-use super::{Bearing, BearingMatrix, Placed};
+use super::{Bearing, BearingMatrix, BearingState};
 use crate::body::Body;
-use crate::freedom::Freedom;
+use crate::dof::Dof;
 use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::EngineError;
 use faer::MatRef;
@@ -28,23 +28,23 @@ pub struct Springs {
 /// body in a plane model, and 1 in three dimensions.
 ///
 /// # Errors
-/// Those of [`Placed::at`].
+/// Those of [`BearingState::at`].
 pub fn springs(
     bodies: &[Body],
     bearings: &[Bearing],
     planned: &[usize],
-    freedoms: &[Freedom],
+    dofs: &[Dof],
     width: impl Fn(usize) -> f64,
     time: f64,
 ) -> Result<Springs, EngineError> {
-    let m = freedoms.len();
+    let m = dofs.len();
     let modelled = || planned.iter().filter_map(|&bearing| bearings.get(bearing));
     let walls: usize = modelled().map(Bearing::walls).sum();
     let mut springs = Springs { compliance: vec![0.0; walls * walls], ..Springs::none(m) };
     for bearing in modelled() {
-        let placed = Placed::at(bodies, bearing, time)?;
+        let placed = BearingState::at(bodies, bearing, time)?;
         let width = width(bearing.body.0);
-        let columns: Vec<[f64; 6]> = freedoms.iter().map(|freedom| placed.deflection(freedom)).collect();
+        let columns: Vec<[f64; 6]> = dofs.iter().map(|dof| placed.deflection(dof)).collect();
         let pushed = |x: &[f64; 6]| stiffly(bearing, x);
         let own = bearing.own_load();
         for (k, column) in columns.iter().enumerate() {
@@ -79,24 +79,24 @@ pub fn springs(
 /// Assembles the damping matrix of the planned bearings, row-major, like [`springs`].
 ///
 /// # Errors
-/// Those of [`Placed::at`].
+/// Those of [`BearingState::at`].
 pub fn damping(
     bodies: &[Body],
     bearings: &[Bearing],
     planned: &[usize],
-    freedoms: &[Freedom],
+    dofs: &[Dof],
     width: impl Fn(usize) -> f64,
     time: f64,
 ) -> Result<Vec<f64>, EngineError> {
-    let m = freedoms.len();
+    let m = dofs.len();
     let mut damping = vec![0.0; m * m];
     for bearing in planned.iter().filter_map(|&bearing| bearings.get(bearing)) {
         if bearing.damping.iter().flatten().all(|&entry| entry == 0.0) {
             continue;
         }
-        let placed = Placed::at(bodies, bearing, time)?;
+        let placed = BearingState::at(bodies, bearing, time)?;
         let width = width(bearing.body.0);
-        let columns: Vec<[f64; 6]> = freedoms.iter().map(|freedom| placed.deflection(freedom)).collect();
+        let columns: Vec<[f64; 6]> = dofs.iter().map(|dof| placed.deflection(dof)).collect();
         for (k, column) in columns.iter().enumerate() {
             let force = symmetric(&bearing.damping, column);
             for (l, other) in columns.iter().enumerate().skip(k) {
@@ -113,10 +113,10 @@ pub fn damping(
 
 impl Springs {
     /// Creates the terms of a system without bearings.
-    pub fn none(freedoms: usize) -> Springs {
+    pub fn none(dofs: usize) -> Springs {
         Springs {
-            stiffness: vec![0.0; freedoms * freedoms],
-            load: vec![0.0; freedoms],
+            stiffness: vec![0.0; dofs * dofs],
+            load: vec![0.0; dofs],
             gaps: Vec::new(),
             arms: Vec::new(),
             compliance: Vec::new(),

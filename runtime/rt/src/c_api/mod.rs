@@ -56,11 +56,11 @@ struct State {
     instance: Instance,
     program: Arc<dyn Program>,
     running: Running,
-    problem: Option<Told>,
+    problem: Option<ProblemTexts>,
 }
 
 /// The texts of a problem.
-struct Told {
+struct ProblemTexts {
     status: CStatus,
     code: CString,
     message: CString,
@@ -84,9 +84,9 @@ pub struct Problem {
     pub report: *const c_char,
 }
 
-impl Told {
-    fn new(error: &Error, description: &ModelDescription) -> Told {
-        let mut told = Told {
+impl ProblemTexts {
+    fn new(error: &Error, description: &ModelDescription) -> ProblemTexts {
+        let mut told = ProblemTexts {
             status: CStatus::of(error),
             code: c_text(error.code().unwrap_or_default()),
             message: c_text(error.message()),
@@ -175,7 +175,7 @@ unsafe fn with(
         Ok(Err(error)) => error,
         Err(_) => panicked(),
     };
-    let told = Told::new(&error, state.program.description());
+    let told = ProblemTexts::new(&error, state.program.description());
     let status = told.status;
     state.problem = Some(told);
     status

@@ -2,7 +2,7 @@
 
 use super::{CInstance, CStatus, State, c_text, store, text, with};
 use crate::error::Error;
-use crate::given::GivenValue;
+use crate::param_assignment::AssignedValue;
 use calyx_abi::description::ParamValue;
 use calyx_abi::units::from_si;
 use std::ffi::{c_char, c_int, c_void};
@@ -15,7 +15,7 @@ use std::time::Duration;
 unsafe fn set(
     instance: *mut CInstance,
     param: *const c_char,
-    value: impl FnOnce() -> Result<GivenValue, Error>,
+    value: impl FnOnce() -> Result<AssignedValue, Error>,
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
         // SAFETY: as promised by the caller.
@@ -34,7 +34,7 @@ unsafe fn set(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_set(instance: *mut CInstance, param: *const c_char, value: f64) -> CStatus {
     // SAFETY: as promised by the caller.
-    unsafe { set(instance, param, || Ok(GivenValue::Number(value))) }
+    unsafe { set(instance, param, || Ok(AssignedValue::Number(value))) }
 }
 
 /// Sets a param to a number in a unit.
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn calyx_set_in(
     unit: *const c_char,
 ) -> CStatus {
     // SAFETY: as promised by the caller.
-    unsafe { set(instance, param, || Ok(GivenValue::Quantity(value, text(unit, "the unit")?.into()))) }
+    unsafe { set(instance, param, || Ok(AssignedValue::Quantity(value, text(unit, "the unit")?.into()))) }
 }
 
 /// Sets a param that is TRUE or FALSE.
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn calyx_set_bool(
     value: c_int,
 ) -> CStatus {
     // SAFETY: as promised by the caller.
-    unsafe { set(instance, param, || Ok(GivenValue::Bool(value != 0))) }
+    unsafe { set(instance, param, || Ok(AssignedValue::Bool(value != 0))) }
 }
 
 /// Sets a param to what a text says.
@@ -77,7 +77,7 @@ pub unsafe extern "C" fn calyx_set_text(
     value: *const c_char,
 ) -> CStatus {
     // SAFETY: as promised by the caller.
-    unsafe { set(instance, param, || Ok(GivenValue::Text(text(value, "the text")?.into()))) }
+    unsafe { set(instance, param, || Ok(AssignedValue::Text(text(value, "the text")?.into()))) }
 }
 
 /// Gives a param its default again.

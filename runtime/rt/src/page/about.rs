@@ -271,10 +271,12 @@ pub fn command(run: &Run) -> String {
 }
 
 /// The same with a knob of the analysis turned.
-pub fn turned(run: &Run, knob: Option<(&str, &str)>) -> String {
-    let others = objects(&run.head["overrides"]).filter(|(name, _)| knob.is_none_or(|knob| knob.0 != *name));
+pub fn turned(run: &Run, overridden_setting: Option<(&str, &str)>) -> String {
+    let others = objects(&run.head["overrides"]).filter(|(name, _)| {
+        overridden_setting.is_none_or(|overridden_setting| overridden_setting.0 != *name)
+    });
     let overrides = others.map(|(name, value)| option(name, &shown(value)));
-    let turned = knob.map(|(name, value)| option(name, value));
+    let turned = overridden_setting.map(|(name, value)| option(name, value));
     [asked("run", run)].into_iter().chain(overrides).chain(turned).collect::<Vec<_>>().join(" ")
 }
 

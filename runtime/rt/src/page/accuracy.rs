@@ -109,7 +109,7 @@ fn lacks_level(run: &Run) -> bool {
 }
 
 /// Head of the columns of errors.
-pub fn off_by_head(run: &Run) -> &'static str {
+pub fn error_header(run: &Run) -> &'static str {
     if lacks_level(run) { "numerical error" } else { "estimated error" }
 }
 
@@ -332,7 +332,7 @@ fn table(run: &Run, outputs: &[&Output]) -> Markup {
         p { "Estimated error of the value of largest magnitude of each output: total and contributions, the largest in bold; then of the mean and of the peak-to-peak value. Contributions add up. Halving those in the last column about halves the total." }
         table.numbers {
             thead { tr {
-                th { "output" } th { "largest magnitude" } th { (off_by_head(run)) } th { "total" }
+                th { "output" } th { "largest magnitude" } th { (error_header(run)) } th { "total" }
                 @for source in &sources { th { (source.shown) } }
                 th { "error of mean" } th { "error of peak to peak" }
                 th { "to halve it" }

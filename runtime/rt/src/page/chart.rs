@@ -208,7 +208,7 @@ pub fn bars(size: (u32, u32), x: &Axis, y: &Axis, bars: &[(u64, f64)]) -> Plot {
 
 /// A piece of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub struct MapCell {
     /// From and to.
     pub x: [f64; 2],
     pub y: [f64; 2],
@@ -216,7 +216,7 @@ pub struct Piece {
 }
 
 /// A map of a surface: pieces coloured by their values, from nought to the largest.
-pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[Piece]) -> Plot {
+pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[MapCell]) -> Plot {
     let largest =
         pieces.iter().map(|piece| piece.value).filter(|value| value.is_finite()).fold(0.0, f64::max);
     let (Some(across), Some(up)) = (
@@ -348,9 +348,9 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Pieces that follow each other upwards in one colour are one: drawings stay small.
-fn merged(pieces: &[Piece], largest: f64) -> Vec<Piece> {
-    let colour = |piece: &Piece| shade(piece.value / largest);
-    let mut all: Vec<Piece> = Vec::new();
+fn merged(pieces: &[MapCell], largest: f64) -> Vec<MapCell> {
+    let colour = |piece: &MapCell| shade(piece.value / largest);
+    let mut all: Vec<MapCell> = Vec::new();
     for piece in pieces {
         match all.last_mut() {
             Some(last) if last.x == piece.x && last.y[1] == piece.y[0] && colour(last) == colour(piece) => {
@@ -443,7 +443,7 @@ mod tests {
 
     #[test]
     fn a_map_draws_neighbours_of_one_colour_as_one() {
-        let piece = |k: usize, value: f64| Piece { x: [0.0, 1.0], y: [k as f64, k as f64 + 1.0], value };
+        let piece = |k: usize, value: f64| MapCell { x: [0.0, 1.0], y: [k as f64, k as f64 + 1.0], value };
         let pieces = [piece(0, 1.0), piece(1, 1.0), piece(2, 9.0), piece(4, 9.0)];
         let all = merged(&pieces, 9.0);
         assert_eq!(all.len(), 3);

@@ -1,7 +1,7 @@
 //! What contact looked like over a run, from the loads along the lines of contact: the pattern on a flank, the load along the face, and
 //! what a pair of teeth carries on its way through the mesh.
 
-use super::chart::{Axis, Curve, Piece, Plot, TALL, WIDE, curves, map};
+use super::chart::{Axis, Curve, MapCell, Plot, TALL, WIDE, curves, map};
 use super::read::Loaded;
 use super::units::Units;
 use crate::field_tables::BACK;
@@ -49,7 +49,7 @@ pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
     all.sort_by(|one, other| other.2.total_cmp(&one.2));
     let left_out = all.len().saturating_sub(SHOWN);
     let mesh = |((bodies, back), rows, largest): Side<'_>| {
-        let along = Along::of(&rows, units);
+        let along = FaceCurve::of(&rows, units);
         Mesh {
             bodies: bodies.map(str::to_owned),
             back,
@@ -64,21 +64,21 @@ pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
 }
 
 /// The coordinate along the profile of the first body: its roll angle, or where there is no involute the radius.
-struct Along {
+struct FaceCurve {
     what: &'static str,
     unit: &'static str,
     place: Box<dyn Fn(&Loaded) -> f64>,
 }
 
-impl Along {
-    fn of(rows: &[&Loaded], units: Units) -> Along {
+impl FaceCurve {
+    fn of(rows: &[&Loaded], units: Units) -> FaceCurve {
         match rows.iter().all(|row| row.first_roll_angle.is_some()) {
-            true => Along {
+            true => FaceCurve {
                 what: "roll angle",
                 unit: "deg",
                 place: Box::new(|row| row.first_roll_angle.unwrap_or(f64::NAN).to_degrees()),
             },
-            false => Along {
+            false => FaceCurve {
                 what: "radius",
                 unit: units.length.name,
                 place: Box::new(move |row| units.length.of(row.first_radius)),
@@ -94,7 +94,7 @@ impl Along {
     }
 }
 
-fn pattern(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> Plot {
+fn pattern(rows: &[&Loaded], along: &FaceCurve, body: &str, units: Units) -> Plot {
     let pressure = Axis { what: "pressure", unit: units.stress.name };
     let what = format!("{} on {body}", along.what);
     let Some(strips) = strips(rows) else {
@@ -108,7 +108,7 @@ fn pattern(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> Plot {
     for (ends, rows) in strips {
         let points = rows.iter().map(|row| ((along.place)(row), units.stress.of(row.pressure)));
         let x = ends.map(|end| units.length.of(end));
-        pieces.extend(steps_of(&seen_along(points.collect())).into_iter().map(|(y, value)| Piece {
+        pieces.extend(steps_of(&seen_along(points.collect())).into_iter().map(|(y, value)| MapCell {
             x,
             y,
             value,
@@ -229,7 +229,7 @@ fn between(line: &[(f64, f64)], at: f64) -> Option<f64> {
 }
 
 /// What a pair of teeth carries on its way: one curve, though every position has several pairs somewhere along it.
-fn path(rows: &[&Loaded], along: &Along, body: &str, units: Units) -> Plot {
+fn path(rows: &[&Loaded], along: &FaceCurve, body: &str, units: Units) -> Plot {
     let mut of_pairs: BTreeMap<(usize, [u32; 2]), [f64; 2]> = BTreeMap::new();
     for row in rows {
         let [force, moment] = of_pairs.entry((row.step, [row.first_tooth, row.second_tooth])).or_default();

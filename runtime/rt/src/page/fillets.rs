@@ -1,9 +1,9 @@
 //! The stresses that the fillets see over a run: along the profile, and in space over profile and face. A level without meshes knows one place
 //! of a profile: what that sees is drawn along the face, or is two numbers.
 
-use super::chart::{Axis, Curve, Piece, Plot, WIDE, curves, map};
+use super::chart::{Axis, Curve, MapCell, Plot, WIDE, curves, map};
 use super::units::Units;
-use crate::stress_range::Seen;
+use crate::stress_range::StressExtremes;
 use std::collections::BTreeMap;
 
 /// Bodies that are shown.
@@ -26,12 +26,12 @@ pub struct Fillets {
 }
 
 /// The bodies of a run that have stresses, the largest stress first; and how many are left out.
-pub fn fillets(seen: &[Seen], units: Units) -> (Vec<Fillets>, usize) {
-    let mut bodies: BTreeMap<&str, Vec<&Seen>> = BTreeMap::new();
+pub fn fillets(seen: &[StressExtremes], units: Units) -> (Vec<Fillets>, usize) {
+    let mut bodies: BTreeMap<&str, Vec<&StressExtremes>> = BTreeMap::new();
     for seen in seen {
         bodies.entry(&seen.body).or_default().push(seen);
     }
-    let of_body = |(body, seen): (&str, Vec<&Seen>)| {
+    let of_body = |(body, seen): (&str, Vec<&StressExtremes>)| {
         let one_place = seen.iter().all(|seen| seen.point == 0);
         let largest = seen.iter().map(|seen| seen.largest).fold(f64::NEG_INFINITY, f64::max);
         Fillets {
@@ -52,26 +52,26 @@ pub fn fillets(seen: &[Seen], units: Units) -> (Vec<Fillets>, usize) {
 }
 
 /// The flank beside which the largest stress is.
-fn loaded(seen: &[&Seen]) -> u32 {
+fn loaded(seen: &[&StressExtremes]) -> u32 {
     seen.iter().max_by(|one, other| one.largest.total_cmp(&other.largest)).map_or(0, |seen| seen.flank)
 }
 
-fn along_profile(seen: &[&Seen], units: Units) -> Plot {
+fn along_profile(seen: &[&StressExtremes], units: Units) -> Plot {
     let x = Axis { what: "along the fillet, from the end of the flank", unit: units.length.name };
     extremes(seen, &x, units, |seen| Some((seen.point, units.length.of(seen.depth))))
 }
 
-fn along_face(seen: &[&Seen], units: Units) -> Plot {
+fn along_face(seen: &[&StressExtremes], units: Units) -> Plot {
     let x = Axis { what: "from mid-face", unit: units.length.name };
     extremes(seen, &x, units, |seen| Some((seen.section, units.length.of(seen.axial?))))
 }
 
 /// The largest and the smallest stress over what `place` counts and measures, of both flanks; what has no place is left out.
 fn extremes(
-    seen: &[&Seen],
+    seen: &[&StressExtremes],
     x: &Axis<'_>,
     units: Units,
-    place: impl Fn(&Seen) -> Option<(usize, f64)>,
+    place: impl Fn(&StressExtremes) -> Option<(usize, f64)>,
 ) -> Plot {
     let loaded = loaded(seen);
     let mut by_place: BTreeMap<(u32, usize), (f64, [f64; 2])> = BTreeMap::new();
@@ -98,17 +98,18 @@ fn extremes(
     curves(WIDE, x, &Axis { what: "stress", unit: units.stress.name }, &all, &[])
 }
 
-fn over_face(seen: &[&Seen], units: Units) -> Plot {
+fn over_face(seen: &[&StressExtremes], units: Units) -> Plot {
     let loaded = loaded(seen);
-    let mut sections: BTreeMap<usize, Vec<&Seen>> = BTreeMap::new();
+    let mut sections: BTreeMap<usize, Vec<&StressExtremes>> = BTreeMap::new();
     for seen in seen.iter().filter(|seen| seen.flank == loaded) {
         sections.entry(seen.section).or_default().push(seen);
     }
-    let sections: Vec<Vec<&Seen>> = sections.into_values().collect();
-    let places = |of: &dyn Fn(&Seen) -> Option<f64>, points: &[&Seen]| -> Option<Vec<f64>> {
-        points.iter().map(|seen| of(seen)).collect()
-    };
-    let firsts: Vec<&Seen> = sections.iter().filter_map(|section| section.first().copied()).collect();
+    let sections: Vec<Vec<&StressExtremes>> = sections.into_values().collect();
+    let places = |of: &dyn Fn(&StressExtremes) -> Option<f64>,
+                  points: &[&StressExtremes]|
+     -> Option<Vec<f64>> { points.iter().map(|seen| of(seen)).collect() };
+    let firsts: Vec<&StressExtremes> =
+        sections.iter().filter_map(|section| section.first().copied()).collect();
     let Some(axial) = places(&|seen| seen.axial, &firsts).filter(|places| places.len() > 1) else {
         return Plot::default();
     };
@@ -118,7 +119,7 @@ fn over_face(seen: &[&Seen], units: Units) -> Plot {
         let x = between(&axial, index).map(|end| units.length.of(end));
         for (point, seen) in section.iter().enumerate() {
             let y = between(&depths, point).map(|end| units.length.of(end));
-            pieces.push(Piece { x, y, value: units.stress.of(seen.largest).max(0.0) });
+            pieces.push(MapCell { x, y, value: units.stress.of(seen.largest).max(0.0) });
         }
     }
     let x = Axis { what: "from mid-face", unit: units.length.name };
@@ -137,8 +138,8 @@ fn between(places: &[f64], index: usize) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn seen(flank: u32, section: usize, point: usize, axial: Option<f64>) -> Seen {
-        Seen {
+    fn seen(flank: u32, section: usize, point: usize, axial: Option<f64>) -> StressExtremes {
+        StressExtremes {
             body: "pinion".into(),
             flank,
             section,
@@ -155,18 +156,18 @@ mod tests {
     #[test]
     fn one_place_of_a_profile_is_no_plot_along_it() {
         let units = Units::of_system("SI");
-        let of = |seen: &[Seen]| {
+        let of = |seen: &[StressExtremes]| {
             let (mut all, _) = fillets(seen, units);
             all.remove(0)
         };
         let plane = of(&[seen(0, 0, 0, None), seen(1, 0, 0, None)]);
         assert!(plane.along_profile.is_empty() && plane.over_face.is_empty() && plane.along_face.is_empty());
         assert_eq!((plane.one_radius, plane.largest), (Some(0.02), 1e8));
-        let slices: Vec<Seen> = (0..5).map(|k| seen(0, k, 0, Some(1e-3 * k as f64))).collect();
+        let slices: Vec<StressExtremes> = (0..5).map(|k| seen(0, k, 0, Some(1e-3 * k as f64))).collect();
         let space = of(&slices);
         assert!(space.along_profile.is_empty() && space.over_face.is_empty());
         assert_eq!(space.along_face.legend.len(), 2);
-        let elements: Vec<Seen> =
+        let elements: Vec<StressExtremes> =
             (0..20).map(|k| seen(0, k / 4, k % 4, Some(1e-3 * (k / 4) as f64))).collect();
         let elements = of(&elements);
         assert!(!elements.along_profile.is_empty() && !elements.over_face.is_empty());

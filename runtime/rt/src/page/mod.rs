@@ -230,7 +230,7 @@ fn summary(run: &Run) -> Markup {
         table.numbers {
             thead { tr {
                 th { "output" } th.word { "unit" } th { "min" } th { "mean" } th { "max" }
-                @if estimated { th { (accuracy::off_by_head(run)) } th {} }
+                @if estimated { th { (accuracy::error_header(run)) } th {} }
                 th { "peak to peak" }
                 th { "max at" }
             } }

@@ -3,7 +3,7 @@
 use super::units::{self, Unit, Units};
 use crate::directory::{SIGNALS, read_run};
 use crate::field_tables::LINE_LOAD;
-use crate::stress_range::{self, Seen};
+use crate::stress_range::{self, StressExtremes};
 use crate::{journal, modes_table};
 use calyx_abi::units::from_si;
 use serde::Deserialize;
@@ -35,7 +35,7 @@ pub struct Run {
     pub positions: Vec<Position>,
     pub outputs: Vec<Output>,
     pub contact: Vec<Loaded>,
-    pub stresses: Vec<Seen>,
+    pub stresses: Vec<StressExtremes>,
     pub pictures: Vec<Picture>,
     /// The table of modes with its header.
     pub modes: Vec<Vec<String>>,

@@ -3,16 +3,16 @@
 //! Times are those of a first analysis: structures are condensed here, and none is taken from where the user keeps them. Settings that differ
 //! in grids or positions alone share the structures of their mesh, and with them the time to condense these.
 
-use super::measured::Measured;
+use super::measurement::Measurement;
 use super::settings::Setting;
 use crate::directory::head;
 use crate::engine::{Engine, EngineConfig};
 use crate::error::Error;
-use crate::given::Given;
 use crate::instance::Instance;
+use crate::param_assignment::ParamAssignment;
 use crate::program::Program;
 use crate::progress::ProgressFormat;
-use crate::resume::{self, Begun};
+use crate::resume::{self, EarlierRun};
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::{Cancel, Status};
 use calyx_runtime::cache::Store;
@@ -27,7 +27,7 @@ const KEPT: u64 = 1 << 40;
 pub struct Campaign {
     pub program: Arc<dyn Program>,
     /// Values given for params.
-    pub given: Vec<Given>,
+    pub given: Vec<ParamAssignment>,
     /// Where everything goes.
     pub directory: PathBuf,
     /// Threads of each analysis; 0 is one per core.
@@ -38,7 +38,7 @@ pub struct Campaign {
 
 /// What became of a setting.
 pub enum Outcome {
-    Measured(Box<Measured>),
+    Measured(Box<Measurement>),
     /// It cannot be analysed so; why, in one line.
     Refused(String),
     /// Somebody ended it; the same campaign goes on there.
@@ -63,14 +63,15 @@ impl Campaign {
         &self,
         setting: &Setting,
         predicted: Option<f64>,
-        known: &[Measured],
+        known: &[Measurement],
     ) -> Result<Outcome, RunError> {
         let directory = self.runs(setting);
         let unwritable = |error| RunError::Io { path: directory.clone(), error };
-        let shared = |measured: &&Measured| measured.setting.mesh() == setting.mesh() && measured.built > 0;
+        let shared =
+            |measured: &&Measurement| measured.setting.mesh() == setting.mesh() && measured.built > 0;
         let sharing = known.iter().find(shared);
         let begun = self.begun(setting, &directory)?;
-        if let Begun::Finished = begun
+        if let EarlierRun::Finished = begun
             && let Some(measured) = self.read(setting, predicted, &directory, sharing)?
         {
             return Ok(Outcome::Measured(Box::new(measured)));
@@ -90,7 +91,7 @@ impl Campaign {
             quiet: true,
             progress: ProgressFormat::Human,
             print_to_error: true,
-            resume: matches!(begun, Begun::Unfinished(_)),
+            resume: matches!(begun, EarlierRun::Unfinished(_)),
             overrides: setting.overrides,
             cancel: self.cancel.clone(),
             ..RunOptions::default()
@@ -119,7 +120,7 @@ impl Campaign {
     }
 
     /// What of the setting an earlier run has done; nothing of a run with another model, other params or by another version.
-    fn begun(&self, setting: &Setting, directory: &Path) -> Result<Begun, RunError> {
+    fn begun(&self, setting: &Setting, directory: &Path) -> Result<EarlierRun, RunError> {
         let mut instance = Instance::new(&Engine::default(), self.program.clone());
         for given in &self.given {
             instance.give(given).map_err(RunError::Run)?;
@@ -127,8 +128,8 @@ impl Campaign {
         let params = instance.params().map_err(RunError::Run)?;
         match resume::find(directory, &head(self.program.description(), &params, &setting.overrides)) {
             Ok(begun) => Ok(begun),
-            Err(resume::Not::Other(_)) => Ok(Begun::Nothing),
-            Err(resume::Not::Io(error)) => Err(RunError::Io { path: directory.to_owned(), error }),
+            Err(resume::ResumeError::Other(_)) => Ok(EarlierRun::Nothing),
+            Err(resume::ResumeError::Io(error)) => Err(RunError::Io { path: directory.to_owned(), error }),
         }
     }
 
@@ -137,9 +138,9 @@ impl Campaign {
         setting: &Setting,
         predicted: Option<f64>,
         directory: &Path,
-        sharing: Option<&Measured>,
-    ) -> Result<Option<Measured>, RunError> {
-        let read = Measured::read(setting, predicted, directory);
+        sharing: Option<&Measurement>,
+    ) -> Result<Option<Measurement>, RunError> {
+        let read = Measurement::read(setting, predicted, directory);
         let mut measured = read.map_err(|error| RunError::Io { path: directory.to_owned(), error })?;
         if let (Some(measured), Some(sharing)) = (&mut measured, sharing)
             && measured.built == 0

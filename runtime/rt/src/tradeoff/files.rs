@@ -1,20 +1,20 @@
 //! The comparison as files: `tradeoff.csv`, a row for each setting and output, and `tradeoff.json`, everything.
 
-use super::compared::{Comparison, TOLERANCES};
-use super::text::{LeftOut, cheapest_of_all};
+use super::comparison::{Comparison, TOLERANCES};
+use super::text::{OmittedSetting, cheapest_of_all};
 use serde_json::{Map, Value, json};
 use std::fs;
 use std::io;
 use std::path::Path;
 
 /// Knobs, a column each.
-const KNOBS: [&str; 7] =
+const SETTING_NAMES: [&str; 7] =
     ["refinement", "order", "face_elements", "displacement_order", "cells", "cells_along", "every"];
 
 /// Writes the table. Times are in seconds, errors are parts of the output's largest magnitude in the reference run.
 pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
     let mut writer = csv::Writer::from_path(path)?;
-    let header = ["setting", "level"].into_iter().chain(KNOBS).chain([
+    let header = ["setting", "level"].into_iter().chain(SETTING_NAMES).chain([
         "time",
         "structures",
         "positions",
@@ -31,14 +31,17 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
     ]);
     writer.write_record(header)?;
     for (index, measured) in comparison.settings.iter().enumerate() {
-        let knobs = measured.setting.knobs();
-        let knob = |name: &str| {
-            knobs.iter().find(|(knob, _)| *knob == name).map_or_else(String::new, |(_, value)| value.clone())
+        let overridden = measured.setting.overridden();
+        let overridden_setting = |name: &str| {
+            overridden
+                .iter()
+                .find(|(overridden_setting, _)| *overridden_setting == name)
+                .map_or_else(String::new, |(_, value)| value.clone())
         };
         for output in &comparison.outputs {
             let errors = output.errors[index];
             let mut row = vec![measured.setting.name.clone(), measured.setting.level().to_owned()];
-            row.extend(KNOBS.map(knob));
+            row.extend(SETTING_NAMES.map(overridden_setting));
             row.extend(
                 [measured.time(), measured.structures, measured.positions].map(|time| time.to_string()),
             );
@@ -58,7 +61,7 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
 }
 
 /// Everything, for programs.
-pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: &[LeftOut]) -> Value {
+pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: &[OmittedSetting]) -> Value {
     let settings = comparison.settings.iter().enumerate().map(|(index, measured)| {
         let errors = comparison.outputs.iter().map(|output| {
             let told = output.errors[index].map(|e| {
@@ -72,7 +75,7 @@ pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: 
         json!({
             "name": measured.setting.name,
             "level": measured.setting.level(),
-            "knobs": measured.setting.knobs().into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect::<Map<_, _>>(),
+            "knobs": measured.setting.overridden().into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect::<Map<_, _>>(),
             "directory": format!("runs/{}", measured.setting.folder()),
             "time": { "unit": "s", "structures": measured.structures, "positions": measured.positions, "predicted": measured.predicted },
             "memory": { "unit": "byte", "asked": measured.memory },
@@ -95,7 +98,7 @@ pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: 
         )
     });
     let left_out: Map<String, Value> =
-        left_out.iter().map(|LeftOut { name, reason }| (name.clone(), json!(reason))).collect();
+        left_out.iter().map(|OmittedSetting { name, reason }| (name.clone(), json!(reason))).collect();
     json!({
         "calyx": env!("CARGO_PKG_VERSION"),
         "model": model,

@@ -1,8 +1,8 @@
 //! Which settings of an analysis are measured: every level, and the knobs below it, one at a time and all coarse together.
 
 use calyx_runtime::estimate::Estimates;
-use calyx_runtime::overriding::{Grid, Override};
 use calyx_runtime::scene::Fidelity;
+use calyx_runtime::settings_override::{Grid, Override};
 
 /// A setting of an analysis.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,10 +27,13 @@ impl Setting {
     pub fn new(overrides: Override) -> Setting {
         // Errors are measured here: nobody is to wait for estimates of them.
         let overrides = Override { error_estimates: Some(Estimates::None), ..overrides };
-        let turned = overrides.turned().into_iter().filter(|(knob, _)| *knob != "error_estimates");
-        let name = turned.map(|(knob, value)| match knob {
+        let turned = overrides
+            .turned()
+            .into_iter()
+            .filter(|(overridden_setting, _)| *overridden_setting != "error_estimates");
+        let name = turned.map(|(overridden_setting, value)| match overridden_setting {
             "fidelity" => value,
-            _ => format!("{knob}={value}"),
+            _ => format!("{overridden_setting}={value}"),
         });
         Setting { name: name.collect::<Vec<_>>().join(" "), overrides }
     }
@@ -67,9 +70,13 @@ impl Setting {
     }
 
     /// The knobs that are turned below the level.
-    pub fn knobs(&self) -> Vec<(&'static str, String)> {
-        let below = |knob: &str| !["fidelity", "error_estimates"].contains(&knob);
-        self.overrides.turned().into_iter().filter(|(knob, _)| below(knob)).collect()
+    pub fn overridden(&self) -> Vec<(&'static str, String)> {
+        let below = |overridden_setting: &str| !["fidelity", "error_estimates"].contains(&overridden_setting);
+        self.overrides
+            .turned()
+            .into_iter()
+            .filter(|(overridden_setting, _)| below(overridden_setting))
+            .collect()
     }
 }
 

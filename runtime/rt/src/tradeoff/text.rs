@@ -1,10 +1,10 @@
 //! The comparison for people at a terminal: a table with the frontier marked, and what to choose.
 
-use super::compared::{Comparison, Errors, TOLERANCES};
+use super::comparison::{Comparison, Errors, TOLERANCES};
 
 /// A setting that was not run, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LeftOut {
+pub struct OmittedSetting {
     pub name: String,
     pub reason: String,
 }
@@ -136,13 +136,13 @@ pub fn cheapest_of_all(comparison: &Comparison, tolerance: f64) -> Option<usize>
 }
 
 /// What was not run, and why.
-pub fn left_out(all: &[LeftOut]) -> String {
-    all.iter().map(|LeftOut { name, reason }| format!("{name} left out: {reason}\n")).collect()
+pub fn left_out(all: &[OmittedSetting]) -> String {
+    all.iter().map(|OmittedSetting { name, reason }| format!("{name} left out: {reason}\n")).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::compared::tests::measured;
+    use super::super::comparison::tests::measured;
     use super::*;
 
     fn comparison() -> Comparison {

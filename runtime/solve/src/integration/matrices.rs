@@ -29,7 +29,7 @@
 //! rim; it is of second order in the displacements and not among the modal data. Both change a
 //! natural frequency by fractions of the order of `(omega / omega_n)²`, and including only one
 //! would give the wrong sign, so both are neglected. At a tenth of the lowest natural frequency
-//! this is one percent; from there on a step issues a warning ([`Matrices::softening`]). The effect
+//! this is one percent; from there on a step issues a warning ([`Matrices::speed_warnings`]). The effect
 //! of the acceleration of the path on the stiffness of modes is neglected for the same reason.
 //! External loads act on the axis along ground axes, so they do not depend on deviations.
 //!
@@ -41,9 +41,9 @@
 use crate::system::System;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::damping;
+use calyx_model::dof::Dof;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::frames::pose;
-use calyx_model::freedom::Freedom;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::{angular_acceleration, angular_velocity, point_acceleration};
 use calyx_model::plan::Plan;
@@ -62,14 +62,14 @@ pub struct Matrices {
     /// Inertia loads of the prescribed motion on the modal coordinates.
     pub modal_load: Vec<f64>,
     /// State of every body.
-    bodies: Vec<Moving>,
+    bodies: Vec<BodyMotion>,
     /// Coupling of every modal coordinate.
-    arms: Vec<Arm>,
+    arms: Vec<ModalArm>,
 }
 
 /// State of a body at a time.
 #[derive(Clone, Copy, Default)]
-struct Moving {
+struct BodyMotion {
     /// Angular velocity, rad/s, and acceleration, rad/s².
     spin: f64,
     spinning_up: f64,
@@ -85,7 +85,7 @@ struct Moving {
 
 /// Coupling of a modal coordinate with its frame, along ground axes about the axis of rotation.
 #[derive(Clone, Copy, Default)]
-struct Arm {
+struct ModalArm {
     /// `c`.
     along: [f64; 2],
     /// `b`.
@@ -106,7 +106,7 @@ pub struct Forces {
 /// cause a warning; beyond the second value they are an error.
 const FAST: f64 = 0.1;
 const TOO_FAST: f64 = 0.5;
-/// Where the components of a frame in the plane stand among those of [`calyx_model::freedom::FREEDOMS`].
+/// Where the components of a frame in the plane stand among those of [`calyx_model::dof::DOF_NAMES`].
 const IN_PLANE: [usize; 3] = [0, 1, 5];
 
 fn dot([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
@@ -125,14 +125,14 @@ impl Matrices {
     /// # Errors
     /// A frame is NaN.
     pub fn at(system: &System<'_>, inertias: &[Inertia], time: f64) -> Result<Matrices, EngineError> {
-        let (freedoms, modes) = (&system.freedoms, &system.modes);
-        let (m, count) = (freedoms.len(), modes.count());
+        let (dofs, modes) = (&system.dofs, &system.modes);
+        let (m, count) = (dofs.len(), modes.count());
         let mut matrices = Matrices {
             mass: vec![0.0; m * m],
             coupling: Vec::new(),
             damping: {
                 let Mechanism { bodies, bearings, .. } = system.scene;
-                damping(bodies, bearings, &system.bearings, freedoms, |body| system.width(body), time)?
+                damping(bodies, bearings, &system.bearings, dofs, |body| system.width(body), time)?
             },
             load: vec![0.0; m],
             modal_load: vec![0.0; count],
@@ -159,7 +159,7 @@ impl Matrices {
                 -(own.mass * ay + alpha * s[0] - spin * spin * s[1]),
                 -(own.polar() * alpha + s[0] * ay - s[1] * ax),
             ];
-            matrices.bodies.push(Moving {
+            matrices.bodies.push(BodyMotion {
                 spin,
                 spinning_up: alpha,
                 acceleration: [ax, ay],
@@ -168,8 +168,8 @@ impl Matrices {
                 polar: own.polar(),
                 load: by_motion,
             });
-            for (i, one) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
-                for (j, other) in freedoms.iter().enumerate().filter(|(_, freedom)| freedom.body == index) {
+            for (i, one) in dofs.iter().enumerate().filter(|(_, dof)| dof.body == index) {
+                for (j, other) in dofs.iter().enumerate().filter(|(_, dof)| dof.body == index) {
                     matrices.mass[i * m + j] += entry(one.component, other.component) / system.width(index);
                 }
             }
@@ -179,9 +179,9 @@ impl Matrices {
                 *load = spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
             }
         }
-        matrices.coupling = on_freedoms_by_modes(system, &matrices.arms);
+        matrices.coupling = on_dofs_by_modes(system, &matrices.arms);
         let by_motion: Vec<[f64; 3]> = matrices.bodies.iter().map(|body| body.load).collect();
-        matrices.load = on_freedoms(system, &by_motion);
+        matrices.load = on_dofs(system, &by_motion);
         Ok(matrices)
     }
 
@@ -189,11 +189,11 @@ impl Matrices {
     /// the module's equations except those of accelerations and of the prescribed motion. Linear in
     /// both.
     pub fn following(&self, system: &System<'_>, displacement: &[f64], rate: &[f64]) -> Forces {
-        let m = system.freedoms.len();
+        let m = system.dofs.len();
         let mut forces =
             Forces { frames: vec![[0.0; 3]; self.bodies.len()], modal: vec![0.0; self.arms.len()] };
         for (index, body) in self.bodies.iter().enumerate() {
-            let Moving { spin, spinning_up, acceleration, first: s, .. } = *body;
+            let BodyMotion { spin, spinning_up, acceleration, first: s, .. } = *body;
             if spin == 0.0 && spinning_up == 0.0 && acceleration == [0.0; 2] {
                 continue;
             }
@@ -233,7 +233,7 @@ impl Matrices {
     ///
     /// # Errors
     /// E0767: a body rotates so fast that its modes differ from those at rest.
-    pub fn softening(&self, system: &System<'_>) -> Result<Vec<String>, EngineError> {
+    pub fn speed_warnings(&self, system: &System<'_>) -> Result<Vec<String>, EngineError> {
         let mut warnings = Vec::new();
         for (index, body) in self.bodies.iter().enumerate() {
             let Some((own, _)) = system.modes.of_body(index) else { continue };
@@ -257,13 +257,13 @@ impl Matrices {
         Ok(warnings)
     }
 
-    /// What the inertia of every body does to its frame, in the order of [`calyx_model::freedom::FREEDOMS`], N and N m: by the prescribed motion, by
+    /// What the inertia of every body does to its frame, in the order of [`calyx_model::dof::DOF_NAMES`], N and N m: by the prescribed motion, by
     /// displacements and rates, and by the accelerations of freedoms and modal coordinates.
     pub fn inertia(&self, system: &System<'_>, following: &Forces, acceleration: &[f64]) -> Vec<[f64; 6]> {
-        let m = system.freedoms.len();
-        let of = |(index, body): (usize, &Moving)| {
+        let m = system.dofs.len();
+        let of = |(index, body): (usize, &BodyMotion)| {
             let [ax, ay, .., turn] = system.moved(index, &acceleration[..m]);
-            let ([sx, sy], Moving { load, mass, polar, .. }) = (body.first, *body);
+            let ([sx, sy], BodyMotion { load, mass, polar, .. }) = (body.first, *body);
             let own = [mass * ax - sy * turn, mass * ay + sx * turn, polar * turn + sx * ay - sy * ax];
             let mut wrench = [0.0; 6];
             for (k, component) in IN_PLANE.into_iter().enumerate() {
@@ -286,7 +286,7 @@ impl Matrices {
 impl Forces {
     /// Returns the forces on the DOFs, per width of the model, then on the modal coordinates.
     pub fn on_coordinates(&self, system: &System<'_>) -> Vec<f64> {
-        let mut all = on_freedoms(system, &self.frames);
+        let mut all = on_dofs(system, &self.frames);
         all.extend(&self.modal);
         all
     }
@@ -298,7 +298,7 @@ fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
 }
 
 /// Returns the coupling of every modal coordinate with its frame at a time.
-fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<Arm>, EngineError> {
+fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<ModalArm>, EngineError> {
     let mut arms = Vec::with_capacity(system.modes.count());
     for (index, body) in system.scene.bodies.iter().enumerate() {
         let Some((own, _)) = system.modes.of_body(index) else { continue };
@@ -306,7 +306,7 @@ fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<Arm>, EngineError> {
         let stands = pose(system.scene, index, time)?.angle + body.phase;
         let [px, py, _] = system.axle(index);
         let [px, py] = turned([px, py], -body.phase);
-        arms.extend(own.coupling.iter().zip(&own.centrifugal).map(|(&[cx, cy, about], outwards)| Arm {
+        arms.extend(own.coupling.iter().zip(&own.centrifugal).map(|(&[cx, cy, about], outwards)| ModalArm {
             along: turned([cx, cy], stands),
             about: about - (px * cy - py * cx),
             outwards: outwards - (px * cx + py * cy),
@@ -321,16 +321,16 @@ fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<Arm>, EngineError> {
 /// # Errors
 /// A frame is NaN.
 pub fn coupling(system: &System<'_>, time: f64) -> Result<Vec<f64>, EngineError> {
-    Ok(on_freedoms_by_modes(system, &modal_arms(system, time)?))
+    Ok(on_dofs_by_modes(system, &modal_arms(system, time)?))
 }
 
-fn on_freedoms_by_modes(system: &System<'_>, arms: &[Arm]) -> Vec<f64> {
+fn on_dofs_by_modes(system: &System<'_>, arms: &[ModalArm]) -> Vec<f64> {
     let count = arms.len();
-    let mut coupling = vec![0.0; system.freedoms.len() * count];
-    for (i, freedom) in system.freedoms.iter().enumerate() {
-        let Some((own, first)) = system.modes.of_body(freedom.body) else { continue };
+    let mut coupling = vec![0.0; system.dofs.len() * count];
+    for (i, dof) in system.dofs.iter().enumerate() {
+        let Some((own, first)) = system.modes.of_body(dof.body) else { continue };
         for (k, arm) in arms.iter().enumerate().skip(first).take(own.count()) {
-            coupling[i * count + k] = match freedom.component {
+            coupling[i * count + k] = match dof.component {
                 0 => arm.along[0],
                 1 => arm.along[1],
                 5 => arm.about,
@@ -342,12 +342,12 @@ fn on_freedoms_by_modes(system: &System<'_>, arms: &[Arm]) -> Vec<f64> {
 }
 
 /// Transforms forces and moments on frames to the DOFs, per width of the model.
-fn on_freedoms(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
-    let of = |freedom: &Freedom| {
-        let component = IN_PLANE.iter().position(|component| *component == freedom.component);
-        component.map_or(0.0, |component| frames[freedom.body][component] / system.width(freedom.body))
+fn on_dofs(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
+    let of = |dof: &Dof| {
+        let component = IN_PLANE.iter().position(|component| *component == dof.component);
+        component.map_or(0.0, |component| frames[dof.body][component] / system.width(dof.body))
     };
-    system.freedoms.iter().map(of).collect()
+    system.dofs.iter().map(of).collect()
 }
 
 /// Checks that transient analysis supports the model, before structures are built: it must be plane
@@ -384,15 +384,11 @@ fn in_space() -> EngineError {
 ///
 /// # Errors
 /// E0762: a free DOF has no inertia.
-pub fn check_inertia(
-    scene: &Mechanism,
-    freedoms: &[Freedom],
-    inertias: &[Inertia],
-) -> Result<(), EngineError> {
-    for freedom in freedoms {
-        let body = &scene.bodies[freedom.body];
-        let inertia = inertias.get(freedom.body).copied().unwrap_or_default();
-        let (resists, what) = match freedom.component {
+pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> Result<(), EngineError> {
+    for dof in dofs {
+        let body = &scene.bodies[dof.body];
+        let inertia = inertias.get(dof.body).copied().unwrap_or_default();
+        let (resists, what) = match dof.component {
             0..3 => (inertia.mass, "mass"),
             component => {
                 let about = component.saturating_sub(3).min(2);
@@ -406,7 +402,7 @@ pub fn check_inertia(
                 "give it a `mass` and an `inertia`, or constrain it",
             )
             .blame("free")
-            .about(Subject::Body(freedom.body)));
+            .about(Subject::Body(dof.body)));
         }
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! Contact patch of a solved position: teeth, cells and forces.
 
-use super::drag;
+use super::friction;
 use calyx_contact::grid::{Cell, pressures};
 use calyx_contact::pressure::{Peak, half_width, peak};
 use calyx_contact::zone::{Edges, FlankEnds, Zone};
@@ -8,7 +8,7 @@ use calyx_contact::{ContactFrame, solid};
 
 /// Pair of tooth surfaces in (possible) contact at a position.
 #[derive(Clone, Debug)]
-pub struct Patch {
+pub struct ContactPatch {
     /// Index of the surface pair in the scene.
     pub pair: usize,
     /// Tooth of each body.
@@ -16,17 +16,17 @@ pub struct Patch {
     /// Surface of each body.
     pub surfaces: [u32; 2],
     /// Position and cells of the patch; no cells without pressure.
-    pub grid: PatchGrid,
+    pub grid: ContactGrid,
     /// Force by cell: N, in a plane model N per metre of face width.
     pub forces: Vec<f64>,
     /// Friction force on the first body per unit normal force, by cell, along ground axes; empty
     /// without friction.
-    pub drag: Vec<[f64; 3]>,
+    pub friction_vectors: Vec<[f64; 3]>,
 }
 
 /// Cells of a patch with their frame.
 #[derive(Clone, Debug)]
-pub enum PatchGrid {
+pub enum ContactGrid {
     /// Cells along the common tangent.
     Plane {
         /// Position of the patch, and its common normal.
@@ -42,7 +42,7 @@ pub enum PatchGrid {
     Solid(solid::Grid),
 }
 
-impl Patch {
+impl ContactPatch {
     /// Returns the normal force: N, in a plane model N per metre of face width.
     pub fn force(&self) -> f64 {
         self.forces.iter().sum()
@@ -51,24 +51,24 @@ impl Patch {
     /// Returns the cells of a plane patch; none for a three-dimensional one.
     pub fn cells(&self) -> &[Cell] {
         match &self.grid {
-            PatchGrid::Plane { cells, .. } => cells,
-            PatchGrid::Solid(_) => &[],
+            ContactGrid::Plane { cells, .. } => cells,
+            ContactGrid::Solid(_) => &[],
         }
     }
 
     /// Returns the grid of a three-dimensional patch; `None` for a plane one.
     pub fn solid(&self) -> Option<&solid::Grid> {
         match &self.grid {
-            PatchGrid::Plane { .. } => None,
-            PatchGrid::Solid(grid) => Some(grid),
+            ContactGrid::Plane { .. } => None,
+            ContactGrid::Solid(grid) => Some(grid),
         }
     }
 
     /// Returns the mean pressure on each cell, Pa.
     pub fn pressures(&self) -> Vec<f64> {
         match &self.grid {
-            PatchGrid::Plane { cells, .. } => pressures(cells, &self.forces),
-            PatchGrid::Solid(grid) => solid::pressures(&grid.cells, &self.forces),
+            ContactGrid::Plane { cells, .. } => pressures(cells, &self.forces),
+            ContactGrid::Solid(grid) => solid::pressures(&grid.cells, &self.forces),
         }
     }
 
@@ -76,8 +76,8 @@ impl Patch {
     /// across the patch, which is exact for Hertzian contact; `None` without load.
     pub fn peak(&self) -> Option<Peak> {
         match &self.grid {
-            PatchGrid::Plane { cells, .. } => peak(cells, &self.pressures()),
-            PatchGrid::Solid(grid) => {
+            ContactGrid::Plane { cells, .. } => peak(cells, &self.pressures()),
+            ContactGrid::Solid(grid) => {
                 let solid::Peak { pressure, at: [x, _], cell } = solid::peak(grid, &self.pressures())?;
                 Some(Peak { pressure, x, cell })
             }
@@ -87,12 +87,12 @@ impl Patch {
     /// The largest pressure in the flank zone or in the edge zone; `None` where no cell of it is loaded.
     pub fn peak_in(&self, zone: Zone) -> Option<Peak> {
         match &self.grid {
-            PatchGrid::Plane { cells, flank, unit_half_width, .. } => {
+            ContactGrid::Plane { cells, flank, unit_half_width, .. } => {
                 let half_width = unit_half_width * self.force().max(0.0).sqrt();
                 // Cells are measured from the closest approach.
                 zone.peak(cells, &self.pressures(), &Edges::parallel(*flank, 0.0), half_width)
             }
-            PatchGrid::Solid(grid) => {
+            ContactGrid::Solid(grid) => {
                 let solid::Peak { pressure, at: [x, _], cell } =
                     solid::peak_in(grid, &self.pressures(), zone)?;
                 Some(Peak { pressure, x, cell })
@@ -109,21 +109,21 @@ impl Patch {
     /// Returns the point of action of a cell, in ground coordinates, m.
     fn point(&self, cell: usize) -> [f64; 3] {
         match &self.grid {
-            PatchGrid::Plane { frame, .. } => [frame.point[0], frame.point[1], 0.0],
-            PatchGrid::Solid(grid) => grid.cells[cell].point,
+            ContactGrid::Plane { frame, .. } => [frame.point[0], frame.point[1], 0.0],
+            ContactGrid::Solid(grid) => grid.cells[cell].point,
         }
     }
 
     /// The force and its moment about `origin` (m) that the patch puts on the body on one of its sides, along ground axes: N and
-    /// N m, as [`calyx_model::freedom::FREEDOMS`] counts them. `width` is that of a plane model's face, m, and 1 in space.
+    /// N m, as [`calyx_model::dof::DOF_NAMES`] counts them. `width` is that of a plane model's face, m, and 1 in space.
     pub fn wrench(&self, side: usize, origin: [f64; 3], width: f64) -> [f64; 6] {
         let mut wrench = match &self.grid {
-            PatchGrid::Plane { frame, .. } => {
+            ContactGrid::Plane { frame, .. } => {
                 let force = width * self.force();
                 let [x, y] = [[1.0, 0.0], [0.0, 1.0]].map(|axis| force * frame.translation_arm(side, axis));
                 [x, y, 0.0, 0.0, 0.0, force * frame.rotation_arm(side, [origin[0], origin[1]])]
             }
-            PatchGrid::Solid(grid) => {
+            ContactGrid::Solid(grid) => {
                 let mut wrench = [0.0; 6];
                 for (cell, &force) in grid.cells.iter().zip(&self.forces).filter(|(_, force)| **force != 0.0)
                 {
@@ -134,9 +134,11 @@ impl Patch {
                 wrench
             }
         };
-        for (cell, (drag, &force)) in self.drag.iter().zip(&self.forces).enumerate() {
+        for (cell, (friction_vectors, &force)) in self.friction_vectors.iter().zip(&self.forces).enumerate() {
             for (component, sum) in wrench.iter_mut().enumerate() {
-                *sum += width * force * drag::work(*drag, side, component, &GROUND, origin, self.point(cell));
+                *sum += width
+                    * force
+                    * friction::work(*friction_vectors, side, component, &GROUND, origin, self.point(cell));
             }
         }
         wrench
@@ -146,7 +148,7 @@ impl Patch {
 /// Ground axes.
 const GROUND: [[f64; 3]; 3] = solid::Pose::IDENTITY.rotation;
 
-/// Growth of the gap at `point` by a component of a body's motion, in the order of [`calyx_model::freedom::FREEDOMS`], along `axes`: m per m, or
+/// Growth of the gap at `point` by a component of a body's motion, in the order of [`calyx_model::dof::DOF_NAMES`], along `axes`: m per m, or
 /// m per rad about one of them through `origin`.
 pub(super) fn solid_arm(
     frame: &solid::PatchFrame,

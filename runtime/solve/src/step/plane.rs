@@ -1,18 +1,18 @@
 //! Plane implementation of a position: closest approach of profiles, grids along their common
 //! tangent.
 
-use super::drag::Action;
-use super::space::{Approach, Candidate, Space, unsuitable};
-use super::{Patch, PatchGrid};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, unsuitable};
+use super::friction::Action;
+use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
 use crate::system::{PlaneBodies, System};
 use calyx_contact::approach::{self, PlacedProfile, closest_approach};
 use calyx_contact::assembly::{self, compliance};
-use calyx_contact::grid::{self, Grid, GridOptions, Width, assess, lay, pressures};
+use calyx_contact::grid::{self, Grid, GridOptions, Width, assess, build_grid, pressures};
 use calyx_contact::zone::ENDLESS;
 use calyx_contact::{ContactFrame, Placement};
+use calyx_model::dof::Dof;
 use calyx_model::frames::pose;
-use calyx_model::freedom::Freedom;
 use calyx_model::motion::PlanePose;
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
@@ -40,7 +40,7 @@ impl Site {
     }
 }
 
-impl Space for Plane<'_> {
+impl ContactGeometry for Plane<'_> {
     type Site = Site;
     type Grid = Grid;
     /// Width, m.
@@ -64,7 +64,8 @@ impl Space for Plane<'_> {
                 let body = (bodies[side], structures[side].as_ref(), profiles[side].as_ref());
                 self.teeth_near(body, placements[side], placements[other].origin(), reach)
             });
-            let angle = poses[0].angle + scene.bodies[bodies[0]].phase - self.system.line_turned(index, time);
+            let angle = poses[0].angle + scene.bodies[bodies[0]].phase
+                - self.system.rotated_line_of_centres(index, time);
             let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
             let on_path = |tooth: u32| nominal.is_none_or(|mesh| mesh.on_path(tooth, angle));
             let touching = 0.5 * (profiles[0].length() + profiles[1].length());
@@ -101,7 +102,7 @@ impl Space for Plane<'_> {
         overlap * self.contact_modulus(self.pair(candidate).bodies.map(|body| body.0))
     }
 
-    fn lay(&self, candidate: &Candidate<Site>, force: f64, width: Option<f64>) -> Grid {
+    fn build_grid(&self, candidate: &Candidate<Site>, force: f64, width: Option<f64>) -> Grid {
         let pair = self.pair(candidate);
         let width = match width.or(pair.grid.width) {
             Some(width) => Width::Total(width),
@@ -114,7 +115,7 @@ impl Space for Plane<'_> {
             search_edges: pair.grid.edges,
         };
         let site = &candidate.site;
-        lay(site.placed(0), site.placed(1), &site.approach, &options)
+        build_grid(site.placed(0), site.placed(1), &site.approach, &options)
     }
 
     fn count(&self, grid: &Grid) -> usize {
@@ -159,17 +160,17 @@ impl Space for Plane<'_> {
                 Some(assembly::Side { body, structure, chart })
             };
             if let (Some(first), Some(second)) = (side(0), side(1)) {
-                patches.push(assembly::Patch { sides: [first, second], cells: &grid.cells });
+                patches.push(assembly::PatchCells { sides: [first, second], cells: &grid.cells });
             }
         }
         compliance(&patches, &self.system.interrupt)
     }
 
-    fn by_lugs(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Mat<f64> {
+    fn by_spline_teeth(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Mat<f64> {
         let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
         let mut growth = Mat::zeros(cells, self.system.flanks());
         let mut from = 0;
-        for (body, contact) in &self.system.lugs {
+        for (body, contact) in &self.system.spline_teeth {
             let Some(structure) = self.bodies.structures[*body].as_deref() else { continue };
             let mut first = 0;
             for (candidate, grid) in laid {
@@ -177,10 +178,12 @@ impl Space for Plane<'_> {
                 for side in (0..2).filter(|&side| pair.bodies[side].0 == *body) {
                     let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
                     let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
-                    let moved = structure.lug_displacements(chart, &places);
+                    let moved = structure.spline_tooth_displacements(chart, &places);
                     // A rigid body has none.
                     for cell in 0..if moved.nrows() > 0 { places.len() } else { 0 } {
-                        for (flank, value) in contact.by_flanks(|lug| moved[(lug, cell)]).enumerate() {
+                        for (flank, value) in
+                            contact.by_flanks(|spline_tooth| moved[(spline_tooth, cell)]).enumerate()
+                        {
                             growth[(first + cell, from + flank)] = value;
                         }
                     }
@@ -192,7 +195,7 @@ impl Space for Plane<'_> {
         growth
     }
 
-    fn better_size(
+    fn corrected_grid_size(
         &self,
         candidate: &Candidate<Site>,
         grid: &Grid,
@@ -226,20 +229,20 @@ impl Space for Plane<'_> {
         arms
     }
 
-    fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
+    fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> ContactPatch {
         let (pair, teeth) = candidate.teeth;
         let surfaces = self.pair(candidate).surfaces;
         let frame = candidate.site.approach.frame;
         let (grid, forces) = match laid {
             Some((Grid { cells, flank, unit_half_width, .. }, forces)) => {
-                (PatchGrid::Plane { frame, cells, flank, unit_half_width }, forces)
+                (ContactGrid::Plane { frame, cells, flank, unit_half_width }, forces)
             }
             None => {
                 let (flank, unit_half_width) = (ENDLESS, 0.0);
-                (PatchGrid::Plane { frame, cells: Vec::new(), flank, unit_half_width }, Vec::new())
+                (ContactGrid::Plane { frame, cells: Vec::new(), flank, unit_half_width }, Vec::new())
             }
         };
-        Patch { pair, teeth, surfaces, grid, forces, drag: Vec::new() }
+        ContactPatch { pair, teeth, surfaces, grid, forces, friction_vectors: Vec::new() }
     }
 }
 
@@ -293,7 +296,7 @@ impl Plane<'_> {
         (0..structure.teeth())
             .map(|tooth| {
                 let angle = structure.tooth_angle(tooth) + self.system.pitch_error(body, tooth);
-                let placement = placement.turned_first(angle);
+                let placement = placement.rotated_first(angle);
                 (tooth, placement, placement.point(middle))
             })
             .filter(|(_, _, middle)| distance(*middle, point) < reach + profile.length())
@@ -302,17 +305,17 @@ impl Plane<'_> {
 
     /// Returns the growth of the gap of a patch by each DOF, m per m or rad.
     fn arms_of(&self, bodies: [usize; 2], frame: &ContactFrame, origins: [[f64; 2]; 2]) -> Vec<f64> {
-        let arm = |freedom: &Freedom| {
-            let sides = (0..2).filter(|&side| bodies[side] == freedom.body);
+        let arm = |dof: &Dof| {
+            let sides = (0..2).filter(|&side| bodies[side] == dof.body);
             sides
-                .map(|side| match freedom.component {
+                .map(|side| match dof.component {
                     0 => frame.translation_arm(side, [1.0, 0.0]),
                     1 => frame.translation_arm(side, [0.0, 1.0]),
                     _ => frame.rotation_arm(side, origins[side]),
                 })
                 .sum()
         };
-        self.system.freedoms.iter().map(arm).collect()
+        self.system.dofs.iter().map(arm).collect()
     }
 
     fn contact_modulus(&self, bodies: [usize; 2]) -> f64 {

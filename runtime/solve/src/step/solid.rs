@@ -1,18 +1,18 @@
 //! Three-dimensional implementation of a position: contact lines of surfaces, grids on their common
 //! tangent plane.
 
-use super::drag::Action;
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, unsuitable};
+use super::friction::Action;
 use super::patch::solid_arm;
-use super::space::{Approach, Candidate, Space, unsuitable};
-use super::{Patch, PatchGrid};
+use super::{ContactGrid, ContactPatch};
 use crate::system::{SolidBodies, System};
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    self, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, Ridge, assess, compliance, contact_modulus,
-    find_ridge, first_guess, lay, pressures,
+    self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance,
+    contact_modulus, find_contact_line, first_guess, pressures,
 };
-use calyx_model::freedom::Freedom;
-use calyx_model::motion::Stance;
+use calyx_model::dof::Dof;
+use calyx_model::motion::Orientation;
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 use calyx_structure::Chart;
@@ -35,7 +35,7 @@ pub(super) struct Site {
     origins: [[f64; 3]; 2],
     /// Directions of the DOFs of either body.
     axes: [[[f64; 3]; 3]; 2],
-    ridge: Ridge,
+    contact_line: ContactLine,
 }
 
 impl Site {
@@ -44,7 +44,7 @@ impl Site {
     }
 }
 
-impl Space for Solid<'_> {
+impl ContactGeometry for Solid<'_> {
     type Site = Site;
     type Grid = Grid;
     /// Width across and length along, m, if they differ from those of the model.
@@ -56,8 +56,8 @@ impl Space for Solid<'_> {
         for (index, pair) in scene.pairs.iter().enumerate() {
             let bodies = pair.bodies.map(|body| body.0);
             let frames = [
-                self.system.pose_moved(bodies[0], time, moved)?,
-                self.system.pose_moved(bodies[1], time, moved)?,
+                self.system.displaced_pose(bodies[0], time, moved)?,
+                self.system.displaced_pose(bodies[1], time, moved)?,
             ];
             let [Some(first), Some(second)] = bodies.map(|body| self.bodies.structures[body].as_deref())
             else {
@@ -70,15 +70,16 @@ impl Space for Solid<'_> {
                 let phase = scene.bodies[bodies[side]].phase;
                 let place = |tooth| {
                     let error = self.system.pitch_error(bodies[side], tooth);
-                    let pose = frames[side].turned_first(phase + structures[side].tooth_angle(tooth) + error);
+                    let pose =
+                        frames[side].rotated_first(phase + structures[side].tooth_angle(tooth) + error);
                     (tooth, pose, shapes[side].boxes(&pose))
                 };
                 (0..structures[side].teeth()).map(place).collect::<Vec<_>>()
             });
             let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
-            let stances = [0, 1].map(|side: usize| Stance::of(&frames[side]));
-            let angle =
-                stances[0].angle + scene.bodies[bodies[0]].phase - self.system.line_turned(index, time);
+            let stances = [0, 1].map(|side: usize| Orientation::of(&frames[side]));
+            let angle = stances[0].angle + scene.bodies[bodies[0]].phase
+                - self.system.rotated_line_of_centres(index, time);
             let turns = turns_along(surfaces[0].as_ref());
             let on_path = |tooth: u32| {
                 nominal.is_none_or(|mesh| turns.iter().any(|turn| mesh.on_path(tooth, angle + turn)))
@@ -94,9 +95,9 @@ impl Space for Solid<'_> {
                     let poses = [*first_pose, *second_pose];
                     let placed =
                         |side: usize| PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
-                    let ridge = find_ridge(placed(0), placed(1), pair.grid.edges)
-                        .filter(|ridge| faces(ridge, &poses, structures));
-                    if let Some(ridge) = ridge {
+                    let contact_line = find_contact_line(placed(0), placed(1), pair.grid.edges)
+                        .filter(|contact_line| faces(contact_line, &poses, structures));
+                    if let Some(contact_line) = contact_line {
                         let origins =
                             [0, 1].map(|side: usize| frames[side].point(self.system.axle(bodies[side])));
                         // Springs and loads refer to the axes of the prescribed orientation,
@@ -104,14 +105,18 @@ impl Space for Solid<'_> {
                         let axes = bodies.map(|body| self.system.axes(body, time));
                         let at = |gap, point| Approach {
                             gap,
-                            arms: self.arms_at(bodies, (origins, axes), &ridge.frame, point),
+                            arms: self.arms_at(bodies, (origins, axes), &contact_line.frame, point),
                         };
                         found.push(Candidate {
                             teeth: (index, [*first, *second]),
                             length: shapes[0].across,
-                            nearest: at(ridge.gap, ridge.frame.point),
-                            others: ridge.points.iter().map(|p| at(p.gap, ridge.frame.at(p.at))).collect(),
-                            site: Site { surfaces: surfaces.clone(), poses, origins, axes, ridge },
+                            nearest: at(contact_line.gap, contact_line.frame.point),
+                            others: contact_line
+                                .points
+                                .iter()
+                                .map(|p| at(p.gap, contact_line.frame.at(p.at)))
+                                .collect(),
+                            site: Site { surfaces: surfaces.clone(), poses, origins, axes, contact_line },
                         });
                     }
                 }
@@ -123,11 +128,11 @@ impl Space for Solid<'_> {
     /// The surface displacement is about Q / (E* length), over the overlapping length of the
     /// contact line.
     fn force_of_overlap(&self, candidate: &Candidate<Site>, overlap: f64) -> f64 {
-        let ridge = &candidate.site.ridge;
-        overlap * overlapping_length(ridge) * self.contact_modulus(candidate)
+        let contact_line = &candidate.site.contact_line;
+        overlap * overlapping_length(contact_line) * self.contact_modulus(candidate)
     }
 
-    fn lay(&self, candidate: &Candidate<Site>, force: f64, size: Option<[Option<f64>; 2]>) -> Grid {
+    fn build_grid(&self, candidate: &Candidate<Site>, force: f64, size: Option<[Option<f64>; 2]>) -> Grid {
         let (grid, site) = (&self.pair(candidate).grid, &candidate.site);
         let [width, length] = size.unwrap_or_default();
         let options = GridOptions {
@@ -139,7 +144,7 @@ impl Space for Solid<'_> {
             contact_modulus: self.contact_modulus(candidate),
             search_edges: grid.edges,
         };
-        lay(site.placed(0), site.placed(1), &site.ridge, &options)
+        build_grid(site.placed(0), site.placed(1), &site.contact_line, &options)
     }
 
     fn count(&self, grid: &Grid) -> usize {
@@ -167,7 +172,7 @@ impl Space for Solid<'_> {
     }
 
     fn approaching(&self, candidate: &Candidate<Site>) -> Action {
-        let PatchFrame { normal, point, .. } = candidate.site.ridge.frame;
+        let PatchFrame { normal, point, .. } = candidate.site.contact_line.frame;
         Action { normal, points: vec![point] }
     }
 
@@ -182,7 +187,11 @@ impl Space for Solid<'_> {
                 Some(solid::Side { body, structure, chart, pose: candidate.site.poses[side] })
             };
             if let (Some(first), Some(second)) = (side(0), side(1)) {
-                patches.push(solid::Patch { sides: [first, second], frame: &grid.frame, cells: &grid.cells });
+                patches.push(solid::PatchCells {
+                    sides: [first, second],
+                    frame: &grid.frame,
+                    cells: &grid.cells,
+                });
             }
         }
         compliance(&patches, &self.system.interrupt)
@@ -192,7 +201,7 @@ impl Space for Solid<'_> {
         first_guess(problem, &grids.iter().collect::<Vec<_>>(), &self.system.interrupt)
     }
 
-    fn better_size(
+    fn corrected_grid_size(
         &self,
         candidate: &Candidate<Site>,
         grid: &Grid,
@@ -216,11 +225,11 @@ impl Space for Solid<'_> {
         Some(unsuitable(self.system.scene, self.pair(candidate), report.under_resolved[0], better))
     }
 
-    fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> Patch {
+    fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> ContactPatch {
         let (pair, teeth) = candidate.teeth;
         let surfaces = self.pair(candidate).surfaces;
         let empty = || Grid {
-            frame: candidate.site.ridge.frame,
+            frame: candidate.site.contact_line.frame,
             cells: Vec::new(),
             slices: Vec::new(),
             extent: [0.0; 2],
@@ -230,7 +239,14 @@ impl Space for Solid<'_> {
             unit_half_width: 0.0,
         };
         let (grid, forces) = laid.unwrap_or_else(|| (empty(), Vec::new()));
-        Patch { pair, teeth, surfaces, grid: PatchGrid::Solid(grid), forces, drag: Vec::new() }
+        ContactPatch {
+            pair,
+            teeth,
+            surfaces,
+            grid: ContactGrid::Solid(grid),
+            forces,
+            friction_vectors: Vec::new(),
+        }
     }
 }
 
@@ -254,24 +270,23 @@ impl Solid<'_> {
         frame: &PatchFrame,
         point: [f64; 3],
     ) -> Vec<f64> {
-        let arm = |freedom: &Freedom| {
-            let of =
-                |side: usize| solid_arm(frame, side, freedom.component, &axes[side], origins[side], point);
-            (0..2).filter(|&side| bodies[side] == freedom.body).map(of).sum()
+        let arm = |dof: &Dof| {
+            let of = |side: usize| solid_arm(frame, side, dof.component, &axes[side], origins[side], point);
+            (0..2).filter(|&side| bodies[side] == dof.body).map(of).sum()
         };
-        self.system.freedoms.iter().map(arm).collect()
+        self.system.dofs.iter().map(arm).collect()
     }
 }
 
 /// Returns whether surfaces with this approach face each other. If they overlap by half a pitch of
 /// either body, one has passed the other and belongs to its neighbour.
-fn faces(ridge: &Ridge, poses: &[Pose; 2], structures: [&dyn SolidStructure; 2]) -> bool {
+fn faces(contact_line: &ContactLine, poses: &[Pose; 2], structures: [&dyn SolidStructure; 2]) -> bool {
     let half_pitch = |side: usize| {
-        let (from, to) = (poses[side].origin, ridge.frame.point);
+        let (from, to) = (poses[side].origin, contact_line.frame.point);
         let distance = (0..3).map(|k| (to[k] - from[k]).powi(2)).sum::<f64>().sqrt();
         PI / f64::from(structures[side].teeth()) * distance
     };
-    ridge.gap > -half_pitch(0).min(half_pitch(1))
+    contact_line.gap > -half_pitch(0).min(half_pitch(1))
 }
 
 /// Number of transverse sections in which a tooth is tested against the nominal path of contact.
@@ -292,23 +307,24 @@ fn turns_along(surface: &dyn Surface) -> [f64; SECTIONS] {
 }
 
 /// Returns the length of the contact line over which the bodies overlap, m.
-fn overlapping_length(ridge: &Ridge) -> f64 {
+fn overlapping_length(contact_line: &ContactLine) -> f64 {
     let reach = |points: &mut dyn Iterator<Item = [f64; 2]>| {
-        let (mut y, mut gap) = (0.0, ridge.gap);
+        let (mut y, mut gap) = (0.0, contact_line.gap);
         for [next, next_gap] in points {
             if next_gap >= 0.0 {
                 // Between samples the gap is nearly a parabola from the closest approach.
-                let [from, to, zero] = [gap, next_gap, 0.0].map(|gap| (gap - ridge.gap).max(0.0).sqrt());
+                let [from, to, zero] =
+                    [gap, next_gap, 0.0].map(|gap| (gap - contact_line.gap).max(0.0).sqrt());
                 return y + (next - y) * (zero - from) / (to - from);
             }
             (y, gap) = (next.abs(), next_gap);
         }
         y
     };
-    if ridge.gap >= 0.0 {
+    if contact_line.gap >= 0.0 {
         return 0.0;
     }
-    let places = || ridge.points.iter().map(|point| [point.at[1], point.gap]);
+    let places = || contact_line.points.iter().map(|point| [point.at[1], point.gap]);
     let below = places().rev().filter(|[y, _]| *y < 0.0).map(|[y, gap]| [-y, gap]);
     let above = places().filter(|[y, _]| *y > 0.0);
     reach(&mut { below }) + reach(&mut { above })

@@ -13,10 +13,10 @@
 //! `ln(1 + h h' / x²) / (pi E')`. The first term is the near field of all structures, with its
 //! images in the side faces; this module adds the second one.
 
-use super::held_ring::HeldRing;
+use super::foundation_ring::FoundationRing;
 use super::{Local, Tooth, ToothShape};
 use crate::Chart;
-use crate::solid::{Mirror, SolidStructure, Spot, SpotLoad, SurfaceStress};
+use crate::solid::{Mirror, SegmentLoad, SolidStructure, SurfaceSegment, SurfaceStress};
 use crate::surface::Surface;
 use calyx_fe::material::{Material, Plane};
 use calyx_numerics::error::EngineError;
@@ -34,7 +34,7 @@ const FAR: f64 = 4.0;
 pub struct AnalyticSolid {
     surfaces: Vec<Arc<dyn Surface>>,
     tooth: Tooth,
-    ring: HeldRing,
+    ring: FoundationRing,
     teeth: u32,
     face: Face,
     mirrors: [Mirror; 2],
@@ -88,20 +88,20 @@ impl AnalyticSolid {
         AnalyticSolid {
             surfaces,
             tooth,
-            ring: HeldRing::new(&shape.ring, coupled, material, Plane::Strain),
+            ring: FoundationRing::new(&shape.ring, coupled, material, Plane::Strain),
             teeth: shape.ring.sectors.max(1),
             face: Face::new(face_width, twist, spread),
             mirrors: [-0.5, 0.5].map(|part| mirror(part * face_width)),
         }
     }
 
-    fn places(&self, chart: Chart, spots: &[Spot]) -> Vec<Place> {
+    fn places(&self, chart: Chart, segments: &[SurfaceSegment]) -> Vec<Place> {
         let Some(surface) = self.surfaces.get(chart.surface as usize) else { return Vec::new() };
-        spots.iter().map(|spot| self.place(surface.as_ref(), spot)).collect()
+        segments.iter().map(|segment| self.place(surface.as_ref(), segment)).collect()
     }
 
-    fn place(&self, surface: &dyn Surface, spot: &Spot) -> Place {
-        let ([s, z], face) = (spot.place, &self.face);
+    fn place(&self, surface: &dyn Surface, segment: &SurfaceSegment) -> Place {
+        let ([s, z], face) = (segment.place, &self.face);
         let on = surface.at(s, z);
         let (sine, cosine) = (face.twist * z).sin_cos();
         // Coordinates of the slice, with the tooth along x.
@@ -114,9 +114,9 @@ impl AnalyticSolid {
             slice,
             position: on.position,
             z,
-            length: spot.length,
+            length: segment.length,
             stretch: x.hypot(y).hypot(w) / w.abs().max(f64::MIN_POSITIVE),
-            swelling: swelling(0.5 * spot.length / face.spread),
+            swelling: swelling(0.5 * segment.length / face.spread),
             ends: face.ends(z),
         }
     }
@@ -225,9 +225,9 @@ impl SolidStructure for AnalyticSolid {
     fn add_compliance(
         &self,
         observe: Chart,
-        observers: &[Spot],
+        observers: &[SurfaceSegment],
         load: Chart,
-        loads: &[Spot],
+        loads: &[SurfaceSegment],
         block: &mut [f64],
     ) {
         // An interrupt that is never asked ends nothing.
@@ -237,9 +237,9 @@ impl SolidStructure for AnalyticSolid {
     fn add_compliance_until(
         &self,
         observe: Chart,
-        observers: &[Spot],
+        observers: &[SurfaceSegment],
         load: Chart,
-        loads: &[Spot],
+        loads: &[SurfaceSegment],
         block: &mut [f64],
         interrupt: &Interrupt,
     ) -> Result<(), EngineError> {
@@ -274,13 +274,14 @@ impl SolidStructure for AnalyticSolid {
     }
 
     /// Returns the stress of the standard in each slice under the force that slices pass on to it.
-    fn stresses(&self, tooth: u32, surface: u32, loads: &[SpotLoad]) -> Vec<SurfaceStress> {
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SegmentLoad]) -> Vec<SurfaceStress> {
         let Some(section) = &self.tooth.section else { return Vec::new() };
         let side = if surface == 0 { 1.0 } else { -1.0 };
         let own = loads.iter().filter(|load| load.chart.tooth == tooth);
         let by: Vec<(Place, f64)> = own
             .filter_map(|load| {
-                let place = self.place(self.surfaces.get(load.chart.surface as usize)?.as_ref(), &load.spot);
+                let place =
+                    self.place(self.surfaces.get(load.chart.surface as usize)?.as_ref(), &load.segment);
                 let stress = load.force * self.tooth.stress(section, &place.slice, side);
                 Some((place, stress))
             })
@@ -341,7 +342,7 @@ mod tests {
     const FLANK: Chart = Chart { tooth: 2, surface: 0 };
 
     fn bodies(material: Material) -> (AnalyticStructure, AnalyticSolid) {
-        let ring = RingShape { radius: 10e-3, held_radius: 8e-3, half_arc: 0.05, sectors: 20 };
+        let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, sectors: 20 };
         let slab = |side| Slab { from: ring.root(), length: 1e-3, half: 0.3e-3, side };
         let depths = (0..=10).map(|k| [0.1e-3 * f64::from(k), 0.3e-3]).collect();
         let shape = ToothShape { sense: 1.0, depths, lean: 1.0, ring, section: None };
@@ -358,16 +359,20 @@ mod tests {
     }
 
     /// Returns slices of a face with different lengths.
-    fn slices(s: f64) -> Vec<Spot> {
+    fn slices(s: f64) -> Vec<SurfaceSegment> {
         let ends = [-0.5, -0.45, -0.3, -0.25, 0.0, 0.1, 0.3, 0.42, 0.5];
-        let slice = |pair: &[f64]| Spot {
+        let slice = |pair: &[f64]| SurfaceSegment {
             place: [s, 0.5 * (pair[0] + pair[1]) * WIDTH],
             length: (pair[1] - pair[0]) * WIDTH,
         };
         ends.windows(2).map(slice).collect()
     }
 
-    fn block(of: &AnalyticSolid, one: (Chart, &[Spot]), other: (Chart, &[Spot])) -> Vec<f64> {
+    fn block(
+        of: &AnalyticSolid,
+        one: (Chart, &[SurfaceSegment]),
+        other: (Chart, &[SurfaceSegment]),
+    ) -> Vec<f64> {
         let mut block = vec![0.0; one.1.len() * other.1.len()];
         of.add_compliance(one.0, one.1, other.0, other.1, &mut block);
         block
@@ -410,18 +415,18 @@ mod tests {
     #[test]
     fn it_is_reciprocal_to_the_bit() {
         let (_, solid) = bodies(Material::STEEL);
-        let spots: Vec<Spot> = [0.3e-3, 0.32e-3, 0.9e-3].into_iter().flat_map(slices).collect();
-        let turned: Vec<Spot> = spots.iter().rev().copied().collect();
+        let segments: Vec<SurfaceSegment> = [0.3e-3, 0.32e-3, 0.9e-3].into_iter().flat_map(slices).collect();
+        let turned: Vec<SurfaceSegment> = segments.iter().rev().copied().collect();
         for other in [FLANK, Chart { tooth: 3, surface: 1 }, Chart { surface: 1, ..FLANK }] {
             let [there, back] = [
-                block(&solid, (FLANK, &spots), (other, &turned)),
-                block(&solid, (other, &turned), (FLANK, &spots)),
+                block(&solid, (FLANK, &segments), (other, &turned)),
+                block(&solid, (other, &turned), (FLANK, &segments)),
             ];
-            for i in 0..spots.len() {
-                for j in 0..spots.len() {
+            for i in 0..segments.len() {
+                for j in 0..segments.len() {
                     assert_eq!(
-                        there[i * spots.len() + j].to_bits(),
-                        back[j * spots.len() + i].to_bits(),
+                        there[i * segments.len() + j].to_bits(),
+                        back[j * segments.len() + i].to_bits(),
                         "{i} {j}"
                     );
                 }
@@ -433,10 +438,10 @@ mod tests {
     #[test]
     fn places_seen_by_themselves_are_seen_as_by_others() {
         let (_, solid) = bodies(Material::STEEL);
-        let spots: Vec<Spot> = [0.3e-3, 0.9e-3].into_iter().flat_map(slices).collect();
-        let own = block(&solid, (FLANK, &spots), (FLANK, &spots));
-        for (row, spot) in own.chunks(spots.len()).zip(&spots) {
-            assert_eq!(row, block(&solid, (FLANK, &[*spot]), (FLANK, &spots)));
+        let segments: Vec<SurfaceSegment> = [0.3e-3, 0.9e-3].into_iter().flat_map(slices).collect();
+        let own = block(&solid, (FLANK, &segments), (FLANK, &segments));
+        for (row, segment) in own.chunks(segments.len()).zip(&segments) {
+            assert_eq!(row, block(&solid, (FLANK, &[*segment]), (FLANK, &segments)));
         }
     }
 
@@ -467,7 +472,7 @@ mod tests {
     fn slices_hold_each_other_over_a_tooths_height() {
         let (_, solid) = bodies(Material::STEEL);
         let through = Chart { surface: 1, ..FLANK };
-        let at = |z: f64| [Spot { place: [0.8e-3, z], length: 0.0 }];
+        let at = |z: f64| [SurfaceSegment { place: [0.8e-3, z], length: 0.0 }];
         let of = |z: f64| -block(&solid, (through, &at(z)), (FLANK, &at(-0.5 * WIDTH)))[0];
         let spread = 1e-3 * (2.0f64 / 3.0 * 0.7).sqrt();
         let [end, one, middle] = [of(-0.5 * WIDTH), of(-0.5 * WIDTH + spread), of(0.0)];

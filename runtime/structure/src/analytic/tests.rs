@@ -32,7 +32,7 @@ impl Profile for Slab {
 
 /// 20 teeth 1 high and 0.6 deep on a ring of radius 10, held at another one. Lengths in units of `unit` m.
 fn slabs(held: f64, unit: f64, material: Material) -> AnalyticStructure {
-    let shape = RingShape { radius: 10.0 * unit, held_radius: held * unit, half_arc: 0.05, sectors: 20 };
+    let shape = RingShape { radius: 10.0 * unit, fixed_radius: held * unit, half_arc: 0.05, sectors: 20 };
     let (from, half) = (shape.root(), 0.3 * unit);
     let flank = |side| Arc::new(Slab { from, length: unit, half, side }) as Arc<dyn Profile>;
     let depths = (0..=10).map(|k| [0.1 * unit * f64::from(k), half]).collect();
@@ -70,7 +70,7 @@ fn on_a_rigid_ring_it_is_timoshenkos_beam_and_the_depth_beneath_the_load() {
 #[test]
 fn a_leaning_tooth_is_a_plate_of_its_own_depth() {
     let (lean, half, at) = (0.8, 0.3e-3, 0.9e-3);
-    let ring = RingShape { radius: 10e-3, held_radius: 8e-3, half_arc: 0.05, sectors: 20 };
+    let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, sectors: 20 };
     let slab = Slab { from: ring.root(), length: 1e-3, half, side: 1.0 };
     let depths = (0..=10).map(|k| [0.1e-3 * f64::from(k), lean * half]).collect();
     let section = CriticalSection {

@@ -2,7 +2,7 @@
 
 use super::{Answer, CacheCounts, Key, Operator, OperatorCache};
 use crate::profile::Profile;
-use crate::{AnyStructure, Chart, RigidStructure, StressPlace, Structure, SurfaceLoad};
+use crate::{AnyStructure, Chart, RigidStructure, StressPoint, Structure, SurfaceLoad};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ impl Structure for Sized {
 
     fn add_compliance(&self, _: Chart, _: &[f64], _: Chart, _: &[f64], _: &mut [f64]) {}
 
-    fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPlace, f64)> {
+    fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPoint, f64)> {
         Vec::new()
     }
 

@@ -7,8 +7,8 @@
 //! Campbell 1974).
 
 use calyx_fe::material::Plane;
-use calyx_fe::solid::{SolidModel, SolidPlace};
-use calyx_fe::{Place, PlaneModel};
+use calyx_fe::solid::{SolidElementPoint, SolidModel};
+use calyx_fe::{ElementPoint, PlaneModel};
 use calyx_numerics::quadrature::gauss_legendre;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -65,12 +65,13 @@ impl Elements {
         let element = |(number, element): (usize, &calyx_fe::Element)| {
             let kind = kinds.entry(element.order).or_insert_with(|| {
                 let places =
-                    element.order.node_places().into_iter().map(|[xi, eta]| [xi, eta, 0.0]).collect();
+                    element.order.node_coordinates().into_iter().map(|[xi, eta]| [xi, eta, 0.0]).collect();
                 let points = usize::from(element.order.lowest_side());
                 Arc::new(Kind::new(places, [points, points, 1]))
             });
             let gradients = kind.samples.iter().map(|&[xi, eta, _]| {
-                let [[x_xi, x_eta], [y_xi, y_eta]] = model.mesh.jacobian(Place { element: number, xi, eta });
+                let [[x_xi, x_eta], [y_xi, y_eta]] =
+                    model.mesh.jacobian(ElementPoint { element: number, xi, eta });
                 let area = x_xi * y_eta - x_eta * y_xi;
                 let shapes = element.order.shapes(xi, eta).into_iter();
                 shapes
@@ -99,9 +100,9 @@ impl Elements {
             }
             let kind = kinds.entry(&element.interpolation).or_insert_with(|| {
                 let [across, along] = element.interpolation.lowest().map(usize::from);
-                Arc::new(Kind::new(element.interpolation.node_places(), [across, across, along]))
+                Arc::new(Kind::new(element.interpolation.node_coordinates(), [across, across, along]))
             });
-            let at = |&local: &[f64; 3]| model.gradients(SolidPlace { element: number, local });
+            let at = |&local: &[f64; 3]| model.gradients(SolidElementPoint { element: number, local });
             let gradients = kind.samples.iter().map(at).collect();
             elements.push(Element { kind: kind.clone(), nodes: element.nodes.clone(), gradients });
         }

@@ -13,7 +13,7 @@ use crate::condense::{Assembled, Cuts, Support, condense};
 use crate::dense::{add_product, product};
 use crate::ring::RingFlexibility;
 use calyx_fe::{Constraints, Solver, SparseVector};
-use calyx_numerics::interrupt::{Interrupt, Room};
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
 
@@ -36,11 +36,11 @@ pub(super) struct SolvedRing {
     /// those on cuts and means.
     bore: Option<(BoreCoupling, Mat<f64>)>,
     /// Memory reservation for the stiffness matrix.
-    _room: Room,
+    _room: MemoryReservation,
 }
 
 /// Sector of a ring, and the support of the ring.
-pub(super) struct Held {
+pub(super) struct ConstrainedSector {
     pub sectors: u32,
     pub cuts: Cuts,
     /// Fixed degrees of freedom.
@@ -54,16 +54,16 @@ impl SolvedRing {
     /// Builds the ring; `blamed` maps its errors.
     pub fn new(
         assembled: Assembled,
-        sector: Held,
+        sector: ConstrainedSector,
         blamed: impl Fn(StructureError) -> StructureError,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let Held { sectors, cuts, held, means, window } = sector;
-        let support = Support::of_ring(&held, means.as_ref());
+        let ConstrainedSector { sectors, cuts, held, means, window } = sector;
+        let support = Support::for_ring(&held, means.as_ref());
         let condensed = condense(&assembled, &support, Some(&cuts), &[], &[], interrupt)?;
         let stiffness = condensed.stiffness.ok_or(StructureError::NoArea)?;
         let mut ring = RingFlexibility::new(&stiffness, sectors, window, interrupt).map_err(&blamed)?;
-        let released = means.as_ref().map(|means| means.let_go(&mut ring)).transpose().map_err(blamed)?;
+        let released = means.as_ref().map(|means| means.release(&mut ring)).transpose().map_err(blamed)?;
         let bore = released.flatten().map(|released| {
             let holding = released.holding.clone();
             (BoreCoupling::new(released, sectors, cuts.angle), holding)
@@ -98,7 +98,7 @@ impl SolvedRing {
     pub fn displacements(
         &self,
         loads: &[(u32, Vec<f64>)],
-        lugs: &[f64],
+        spline_teeth: &[f64],
         wanted: &[u32],
     ) -> Result<Mat<f64>, StructureError> {
         let dofs = self.stiffness.ncols();
@@ -110,7 +110,7 @@ impl SolvedRing {
             for (load, (loaded, _)) in loads.iter().enumerate() {
                 self.add_answer(&mut sum, sector, (*loaded, on_cuts.as_ref().subcols(load, 1)));
             }
-            self.add_lugs(&mut sum, sector, lugs);
+            self.add_spline_teeth(&mut sum, sector, spline_teeth);
             sum
         };
         let answers: Vec<Mat<f64>> = wanted.iter().map(|&sector| answer(sector)).collect();
@@ -166,14 +166,14 @@ impl SolvedRing {
     }
 
     /// Returns the number of sectors ahead, around the ring, from one sector to another.
-    fn places_ahead(&self, from: u32, to: u32) -> u32 {
+    fn sectors_ahead(&self, from: u32, to: u32) -> u32 {
         (to % self.sectors + self.sectors - from % self.sectors) % self.sectors
     }
 
     /// Adds the displacements of a sector's cuts and means, in its own frame, by forces on those of
     /// another sector.
     fn add_answer(&self, sum: &mut Mat<f64>, observer: u32, (loaded, forces): (u32, MatRef<'_, f64>)) {
-        let (ahead, behind) = (self.places_ahead(loaded, observer), self.places_ahead(observer, loaded));
+        let (ahead, behind) = (self.sectors_ahead(loaded, observer), self.sectors_ahead(observer, loaded));
         let known = ahead.min(behind) <= self.ring.window();
         if known {
             let ring = self.ring.at(ahead.min(behind));
@@ -191,10 +191,10 @@ impl SolvedRing {
 
     /// Adds the displacements of a sector's cuts and means by forces of spline teeth with
     /// clearance.
-    fn add_lugs(&self, sum: &mut Mat<f64>, observer: u32, lugs: &[f64]) {
-        let Some((bore, holding)) = self.bore.as_ref().filter(|_| !lugs.is_empty()) else { return };
-        let lugs = MatRef::from_column_major_slice(lugs, lugs.len(), 1);
-        if let Some(amplitudes) = bore.amplitudes_by_lugs(observer, lugs) {
+    fn add_spline_teeth(&self, sum: &mut Mat<f64>, observer: u32, spline_teeth: &[f64]) {
+        let Some((bore, holding)) = self.bore.as_ref().filter(|_| !spline_teeth.is_empty()) else { return };
+        let spline_teeth = MatRef::from_column_major_slice(spline_teeth, spline_teeth.len(), 1);
+        if let Some(amplitudes) = bore.amplitudes_by_spline_teeth(observer, spline_teeth) {
             add_product(sum.as_mut(), 1.0, holding.transpose(), amplitudes.as_ref());
         }
     }

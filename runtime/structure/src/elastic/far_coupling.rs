@@ -88,13 +88,13 @@ impl FarCoupling {
 }
 
 impl Coupling for FarCoupling {
-    fn add_felt(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
+    fn add_coupling_forces(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
         if let Some(loads) = self.loads.get(side) {
             add_product(forces.as_mut(), 1.0, loads.as_ref(), columns);
         }
     }
 
-    fn unfelt(&self, loads: usize) -> Mat<f64> {
+    fn no_coupling_forces(&self, loads: usize) -> Mat<f64> {
         Mat::zeros(self.loads.first().map_or(0, Mat::nrows), loads)
     }
 

@@ -1,25 +1,25 @@
 //! Points of a surface in the coordinates of the tables of an elastic structure.
 
 use super::Surface;
-use crate::spline::Weights;
+use crate::bspline::BSplineWeights;
 
 /// Point of a surface in the coordinates of its tables.
 #[derive(Clone, Copy)]
 pub(crate) struct Local {
-    pub turned: Turned,
+    pub turned: NormalAngle,
     /// Direction in which the point is loaded and observed: share into the body, share along the
     /// surface. Their squares add up to one.
     pub direction: [f64; 2],
-    pub weights: Weights,
+    pub weights: BSplineWeights,
     /// Weights over the stretched coordinate.
-    pub stretched: Weights,
+    pub stretched: BSplineWeights,
     /// Distance of the stretched coordinate beyond the samples.
     pub beyond: f64,
 }
 
 /// Point of a surface and the rotation of its normal there.
 #[derive(Clone, Copy)]
-pub(crate) struct Turned {
+pub(crate) struct NormalAngle {
     /// Arc length, clamped to the surface's range, m.
     pub s: f64,
     /// Rotation, rad, positive where convex.
@@ -40,7 +40,7 @@ impl Surface {
         let s = s.clamp(self.range[0], self.range[1]);
         let (t, weights) = (self.stretch.at(s), self.spline.weights(s));
         let (stretched, beyond) = (self.stretched.weights(t), self.stretched.beyond(t));
-        let turned = Turned { s, angle: weights.sum(|i| self.turned[i]) };
+        let turned = NormalAngle { s, angle: weights.sum(|i| self.turned[i]) };
         Local { turned, direction: [1.0, 0.0], weights, stretched, beyond }
     }
 
@@ -49,12 +49,12 @@ impl Surface {
         self.spline.bytes()
             + self.stretched.bytes()
             + size_of_val(self.turned.as_slice())
-            + size_of_val(self.stress_places.as_slice())
+            + size_of_val(self.stress_points.as_slice())
     }
 
     /// Returns only the data of a point that the curvature terms use.
-    pub fn turned_at(&self, s: f64) -> Turned {
+    pub fn normal_angle_at(&self, s: f64) -> NormalAngle {
         let s = s.clamp(self.range[0], self.range[1]);
-        Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
+        NormalAngle { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
     }
 }

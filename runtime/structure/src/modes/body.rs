@@ -1,11 +1,11 @@
 //! Modes of a body from those of its mesh: sorted, and evaluated for contact, frame and stress
 //! recovery.
 
-use super::super::bore::{BoreMeans, Wanted};
+use super::super::bore::{BoreMeans, RequestedMeans};
 use super::super::condense::{Assembled, match_cuts};
-use super::super::elastic::{Hold, Prepared, RingSource, SurfaceSource, chain, prepare};
+use super::super::elastic::{MeshSupport, Prepared, RingSource, SurfaceSource, chain, prepare};
 use super::super::sampling::SplitOptions;
-use super::super::{BoreHold, StructureError};
+use super::super::{BoreSupport, StructureError};
 use super::complex::under;
 use super::cyclic::ring_modes;
 use super::harmonic::{HarmonicModes, is_real};
@@ -49,21 +49,21 @@ impl BodyModes {
     /// interrupted.
     pub fn single(
         model: &PlaneModel,
-        hold: Hold<'_>,
+        hold: MeshSupport<'_>,
         surfaces: &[SurfaceSource],
         options: &SplitOptions,
         highest: f64,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let held = match hold {
-            Hold::Free => Vec::new(),
-            Hold::Chain(name) => model.mesh.chain_nodes(chain(model, name)?),
+            MeshSupport::Free => Vec::new(),
+            MeshSupport::Chain(name) => model.mesh.chain_nodes(chain(model, name)?),
         };
         let held = Assembled::plane(model).dofs_of(&held);
         let nodes = model.mesh.nodes.clone();
         let sector = Sector::new((model.stiffness(), model.mass()), nodes, &held, 1, None);
         let mut modes = ring_modes(&sector, highest, interrupt)?;
-        if hold == Hold::Free {
+        if hold == MeshSupport::Free {
             modes.iter_mut().for_each(|modes| modes.leave_out(MOTIONS));
         }
         Ok(Self::seen(&sector, modes, prepare(model, surfaces, options, interrupt)?))
@@ -100,7 +100,7 @@ impl BodyModes {
             gyroscopic: ring.gyroscopic(),
             centrifugal: centrifugal.col(0).iter().copied().collect(),
             fields: Arc::new(fields),
-            reshaped: None,
+            modified_surfaces: None,
         }
     }
 }
@@ -115,10 +115,12 @@ pub(super) fn ring_sector(
     let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
     let count = ring.sectors.max(1);
     let held = match ring.hold {
-        BoreHold::Rigid => bore,
-        BoreHold::Means { .. } => Vec::new(),
+        BoreSupport::Rigid => bore,
+        BoreSupport::Means { .. } => Vec::new(),
         // Spline teeth couple modes of all nodal diameters.
-        BoreHold::Lugs(_) | BoreHold::LooseLugs { .. } => return Err(StructureError::ModesOnLugs),
+        BoreSupport::SplineTeeth(_) | BoreSupport::SplineWithClearance { .. } => {
+            return Err(StructureError::ModesOnLugs);
+        }
     };
     let assembled = Assembled::plane(model);
     let cuts = match_cuts(&assembled.positions, &first, &last, &held, TAU / f64::from(count))
@@ -127,7 +129,7 @@ pub(super) fn ring_sector(
     let matrices = (assembled.stiffness, model.mass());
     let sector = Sector::new(matrices, model.mesh.nodes.clone(), &held, count, Some(&cuts));
     // Only the constrained means: the coupling of distant teeth needs no released ones here.
-    let Some(wanted) = Wanted::of_ring(ring.hold, count, count) else { return Ok(sector) };
+    let Some(wanted) = RequestedMeans::for_ring(ring.hold, count, count) else { return Ok(sector) };
     let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
     let means = means.ok_or(StructureError::NoArea)?;
     Ok(sector.holding(means.forms, means.shared))

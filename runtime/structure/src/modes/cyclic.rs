@@ -57,7 +57,7 @@ pub(in super::super) fn ring_modes(
     let columns: usize =
         counts.iter().filter(|&&count| count > 0).map(|&count| Harmonic::columns(count)).sum();
     let bytes = columns * 2 * sector.dofs() * size_of::<f64>();
-    let _room = interrupt.room_for(bytes as u64).map_err(StructureError::Interrupted)?;
+    let _room = interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted)?;
     let modes = |waves: u32| {
         let count = counts.get(waves as usize).copied().unwrap_or(0);
         if count == 0 {

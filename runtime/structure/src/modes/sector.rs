@@ -8,11 +8,11 @@
 
 use super::super::StructureError;
 use super::super::condense::{Cuts, turn};
-use super::super::ring::Shared;
+use super::super::ring::SharedUnknowns;
 use calyx_fe::sparse::summed;
 use calyx_fe::{SolveError, SparseVector};
 use calyx_numerics::dense::{add_product, product};
-use calyx_numerics::interrupt::{Interrupt, Room};
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SparseColMat;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
@@ -43,7 +43,7 @@ pub(in super::super) struct Sector {
     /// Linear forms, in the frame of each sector, whose sums around the ring vanish.
     pub forms: Vec<SparseVector>,
     /// Rotation of the forms from sector to sector.
-    pub shared: Shared,
+    pub shared: SharedUnknowns,
     /// Degrees of freedom that are neither constrained nor on a cut.
     pub inner: Vec<usize>,
 }
@@ -67,12 +67,12 @@ impl Sector {
         let mut is_inner = vec![true; stiffness.ncols()];
         held.iter().chain(cuts.iter().flatten()).for_each(|&dof| is_inner[dof] = false);
         let inner = (0..stiffness.ncols()).filter(|&dof| is_inner[dof]).collect();
-        let (forms, shared) = (Vec::new(), Shared::default());
+        let (forms, shared) = (Vec::new(), SharedUnknowns::default());
         Self { stiffness, mass, nodes, count, cuts, angle, forms, shared, inner }
     }
 
     /// Adds mean constraints.
-    pub fn holding(self, forms: Vec<SparseVector>, shared: Shared) -> Self {
+    pub fn holding(self, forms: Vec<SparseVector>, shared: SharedUnknowns) -> Self {
         Self { forms, shared, ..self }
     }
 
@@ -96,7 +96,7 @@ pub(super) struct Shifted<'s> {
     /// last cut.
     pub closed: Mat<f64>,
     /// Memory reservations.
-    _rooms: [Room; 2],
+    _rooms: [MemoryReservation; 2],
 }
 
 impl<'s> Shifted<'s> {
@@ -107,7 +107,7 @@ impl<'s> Shifted<'s> {
         shift: f64,
         interrupt: &Interrupt,
     ) -> Result<Option<Self>, StructureError> {
-        let room = |bytes: usize| interrupt.room_for(bytes as u64).map_err(StructureError::Interrupted);
+        let room = |bytes: usize| interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted);
         let (count, cut) = (sector.inner.len(), 2 * sector.cuts[0].len());
         let mut place = vec![None; sector.dofs()];
         sector.inner.iter().enumerate().for_each(|(index, &dof)| place[dof] = Some(index));

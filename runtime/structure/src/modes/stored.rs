@@ -92,7 +92,7 @@ impl BodyModes {
             gyroscopic: stored.gyroscopic.matrix().filter(|matrix| matrix.nrows() == count)?,
             centrifugal: stored.centrifugal,
             fields: Arc::new(fields),
-            reshaped: None,
+            modified_surfaces: None,
         })
     }
 }

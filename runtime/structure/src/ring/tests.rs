@@ -147,6 +147,6 @@ fn a_free_ring_is_refused() {
     let spring = Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { -1.0 });
     assert_eq!(
         RingFlexibility::new(&CutStiffness::new(spring), 8, 3, &Interrupt::never()).unwrap_err(),
-        FreeRing.into()
+        UnrestrainedRing.into()
     );
 }

@@ -3,7 +3,7 @@
 //! As in plane models ([`crate::ElasticStructure`]), the compliance of a surface is that
 //! of the half-space plus a smooth part. The smooth part is the difference between the responses of
 //! mesh and half-space to the same loads, observed in the same way. Loads and observers are
-//! mollifiers across a flank and polynomials along it ([`super::axial`]). For each pair of
+//! mollifiers across a flank and polynomials along it ([`super::axial_modes`]). For each pair of
 //! polynomials the smooth part is a function of two coordinates across the flank and behaves as in
 //! a plane model. It has the kink of a curved surface where both points coincide (see the plane
 //! module). The kink is subtracted for pairs of equal polynomials and added again in closed form;
@@ -19,21 +19,21 @@
 mod prepared;
 
 use super::Mirror;
-use super::axial::AxialModes;
+use super::axial_modes::AxialModes;
 use super::exchange::Sector;
-use super::halves::Mirrored;
-use super::responses::{Responses, ThroughBore, whole};
-use crate::bore::{BoreMeans, Wanted};
+use super::mirror_symmetry::MirrorMap;
+use super::responses::{BoreResponse, Responses, whole};
+use crate::bore::{BoreMeans, RequestedMeans};
 use crate::bore_coupling::BoreCoupling;
+use crate::bspline::BSpline;
 use crate::condense::{Support, condense, match_cuts};
 use crate::dense::mirror_lower;
-use crate::elastic::Turned;
+use crate::elastic::NormalAngle;
 use crate::elastic::{OffsetTables, both_sides, starts};
-use crate::kernel::{PairQuadrature, Sampled};
-use crate::sampling::Stretch;
-use crate::spline::Spline;
+use crate::kernel::{MollifierSamples, PairQuadrature};
+use crate::sampling::EdgeCoordinate;
 use crate::surface::Surface;
-use crate::{Hold, RevolvedWeb, RingSource, StructureError};
+use crate::{MeshSupport, RevolvedWeb, RingSource, StructureError};
 use calyx_fe::material::Plane;
 use calyx_fe::solid::{ABSENT, FaceSet, SolidModel};
 use calyx_numerics::interrupt::Interrupt;
@@ -59,7 +59,7 @@ pub struct SolidSurfaceSource {
     pub stress_faces: Option<String>,
     /// Number of stress recovery points on each edge of that chain and on each layer of elements,
     /// at least 1; along the face both ends are recovery points too.
-    pub stress_places: [usize; 2],
+    pub stress_points: [usize; 2],
 }
 
 /// Number of lowest polynomials along the face that are extrapolated towards edges beyond the
@@ -101,7 +101,7 @@ pub struct ElasticSolid {
     pub(super) kink: f64,
     pub(super) mirrors: [Mirror; 2],
     pub(super) modes: AxialModes,
-    pub(super) surfaces: Vec<KnownSurface>,
+    pub(super) surfaces: Vec<SurfaceTables>,
     /// Tables by offset of the observing sector ahead of the loaded one; a side is a surface. The
     /// compliance of a surface with itself has two additional entries for each polynomial: the
     /// increments of a point beyond the first or the last sample ([`continued`]). Stress has three
@@ -113,20 +113,20 @@ pub struct ElasticSolid {
 
 /// Surface of a condensed body. Its tables are indexed by a sample across and a polynomial along:
 /// `polynomial * places + place`.
-pub(super) struct KnownSurface {
+pub(super) struct SurfaceTables {
     pub surface: Arc<dyn Surface>,
     /// Spline over arc length, for everything but the compliance of the surface with itself.
-    pub spline: Spline,
-    pub stretch: Stretch,
+    pub spline: BSpline,
+    pub stretch: EdgeCoordinate,
     /// Spline over the stretched coordinate, for the compliance of the surface with itself.
-    pub stretched: Spline,
+    pub stretched: BSpline,
     /// Range of arc lengths of the chain. Coordinates beyond it are clamped to its ends.
     pub range: [f64; 2],
     /// Spline coefficients of the angle by which the transverse normal has rotated, positive where
     /// convex, rad.
     pub turned: Vec<f64>,
     /// Stress recovery points: coordinates on the chart of those faces, and position, m.
-    pub stress_places: Vec<([f64; 2], [f64; 3])>,
+    pub stress_points: Vec<([f64; 2], [f64; 3])>,
 }
 
 impl ElasticSolid {
@@ -143,7 +143,7 @@ impl ElasticSolid {
         options: &SolidSplitOptions,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let mirrored = Mirrored::of(&model.mesh);
+        let mirrored = MirrorMap::of(&model.mesh);
         Self::ring_by(mirrored.as_ref(), model, ring, (surfaces, options), interrupt)
     }
 
@@ -166,14 +166,14 @@ impl ElasticSolid {
 
     /// Builds the ring by halves, if the mirror is given.
     pub(super) fn ring_by(
-        mirrored: Option<&Mirrored>,
+        mirrored: Option<&MirrorMap>,
         model: &SolidModel,
         ring: &RingSource<'_>,
         (surfaces, options): (&[SolidSurfaceSource], &SolidSplitOptions),
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let bore = faces(model, ring.bore)?;
-        let hold = match Wanted::of_ring(ring.hold, ring.sectors.max(1), ring.coupled) {
+        let hold = match RequestedMeans::for_ring(ring.hold, ring.sectors.max(1), ring.coupled) {
             None => (model.mesh.nodes_on(bore), None),
             Some(wanted) => {
                 let means = BoreMeans::solid(model, bore, wanted, interrupt)?;
@@ -185,7 +185,7 @@ impl ElasticSolid {
 
     /// Builds the ring from the fixed nodes of the bore and its mean constraints.
     fn ring_held(
-        mirrored: Option<&Mirrored>,
+        mirrored: Option<&MirrorMap>,
         model: &SolidModel,
         ring: &RingSource<'_>,
         (mut held, means): (Vec<usize>, Option<BoreMeans>),
@@ -203,8 +203,8 @@ impl ElasticSolid {
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let (modes, prepared, exchange) = prepare(model, surfaces, options, interrupt)?;
         let sector = Sector { cuts, held, means, sectors, coupled: ring.coupled };
-        let mut responses = Responses::of_ring(model, &sector, mirrored, &exchange, interrupt)
-            .map_err(|error| ring.hold.blamed(error))?;
+        let mut responses = Responses::for_ring(model, &sector, mirrored, &exchange, interrupt)
+            .map_err(|error| ring.hold.with_bore_context(error))?;
         let through = responses.bore.take();
         let bore = through.map(|through| bore_coupling(through, &prepared, modes.count(), (sectors, pitch)));
         let body = Self::assemble(model, sectors, modes, prepared, &responses, interrupt)?;
@@ -218,7 +218,7 @@ impl ElasticSolid {
     /// interrupted.
     pub fn single(
         model: &SolidModel,
-        hold: Hold<'_>,
+        hold: MeshSupport<'_>,
         surfaces: &[SolidSurfaceSource],
         options: &SolidSplitOptions,
         interrupt: &Interrupt,
@@ -228,11 +228,11 @@ impl ElasticSolid {
         let condense =
             |support| condense(&assembled, &support, None, &exchange.loads, &exchange.rows, interrupt);
         let condensed = match hold {
-            Hold::Free => {
+            MeshSupport::Free => {
                 let mass = model.mass();
                 condense(Support::Free { mass: &mass, motions: &model.rigid_body_modes() })?
             }
-            Hold::Chain(name) => {
+            MeshSupport::Chain(name) => {
                 let mut nodes = model.mesh.nodes_on(faces(model, name)?);
                 nodes.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
                 condense(Support::Held(&assembled.dofs_of(&nodes)))?
@@ -317,10 +317,10 @@ impl ElasticSolid {
         let known = &prepared.known;
         let (places, count) = (prepared.mollifiers.len(), self.modes.count());
         let quadrature = PairQuadrature::default();
-        let place = |s: f64| known.turned_at(s);
-        let turned: Vec<Sampled<Turned>> =
+        let place = |s: f64| known.normal_angle_at(s);
+        let turned: Vec<MollifierSamples<NormalAngle>> =
             prepared.mollifiers.iter().map(|mollifier| quadrature.sampled(mollifier, place)).collect();
-        let curved = |a: Turned, b: Turned| self.curved_part(known, a, b);
+        let curved = |a: NormalAngle, b: NormalAngle| self.curvature_term(known, a, b);
         let pairs: Vec<(usize, usize)> = (0..places).flat_map(|k| (0..=k).map(move |l| (k, l))).collect();
         let taken_out = pairs
             .par_iter()
@@ -359,7 +359,7 @@ impl ElasticSolid {
 
     /// Returns the non-smooth part of the compliance to a line load where `a` and `b` coincide that
     /// curvature adds to the half-space's, m/(N/m).
-    pub(super) fn curved_part(&self, surface: &KnownSurface, a: Turned, b: Turned) -> f64 {
+    pub(super) fn curvature_term(&self, surface: &SurfaceTables, a: NormalAngle, b: NormalAngle) -> f64 {
         // Convex is positive: the angle increases with the arc length.
         let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
         let distance = (a.s - b.s).abs() / (surface.range[1] - surface.range[0]);
@@ -368,10 +368,10 @@ impl ElasticSolid {
     }
 }
 
-impl KnownSurface {
-    pub fn turned_at(&self, s: f64) -> Turned {
+impl SurfaceTables {
+    pub fn normal_angle_at(&self, s: f64) -> NormalAngle {
         let s = s.clamp(self.range[0], self.range[1]);
-        Turned { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
+        NormalAngle { s, angle: self.spline.weights(s).sum(|i| self.turned[i]) }
     }
 
     /// Returns the number of samples across in its tables.
@@ -389,7 +389,7 @@ impl KnownSurface {
 /// point grows with the logarithm of the distance, independently of neighbouring points. Higher
 /// polynomials are constant beyond the outermost samples: their slope is not accurate enough, and
 /// an incorrect one outweighs the half-space under a narrow cell.
-fn continued(spline: &Spline, inner: MatRef<'_, f64>, modes: [usize; 2]) -> Mat<f64> {
+fn continued(spline: &BSpline, inner: MatRef<'_, f64>, modes: [usize; 2]) -> Mat<f64> {
     let places = inner.nrows();
     let [rows_go_on, columns_go_on] = modes.map(|mode| mode < CONTINUED);
     let slopes = [0, 1].map(|end| spline.slopes(end));
@@ -419,7 +419,7 @@ fn part<'a>(all: &'a Mat<f64>, starts: [&[usize]; 2], [p, q]: [usize; 2]) -> Mat
 }
 
 /// Converts columns by loads to columns by spline coefficients, polynomial by polynomial.
-fn by_unknown(table: MatRef<'_, f64>, spline: &Spline, count: usize) -> Mat<f64> {
+fn by_unknown(table: MatRef<'_, f64>, spline: &BSpline, count: usize) -> Mat<f64> {
     let places = spline.nodes().len();
     let mut coefficients = Mat::zeros(table.nrows(), table.ncols());
     for mode in 0..count {
@@ -433,12 +433,12 @@ fn by_unknown(table: MatRef<'_, f64>, spline: &Spline, count: usize) -> Mat<f64>
 /// Returns the coupling of the loads and stress recovery points of a sector with the released
 /// amplitudes of the bore.
 fn bore_coupling(
-    through: ThroughBore,
+    through: BoreResponse,
     prepared: &[Prepared],
     modes: usize,
     (sectors, pitch): (u32, f64),
 ) -> BoreCoupling {
-    let ThroughBore { released, forces, stresses } = through;
+    let BoreResponse { released, forces, stresses } = through;
     let mut coupling = BoreCoupling::new(released, sectors, pitch);
     let (mut load, mut row) = (0, 0);
     for surface in prepared {

@@ -3,7 +3,7 @@
 use crate::bore::BoreMeans;
 use crate::condense::Cuts;
 use calyx_fe::SparseVector;
-use calyx_numerics::interrupt::Room;
+use calyx_numerics::interrupt::MemoryReservation;
 
 /// Sector of a ring, before it is condensed.
 pub(super) struct Sector {
@@ -19,7 +19,7 @@ pub(super) struct Sector {
 }
 
 /// Loads of a body and linear forms of its displacements.
-pub(super) struct Exchange {
+pub(super) struct LoadsAndRows {
     pub loads: Vec<SparseVector>,
     /// For each load, true if it is antisymmetric.
     pub odd: Vec<bool>,
@@ -27,5 +27,5 @@ pub(super) struct Exchange {
     /// For each row, the row of the mirrored point, if any, and the sign of the mirror image.
     pub images: Vec<Option<(usize, f64)>>,
     /// Memory reservations for the rows.
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<MemoryReservation>,
 }

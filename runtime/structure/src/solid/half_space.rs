@@ -10,7 +10,7 @@
 //! coordinates across. The integrals over `u - u'` and `t` are graded towards the point where both
 //! vanish.
 
-use super::axial::AxialModes;
+use super::axial_modes::AxialModes;
 use super::screw::Screw;
 use crate::kernel::Mollifier;
 use calyx_numerics::quadrature::gauss_legendre;

@@ -1,16 +1,16 @@
 //! Responses of a body's mesh to all loads: as one problem, or as one problem for each half of a
 //! mirror-symmetric body.
 
-use super::exchange::{Exchange, Sector};
-use super::halves::Mirrored;
+use super::exchange::{LoadsAndRows, Sector};
+use super::mirror_symmetry::MirrorMap;
 use crate::StructureError;
 use crate::condense::{Assembled, Condensed, Cuts, Support, condense};
 use crate::dense::product;
 use crate::elastic::{Response, response};
-use crate::ring::{Released, RingFlexibility};
+use crate::ring::{ReleasedMeans, RingFlexibility};
 use calyx_fe::SparseVector;
 use calyx_fe::solid::SolidModel;
-use calyx_numerics::interrupt::{Interrupt, Room};
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use faer::Mat;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -26,12 +26,12 @@ pub(super) struct Responses {
     rows: usize,
     parts: Vec<Part>,
     /// Coupling of loads through a compliant bore.
-    pub bore: Option<ThroughBore>,
+    pub bore: Option<BoreResponse>,
 }
 
 /// Coupling of loads with the released amplitudes of the bore.
-pub(super) struct ThroughBore {
-    pub released: Released,
+pub(super) struct BoreResponse {
+    pub released: ReleasedMeans,
     /// Constraint forces of the amplitudes for each load.
     pub forces: Mat<f64>,
     /// Each row by amplitudes.
@@ -48,7 +48,7 @@ struct Part {
 }
 
 impl Part {
-    fn whole(condensed: Condensed, ring: Option<RingFlexibility>, exchange: &Exchange) -> Self {
+    fn whole(condensed: Condensed, ring: Option<RingFlexibility>, exchange: &LoadsAndRows) -> Self {
         let rows = (0..exchange.rows.len()).map(|row| Some((row, 1.0))).collect();
         Self { condensed, ring, loads: (0..exchange.loads.len()).collect(), rows }
     }
@@ -56,16 +56,16 @@ impl Part {
 
 impl Responses {
     /// Builds the responses of a body that was condensed in one piece.
-    pub fn of_body(condensed: Condensed, exchange: &Exchange) -> Self {
+    pub fn of_body(condensed: Condensed, exchange: &LoadsAndRows) -> Self {
         Self::of(vec![Part::whole(condensed, None, exchange)], exchange)
     }
 
     /// Builds the responses of a ring of sectors: by halves, if `mirrored` is given.
-    pub fn of_ring(
+    pub fn for_ring(
         model: &SolidModel,
         sector: &Sector,
-        mirrored: Option<&Mirrored>,
-        exchange: &Exchange,
+        mirrored: Option<&MirrorMap>,
+        exchange: &LoadsAndRows,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let condensed = |assembled: &Assembled,
@@ -73,7 +73,7 @@ impl Responses {
                          cuts: &Cuts,
                          loads: &[SparseVector],
                          rows: &[SparseVector]| {
-            let support = Support::of_ring(held, sector.means.as_ref());
+            let support = Support::for_ring(held, sector.means.as_ref());
             let condensed = condense(assembled, &support, Some(cuts), loads, rows, interrupt)?;
             let ring = |cut| RingFlexibility::new(cut, sector.sectors, sector.coupled, interrupt);
             let ring = condensed.stiffness.as_ref().map(ring).transpose()?;
@@ -85,10 +85,10 @@ impl Responses {
             let (condensed, mut ring) =
                 condensed(&assembled, &held, &sector.cuts, &exchange.loads, &exchange.rows)?;
             let released = match (&mut ring, &sector.means) {
-                (Some(ring), Some(means)) => means.let_go(ring)?,
+                (Some(ring), Some(means)) => means.release(ring)?,
                 _ => None,
             };
-            let bore = released.map(|released| ThroughBore {
+            let bore = released.map(|released| BoreResponse {
                 forces: product(released.holding.as_ref(), condensed.on_cuts.as_ref()),
                 stresses: product(condensed.rows_cuts.as_ref(), released.holding.transpose()),
                 released,
@@ -96,8 +96,8 @@ impl Responses {
             return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
         };
         // The folded vectors of both halves together are as large as those of the whole.
-        let folded = exchange.rooms.iter().map(Room::bytes).sum();
-        let _room = interrupt.room_for(folded).map_err(StructureError::Interrupted)?;
+        let folded = exchange.rooms.iter().map(MemoryReservation::bytes).sum();
+        let _room = interrupt.reserve_memory(folded).map_err(StructureError::Interrupted)?;
         let equations = mirrored.equations(model, interrupt)?;
         let of_half = |(assembled, odd): (Arc<Assembled>, bool)| {
             let half = mirrored.half(odd, sector, exchange);
@@ -113,7 +113,7 @@ impl Responses {
         Ok(Self::of(parts, exchange))
     }
 
-    fn of(parts: Vec<Part>, exchange: &Exchange) -> Self {
+    fn of(parts: Vec<Part>, exchange: &LoadsAndRows) -> Self {
         Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts, bore: None }
     }
 

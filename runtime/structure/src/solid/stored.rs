@@ -2,9 +2,9 @@
 //! [`crate::stored`].
 
 use super::Mirror;
-use super::axial::AxialModes;
-use super::elastic::{ElasticSolid, KnownSurface};
-use crate::sampling::Stretch;
+use super::axial_modes::AxialModes;
+use super::elastic::{ElasticSolid, SurfaceTables};
+use crate::sampling::EdgeCoordinate;
 use crate::stored::{StoredBore, StoredOffset, from_bytes, spline, to_bytes};
 use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
@@ -29,22 +29,22 @@ struct StoredSolid<'a> {
 #[derive(Serialize, Deserialize)]
 struct StoredSurface {
     nodes: Vec<f64>,
-    stretch: Stretch,
+    stretch: EdgeCoordinate,
     stretched: Vec<f64>,
     range: [f64; 2],
     turned: Vec<f64>,
-    stress_places: Vec<([f64; 2], [f64; 3])>,
+    stress_points: Vec<([f64; 2], [f64; 3])>,
 }
 
 impl ElasticSolid {
     pub(super) fn to_bytes(&self) -> Option<Vec<u8>> {
-        let surface = |known: &KnownSurface| StoredSurface {
+        let surface = |known: &SurfaceTables| StoredSurface {
             nodes: known.spline.nodes().to_vec(),
             stretch: known.stretch.clone(),
             stretched: known.stretched.nodes().to_vec(),
             range: known.range,
             turned: known.turned.clone(),
-            stress_places: known.stress_places.clone(),
+            stress_points: known.stress_points.clone(),
         };
         to_bytes(&StoredSolid {
             teeth: self.teeth,
@@ -63,14 +63,14 @@ impl ElasticSolid {
     pub fn restored(bytes: &[u8], surfaces: Vec<Arc<dyn Surface>>) -> Option<Self> {
         let stored: StoredSolid = from_bytes(bytes)?;
         let known = |(stored, surface): (StoredSurface, Arc<dyn Surface>)| {
-            Some(KnownSurface {
+            Some(SurfaceTables {
                 surface,
                 spline: spline(stored.nodes)?,
                 stretch: stored.stretch,
                 stretched: spline(stored.stretched)?,
                 range: stored.range,
                 turned: stored.turned,
-                stress_places: stored.stress_places,
+                stress_points: stored.stress_points,
             })
         };
         if stored.surfaces.len() != surfaces.len() {

@@ -1,7 +1,7 @@
 //! Small test bodies: a disc, and a gear-like ring with straight-sided teeth.
 
 use crate::profile::{Profile, ProfilePoint};
-use crate::{BoreHold, RingSource, SurfaceSource};
+use crate::{BoreSupport, RingSource, SurfaceSource};
 use calyx_fe::block::uniform;
 use calyx_fe::material::{Material, Plane};
 use calyx_fe::{Block, Curve, ElementOrder, MeshBuilder, PlaneMesh, PlaneModel, Side};
@@ -107,7 +107,7 @@ pub fn disc(radius: f64, divisions: usize) -> (PlaneModel, Vec<SurfaceSource>) {
             chain: format!("rim_{side}"),
             edges: [None; 2],
             stress_chain: None,
-            stress_places_per_edge: 1,
+            stress_points_per_edge: 1,
         })
         .to_vec();
     (PlaneModel::new(mesh, STEEL, Plane::Strain), surfaces)
@@ -131,7 +131,7 @@ pub fn ring_source(teeth: u32) -> RingSource<'static> {
         sectors: teeth,
         cuts: ["cut_first", "cut_last"],
         bore: "bore",
-        hold: BoreHold::Rigid,
+        hold: BoreSupport::Rigid,
         coupled: 3,
     }
 }
@@ -257,7 +257,7 @@ pub fn sector_on(ring: (u32, f64), scale: f64, divisions: Divisions) -> (PlaneMo
             chain: format!("flank_{side}"),
             edges: [None, Some(0.0)],
             stress_chain: Some(format!("root_{side}")),
-            stress_places_per_edge: 2,
+            stress_points_per_edge: 2,
         })
         .collect();
     (PlaneModel::new(mesh, STEEL, Plane::Strain), surfaces)

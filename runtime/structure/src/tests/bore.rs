@@ -2,14 +2,14 @@
 //! solutions.
 
 use super::bodies::{COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
-use crate::bore::{BoreMeans, Wanted};
-use crate::condense::{Assembled, Condensed, Support, condense, determinate_support, match_cuts};
+use crate::bore::{BoreMeans, RequestedMeans};
+use crate::condense::{Assembled, Condensed, Support, condense, match_cuts, statically_determinate_support};
 use crate::ring::RingFlexibility;
-use crate::{BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad};
+use crate::{BoreSupport, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad};
 use calyx_fe::material::Plane;
 use calyx_fe::solid::{ABSENT, SolidMesh, SolidModel};
 use calyx_fe::{
-    Block, Constraints, Curve, ElementOrder, MeshBuilder, Place, PlaneMesh, PlaneModel, Side, Solver,
+    Block, Constraints, Curve, ElementOrder, ElementPoint, MeshBuilder, PlaneMesh, PlaneModel, Side, Solver,
     SparseVector,
 };
 use calyx_numerics::interrupt::Interrupt;
@@ -50,7 +50,7 @@ pub(super) struct Direct {
 
 /// Linear forms of all displacements of a ring's mesh that say how its bore moves in the mean, each a row.
 pub fn bore_means(model: &PlaneModel, sectors: u32) -> Vec<Vec<f64>> {
-    let wanted = Wanted::of_means(None, 0, sectors, sectors);
+    let wanted = RequestedMeans::of_means(None, 0, sectors, sectors);
     let bore = model.mesh.chain("bore").unwrap();
     let means = BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     means.forms.iter().map(|form| form.to_full(model.dof_count())).collect()
@@ -77,7 +77,7 @@ impl Direct {
         let positions: Vec<_> = present.iter().map(|&node| positions[node]).collect();
         let of_present: Vec<Vec<f64>> =
             motions.iter().map(|motion| dofs.iter().map(|&dof| motion[dof]).collect()).collect();
-        for dof in determinate_support(&positions, &of_present) {
+        for dof in statically_determinate_support(&positions, &of_present) {
             held.prescribe(axes * present[dof / axes] + dof % axes, 0.0);
         }
         let solver = Solver::new(&equations.stiffness, held).unwrap();
@@ -186,7 +186,13 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
     {
         let means = |model: &PlaneModel, coupled| {
             let bore = model.mesh.chain("bore").unwrap();
-            let wanted = Wanted { waves, degree: 0, coupled, lugs: None, loose: false };
+            let wanted = RequestedMeans {
+                harmonics: waves,
+                degree: 0,
+                coupled,
+                spline_teeth: None,
+                with_clearance: false,
+            };
             BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(&sector, coupled);
@@ -224,7 +230,7 @@ fn condensed_sectors_on_a_web_held_in_the_mean_at_its_bore_agree_with_the_whole_
         let count = section.elements.len();
         let of_rim: Vec<bool> = (0..count)
             .map(|element| {
-                let [x, y] = section.position(Place { element, xi: 0.0, eta: 0.0 });
+                let [x, y] = section.position(ElementPoint { element, xi: 0.0, eta: 0.0 });
                 x.hypot(y) < 0.9
             })
             .collect();
@@ -257,7 +263,13 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
     for (waves, coupled) in [(None, None), (Some(2), None), (Some(1), Some(2))] {
         let means = |model: &SolidModel, coupled| {
             let bore = model.mesh.face_set("bore").unwrap();
-            let wanted = Wanted { waves, degree: 1, coupled, lugs: None, loose: false };
+            let wanted = RequestedMeans {
+                harmonics: waves,
+                degree: 1,
+                coupled,
+                spline_teeth: None,
+                with_clearance: false,
+            };
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(sector, coupled);
@@ -308,12 +320,12 @@ struct PlainRing {
 }
 
 impl PlainRing {
-    fn new(radii: [f64; 2], sectors: u32, hold: BoreHold, points: &[([f64; 3], [f64; 3])]) -> Self {
+    fn new(radii: [f64; 2], sectors: u32, hold: BoreSupport, points: &[([f64; 3], [f64; 3])]) -> Self {
         let model = plain_sector(radii, sectors, [2, 2]);
         let equations = Assembled::plane(&model);
         let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
         let pitch = TAU / f64::from(sectors);
-        let (bore, means) = match Wanted::of_ring(hold, sectors, sectors) {
+        let (bore, means) = match RequestedMeans::for_ring(hold, sectors, sectors) {
             None => (nodes("bore"), None),
             Some(wanted) => {
                 let bore = model.mesh.chain("bore").unwrap();
@@ -323,7 +335,7 @@ impl PlainRing {
         let cuts =
             match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &bore, pitch).unwrap();
         let held = equations.dofs_of(&bore);
-        let support = Support::of_ring(&held, means.as_ref());
+        let support = Support::for_ring(&held, means.as_ref());
         let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations, at, along, 0.0)).collect();
         let condensed =
             condense(&equations, &support, Some(&cuts), &loads, &[], &Interrupt::never()).unwrap();
@@ -345,7 +357,7 @@ impl PlainRing {
     }
 }
 
-const FREE: BoreHold = BoreHold::Means { waves: None, degree: 1 };
+const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 1 };
 
 /// Two opposite forces lengthen a thin ring across them by (2/pi - 1/2) P R³/(E I) and shorten it
 /// along them by (pi/4 - 2/pi) of that (Timoshenko, Strength of Materials, part I); the frame
@@ -384,7 +396,7 @@ fn torque_goes_through_the_mean_rotation_as_through_a_rigid_bore() {
     let torque = f64::from(sectors) * b;
     let expected = 0.8 * torque / (4.0 * PI * shear) * (1.0 / (a * a) - 1.0 / 0.64);
     // Forces at nodes, on elements that do not resolve their local indentation.
-    let [rigid, free] = [BoreHold::Rigid, FREE].map(mean);
+    let [rigid, free] = [BoreSupport::Rigid, FREE].map(mean);
     assert!((rigid / expected - 1.0).abs() < 1e-2, "{rigid:e} against {expected:e}");
     assert!((free / rigid - 1.0).abs() < 1e-3, "{free:e} against {rigid:e}");
 }
@@ -396,17 +408,17 @@ fn more_terms_of_the_series_make_a_bore_rigid() {
     let compliance =
         |radii, hold| PlainRing::new(radii, 16, hold, &[([1.0, 0.0, 0.0], [1.0, 0.0, 0.0])]).between(0, 0, 0);
     let rim = [0.85, 1.0];
-    let rigid = compliance(rim, BoreHold::Rigid);
+    let rigid = compliance(rim, BoreSupport::Rigid);
     let mut before = compliance(rim, FREE) - rigid;
     assert!(before > 10.0 * rigid, "a rim of this thickness bends: {before:e}, {rigid:e}");
     for waves in [0, 2, 4, 8, 16] {
-        let more = compliance(rim, BoreHold::Means { waves: Some(waves), degree: 0 }) - rigid;
+        let more = compliance(rim, BoreSupport::Means { harmonics: Some(waves), degree: 0 }) - rigid;
         assert!(more >= 0.0 && more < before, "{waves}: {more:e} of {before:e}");
         before = more;
     }
     assert!(before < 0.03 * rigid, "{before:e} of {rigid:e}");
     let thick = [0.3, 1.0];
-    let share = compliance(thick, FREE) / compliance(thick, BoreHold::Rigid) - 1.0;
+    let share = compliance(thick, FREE) / compliance(thick, BoreSupport::Rigid) - 1.0;
     assert!((0.0..0.2).contains(&share), "{share}");
 }
 
@@ -496,7 +508,13 @@ fn a_series_beyond_the_mesh_is_refused() {
     let cuts =
         match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &[], FRAC_PI_2).unwrap();
     let bore = model.mesh.chain("bore").unwrap();
-    let wanted = Wanted { waves: Some(9), degree: 0, coupled: None, lugs: None, loose: false };
+    let wanted = RequestedMeans {
+        harmonics: Some(9),
+        degree: 0,
+        coupled: None,
+        spline_teeth: None,
+        with_clearance: false,
+    };
     let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     let support = Support::Means { held: &[], means: &means };
     let condensed = condense(&equations, &support, Some(&cuts), &[], &[], &Interrupt::never()).unwrap();

@@ -4,14 +4,14 @@
 use super::bodies::{BORE, COARSE, Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
 use super::bore::Direct;
 use super::far_stress::turned;
-use super::lugs::FOUR;
 use super::revolved_web::disc;
-use crate::bore::{BoreMeans, Wanted};
+use super::spline_teeth::FOUR;
+use crate::bore::{BoreMeans, RequestedMeans};
 use crate::condense::Assembled;
 use crate::solid::tests::bodies::{Ring, TEETH};
-use crate::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, Spot, SpotLoad};
+use crate::solid::{ElasticSolid, SegmentLoad, SolidSplitOptions, SolidStructure, SurfaceSegment};
 use crate::{
-    BodyLoads, BoreHold, Chart, DeformedSector, ElasticStructure, MeshedBody, RingSource, SplitOptions,
+    BodyLoads, BoreSupport, Chart, DeformedSector, ElasticStructure, MeshedBody, RingSource, SplitOptions,
     Structure, SurfaceLoad,
 };
 use calyx_fe::material::Plane;
@@ -20,25 +20,25 @@ use calyx_numerics::interrupt::Interrupt;
 use std::f64::consts::TAU;
 
 const SMALL: Divisions = Divisions { rim: 2, tooth_root: 2, flank: 3, thickness: 3, grading: 1.0 };
-const HOLDS: [BoreHold; 4] = [
-    BoreHold::Rigid,
-    BoreHold::Means { waves: None, degree: 0 },
-    BoreHold::Means { waves: Some(2), degree: 0 },
-    BoreHold::Lugs(FOUR),
+const HOLDS: [BoreSupport; 4] = [
+    BoreSupport::Rigid,
+    BoreSupport::Means { harmonics: None, degree: 0 },
+    BoreSupport::Means { harmonics: Some(2), degree: 0 },
+    BoreSupport::SplineTeeth(FOUR),
 ];
 
 fn flanks() -> [String; 2] {
     [0, 1].map(|flank| format!("flank_{flank}"))
 }
 
-fn meshed(teeth: u32, hold: BoreHold, divisions: Divisions) -> MeshedBody {
+fn meshed(teeth: u32, hold: BoreSupport, divisions: Divisions) -> MeshedBody {
     let (model, _) = toothed_sector(teeth, 1.0, divisions);
     let source = RingSource { hold, ..ring_source(teeth) };
     MeshedBody::ring(model, &source, &flanks(), &Interrupt::never()).unwrap()
 }
 
 fn under(body: &MeshedBody, surfaces: &[SurfaceLoad]) -> Vec<DeformedSector> {
-    body.deformed(BodyLoads::Plane { surfaces, lugs: &[] }, &Interrupt::never()).unwrap()
+    body.deformed(BodyLoads::Plane { surfaces, spline_teeth: &[] }, &Interrupt::never()).unwrap()
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -68,7 +68,7 @@ fn every_node_moves_as_in_one_mesh_of_the_whole_ring() {
     }
     let bore = whole.mesh.chain("bore").unwrap();
     for hold in &HOLDS[..3] {
-        let expected = match Wanted::of_ring(*hold, SECTORS, SECTORS) {
+        let expected = match RequestedMeans::for_ring(*hold, SECTORS, SECTORS) {
             None => {
                 let mut held = calyx_fe::Constraints::new();
                 whole.mesh.chain_nodes(bore).into_iter().for_each(|node| {
@@ -119,8 +119,8 @@ fn flanks_have_moved_by_what_the_structure_answers() {
         for tooth in [3_u32, 4, 2, 5, 9] {
             // The series couples teeth without a common table, on spline teeth, to within a
             // hundredth of the largest displacement.
-            let beyond =
-                matches!(hold, BoreHold::Lugs(_)) && tooth.abs_diff(load.chart.tooth) > source.coupled;
+            let beyond = matches!(hold, BoreSupport::SplineTeeth(_))
+                && tooth.abs_diff(load.chart.tooth) > source.coupled;
             let tolerance = if beyond { 1e-2 } else { 2e-3 };
             let observe = Chart { tooth, surface: 1 };
             let sector = &found[tooth as usize];
@@ -182,8 +182,8 @@ fn loads_a_pitch_further_turn_the_picture() {
 /// of the spline tooth by the same force on the flank. Under forces of gear teeth the displacement
 /// is that of the structure on such spline teeth.
 #[test]
-fn flanks_move_by_loose_lugs_as_lugs_by_them() {
-    let hold = BoreHold::LooseLugs { lugs: FOUR, clearance: 1e-5 };
+fn flanks_move_by_splines_with_clearance_as_spline_teeth_by_them() {
+    let hold = BoreSupport::SplineWithClearance { spline_teeth: FOUR, clearance: 1e-5 };
     let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
     // A series couples distant teeth to within a hundredth; here all are in the tables.
     let source = RingSource { hold, coupled: TEETH, ..ring_source(TEETH) };
@@ -193,17 +193,17 @@ fn flanks_move_by_loose_lugs_as_lugs_by_them() {
     let length = surfaces[1].profile.length();
     let on_tooth = SurfaceLoad { chart: Chart { tooth: 3, surface: 0 }, s: 0.4 * length, force: 2e5 };
     let forces = [1.5e5, 0.0, -0.5e5, 0.0];
-    let shown = |surfaces: &[SurfaceLoad], lugs: &[f64]| {
-        body.deformed(BodyLoads::Plane { surfaces, lugs }, &never).unwrap()
+    let shown = |surfaces: &[SurfaceLoad], spline_teeth: &[f64]| {
+        body.deformed(BodyLoads::Plane { surfaces, spline_teeth }, &never).unwrap()
     };
-    let (by_lugs, by_both) = (shown(&[], &forces), shown(&[on_tooth], &forces));
-    assert_eq!(by_lugs.len(), TEETH as usize, "all of them, though no tooth is loaded");
+    let (by_spline_teeth, by_both) = (shown(&[], &forces), shown(&[on_tooth], &forces));
+    assert_eq!(by_spline_teeth.len(), TEETH as usize, "all of them, though no tooth is loaded");
     let (mut seen, mut largest) = (0, 0.0_f64);
     for tooth in 0..TEETH {
         let observe = Chart { tooth, surface: 1 };
         let (sin, cos) = structure.tooth_angle(tooth).sin_cos();
         let profile = structure.profile(1);
-        let [lugs_only, both] = [&by_lugs, &by_both].map(|all| &all[tooth as usize]);
+        let [lugs_only, both] = [&by_spline_teeth, &by_both].map(|all| &all[tooth as usize]);
         // The two outputs may have different numbers of nodes.
         for (sector, tooth_force) in [(lugs_only, 0.0), (both, on_tooth.force)] {
             for (&[x, y, _], moved) in sector.points.iter().zip(&sector.displacements) {
@@ -216,10 +216,14 @@ fn flanks_move_by_loose_lugs_as_lugs_by_them() {
                 seen += 1;
                 let mut answer = [0.0];
                 structure.add_compliance(observe, &[s], on_tooth.chart, &[on_tooth.s], &mut answer);
-                let lugs = structure.lug_displacements(observe, &[s]);
-                let by_lugs: f64 = forces.iter().enumerate().map(|(lug, force)| lugs[(lug, 0)] * force).sum();
-                let expected = answer[0] * tooth_force + by_lugs;
-                largest = largest.max(by_lugs.abs());
+                let spline_teeth = structure.spline_tooth_displacements(observe, &[s]);
+                let by_spline_teeth: f64 = forces
+                    .iter()
+                    .enumerate()
+                    .map(|(spline_tooth, force)| spline_teeth[(spline_tooth, 0)] * force)
+                    .sum();
+                let expected = answer[0] * tooth_force + by_spline_teeth;
+                largest = largest.max(by_spline_teeth.abs());
                 let [nx, ny] = profile.at(s).normal;
                 let inwards = -(moved[0] * (cos * nx - sin * ny) + moved[1] * (sin * nx + cos * ny));
                 let error = (inwards - expected).abs() / largest.max(expected.abs());
@@ -235,9 +239,9 @@ fn flanks_move_by_loose_lugs_as_lugs_by_them() {
 #[test]
 fn flanks_in_space_have_moved_by_what_the_structure_answers() {
     let ring = Ring { divisions: COARSE, ratio: 0.3, helix: 0.2, face_width: 0.5, layers: 2, axial_order: 3 };
-    let web = disc([0.3 * BORE, BORE], [-0.25, 0.0], BoreHold::Rigid);
-    let free = BoreHold::Means { waves: None, degree: 0 };
-    for (hold, web) in [(BoreHold::Rigid, None), (free, None), (free, Some(&web))] {
+    let web = disc([0.3 * BORE, BORE], [-0.25, 0.0], BoreSupport::Rigid);
+    let free = BoreSupport::Means { harmonics: None, degree: 0 };
+    for (hold, web) in [(BoreSupport::Rigid, None), (free, None), (free, Some(&web))] {
         let (model, surfaces) = ring.sector();
         let profile = toothed_sector(TEETH, 1.0, COARSE).1[1].profile.clone();
         let source = RingSource { hold, coupled: 1, ..ring_source(TEETH) };
@@ -253,13 +257,14 @@ fn flanks_in_space_have_moved_by_what_the_structure_answers() {
         let [[_, length], [start, end]] = structure.surface(0).range();
         let chart = Chart { tooth: 0, surface: 0 };
         let count = 40;
-        let spots: Vec<Spot> = (0..count)
+        let segments: Vec<SurfaceSegment> = (0..count)
             .map(|k| {
                 let z = start + (end - start) * (f64::from(k) + 0.5) / f64::from(count);
-                Spot { place: [0.4 * length, z], length: (end - start) / f64::from(count) }
+                SurfaceSegment { place: [0.4 * length, z], length: (end - start) / f64::from(count) }
             })
             .collect();
-        let loads: Vec<SpotLoad> = spots.iter().map(|&spot| SpotLoad { chart, spot, force: 1e4 }).collect();
+        let loads: Vec<SegmentLoad> =
+            segments.iter().map(|&segment| SegmentLoad { chart, segment, force: 1e4 }).collect();
         let found = body.deformed(BodyLoads::Solid(&loads), &never).unwrap();
         let mut largest = 0.0_f64;
         for tooth in [0, 1, TEETH - 1, 5] {
@@ -277,7 +282,13 @@ fn flanks_in_space_have_moved_by_what_the_structure_answers() {
                 }
                 seen += 1;
                 let mut answers = vec![0.0; loads.len()];
-                structure.add_compliance(observe, &[Spot::from([s, z])], chart, &spots, &mut answers);
+                structure.add_compliance(
+                    observe,
+                    &[SurfaceSegment::from([s, z])],
+                    chart,
+                    &segments,
+                    &mut answers,
+                );
                 let expected: f64 = answers.iter().map(|answer| answer * 1e4).sum();
                 let (sin, cos) = structure.tooth_angle(tooth).sin_cos();
                 let [nx, ny, nz] = structure.surface(1).at(s, z).normal;

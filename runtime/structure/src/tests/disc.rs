@@ -2,7 +2,7 @@
 //! This test detects an incorrect far field.
 
 use super::bodies::{STEEL, disc};
-use crate::{Chart, ElasticStructure, Hold, SplitOptions, Structure};
+use crate::{Chart, ElasticStructure, MeshSupport, SplitOptions, Structure};
 use calyx_fe::material::Plane;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::quadrature::gauss_legendre;
@@ -46,7 +46,7 @@ fn opposite_loads_agree_with_the_exact_solution_everywhere() {
         model.plane = plane;
         let structure = ElasticStructure::single(
             &model,
-            Hold::Free,
+            MeshSupport::Free,
             &surfaces,
             &SplitOptions::default(),
             &Interrupt::never(),
@@ -80,7 +80,7 @@ fn squeezed_disc_has_the_known_approach() {
     let (model, surfaces) = disc(radius, 20);
     let structure = ElasticStructure::single(
         &model,
-        Hold::Free,
+        MeshSupport::Free,
         &surfaces,
         &SplitOptions::default(),
         &Interrupt::never(),
@@ -114,7 +114,8 @@ fn scaling_modulus_and_lengths_scales_the_answer() {
         let (mut model, surfaces) = disc(radius, 8);
         model.material.youngs_modulus *= modulus_factor;
         let structure =
-            ElasticStructure::single(&model, Hold::Free, &surfaces, &options, &Interrupt::never()).unwrap();
+            ElasticStructure::single(&model, MeshSupport::Free, &surfaces, &options, &Interrupt::never())
+                .unwrap();
         let points: Vec<f64> = [0.2, 0.7, 1.1].map(|angle| radius * angle).to_vec();
         let mut block = vec![0.0; 9];
         structure.add_compliance(SIDES[0], &points, SIDES[0], &points, &mut block);

@@ -3,10 +3,10 @@
 
 use super::bodies::{COARSE, STEEL, ring_on, ring_source, sector_on};
 use super::bore::Direct;
-use crate::bore::{BoreMeans, Wanted};
+use crate::bore::{BoreMeans, RequestedMeans};
 use crate::condense::Assembled;
 use crate::elastic::prepare;
-use crate::{BoreHold, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad};
+use crate::{BoreSupport, Chart, ElasticStructure, RingSource, SplitOptions, Structure, SurfaceLoad};
 use calyx_fe::material::Plane;
 use calyx_fe::{PlaneModel, SparseVector};
 use calyx_numerics::interrupt::Interrupt;
@@ -35,7 +35,7 @@ pub(super) fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec
 /// where splines are exact. Three teeth on either side have tables; the others are coupled through
 /// their cuts.
 fn agrees_with_the_whole_mesh(teeth: u32, bore: f64, tested: &[u32]) {
-    let hold = BoreHold::Means { waves: None, degree: 0 };
+    let hold = BoreSupport::Means { harmonics: None, degree: 0 };
     let (model, surfaces) = sector_on((teeth, bore), 1.0, COARSE);
     let (options, never) = (SplitOptions { samples: 8, ..SplitOptions::default() }, Interrupt::never());
     let source = RingSource { hold, ..ring_source(teeth) };
@@ -43,7 +43,13 @@ fn agrees_with_the_whole_mesh(teeth: u32, bore: f64, tested: &[u32]) {
 
     let whole = PlaneModel::new(ring_on((teeth, bore), COARSE), STEEL, Plane::Strain);
     let bore = whole.mesh.chain("bore").unwrap();
-    let wanted = Wanted { waves: None, degree: 0, coupled: None, lugs: None, loose: false };
+    let wanted = RequestedMeans {
+        harmonics: None,
+        degree: 0,
+        coupled: None,
+        spline_teeth: None,
+        with_clearance: false,
+    };
     let means = BoreMeans::plane(&whole, bore, wanted, &never).unwrap().unwrap();
     let direct = Direct::new(&Assembled::plane(&whole), &whole.rigid_body_modes(), &means.forms);
     let prepared = prepare(&whole, &surfaces, &options, &never).unwrap();

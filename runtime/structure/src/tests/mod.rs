@@ -9,14 +9,14 @@ mod deformed;
 mod disc;
 #[cfg(test)]
 mod far_stress;
-pub mod loose_lugs;
-mod lugs;
 #[cfg(test)]
 mod revolved_web;
 #[cfg(test)]
 mod ring;
 #[cfg(test)]
 mod solid_ring;
+pub mod spline_clearance;
+mod spline_teeth;
 #[cfg(test)]
 mod split;
 #[cfg(test)]

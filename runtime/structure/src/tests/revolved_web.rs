@@ -3,10 +3,10 @@
 
 use super::bodies::STEEL;
 use super::bore::plain_sector;
-use crate::bore::{BoreMeans, Patterns, Wanted};
+use crate::bore::{BoreConstraints, BoreMeans, RequestedMeans};
 use crate::condense::{Assembled, Support, condense, match_cuts};
 use crate::ring::RingFlexibility;
-use crate::{BoreHold, RevolvedWeb};
+use crate::{BoreSupport, RevolvedWeb};
 use calyx_fe::material::Plane;
 use calyx_fe::solid::{RevolutionSurface, SolidMesh, SolidModel};
 use calyx_fe::{Block, Curve, ElementOrder, MeshBuilder, PlaneModel, Section, Side, Station};
@@ -15,12 +15,12 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::{PI, TAU};
 
-const FREE: BoreHold = BoreHold::Means { waves: None, degree: 1 };
+const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 1 };
 
-pub fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreHold) -> RevolvedWeb {
+pub fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreSupport) -> RevolvedWeb {
     let at = |radius| Station { radius, ends: [from, to] };
     let section = Section::new(vec![at(a), at(b)]).unwrap();
-    RevolvedWeb { section, material: STEEL, hold, waves: 3, degree: 2, fineness: 1 }
+    RevolvedWeb { section, material: STEEL, hold, harmonics: 3, degree: 2, fineness: 1 }
 }
 
 /// Returns the forces by rigid-body motions of the outer surface, in the order of
@@ -28,9 +28,14 @@ pub fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreHold) -> RevolvedW
 fn stiffness(web: &RevolvedWeb) -> [f64; 6] {
     let [_, outside] = web.section.outermost();
     let cylinder = RevolutionSurface::cylinder(outside.radius, outside.ends);
-    let wanted =
-        Wanted { waves: Some(web.waves), degree: web.degree, coupled: None, lugs: None, loose: false };
-    let patterns = Patterns::new(cylinder, wanted, false).unwrap();
+    let wanted = RequestedMeans {
+        harmonics: Some(web.harmonics),
+        degree: web.degree,
+        coupled: None,
+        spline_teeth: None,
+        with_clearance: false,
+    };
+    let patterns = BoreConstraints::new(cylinder, wanted, false).unwrap();
     let all = web.stiffness(&patterns, &Interrupt::never()).unwrap();
     [0, 1, 2, 3, 4, 5].map(|motion| all[(motion, motion)])
 }
@@ -42,7 +47,7 @@ fn torsion_of_a_disc() {
     let shear = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
     let [a, b] = [0.4, 1.0_f64];
     let expected = |h: f64| 4.0 * PI * shear * h / (a.powi(-2) - b.powi(-2));
-    for hold in [BoreHold::Rigid, FREE] {
+    for hold in [BoreSupport::Rigid, FREE] {
         for h in [0.05, 0.3] {
             let found = stiffness(&disc([a, b], [0.1, 0.1 + h], hold))[5];
             assert!((found / expected(h) - 1.0).abs() < 1e-5, "{hold:?}, {h}: {found:e}");
@@ -74,7 +79,7 @@ fn tilting_and_dishing_of_a_thin_web() {
         let bending =
             STEEL.youngs_modulus * thickness.powi(3) / (12.0 * (1.0 - STEEL.poissons_ratio.powi(2)));
         let half = 0.5 * thickness;
-        let [x, y, along, about_x, about_y, _] = stiffness(&disc([a, b], [-half, half], BoreHold::Rigid));
+        let [x, y, along, about_x, about_y, _] = stiffness(&disc([a, b], [-half, half], BoreSupport::Rigid));
         assert!((x / y - 1.0).abs() < 1e-12 && (about_x / about_y - 1.0).abs() < 1e-12, "alike all around");
         [along / (of_plate[0] * bending) - 1.0, about_x / (of_plate[1] * bending) - 1.0]
     };
@@ -117,7 +122,7 @@ fn whole_section([inner, outer]: [f64; 2], sectors: u32) -> PlaneModel {
 #[test]
 fn a_ring_on_a_web_is_the_whole() {
     let (radii, sectors) = ([0.8, 1.0], 6);
-    let web = disc([0.3, 0.8], [-0.05, 0.1], BoreHold::Rigid);
+    let web = disc([0.3, 0.8], [-0.05, 0.1], BoreSupport::Rigid);
     let load_at = |[x, y, z]: [f64; 3]| (x - 1.0).abs() < 1e-9 && y.abs() < 1e-9 && (z - 0.2).abs() < 1e-9;
     let direction = [-0.6, 0.64, 0.48];
 

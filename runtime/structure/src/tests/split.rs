@@ -6,7 +6,7 @@ use crate::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use crate::kernel::{Mollifier, PairQuadrature};
 use crate::profile::{Profile, ProfilePoint};
 use crate::ring::RingFlexibility;
-use crate::{Chart, ElasticStructure, ReshapedSurface, SplitOptions, Structure, SurfaceLoad};
+use crate::{Chart, ElasticStructure, ModifiedSurface, SplitOptions, Structure, SurfaceLoad};
 use calyx_fe::SparseVector;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::quadrature::gauss_legendre;
@@ -168,15 +168,16 @@ impl Profile for Leaning {
 
 #[test]
 fn forces_that_lean_over_agree_with_brute_force() {
-    let reshapable = SplitOptions { reshapable: true, ..SplitOptions::default() };
+    let allows_modified_surfaces = SplitOptions { allows_modified_surfaces: true, ..SplitOptions::default() };
     for by in [0.0, 0.4, -0.2] {
-        let structure = Arc::new(structure(MEDIUM, reshapable));
-        let surfaces = [0, 1].map(|surface| ReshapedSurface {
+        let structure = Arc::new(structure(MEDIUM, allows_modified_surfaces));
+        let surfaces = [0, 1].map(|surface| ModifiedSurface {
             profile: Arc::new(Leaning { curve: structure.profile(surface), by }),
             onto: Arc::new(|s| s),
         });
-        let reshaped = structure.clone().reshaped(surfaces.into()).expect("it was made for that");
-        let worst = worst_compliance(reshaped.as_ref(), by);
+        let modified =
+            structure.clone().with_modified_surfaces(surfaces.into()).expect("it was made for that");
+        let worst = worst_compliance(modified.as_ref(), by);
         assert!(worst < 2e-3, "{by}: {worst:.1e}");
         // What is not leaned over has not changed in a bit.
         if by == 0.0 {
@@ -184,14 +185,14 @@ fn forces_that_lean_over_agree_with_brute_force() {
                 (Chart { tooth: 0, surface: 0 }, [0.3, 0.7].map(|part| part * structure.reference_length()));
             let mut blocks = [vec![0.0; 4], vec![0.0; 4]];
             structure.add_compliance(chart, &s, chart, &s, &mut blocks[0]);
-            reshaped.add_compliance(chart, &s, chart, &s, &mut blocks[1]);
+            modified.add_compliance(chart, &s, chart, &s, &mut blocks[1]);
             assert_eq!(blocks[0], blocks[1]);
         }
     }
     let plain = Arc::new(structure(MEDIUM, SplitOptions::default()));
-    let surface = |surface| ReshapedSurface { profile: plain.profile(surface), onto: Arc::new(|s| s) };
+    let surface = |surface| ModifiedSurface { profile: plain.profile(surface), onto: Arc::new(|s| s) };
     assert!(
-        plain.clone().reshaped(vec![surface(0), surface(1)]).is_none(),
+        plain.clone().with_modified_surfaces(vec![surface(0), surface(1)]).is_none(),
         "it does not know of other directions"
     );
 }

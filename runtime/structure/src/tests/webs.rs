@@ -6,7 +6,7 @@
 
 use super::bodies::STEEL;
 use super::bore::plain_sector;
-use crate::bore::{BoreMeans, Wanted};
+use crate::bore::{BoreMeans, RequestedMeans};
 use crate::condense::{Assembled, Support, condense, match_cuts};
 use crate::ring::RingFlexibility;
 use calyx_fe::solid::{SolidMesh, SolidModel};
@@ -42,7 +42,13 @@ impl Disc {
         let cuts =
             match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &bore, pitch).unwrap();
         let rim = model.mesh.face_set("rim").unwrap();
-        let wanted = Wanted { waves: Some(3), degree: 3, coupled: None, lugs: None, loose: false };
+        let wanted = RequestedMeans {
+            harmonics: Some(3),
+            degree: 3,
+            coupled: None,
+            spline_teeth: None,
+            with_clearance: false,
+        };
         let means = BoreMeans::solid(&model, rim, wanted, &Interrupt::never()).unwrap().unwrap();
         let held = equations.dofs_of(&bore);
         let support = Support::Means { held: &held, means: &means };
@@ -116,7 +122,13 @@ fn widening_of_a_thick_ring() {
     let pitch = TAU / f64::from(sectors);
     let cuts =
         match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &bore, pitch).unwrap();
-    let wanted = Wanted { waves: Some(0), degree: 0, coupled: None, lugs: None, loose: false };
+    let wanted = RequestedMeans {
+        harmonics: Some(0),
+        degree: 0,
+        coupled: None,
+        spline_teeth: None,
+        with_clearance: false,
+    };
     let rim = model.mesh.chain("rim").unwrap();
     let means = BoreMeans::plane(&model, rim, wanted, &Interrupt::never()).unwrap().unwrap();
     assert_eq!(means.shared.count, 4, "three motions of the whole, and widening");

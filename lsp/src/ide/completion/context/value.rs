@@ -13,7 +13,9 @@ impl Context<'_> {
     /// Where the expression begins that the token before `end` belongs to, in the brackets `open[depth]`.
     pub(super) fn region(&self, depth: usize, end: usize) -> usize {
         let start = match self.statement.open.get(depth) {
-            Some(Open { kind: Bracket::For, .. }) => self.statement.start.max(self.bracket_start(depth)),
+            Some(OpenDelimiter { kind: Bracket::For, .. }) => {
+                self.statement.start.max(self.bracket_start(depth))
+            }
             Some(open) => self.after_comma(open.at + 1, end),
             None => self.statement.start,
         };

@@ -1,12 +1,12 @@
 //! Tests of freely vibrating and rotating rings, and of gauges on them.
 
 use super::*;
-use crate::observe::{Displacement, FilletSide, Gauge, GaugeReading, Reading};
+use crate::observables::{Displacement, FilletSide, Gauge, GaugeReading, Reading};
 use calyx_fe::material::Material;
 use calyx_model::body::Body;
 use calyx_model::disc::{Disc, Facing, Platen};
+use calyx_model::dof::Component;
 use calyx_model::fidelity::StructureOptions;
-use calyx_model::freedom::Component;
 use calyx_model::ids::BodyId;
 use calyx_model::motion::SteadyRotation;
 use calyx_model::pairs::SurfacePair;
@@ -15,7 +15,7 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_solve::integration::{Scheme, TimeRange};
 use calyx_structure::tests::annulus::{Annulus, THIN};
 use calyx_structure::tests::bodies::{COARSE, ring_source, toothed_sector};
-use calyx_structure::{BodyModes, BoreHold, ElasticStructure, RingSource, SplitOptions, Structure};
+use calyx_structure::{BodyModes, BoreSupport, ElasticStructure, RingSource, SplitOptions, Structure};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -36,7 +36,7 @@ impl Ring {
     }
 
     fn plain(ring: Annulus, highest: f64) -> Ring {
-        let hold = BoreHold::Means { waves: None, degree: 0 };
+        let hold = BoreSupport::Means { harmonics: None, degree: 0 };
         let source = RingSource { hold, ..ring_source(ring.sectors) };
         let options = SplitOptions::default();
         let modes = BodyModes::ring(&ring.sector(), &source, &[], &options, highest, &Interrupt::never());
@@ -115,7 +115,7 @@ fn steps(duration: f64, steps: usize, keep: usize) -> DynamicOptions {
 /// vibrations at `2 n Omega / (n² + 1)`, which splits their frequency by twice that. The energy is
 /// conserved for any ratio of step to period.
 #[test]
-fn waves_on_a_spinning_ring_go_round_as_bryan_says() {
+fn harmonics_on_a_spinning_ring_go_round_as_bryan_says() {
     let ring = Ring::plain(THIN, 1500.0);
     let modes = ring.modes.clone();
     let lowest = modes.frequencies[0];
@@ -202,7 +202,9 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
     let teeth = (0..TEETH).map(Some).chain([None]);
     let observed = std::iter::once(Some(2)).chain(teeth).map(gauge);
     let outputs: Vec<OutputRequest> = observed
-        .map(|gauge| OutputRequest::observing("gauge", scene.observe(GaugeReading(gauge, Reading::Stress))))
+        .map(|gauge| {
+            OutputRequest::observing("gauge", scene.add_observable(GaugeReading(gauge, Reading::Stress)))
+        })
         .collect();
     let analysis = options();
     for mode in [0, 1, 5] {
@@ -236,13 +238,13 @@ fn a_gauge_on_a_ring_that_vibrates_follows_its_mode() {
 
 /// A load ramp does not scale impulses.
 #[test]
-fn a_blow_is_as_strong_whatever_part_of_the_loads_is_on() {
+fn a_impulse_is_as_strong_whatever_part_of_the_loads_is_on() {
     let ring = Ring { modes: Ring::plain(THIN, 1.0).modes, toothed: false };
     let mass = ring.inertia().mass;
     let mut scene = scene(ring, 0.0, &[Component::Ux]);
     scene.bodies[RING.0].load = Arc::new(Wrench::of_force([500.0, 0.0, 0.0]));
     let momentum = Wrench::of_force([2.0, 0.0, 0.0]);
-    scene.bodies[RING.0].blows.push(calyx_model::load::Blow { at: 2e-4, duration: 4e-4, momentum });
+    scene.bodies[RING.0].impulses.push(calyx_model::load::Impulse { at: 2e-4, duration: 4e-4, momentum });
     for part in [0.0, 0.5] {
         let mut asked = steps(1e-3, 50, 50);
         asked.ranges[0].load = [part; 2];
@@ -262,8 +264,8 @@ fn steps_that_longer_ones_do_not_tell_of_are_told_so() {
     let ring = Ring { modes: Ring::plain(THIN, 1.0).modes, toothed: false };
     let mut scene = scene(ring, 0.0, &[Component::Ux]);
     let momentum = Wrench::of_force([2.0, 0.0, 0.0]);
-    scene.bodies[RING.0].blows.push(calyx_model::load::Blow { at: 2e-4, duration: 4e-4, momentum });
-    let outputs = [OutputRequest::observing("place", scene.observe(Displacement(RING, 0)))];
+    scene.bodies[RING.0].impulses.push(calyx_model::load::Impulse { at: 2e-4, duration: 4e-4, momentum });
+    let outputs = [OutputRequest::observing("place", scene.add_observable(Displacement(RING, 0)))];
     let analysis = AnalysisOptions { error_estimates: Estimates::Cheap, ..options() };
     // An impulse takes 40, 10, 8 and 4 of these steps, and the longest are four of them.
     for (count, refused) in [(100, false), (25, true), (20, false), (10, true)] {

@@ -2,13 +2,13 @@
 //! their particles.
 
 use super::*;
-use crate::observe::{SupportForce, SupportMoment};
+use crate::observables::{SupportForce, SupportMoment};
 use calyx_fe::material::Material;
 use calyx_model::bearing::Bearing;
 use calyx_model::body::Body;
 use calyx_model::disc::{Disc, Facing, Platen};
+use calyx_model::dof::Component;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
-use calyx_model::freedom::Component;
 use calyx_model::ids::BodyId;
 use calyx_model::motion::{Motion, SteadyRotation};
 use calyx_model::pairs::SurfacePair;
@@ -262,7 +262,7 @@ impl Rotor {
         let root = |k: usize| (own[k / 2].mass / WIDTH).sqrt();
         let along = |k: usize| if k.is_multiple_of(2) { Vector2::x() } else { Vector2::y() };
         let all = 0..2 * own.len();
-        BodyModes::unseen(
+        BodyModes::without_surfaces(
             all.clone().map(|k| own[k / 2].natural.unwrap_or(0.0)).collect(),
             all.clone()
                 .map(|k| {
@@ -320,9 +320,9 @@ impl Rotor {
         let mut scene = self.scene();
         let rotor = BodyId(1);
         let outputs = [
-            OutputRequest::observing("x", scene.observe(SupportForce(rotor, 0))),
-            OutputRequest::observing("y", scene.observe(SupportForce(rotor, 1))),
-            OutputRequest::observing("turn", scene.observe(SupportMoment(rotor, 2))),
+            OutputRequest::observing("x", scene.add_observable(SupportForce(rotor, 0))),
+            OutputRequest::observing("y", scene.add_observable(SupportForce(rotor, 1))),
+            OutputRequest::observing("turn", scene.add_observable(SupportMoment(rotor, 2))),
         ];
         let range = TimeRange { keep: steps, ..TimeRange::steady(until, steps) };
         let dynamics = DynamicOptions {

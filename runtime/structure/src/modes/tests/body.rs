@@ -5,8 +5,8 @@ use crate::profile::Profile;
 use crate::tests::annulus::STEEL;
 use crate::tests::bodies::{COARSE, ring_source, toothed_sector};
 use crate::{
-    BodyModes, BoreHold, Chart, ElasticStructure, Lugs, ReshapedSurface, RingSource, SplitOptions, Structure,
-    SurfaceLoad,
+    BodyModes, BoreSupport, Chart, ElasticStructure, ModifiedSurface, RingSource, SplineTeeth, SplitOptions,
+    Structure, SurfaceLoad,
 };
 use calyx_numerics::dense::product;
 use calyx_numerics::error::EngineError;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 const TEETH: u32 = 9;
 
-fn modes_of(ring: Annulus, hold: BoreHold, highest: f64) -> BodyModes {
+fn modes_of(ring: Annulus, hold: BoreSupport, highest: f64) -> BodyModes {
     let source = RingSource { hold, ..ring_source(ring.sectors) };
     let options = SplitOptions::default();
     BodyModes::ring(&ring.sector(), &source, &[], &options, highest, &Interrupt::never()).unwrap()
@@ -49,7 +49,7 @@ fn whole_mass(modes: &BodyModes) -> Mat<f64> {
 #[test]
 fn a_ring_weighs_what_its_section_does() {
     let ring = Annulus { radii: [0.5, 1.0], elements: [2, 2], ..THIN };
-    let modes = modes_of(ring, BoreHold::Rigid, 1.0);
+    let modes = modes_of(ring, BoreSupport::Rigid, 1.0);
     let mass = STEEL.density * PI * (1.0 - 0.25);
     let polar = 0.5 * STEEL.density * PI * (1.0 - 0.0625);
     let expected = [[mass, 0.0, 0.0], [0.0, mass, 0.0], [0.0, 0.0, polar]];
@@ -62,7 +62,7 @@ fn a_ring_weighs_what_its_section_does() {
 
 #[test]
 fn the_mass_matrix_is_definite_and_modes_take_up_the_mass() {
-    for hold in [BoreHold::Rigid, BoreHold::Means { waves: None, degree: 0 }] {
+    for hold in [BoreSupport::Rigid, BoreSupport::Means { harmonics: None, degree: 0 }] {
         let ring = Annulus { radii: [0.5, 1.0], elements: [3, 2], ..THIN };
         let left = |highest: f64| {
             let modes = modes_of(ring, hold, highest);
@@ -77,7 +77,7 @@ fn the_mass_matrix_is_definite_and_modes_take_up_the_mass() {
         let (few, many) = (left(20_000.0), left(200_000.0));
         assert!((few[0] - few[1]).abs() < 1e-9, "one direction is as good as another: {few:?}");
         assert!(few.iter().zip(&many).all(|(few, many)| many < few), "{few:?} {many:?}");
-        if hold == BoreHold::Rigid {
+        if hold == BoreSupport::Rigid {
             assert!(
                 few.iter().all(|&left| left < 0.3) && many.iter().all(|&left| left < 0.05),
                 "{few:?} {many:?}"
@@ -112,10 +112,11 @@ fn modes_make_up_the_motions_of_the_frame() {
 
 #[test]
 fn coupling_turns_with_the_ring() {
-    let plain = modes_of(Annulus { radii: [0.5, 1.0], elements: [2, 2], ..THIN }, BoreHold::Rigid, 20_000.0);
+    let plain =
+        modes_of(Annulus { radii: [0.5, 1.0], elements: [2, 2], ..THIN }, BoreSupport::Rigid, 20_000.0);
     let angle = TAU / 7.0;
     let turned = Annulus { radii: [0.5, 1.0], elements: [2, 2], turned: angle, ..THIN };
-    let turned = modes_of(turned, BoreHold::Rigid, 20_000.0);
+    let turned = modes_of(turned, BoreSupport::Rigid, 20_000.0);
     // The total coupling of all modes with a direction is the same for every direction.
     let along = |modes: &BodyModes, angle: f64| -> f64 {
         modes.coupling.iter().map(|c| (c[0] * angle.cos() + c[1] * angle.sin()).powi(2)).sum()
@@ -132,7 +133,7 @@ fn coupling_turns_with_the_ring() {
 /// `-sin(n phi)/n` around.
 #[test]
 fn a_spinning_thin_ring_is_gyroscopic_as_theory_has_it() {
-    let modes = modes_of(THIN, BoreHold::Means { waves: None, degree: 0 }, 1500.0);
+    let modes = modes_of(THIN, BoreSupport::Means { harmonics: None, degree: 0 }, 1500.0);
     let gyroscopic = &modes.gyroscopic;
     assert!(modes.count() >= 8);
     for row in 0..modes.count() {
@@ -150,7 +151,7 @@ fn a_spinning_thin_ring_is_gyroscopic_as_theory_has_it() {
 /// A rotating thin ring expands by `rho omega² R³/E`.
 #[test]
 fn a_spinning_thin_ring_grows_as_theory_has_it() {
-    let modes = modes_of(THIN, BoreHold::Means { waves: None, degree: 0 }, 6000.0);
+    let modes = modes_of(THIN, BoreSupport::Means { harmonics: None, degree: 0 }, 6000.0);
     let grown: f64 =
         modes.centrifugal.iter().zip(&modes.frequencies).map(|(c, omega)| (c / omega).powi(2)).sum();
     let expected = modes.rigid_mass[0][0] * STEEL.density / STEEL.youngs_modulus;
@@ -277,20 +278,20 @@ fn teeth_all_around_see_one_mode_of_the_ring() {
 #[test]
 fn a_surface_in_place_of_itself_changes_nothing() {
     let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
-    let options = SplitOptions { reshapable: true, ..SplitOptions::default() };
+    let options = SplitOptions { allows_modified_surfaces: true, ..SplitOptions::default() };
     let modes =
         BodyModes::ring(&model, &ring_source(TEETH), &surfaces, &options, 40_000.0, &Interrupt::never())
             .unwrap();
-    let same = surfaces.iter().map(|surface| ReshapedSurface {
+    let same = surfaces.iter().map(|surface| ModifiedSurface {
         profile: surface.profile.clone() as Arc<dyn Profile>,
         onto: Arc::new(|s| s),
     });
-    let reshaped = modes.reshaped(same.collect()).unwrap();
+    let modified = modes.with_modified_surfaces(same.collect()).unwrap();
     let chart = Chart { tooth: 3, surface: 1 };
     let s = [0.02, 0.05, 0.07];
-    let (a, b) = (modes.displacements(chart, &s), reshaped.displacements(chart, &s));
+    let (a, b) = (modes.displacements(chart, &s), modified.displacements(chart, &s));
     assert!((&a - &b).norm_max() <= 1e-12 * a.norm_max());
-    assert!(modes.reshaped(Vec::new()).is_none());
+    assert!(modes.with_modified_surfaces(Vec::new()).is_none());
 }
 
 #[test]
@@ -301,10 +302,11 @@ fn what_cannot_be_had_is_refused() {
         let modes = BodyModes::ring(&THIN.sector(), &source, &[], &options, highest, &Interrupt::never());
         modes.map(|modes| modes.count()).map_err(EngineError::from)
     };
-    let lugs = Lugs { count: 5, first: 0.0, width: 0.1, tangential: 0.0, radial: None, degree: 0 };
-    assert_eq!(of(BoreHold::Lugs(lugs), 100.0).unwrap_err().code, "E0759");
-    assert_eq!(of(BoreHold::Rigid, f64::INFINITY).unwrap_err().code, "E0758");
-    assert_eq!(of(BoreHold::Rigid, 0.0).unwrap(), 0);
+    let spline_teeth =
+        SplineTeeth { count: 5, first: 0.0, width: 0.1, tangential: 0.0, radial: None, degree: 0 };
+    assert_eq!(of(BoreSupport::SplineTeeth(spline_teeth), 100.0).unwrap_err().code, "E0759");
+    assert_eq!(of(BoreSupport::Rigid, f64::INFINITY).unwrap_err().code, "E0758");
+    assert_eq!(of(BoreSupport::Rigid, 0.0).unwrap(), 0);
     let stop = Interrupt::new(|| Err(EngineError::new("E0704", "stopped", "")));
     let options = SplitOptions::default();
     let stopped = BodyModes::ring(&THIN.sector(), &ring_source(THIN.sectors), &[], &options, 100.0, &stop);

@@ -1,8 +1,8 @@
 //! Sectors against the whole ring in one mesh.
 
 use super::sector_of;
-use crate::BoreHold;
-use crate::bore::{BoreMeans, Wanted};
+use crate::BoreSupport;
+use crate::bore::{BoreMeans, RequestedMeans};
 use crate::condense::Assembled;
 use crate::modes::body::{RingFields, ring_sector};
 use crate::modes::cyclic::ring_modes;
@@ -10,7 +10,7 @@ use crate::modes::sector::Sector;
 use crate::tests::bodies::{Divisions, STEEL, ring_source, toothed_ring, toothed_sector};
 use calyx_fe::PlaneModel;
 use calyx_fe::material::Plane;
-use calyx_numerics::dense::{cholesky, half_solve, product};
+use calyx_numerics::dense::{cholesky, product, solve_lower};
 use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, Side};
 use std::f64::consts::TAU;
@@ -20,12 +20,12 @@ const TEETH: u32 = 6;
 
 /// Returns the squares of all natural frequencies of a whole mesh with the support of a ring, by
 /// dense matrices.
-fn of_whole(hold: Option<BoreHold>) -> Vec<f64> {
+fn of_whole(hold: Option<BoreSupport>) -> Vec<f64> {
     let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let assembled = Assembled::plane(&model);
     let bore = model.mesh.chain("bore").unwrap();
     let held = match hold {
-        Some(BoreHold::Rigid) => assembled.dofs_of(&model.mesh.chain_nodes(bore)),
+        Some(BoreSupport::Rigid) => assembled.dofs_of(&model.mesh.chain_nodes(bore)),
         _ => Vec::new(),
     };
     let free: Vec<usize> = (0..model.dof_count()).filter(|dof| !held.contains(dof)).collect();
@@ -34,21 +34,21 @@ fn of_whole(hold: Option<BoreHold>) -> Vec<f64> {
         Mat::from_fn(free.len(), free.len(), |row, column| full[(free[row], free[column])])
     };
     let factor = cholesky(dense(&model.mass())).unwrap();
-    let half = half_solve(factor.as_ref(), dense(&assembled.stiffness));
-    let mut matrix = half_solve(factor.as_ref(), half.transpose().to_owned());
-    if let Some(BoreHold::Means { waves, degree }) = hold {
-        let wanted = Wanted::of_means(waves, degree, TEETH, TEETH);
+    let half = solve_lower(factor.as_ref(), dense(&assembled.stiffness));
+    let mut matrix = solve_lower(factor.as_ref(), half.transpose().to_owned());
+    if let Some(BoreSupport::Means { harmonics: waves, degree }) = hold {
+        let wanted = RequestedMeans::of_means(waves, degree, TEETH, TEETH);
         let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
         let forms: Vec<Vec<f64>> = means.forms.iter().map(|form| form.to_full(model.dof_count())).collect();
         let forms = Mat::from_fn(free.len(), forms.len(), |row, column| forms[column][free[row]]);
         // Projects the matrix on the complement of the forms; the forms get the eigenvalue zero.
-        let forms = half_solve(factor.as_ref(), forms).qr().compute_thin_Q();
+        let forms = solve_lower(factor.as_ref(), forms).qr().compute_thin_Q();
         let mut beside = Mat::<f64>::identity(free.len(), free.len());
         beside -= product(forms.as_ref(), forms.transpose());
         matrix = product(product(beside.as_ref(), matrix.as_ref()).as_ref(), beside.as_ref());
     }
     let mut squares = matrix.self_adjoint_eigenvalues(Side::Lower).unwrap();
-    if let Some(BoreHold::Means { .. }) = hold {
+    if let Some(BoreSupport::Means { .. }) = hold {
         let held = squares.iter().filter(|&&square| square.abs() < 1e-6 * squares[squares.len() / 2]).count();
         squares.drain(..held);
     }
@@ -60,7 +60,7 @@ fn fields(sector: &Sector, highest: f64) -> RingFields<'_> {
 }
 
 /// Returns a ring of sectors, supported or free.
-fn ring(hold: Option<BoreHold>) -> Sector {
+fn ring(hold: Option<BoreSupport>) -> Sector {
     let (model, _) = toothed_sector(TEETH, 1.0, SMALL);
     match hold {
         Some(hold) => {
@@ -71,11 +71,11 @@ fn ring(hold: Option<BoreHold>) -> Sector {
     }
 }
 
-const HOLDS: [Option<BoreHold>; 4] = [
+const HOLDS: [Option<BoreSupport>; 4] = [
     None,
-    Some(BoreHold::Rigid),
-    Some(BoreHold::Means { waves: None, degree: 0 }),
-    Some(BoreHold::Means { waves: Some(3), degree: 0 }),
+    Some(BoreSupport::Rigid),
+    Some(BoreSupport::Means { harmonics: None, degree: 0 }),
+    Some(BoreSupport::Means { harmonics: Some(3), degree: 0 }),
 ];
 
 #[test]

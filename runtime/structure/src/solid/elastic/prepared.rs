@@ -1,25 +1,25 @@
 //! Loads and observers of the surfaces of a three-dimensional mesh, before solution: mollifiers
 //! across by polynomials along the face, and rows of stress.
 
-use super::{KnownSurface, SolidSplitOptions, SolidSurfaceSource, faces};
+use super::{SolidSplitOptions, SolidSurfaceSource, SurfaceTables, faces};
 use crate::StructureError;
+use crate::bspline::BSpline;
 use crate::kernel::Mollifier;
 use crate::sampling::{SplitOptions, sample};
-use crate::solid::axial::AxialModes;
-use crate::solid::exchange::Exchange;
+use crate::solid::axial_modes::AxialModes;
+use crate::solid::exchange::LoadsAndRows;
 use crate::solid::half_space::ReciprocalMeans;
-use crate::solid::halves::images_of;
+use crate::solid::mirror_symmetry::images_of;
 use crate::solid::screw::Screw;
-use crate::spline::Spline;
 use calyx_fe::solid::{FacePoint, SolidModel, SurfaceStressRecovery};
 use calyx_fe::{EdgeChain, SparseVector};
-use calyx_numerics::interrupt::{Interrupt, Room};
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use faer::Mat;
 use rayon::prelude::*;
 
 /// Surface with its loads and stress rows, before solution.
 pub(super) struct Prepared {
-    pub known: KnownSurface,
+    pub known: SurfaceTables,
     pub mollifiers: Vec<Mollifier>,
     pub means: ReciprocalMeans,
     /// Number of its loads.
@@ -34,11 +34,11 @@ struct Vectors {
     loads: Vec<SparseVector>,
     /// Stress rows, three for each point.
     rows: Vec<SparseVector>,
-    room: Room,
+    room: MemoryReservation,
 }
 
 /// Collects all loads and rows of a sector.
-fn gathered(modes: &AxialModes, prepared: &[Prepared], vectors: Vec<Vectors>) -> Exchange {
+fn gathered(modes: &AxialModes, prepared: &[Prepared], vectors: Vec<Vectors>) -> LoadsAndRows {
     // Every other polynomial along the face is odd.
     let is_odd = |surface: &Prepared| {
         let places = surface.mollifiers.len();
@@ -54,14 +54,14 @@ fn gathered(modes: &AxialModes, prepared: &[Prepared], vectors: Vec<Vectors>) ->
     let mut images = Vec::new();
     for surface in prepared {
         let first = images.len();
-        let positions: Vec<[f64; 3]> = surface.known.stress_places.iter().map(|&(_, at)| at).collect();
+        let positions: Vec<[f64; 3]> = surface.known.stress_points.iter().map(|&(_, at)| at).collect();
         for image in images_of(&positions, modes.range()) {
             // The mirror image reverses the sign of shear.
             let rows = [1.0, 1.0, -1.0].into_iter().enumerate();
             images.extend(rows.map(|(row, sign)| Some((first + 3 * image? + row, sign))));
         }
     }
-    Exchange { loads, odd, rows, images, rooms }
+    LoadsAndRows { loads, odd, rows, images, rooms }
 }
 
 /// Prepares the surfaces, all their loads and rows, and the polynomials along the face that all
@@ -74,7 +74,7 @@ pub(super) fn prepare(
     sources: &[SolidSurfaceSource],
     options: &SolidSplitOptions,
     interrupt: &Interrupt,
-) -> Result<(AxialModes, Vec<Prepared>, Exchange), StructureError> {
+) -> Result<(AxialModes, Vec<Prepared>, LoadsAndRows), StructureError> {
     let not_swept = || StructureError::NotSwept {
         faces: sources.first().map_or_else(String::new, |source| source.faces.clone()),
     };
@@ -107,8 +107,11 @@ fn prepare_surface(
     let (chart, swept) =
         set.chart.as_ref().zip(model.mesh.swept.as_ref()).ok_or_else(|| not_swept(&source.faces))?;
     let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
-    let across =
-        SplitOptions { matching_depth: options.matching_depth, samples: options.samples, reshapable: false };
+    let across = SplitOptions {
+        matching_depth: options.matching_depth,
+        samples: options.samples,
+        allows_modified_surfaces: false,
+    };
     let samples = sample(&swept.section, &chain, source.edges, &across)
         .ok_or_else(|| StructureError::Coarse { chain: source.faces.clone() })?;
     let range = chain.range();
@@ -131,21 +134,21 @@ fn prepare_surface(
         .flat_map(|mode| by_mollifier.iter().map(move |loads| loads[mode].clone()))
         .collect();
 
-    let mut known = KnownSurface {
+    let mut known = SurfaceTables {
         surface: source.surface.clone(),
-        stretched: Spline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
-        spline: Spline::new(samples.s),
+        stretched: BSpline::new(samples.s.iter().map(|&s| samples.stretch.at(s)).collect()),
+        spline: BSpline::new(samples.s),
         stretch: samples.stretch,
         range,
         turned: Vec::new(),
-        stress_places: Vec::new(),
+        stress_points: Vec::new(),
     };
-    known.turned = turned_coefficients(&known);
-    let (mut rows, mut room) = (Vec::new(), Room::default());
+    known.turned = normal_angle_coefficients(&known);
+    let (mut rows, mut room) = (Vec::new(), MemoryReservation::default());
     if let Some(name) = &source.stress_faces {
         let free = faces(model, name)?;
         let of_section = &free.chart.as_ref().ok_or_else(|| not_swept(name))?.edges;
-        let [per_edge, per_layer] = source.stress_places.map(|places| places.max(1));
+        let [per_edge, per_layer] = source.stress_points.map(|places| places.max(1));
         let s = of_section.iter().flat_map(|edge| {
             let step = (edge.s[1] - edge.s[0]) / per_edge as f64;
             (0..per_edge).map(move |place| edge.s[0] + step * (place as f64 + 0.5))
@@ -156,15 +159,15 @@ fn prepare_surface(
             z.extend((1..=per_layer).map(|place| layer[0] + step * place as f64));
         }
         let places: Vec<[f64; 2]> = s.flat_map(|s| z.iter().map(move |&z| [s, z])).collect();
-        let wanted = places.len() as u64 * recovery.memory_of_place();
-        room = interrupt.room_for(wanted).map_err(StructureError::Interrupted)?;
+        let wanted = places.len() as u64 * recovery.memory_per_point();
+        room = interrupt.reserve_memory(wanted).map_err(StructureError::Interrupted)?;
         let found = places
             .par_iter()
             .map(|&[s, z]| checkpoint().map(|()| recovery.rows(free, s, z)))
             .collect::<Result<Vec<_>, _>>()?;
         for (place, of_place) in places.into_iter().zip(found) {
             let Some(of_place) = of_place else { continue };
-            known.stress_places.push((place, of_place.point.position));
+            known.stress_points.push((place, of_place.point.position));
             rows.extend(of_place.rows);
         }
         room.shrink_to(rows.iter().map(SparseVector::memory).sum());
@@ -177,7 +180,7 @@ fn prepare_surface(
 
 /// Returns spline coefficients of the angle by which the transverse normal has rotated since the
 /// first sample, positive where convex.
-fn turned_coefficients(known: &KnownSurface) -> Vec<f64> {
+fn normal_angle_coefficients(known: &SurfaceTables) -> Vec<f64> {
     let [_, [start, end]] = known.surface.range();
     let middle = 0.5 * (start + end);
     let mut angles = Vec::with_capacity(known.places());

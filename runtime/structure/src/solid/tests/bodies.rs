@@ -75,7 +75,7 @@ impl Ring {
             faces: source.chain,
             edges: source.edges,
             stress_faces: source.stress_chain,
-            stress_places: [source.stress_places_per_edge, 2],
+            stress_points: [source.stress_points_per_edge, 2],
         });
         (SolidModel::new(mesh, material), surfaces.collect())
     }

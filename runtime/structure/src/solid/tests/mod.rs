@@ -1,10 +1,10 @@
 //! Three-dimensional bodies against plane models, direct solutions, and general properties.
 
-#[cfg(test)]
-mod answers;
 pub mod bodies;
 #[cfg(test)]
-mod halves;
+mod influence;
+#[cfg(test)]
+mod mirror_symmetry;
 #[cfg(test)]
 mod plane;
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::bodies::{Ring, TEETH};
 use crate::kernel::{Mollifier, PairQuadrature};
 use crate::solid::half_space::ReciprocalMeans;
 use crate::solid::screw::Screw;
-use crate::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, Spot, SpotLoad};
+use crate::solid::{ElasticSolid, SegmentLoad, SolidSplitOptions, SolidStructure, SurfaceSegment};
 use crate::tests::bodies::{COARSE, Divisions, ring_source, toothed_sector};
 use crate::{Chart, ElasticStructure, SplitOptions, Structure};
 use calyx_fe::PlaneModel;
@@ -62,8 +62,9 @@ fn spread(structure: &ElasticSolid, strip: &Mollifier) -> Vec<([f64; 2], f64)> {
 fn in_space(structure: &ElasticSolid, observed: (Chart, &Mollifier), loaded: (Chart, &Mollifier)) -> f64 {
     let modes = &structure.modes;
     let (rows, columns) = (spread(structure, observed.1), spread(structure, loaded.1));
-    let places =
-        |points: &[([f64; 2], f64)]| points.iter().map(|point| Spot::from(point.0)).collect::<Vec<_>>();
+    let places = |points: &[([f64; 2], f64)]| {
+        points.iter().map(|point| SurfaceSegment::from(point.0)).collect::<Vec<_>>()
+    };
     let mut block = vec![0.0; rows.len() * columns.len()];
     structure.add_compliance(observed.0, &places(&rows), loaded.0, &places(&columns), &mut block);
     let mut mean = 0.0;
@@ -137,9 +138,9 @@ fn matching_depth_hardly_matters() {
         let chart = Chart { tooth: 0, surface: 0 };
         let strips = strips(structure.surface(0).range()[0][1]);
         let compliance = [1, 3].map(|k| in_space(&structure, (chart, &strips[k].1), (chart, &strips[k].1)));
-        let loads: Vec<SpotLoad> = spread(&structure, &strips[3].1)
+        let loads: Vec<SegmentLoad> = spread(&structure, &strips[3].1)
             .into_iter()
-            .map(|(place, force)| SpotLoad { chart, spot: place.into(), force })
+            .map(|(place, force)| SegmentLoad { chart, segment: place.into(), force })
             .collect();
         let stresses = structure.stresses(0, 0, &loads).into_iter();
         let stress = stresses.map(|stress| stress.principal()[0]).fold(0.0, f64::max);

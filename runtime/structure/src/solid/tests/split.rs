@@ -5,10 +5,10 @@ use crate::Chart;
 use crate::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use crate::kernel::Mollifier;
 use crate::ring::RingFlexibility;
-use crate::solid::axial::AxialModes;
+use crate::solid::axial_modes::AxialModes;
 use crate::solid::half_space::ReciprocalMeans;
 use crate::solid::screw::Screw;
-use crate::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, Spot, SpotLoad};
+use crate::solid::{ElasticSolid, SegmentLoad, SolidSplitOptions, SolidStructure, SurfaceSegment};
 use crate::tests::bodies::Divisions;
 use calyx_fe::SparseVector;
 use calyx_fe::material::Plane;
@@ -70,8 +70,9 @@ fn patches(ring: &Ring, length: f64) -> Vec<Patch> {
 fn smooth_mean(structure: &ElasticSolid, observed: (u32, &Patch), loaded: (u32, &Patch)) -> f64 {
     let [observer, load] = [observed, loaded].map(|(tooth, patch)| Chart { tooth, surface: patch.surface });
     let (rows, columns) = (observed.1.points(), loaded.1.points());
-    let places =
-        |points: &[([f64; 2], f64)]| points.iter().map(|point| Spot::from(point.0)).collect::<Vec<_>>();
+    let places = |points: &[([f64; 2], f64)]| {
+        points.iter().map(|point| SurfaceSegment::from(point.0)).collect::<Vec<_>>()
+    };
     let mut block = vec![0.0; rows.len() * columns.len()];
     structure.add_compliance(observer, &places(&rows), load, &places(&columns), &mut block);
     let mut mean = 0.0;
@@ -209,10 +210,10 @@ fn stress_map_agrees_with_direct_solution() {
     for offset in 0..=1 {
         for (column, patch) in patches.iter().enumerate() {
             let chart = Chart { tooth: 5, surface: patch.surface };
-            let loads: Vec<SpotLoad> = patch
+            let loads: Vec<SegmentLoad> = patch
                 .points()
                 .into_iter()
-                .map(|(place, force)| SpotLoad { chart, spot: place.into(), force })
+                .map(|(place, force)| SegmentLoad { chart, segment: place.into(), force })
                 .collect();
             let stress = structure.stresses(5 + offset, 0, &loads);
             let cuts = &condensed.rows_cuts * (flexibility.at(offset) * condensed.on_cuts.col(column));

@@ -1,0 +1,105 @@
+//! Continues after a failed library call, so that `check` reports all faulty gears instead of only
+//! the first one.
+//!
+//! The failed call returns a poisoned handle. Calls that receive a poisoned handle are skipped
+//! silently, because their errors would follow from the reported one.
+
+use super::{Interpreter, Machine};
+use calyx_abi::context::{Context, RuntimeError};
+use calyx_abi::{HeapId, Repr, Slot, helpers};
+use calyx_lang::ir::{ExternId, Program};
+use std::sync::Mutex;
+
+/// An invalid handle.
+const POISON: Slot = Slot::MAX;
+
+/// Failures after which the program continued.
+pub(super) type Failures = Mutex<Vec<RuntimeError>>;
+
+impl<'p> Interpreter<'p> {
+    /// Continues after library calls that report a problem of the model.
+    pub fn recovering(mut self) -> Self {
+        self.failures = Some(Failures::default());
+        self
+    }
+
+    /// Returns the failures after which the program continued, in order.
+    pub fn failures(&self) -> Vec<RuntimeError> {
+        let failures = self.failures.as_ref().and_then(|failures| failures.lock().ok());
+        failures.map(|failures| failures.clone()).unwrap_or_default()
+    }
+}
+
+impl<'p> Machine<'_, 'p> {
+    /// Records a failure and continues, if this is enabled, the model causes the failure, and the
+    /// program does not catch it. Otherwise returns the error.
+    pub(super) fn survive(&mut self, mut error: RuntimeError) -> Result<(), RuntimeError> {
+        let failures = self.interpreter.failures.as_ref();
+        let Some(failures) = failures.filter(|_| is_finding(&error) && self.guards == 0) else {
+            return Err(error);
+        };
+        error.place.get_or_insert(self.ctx.place);
+        if let Ok(mut failures) = failures.lock() {
+            failures.push(error);
+        }
+        Ok(())
+    }
+
+    /// Returns the names and representations of an engine function's parameters.
+    pub(super) fn extern_parameters(&self, id: ExternId) -> &'p [(String, Repr)] {
+        let program: &'p Program = self.interpreter.program;
+        program.externs.get(id.0 as usize).map_or(&[], |decl| decl.parameters.as_slice())
+    }
+
+    /// Returns `true` if an argument on the stack from `start` on results from a failed call.
+    pub(super) fn is_poisoned(&self, id: ExternId, start: usize) -> bool {
+        let Some(failures) = &self.interpreter.failures else { return false };
+        if failures.lock().is_ok_and(|failures| failures.is_empty()) {
+            return false;
+        }
+        let mut at = start;
+        self.extern_parameters(id).iter().any(|(_, repr)| {
+            let slots = self.stack.get(at..at + repr.slots()).unwrap_or_default();
+            at += repr.slots();
+            poisoned(self.ctx, repr, slots)
+        })
+    }
+
+    /// Replaces the arguments of a failed call by a poisoned result.
+    pub(super) fn put_poison(&mut self, result: &Repr, start: usize) {
+        let slots = match result {
+            Repr::Handle | Repr::Symbolic(_) => vec![POISON],
+            Repr::Number | Repr::Vector | Repr::Transform => vec![f64::NAN.to_bits(); result.slots()],
+            _ => helpers::zero_value(self.ctx, result),
+        };
+        self.stack.truncate(start);
+        self.stack.extend(slots);
+    }
+}
+
+/// Returns `true` for findings about gears and scenes, `false` for errors of the program.
+fn is_finding(error: &RuntimeError) -> bool {
+    ["E06", "E080"].iter().any(|block| error.code.starts_with(block))
+}
+
+/// Returns `true` if a value contains a poisoned handle. A number computed from a poisoned handle
+/// is NaN.
+fn poisoned(ctx: &Context, repr: &Repr, slots: &[Slot]) -> bool {
+    let is_nan = |slot: &Slot| f64::from_bits(*slot).is_nan();
+    match repr {
+        Repr::Handle => slots.contains(&POISON),
+        Repr::Number | Repr::Vector | Repr::Transform => slots.iter().any(is_nan),
+        Repr::Symbolic(_) => slots.iter().any(|slot| *slot == POISON || captures_poison(ctx, *slot)),
+        Repr::Array(element) => slots.iter().any(|slot| {
+            let Some((elements, stride)) = ctx.heap.array(*slot) else { return false };
+            elements.chunks(stride.max(1)).any(|value| poisoned(ctx, element, value))
+        }),
+        _ => false,
+    }
+}
+
+/// Checks captured values: an observable is captured as its index, a number as its value.
+fn captures_poison(ctx: &Context, id: HeapId) -> bool {
+    let value = ctx.heap.symbolic(id);
+    value.is_some_and(|value| value.captured.iter().any(|held| held.is_nan() || *held == POISON as f64))
+}

@@ -1,0 +1,142 @@
+//! Help for names that a module does not have, and for handles of the wrong kind.
+//!
+//! The documentation of a module may list concepts that the module lacks, and concepts that it has
+//! under another name. Each item ends with the names that users look for:
+//!
+//! ```text
+//! Not available yet:
+//! - bevel and hypoid gears (`bevel`, `hypoid`)
+//!
+//! Under another name:
+//! - `external` makes external gears (`pinion`, `spur_gear`)
+//! ```
+
+use super::symbols::with_article;
+
+/// Limit of the names offered.
+const MOST_NAMES: usize = 6;
+
+/// Returns the help for a name that a module does not have.
+pub(super) fn help(module: &str, doc: &str, name: &str, declared: &[String]) -> String {
+    let related = related(name, declared);
+    let near = match related.as_slice() {
+        [] => String::new(),
+        all => {
+            let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
+            format!("; names like it: {}", all.join(", "))
+        }
+    };
+    match (listed(doc, name), declared.is_empty()) {
+        (Some(DocumentedItem::Absent(concept)), _) => format!("Calyx does not have {concept} yet{near}"),
+        (Some(DocumentedItem::Renamed(text)), _) => text,
+        (None, true) => "the module exports no names".into(),
+        (None, false) if !related.is_empty() => {
+            near.trim_start_matches("; ").replacen("names", "it has names", 1)
+        }
+        (None, false) if declared.len() <= MOST_NAMES => {
+            let all: Vec<String> = declared.iter().map(|name| format!("`{name}`")).collect();
+            format!("it has {}", all.join(", "))
+        }
+        (None, false) => {
+            format!(
+                "the module has {} names and none like it; type `{module}.` in an editor, or run `calyx doc {module}`, to see them",
+                declared.len()
+            )
+        }
+    }
+}
+
+/// Returns `true` if the documentation lists a name.
+pub(super) fn lists(doc: &str, name: &str) -> bool {
+    listed(doc, name).is_some()
+}
+
+/// An item in the lists of the documentation.
+enum DocumentedItem {
+    Absent(String),
+    Renamed(String),
+}
+
+fn listed(doc: &str, name: &str) -> Option<DocumentedItem> {
+    let mut make: Option<fn(String) -> DocumentedItem> = None;
+    for line in doc.lines().map(str::trim) {
+        match line {
+            "Not available yet:" => make = Some(DocumentedItem::Absent),
+            "Under another name:" => make = Some(DocumentedItem::Renamed),
+            "" => make = None,
+            _ => {
+                let Some((make, item)) = make.zip(line.strip_prefix("- ")) else { continue };
+                let Some((text, names)) = item.rsplit_once(" (") else { continue };
+                if names.split('`').skip(1).step_by(2).any(|listed| has_words(name, listed)) {
+                    return Some(make(text.to_owned()));
+                }
+            }
+        }
+    }
+    None
+}
+
+fn words(name: &str) -> Vec<String> {
+    name.split('_').filter(|word| !word.is_empty()).map(str::to_lowercase).collect()
+}
+
+/// Returns `true` if the words of `part` are adjacent in `name`.
+fn has_words(name: &str, part: &str) -> bool {
+    let (name, part) = (words(name), words(part));
+    !part.is_empty() && name.windows(part.len()).any(|window| window == part)
+}
+
+/// Returns the help for a value that is not the required handle: the functions that create such a
+/// handle, first those that accept the given value. `makers` are functions and the handles they
+/// accept.
+pub(super) fn handle(makers: &[(String, Vec<String>)], wanted: &str, found: &str) -> String {
+    let quoted = |all: &[&String]| {
+        let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
+        all.join(" or ")
+    };
+    let takes = |(_, taken): &&(String, Vec<String>)| taken.iter().any(|handle| handle == found);
+    let direct: Vec<&String> = makers.iter().filter(takes).map(|(name, _)| name).collect();
+    let all: Vec<&String> = makers.iter().map(|(name, _)| name).collect();
+    let wanted = with_article(wanted);
+    match (direct.as_slice(), all.as_slice()) {
+        ([], []) => format!("give {wanted}"),
+        ([], all) => format!("make {wanted} with {}", quoted(all)),
+        (direct, _) => {
+            format!("make {wanted} of this {found} with {}, and give the result here", quoted(direct))
+        }
+    }
+}
+
+/// Returns names that share words with a name, those with the most shared words first.
+fn related(name: &str, declared: &[String]) -> Vec<String> {
+    let wanted = words(name);
+    // Words such as `of` and `at` are not significant.
+    let shared =
+        |other: &String| words(other).iter().filter(|word| word.len() > 3 && wanted.contains(word)).count();
+    let mut found: Vec<(usize, &String)> =
+        declared.iter().map(|other| (shared(other), other)).filter(|(count, _)| *count > 0).collect();
+    found.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.len().cmp(&b.1.len())).then(a.1.cmp(b.1)));
+    found.into_iter().take(MOST_NAMES).map(|(_, name)| name.clone()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    const DOC: &str = "Gears.\n\nNot available yet:\n- bevel gears (`bevel`, `hypoid`)\n- scuffing (`flash_temperature`)\n\n\
+                       Under another name:\n- `external` makes external gears (`pinion`)\n";
+
+    #[test]
+    fn concepts_that_the_documentation_lists_are_recognised() {
+        let declared: Vec<String> =
+            ["external", "max_root_stress", "gauge_stress", "mesh", "a", "b", "c", "d"]
+                .map(String::from)
+                .into();
+        let help = |name: &str| super::help("gears", DOC, name, &declared);
+        assert_eq!(help("spiral_bevel"), "Calyx does not have bevel gears yet");
+        assert_eq!(help("flash_temperature"), "Calyx does not have scuffing yet");
+        assert_eq!(help("pinion"), "`external` makes external gears");
+        assert_eq!(help("tooth_root_stress"), "it has names like it: `max_root_stress`, `gauge_stress`");
+        assert!(help("zebra").contains("`calyx doc gears`"));
+        // Parts of words do not match.
+        assert!(!help("bevelled").contains("yet"));
+    }
+}

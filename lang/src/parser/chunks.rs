@@ -1,0 +1,254 @@
+//! A file in pieces that are parsed alone, so that an edit parses what it touches.
+//!
+//! A piece is a top-level statement with the comments and blanks above it; where brackets or words are missing it may hold
+//! several. What it parses to depends on its own text only. Pieces next to each other are parsed in one go, which is cheaper,
+//! and those that turn out to be wrong are then parsed again by themselves: the result never depends on what was parsed
+//! together.
+
+use super::parse_run;
+use crate::ast::Stmt;
+use crate::diagnostic::Diagnostic;
+use crate::lexer::{Kind, Token, Tokens, lex};
+use crate::relocate;
+use crate::span::FileId;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// What a piece of a file parses to. Places are counted from the start of the piece, in file 0.
+#[derive(Debug, Default, PartialEq)]
+pub struct Chunk {
+    pub statements: Vec<Stmt>,
+    /// Of the syntax alone.
+    pub problems: Vec<Diagnostic>,
+}
+
+/// A piece and where it lies.
+#[derive(Clone, Debug)]
+pub struct PlacedChunk {
+    pub range: Range<usize>,
+    pub piece: Arc<Chunk>,
+}
+
+/// The pieces of a text. `kept` knows what some of them parse to; it is not asked for the last, in which the file ends.
+pub fn pieces(text: &str, tokens: &Tokens, kept: impl Fn(&str) -> Option<Arc<Chunk>>) -> Vec<PlacedChunk> {
+    let ranges = split(&tokens.tokens);
+    let slice = |range: &Range<usize>| text.get(range.clone()).unwrap_or_default();
+    let inner = ranges.iter().take(ranges.len().saturating_sub(1)).map(|range| kept(slice(range)));
+    let mut found: Vec<Option<Arc<Chunk>>> = inner.collect();
+    found.resize(ranges.len(), None);
+    let mut at = 0;
+    while at < ranges.len() {
+        let run = (at..ranges.len()).take_while(|index| found[*index].is_none()).count();
+        let ends_file = at + run == ranges.len();
+        parse_together(text, ends_file, &ranges[at..at + run], &mut found[at..at + run]);
+        at += run.max(1);
+    }
+    let placed = ranges.into_iter().zip(found);
+    placed.map(|(range, piece)| PlacedChunk { range, piece: piece.unwrap_or_default() }).collect()
+}
+
+/// Parses pieces that follow each other.
+fn parse_together(text: &str, ends_file: bool, ranges: &[Range<usize>], found: &mut [Option<Arc<Chunk>>]) {
+    let (Some(first), Some(last)) = (ranges.first(), ranges.last()) else { return };
+    let slice = |range: Range<usize>| text.get(range).unwrap_or_default();
+    let run = slice(first.start..last.end);
+    let tokens = lex(FileId(0), run);
+    let (statements, problems) = parse_run(run, &tokens, ends_file);
+    if let [only] = found {
+        *only = Some(Arc::new(Chunk { statements, problems }));
+        return;
+    }
+    let mut statements = statements.into_iter().peekable();
+    let mut problems = problems.iter().map(|problem| problem.primary.span.start as usize).peekable();
+    let mut at = 0;
+    for (range, found) in ranges.iter().zip(found) {
+        let (start, end) = (range.start - first.start, range.end - first.start);
+        // What lies before belongs to a statement that is parsed alone.
+        while statements.next_if(|statement| (statement.span.start as usize) < start).is_some() {}
+        let mut own = Vec::new();
+        while let Some(statement) = statements.next_if(|statement| (statement.span.start as usize) < end) {
+            own.push(statement);
+        }
+        while problems.next_if(|at| *at < start).is_some() {}
+        // What is missing at its end is missed at the next token.
+        let after = tokens.tokens.partition_point(|token| (token.span.start as usize) < end);
+        let next = tokens.tokens.get(after).map_or(end, |token| token.span.start as usize);
+        let faulty = problems.peek().is_some_and(|at| *at <= next);
+        while tokens.tokens.get(at).is_some_and(|token| (token.span.start as usize) < start) {
+            at += 1;
+        }
+        let begins = tokens.tokens.get(at).map(|token| token.span.start);
+        let whole = match own.as_slice() {
+            [only] => Some(only.span.start) == begins && only.span.end as usize == end,
+            _ => false,
+        };
+        *found = Some(Arc::new(if whole && !faulty {
+            for statement in &mut own {
+                let to = statement.span.start - start as u32;
+                relocate::to(statement, FileId(0), to);
+            }
+            Chunk { statements: own, problems: Vec::new() }
+        } else {
+            let alone = slice(range.clone());
+            let ends_file = ends_file && range.end == last.end;
+            let (statements, problems) = parse_run(alone, &lex(FileId(0), alone), ends_file);
+            Chunk { statements, problems }
+        }));
+    }
+}
+
+/// Where top-level statements end, by their tokens.
+fn split(tokens: &[Token]) -> Vec<Range<usize>> {
+    let mut ranges = Vec::new();
+    let (mut start, mut end) = (0, 0);
+    let mut open = OpenBlock::default();
+    for (index, token) in tokens.iter().enumerate() {
+        end = token.span.end as usize;
+        let next = tokens.get(index + 1).map(|token| token.kind);
+        if open.ends(token.kind, next) {
+            ranges.push(start..end);
+            start = end;
+            open = OpenBlock::default();
+        }
+    }
+    if end > start {
+        ranges.push(start..end);
+    }
+    ranges
+}
+
+/// What is open in a statement.
+#[derive(Default)]
+struct OpenBlock {
+    /// Blocks.
+    braces: usize,
+    /// Parentheses outside of blocks; the number is of semicolons that may still stand in it, two in the head of a `for`.
+    parentheses: Vec<u8>,
+    /// The last token.
+    previous: Option<Kind>,
+    /// `do` whose `while` has not come, outside of blocks.
+    loops: usize,
+}
+
+impl OpenBlock {
+    /// Takes a token; whether the statement ends with it.
+    fn ends(&mut self, kind: Kind, next: Option<Kind>) -> bool {
+        let previous = self.previous.replace(kind);
+        let outside = self.braces == 0;
+        match kind {
+            Kind::OpenBrace => {
+                // No block stands in parentheses: they were left open.
+                self.parentheses.clear();
+                self.braces += 1;
+            }
+            Kind::CloseBrace => {
+                self.parentheses.clear();
+                self.braces = self.braces.saturating_sub(1);
+                return self.braces == 0 && !self.goes_on(next);
+            }
+            Kind::OpenParen if outside => {
+                self.parentheses.push(if previous == Some(Kind::For) { 2 } else { 0 })
+            }
+            Kind::CloseParen if outside => {
+                self.parentheses.pop();
+            }
+            Kind::Do if outside => self.loops += 1,
+            // Behind a statement it belongs to a `do`; elsewhere it begins a loop.
+            Kind::While if outside && matches!(previous, Some(Kind::Semicolon | Kind::CloseBrace)) => {
+                self.loops = self.loops.saturating_sub(1);
+            }
+            Kind::Semicolon if outside => {
+                return match self.parentheses.last_mut() {
+                    Some(left) if *left > 0 => {
+                        *left -= 1;
+                        false
+                    }
+                    _ => {
+                        self.parentheses.clear();
+                        !self.goes_on(next)
+                    }
+                };
+            }
+            _ => {}
+        }
+        false
+    }
+
+    /// Whether what comes next belongs to the statement although it could end.
+    fn goes_on(&self, next: Option<Kind>) -> bool {
+        match next {
+            Some(Kind::Else | Kind::Catch) => true,
+            Some(Kind::While) => self.loops > 0,
+            _ => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MODEL: &str = "\
+units inch_lbf_s;
+/// How wide.
+param size = 2 inch in 1 inch .. 3 inch;
+function area(in w, in h) { return w*h; }
+try { size; } catch (e) { print(e); }
+do size = size + 1; while (size < 3 inch);
+for (var i = 0; i < 3; i = i + 1) print(i);
+if (size > 1 inch) print(1); else print(2);
+output doubled := 2*area(size, size);
+print(\"{size : .3 mm}\");
+";
+
+    #[rustfmt::skip]
+    const WRITTEN: [&str; 26] = [
+        "{", "}", "(", ")", "[", ";", "var x = 1;", "/// Says it.\n", "// note\n", "\n", "else ", "try ", "do ", "while ",
+        "for (", "catch ", "function f(in a) ", "\"", "{x}", "output ", "units SI;", "@", "/*", "return ", "µ", "x = ",
+    ];
+
+    /// Numbers without pattern; the same in every run.
+    fn below(state: &mut u64, end: usize) -> usize {
+        *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (*state >> 33) as usize % end.max(1)
+    }
+
+    #[test]
+    fn loops_inside_of_loops_are_one_piece() {
+        for text in [
+            "do while (a) do ; while (b) ; while (c) ;",
+            "do if (a) { } else while (b) { } while (c);",
+            "do for (;;) try while (a) ; catch (e) ; while (b);",
+        ] {
+            let written = format!("{text}\nwhile (d) ;\n");
+            let found = split(&lex(FileId(0), &written).tokens);
+            let texts: Vec<_> = found.into_iter().map(|range| written[range].trim()).collect();
+            assert_eq!(texts, [text, "while (d) ;"]);
+        }
+    }
+
+    #[test]
+    fn pieces_parsed_together_are_as_parsed_alone() {
+        let (mut state, mut text) = (1, MODEL.to_string());
+        for round in 0..2000 {
+            if round % 20 == 0 {
+                text = MODEL.to_string();
+            }
+            let mut boundary = || {
+                let at = below(&mut state, text.len() + 1);
+                (at..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+            };
+            let (start, end) = (boundary(), boundary());
+            let end = if end > start && end < start + 20 { end } else { start };
+            let written = WRITTEN[below(&mut state, WRITTEN.len())];
+            text.replace_range(start..end, written);
+            let found = pieces(&text, &lex(FileId(0), &text), |_| None);
+            for (index, PlacedChunk { range, piece }) in found.iter().enumerate() {
+                let alone = &text[range.clone()];
+                let ends_file = index + 1 == found.len();
+                let (statements, problems) = parse_run(alone, &lex(FileId(0), alone), ends_file);
+                assert_eq!(**piece, Chunk { statements, problems }, "{alone}\nin\n{text}");
+            }
+        }
+    }
+}

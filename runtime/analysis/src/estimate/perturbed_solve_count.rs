@@ -1,0 +1,56 @@
+//! The perturbed solves of error estimates, counted before an analysis begins: their cost is
+//! predicted from the counts.
+
+use super::Estimates;
+use super::perturbed_solves::{BETWEEN, MeshVariant, PART_OF_POSITIONS, SAMPLES, SPREAD, refinement_above};
+use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions};
+
+/// Positions of an analysis solved once more, with one setting changed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PerturbedSolve {
+    /// Fidelity and mesh; the first that the scene can be modelled with.
+    pub models: Vec<(Fidelity, StructureOptions)>,
+    /// Positions that are solved, at most.
+    pub positions: usize,
+    /// True if contact grids have half the cells in every direction.
+    pub coarse_grid: bool,
+    /// True if the structures are of another mesh than those of the analysis.
+    pub condensed: bool,
+}
+
+/// The perturbed solves of a quasi-static analysis with these numbers of positions and outputs.
+pub(crate) fn perturbed_solves_of(
+    estimates: Estimates,
+    fidelity: Fidelity,
+    structure: StructureOptions,
+    positions: usize,
+    outputs: usize,
+) -> Vec<PerturbedSolve> {
+    if estimates == Estimates::None || positions == 0 {
+        return Vec::new();
+    }
+    let samples = SAMPLES.max(positions.div_ceil(PART_OF_POSITIONS)).min(positions).min(SPREAD + 2 * outputs);
+    let own = vec![(fidelity, structure)];
+    let perturbed_solve = |models, positions, coarse_grid, condensed| PerturbedSolve {
+        models,
+        positions,
+        coarse_grid,
+        condensed,
+    };
+    let mut all = vec![
+        perturbed_solve(own.clone(), samples, true, false),
+        perturbed_solve(own, positions.div_ceil(BETWEEN), false, false),
+    ];
+    if fidelity.body_model() == BodyModel::Elements {
+        let other = MeshVariant::than(fidelity, structure).structure;
+        all.push(perturbed_solve(vec![(fidelity, other)], samples, true, true));
+    }
+    if estimates == Estimates::Full {
+        let above = fidelity.all_above().map(|above| {
+            let refinement = refinement_above(fidelity, above, structure.refinement);
+            (above, StructureOptions { refinement, ..structure })
+        });
+        all.push(perturbed_solve(above.collect(), samples, false, true));
+    }
+    all
+}

@@ -1,0 +1,452 @@
+//! Perturbed solves of quasi-static analyses: the same positions with one setting changed.
+
+use super::sampling::{SampledOutput, SamplingContext, divided, most_promising};
+use super::{Ends, ErrorPart, Estimates, Evidence, Part, Statistics, ends, is_stress, rounding, within};
+use crate::observables::Observe;
+use crate::rows::StepRow;
+use crate::scene::Scene;
+use crate::summary::is_closed;
+use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions};
+use calyx_model::observed::OutputRequest;
+use calyx_model::pairs::SurfacePair;
+use calyx_model::plan::Plan;
+use calyx_model::position::Position;
+use calyx_model::resources::Resources;
+use calyx_numerics::error::EngineError;
+use calyx_solve::system::System;
+use rayon::prelude::*;
+use std::f64::consts::SQRT_2;
+
+/// Ratio of the elements along every direction in the plane mesh of a perturbed solve to those of
+/// the analysis.
+const COARSER: f64 = 0.45;
+/// Plane meshes up to this refinement are compared with one with this ratio of elements along every
+/// direction, and at least of this order.
+const COARSE: f64 = 0.5;
+const FINER: f64 = 2.0;
+const FINER_ORDER: usize = 3;
+/// Factor on the difference from a finer mesh, whose own error is small.
+const OF_FINER_MESH: f64 = 1.1;
+/// Order of displacements along the face in a perturbed solve whose model does not prescribe it:
+/// one less than that of the templates.
+const AXIAL_ORDER: usize = 2;
+/// Factor on the difference from the coarser mesh, for deflections and forces, and for stresses, in
+/// plane models. The theoretical value for elements of order three is smaller; corners and integer
+/// numbers of elements increase it.
+const OF_MESH: [f64; 2] = [0.5, 0.2];
+/// Factors in three dimensions by the order of the elements, from 2 on, with one order less in the
+/// perturbed solve. Linear elements are so inaccurate that a tenth of the difference from them is
+/// the error of quadratic ones, while stresses of quadratic and cubic elements are close by
+/// coincidence.
+const OF_ORDER: [[f64; 2]; 2] = [[0.15, 0.08], [0.4, 1.9]];
+/// Factor for contact grids with half as many cells.
+pub(super) const OF_GRID: f64 = 0.4;
+/// Minimum number of positions that are solved again; of many positions, a fraction.
+pub(super) const SAMPLES: usize = 8;
+pub(super) const PART_OF_POSITIONS: usize = 4;
+/// Number of these spread over all positions, for means.
+pub(super) const SPREAD: usize = 4;
+/// Values within this fraction of peak-to-peak from an extreme may be the extreme.
+const NEAR: f64 = 0.05;
+/// Lower bound of the error of an extreme relative to the usual error of all samples, because
+/// cancellation at the extreme is a coincidence.
+const USUAL: f64 = 0.5;
+/// Lower bound of the errors of peak-to-peak and mean relative to the errors at both extremes or
+/// over all positions, because the degree of cancellation is unknown.
+const OF_SUMS: f64 = 0.2;
+/// Number of positions per additional position between two. Few positions are all solved again,
+/// twice on grids of half the cells, each at a quarter of the time or less. So the estimates take
+/// at most about the time of the analysis, without structures, which may be cached.
+pub(super) const BETWEEN: usize = 2;
+/// Number of rounds of division; each uses the results of the previous ones.
+const ROUNDS: usize = 4;
+
+/// Finished quasi-static analysis.
+pub(crate) struct BaseAnalysis<'a, 's> {
+    pub scene: &'a Scene,
+    pub system: &'a System<'s>,
+    pub plan: &'a Plan,
+    pub structure: StructureOptions,
+    pub highest_frequency: f64,
+    pub resources: &'a Resources,
+    pub positions: &'a [Position],
+    pub outputs: &'a [OutputRequest],
+    pub rows: &'a [StepRow],
+}
+
+/// Runs the perturbed solves of an analysis.
+///
+/// # Errors
+/// Those of the interrupt. A perturbed solve that fails otherwise leaves its part unestimated.
+pub(crate) fn quasi_static_perturbed_solves(
+    judged: &BaseAnalysis<'_, '_>,
+    estimates: Estimates,
+) -> Result<Evidence, EngineError> {
+    if judged.rows.is_empty() {
+        return Ok(Evidence::default());
+    }
+    let samples = samples(judged.rows, judged.outputs.len());
+    let own: Vec<Vec<Ends>> = (0..judged.outputs.len())
+        .map(|output| {
+            let all = ends(judged.rows, output);
+            samples.iter().map(|&row| all[row]).collect()
+        })
+        .collect();
+    let scene = judged.scene;
+
+    // Both meshes are compared on the coarse grid, which is the cheapest.
+    let coarse = coarser_grids(scene, judged.plan.in_space);
+    let on_coarse = match &coarse {
+        Some(coarse) => judged.solve(&judged.system.on(coarse), judged.plan, &judged.at(&samples)),
+        None => Err(Failed::Because("the contact grid has too few cells to halve them".into())),
+    };
+    let on_coarse = part_of(on_coarse)?;
+    let rounding = on_coarse.as_ref().map(|found| found.rounding.clone()).unwrap_or_default();
+    let on_coarse = on_coarse.map(|found| found.values(judged.outputs.len()));
+    let (compared, base) = match (&coarse, &on_coarse) {
+        (Some(coarse), Ok(values)) => (coarse, values),
+        _ => (scene, &own),
+    };
+    let fidelity = judged.plan.fidelity;
+    let other = MeshVariant::than(fidelity, judged.structure);
+    let meshed = (fidelity.body_model() == BodyModel::Elements)
+        .then(|| part_of(judged.perturbed_solve(compared, fidelity, other.structure, &samples)))
+        .transpose()?;
+
+    let of_mesh = |output: usize| other.factor(is_stress(&judged.outputs[output], &scene.observables));
+    let mut found = Vec::new();
+    // Levels without a mesh have no mesh error, and rigid bodies have no pressure.
+    if let Some(meshed) = meshed {
+        found.push(judged.found(Part::Discretization, &samples, meshed, base, of_mesh));
+    }
+    if fidelity != Fidelity::Rigid {
+        found.push(judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, |_| OF_GRID));
+    }
+    let level = match estimates {
+        Estimates::Full => judged.level_above(&samples)?,
+        _ => Err("error_estimates = \"full\" estimates it, at more than the cost of the run".to_owned()),
+    };
+    found.push(judged.found(Part::Level, &samples, level, &own, |_| 1.0));
+    Ok(Evidence { found, rows: judged.with_some_between()?, rounding })
+}
+
+/// Returns the refinement of the next fidelity level for the comparison with a mesh of this
+/// refinement. In three dimensions twice as many elements along every direction are eight times as
+/// many in total, so the refinement of a plane mesh is not applied there.
+pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) -> f64 {
+    match (own, above) {
+        (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => refinement,
+        (_, Fidelity::Solid(_)) => 1.0,
+    }
+}
+
+/// Reason why there is no perturbed solve.
+enum Failed {
+    /// The analysis is interrupted.
+    Ended(EngineError),
+    Because(String),
+}
+
+/// Values by output and by sample.
+type Values = Vec<Vec<Ends>>;
+
+/// Positions that were solved in addition.
+struct AddedPositions {
+    rows: Vec<StepRow>,
+    /// Magnitude up to which an output may consist of rounding, by output.
+    rounding: Vec<f64>,
+}
+
+impl AddedPositions {
+    fn values(&self, outputs: usize) -> Values {
+        (0..outputs).map(|output| ends(&self.rows, output)).collect()
+    }
+}
+
+fn part_of<T>(values: Result<T, Failed>) -> Result<Result<T, String>, EngineError> {
+    match values {
+        Ok(values) => Ok(Ok(values)),
+        Err(Failed::Because(reason)) => Ok(Err(reason)),
+        Err(Failed::Ended(error)) => Err(error),
+    }
+}
+
+impl BaseAnalysis<'_, '_> {
+    /// Distinguishes an error of the perturbed solve from an interrupt.
+    fn failed(&self, error: EngineError) -> Failed {
+        match self.resources.interrupt.check() {
+            Err(ended) => Failed::Ended(ended),
+            Ok(()) => Failed::Because(format!("{}: {}", error.code, error.message)),
+        }
+    }
+
+    /// Solves the samples with another model or mesh.
+    fn perturbed_solve(
+        &self,
+        scene: &Scene,
+        fidelity: Fidelity,
+        structure: StructureOptions,
+        samples: &[usize],
+    ) -> Result<Values, Failed> {
+        let build = || {
+            let plan = Plan::new(scene, fidelity, structure)?.for_outputs(scene, self.outputs)?;
+            let system = System::with(scene, &plan, self.resources)?;
+            let system = match self.highest_frequency {
+                0.0 => system,
+                highest => system.with_modes(&plan, self.resources, highest)?,
+            };
+            Ok((system, plan))
+        };
+        let (system, plan) = build().map_err(|error| self.failed(error))?;
+        Ok(self.solve(&system, &plan, &self.at(samples))?.values(self.outputs.len()))
+    }
+
+    /// Solves the samples at the next level that supports the scene, or returns the reason why
+    /// there is none.
+    fn level_above(&self, samples: &[usize]) -> Result<Result<Values, String>, EngineError> {
+        let own = self.plan.fidelity;
+        // The model error of three-dimensional closed-form models shows in three-dimensional finite
+        // elements.
+        let in_space = own == Fidelity::Analytic && self.plan.in_space;
+        let mut refused = None;
+        for fidelity in own.all_above().filter(|above| !in_space || matches!(above, Fidelity::Solid(_))) {
+            let refinement = refinement_above(own, fidelity, self.structure.refinement);
+            let structure = StructureOptions { refinement, ..self.structure };
+            match part_of(self.perturbed_solve(self.scene, fidelity, structure, samples))? {
+                Ok(values) => return Ok(Ok(values)),
+                Err(reason) => refused = refused.or(Some(reason)),
+            }
+        }
+        Ok(Err(refused.unwrap_or_else(|| "there is no level above this one".to_owned())))
+    }
+
+    fn at(&self, samples: &[usize]) -> Vec<Position> {
+        samples.iter().map(|&row| self.positions[row].clone()).collect()
+    }
+
+    fn solve(
+        &self,
+        system: &System<'_>,
+        plan: &Plan,
+        positions: &[Position],
+    ) -> Result<AddedPositions, Failed> {
+        let solve = |position: &Position| {
+            self.resources.interrupt.check()?;
+            let step = system.solve(position.time)?;
+            let observed = system.values(&step, plan.fidelity, &self.scene.observables);
+            let rounding = rounding::of_outputs(self.scene, self.outputs, &observed, position.time);
+            Ok((StepRow::new(position.clone(), self.outputs, &observed, Vec::new()), rounding))
+        };
+        let all = || positions.par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
+        let solved = self.resources.install(all).map_err(|error| self.failed(error))?;
+        // An interrupted observable has no value.
+        self.resources.interrupt.check().map_err(Failed::Ended)?;
+        let mut besides = AddedPositions { rows: Vec::new(), rounding: vec![0.0; self.outputs.len()] };
+        for (row, rounding) in solved {
+            besides.rows.push(row);
+            besides.rounding.iter_mut().zip(rounding).for_each(|(most, own)| *most = most.max(own));
+        }
+        Ok(besides)
+    }
+
+    /// Returns all rows, and some between them where extremes may lie: intervals are divided
+    /// repeatedly.
+    fn with_some_between(&self) -> Result<Vec<StepRow>, EngineError> {
+        let Some(average) = SamplingContext::of(self.rows, None).map(|course| course.average()) else {
+            return Ok(self.rows.to_vec());
+        };
+        let is_closed = |output| is_closed(self.rows, output, &self.scene.observables);
+        let closed: Vec<bool> = self.outputs.iter().map(is_closed).collect();
+        let mut all = self.rows.to_vec();
+        let mut left = self.rows.len().div_ceil(BETWEEN);
+        for round in 0..ROUNDS {
+            let course =
+                |(output, &closed)| SamplingContext::of(within(&all, self.rows, closed), Some(output));
+            let courses: Vec<Option<SamplingContext>> = closed.iter().enumerate().map(course).collect();
+            let known = |(output, &closed): (usize, &bool)| {
+                let course = courses[output].as_ref()?;
+                Some(SampledOutput { course, ends: ends(within(&all, self.rows, closed), output), closed })
+            };
+            let known: Vec<SampledOutput<'_>> = closed.iter().enumerate().filter_map(known).collect();
+            let turn = all.len() - self.rows.len();
+            let wanted =
+                most_promising(&known, average, turn).into_iter().take(left.div_ceil(ROUNDS - round));
+            let positions: Vec<Position> = wanted.map(|promising| divided(&all, promising)).collect();
+            left -= positions.len();
+            match part_of(self.solve(self.system, self.plan, &positions))? {
+                Ok(besides) => all.extend(besides.rows),
+                Err(_) => break,
+            }
+            let place = |row: &StepRow| [row.position.cycle, row.position.time];
+            all.sort_by(|a, b| place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal));
+        }
+        Ok(all)
+    }
+
+    /// Returns the samples that represent their neighbourhood; a sample next to a jump represents
+    /// only itself.
+    fn between(&self, samples: &[usize]) -> Vec<usize> {
+        let all = 0..samples.len();
+        let unnamed: Vec<usize> =
+            all.clone().filter(|&sample| self.rows[samples[sample]].position.name.is_empty()).collect();
+        if unnamed.is_empty() { all.collect() } else { unnamed }
+    }
+
+    /// Computes a part of the error from samples with and without its setting changed.
+    fn found(
+        &self,
+        part: Part,
+        samples: &[usize],
+        turned: Result<Values, String>,
+        base: &Values,
+        factor: impl Fn(usize) -> f64,
+    ) -> ErrorPart {
+        let error = |output: usize, turned: &[Ends]| {
+            let rows = ends(self.rows, output);
+            differences(&rows, samples, &self.between(samples), turned, &base[output]).times(factor(output))
+        };
+        let of_outputs = |turned: Values| turned.iter().enumerate().map(|(o, t)| error(o, t)).collect();
+        ErrorPart { part, errors: turned.map(of_outputs) }
+    }
+}
+
+/// Mesh for a comparison.
+pub(super) struct MeshVariant {
+    pub(super) structure: StructureOptions,
+    /// Factors on the difference: deflections and forces, and stresses.
+    factors: [f64; 2],
+}
+
+impl MeshVariant {
+    /// Creates a less accurate mesh: in plane models with fewer elements, in three dimensions with
+    /// elements of a lower order, because meshes there have few elements already. A coarse plane
+    /// mesh would have too few elements; it is compared with a finer one, which is cheap.
+    pub(super) fn than(fidelity: Fidelity, structure: StructureOptions) -> MeshVariant {
+        match fidelity {
+            Fidelity::Solid(_) if structure.order > 1 => {
+                let axial_order = structure.axial_order.map_or(AXIAL_ORDER, |order| (order - 1).max(1));
+                let axial_order = Some(axial_order);
+                let structure = StructureOptions { order: structure.order - 1, axial_order, ..structure };
+                MeshVariant { structure, factors: OF_ORDER[structure.order.min(OF_ORDER.len()) - 1] }
+            }
+            _ if structure.refinement <= COARSE => MeshVariant {
+                structure: StructureOptions {
+                    refinement: FINER * structure.refinement,
+                    order: structure.order.max(FINER_ORDER),
+                    ..structure
+                },
+                factors: [OF_FINER_MESH; 2],
+            },
+            _ => MeshVariant {
+                structure: StructureOptions { refinement: COARSER * structure.refinement, ..structure },
+                factors: OF_MESH,
+            },
+        }
+    }
+
+    /// Returns the factor on the difference of an output, depending on whether it is a stress.
+    pub(super) fn factor(&self, is_stress: bool) -> f64 {
+        self.factors[usize::from(is_stress)]
+    }
+}
+
+/// Returns the scene with half as many cells across and along every patch; `None` if no number can
+/// be halved.
+pub(super) fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
+    let half = |count: usize| if count > 1 { Some(count.div_ceil(2)) } else { None };
+    let mut coarse = scene.clone();
+    for SurfacePair { grid, .. } in &mut coarse.pairs {
+        grid.half_cells = half(match in_space {
+            false => grid.half_cells_in_plane(),
+            true => {
+                grid.half_slices = half(grid.half_slices)?;
+                grid.half_cells_in_space()
+            }
+        });
+        grid.half_cells?;
+    }
+    Some(coarse)
+}
+
+/// Returns the rows that perturbed solves repeat: some spread over all rows, and the extremes of
+/// the outputs.
+fn samples(rows: &[StepRow], outputs: usize) -> Vec<usize> {
+    let most = SAMPLES.max(rows.len().div_ceil(PART_OF_POSITIONS)).min(rows.len());
+    let mut chosen: Vec<usize> = (0..SPREAD).map(|k| (2 * k + 1) * rows.len() / (2 * SPREAD)).collect();
+    chosen.dedup();
+    let mut later = Vec::new();
+    for output in 0..outputs {
+        let ends = ends(rows, output);
+        let extreme = |better: &dyn Fn(&Ends, &Ends) -> bool| {
+            (1..ends.len()).fold(0, |best, row| if better(&ends[row], &ends[best]) { row } else { best })
+        };
+        let (max, min) = (extreme(&|a, b| a.high > b.high), extreme(&|a, b| a.low < b.low));
+        let in_order = if ends[max].high.abs() >= ends[min].low.abs() { [max, min] } else { [min, max] };
+        chosen.push(in_order[0]);
+        later.push(in_order[1]);
+    }
+    let mut samples: Vec<usize> = Vec::new();
+    for row in chosen.into_iter().chain(later) {
+        if samples.len() < most && !samples.contains(&row) {
+            samples.push(row);
+        }
+    }
+    samples.sort_unstable();
+    samples
+}
+
+/// Returns the differences of the statistics over `rows` between two solutions of samples.
+fn differences(
+    rows: &[Ends],
+    samples: &[usize],
+    between: &[usize],
+    one: &[Ends],
+    other: &[Ends],
+) -> Statistics {
+    // `max` ignores NaN.
+    let values = rows.iter().chain(one).chain(other);
+    if !values.into_iter().all(|end| (end.value + end.low + end.high).is_finite()) {
+        return Statistics::NONE;
+    }
+    let most = rows.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
+    let least = rows.iter().map(|end| end.low).fold(f64::INFINITY, f64::min);
+    // Samples that may be the extreme; if the extreme is not sampled, those with the nearest
+    // values.
+    let near = |off: &dyn Fn(&Ends) -> f64| {
+        let offs: Vec<f64> = samples.iter().map(|&row| off(&rows[row])).collect();
+        let nearest = offs.iter().copied().fold(f64::INFINITY, f64::min);
+        let reach = nearest.max(NEAR * (most - least));
+        (0..samples.len()).filter(|&sample| offs[sample] <= reach).collect::<Vec<_>>()
+    };
+    let (at_most, at_least) = (near(&|end| most - end.high), near(&|end| end.low - least));
+    let high = |sample: usize| one[sample].high - other[sample].high;
+    let low = |sample: usize| one[sample].low - other[sample].low;
+    let rms = |values: &mut dyn Iterator<Item = f64>| {
+        let (sum, count) = values.fold((0.0, 0), |(sum, count), value: f64| (sum + value * value, count + 1));
+        if count == 0 { 0.0 } else { (sum / f64::from(count)).sqrt() }
+    };
+    let all = || 0..samples.len();
+    let middle = all().map(high).sum::<f64>() / samples.len() as f64;
+    // Usual error of the difference of two samples.
+    let usual_apart = USUAL * SQRT_2 * rms(&mut all().map(|sample| high(sample) - middle));
+    let apart = at_most.iter().flat_map(|&most| at_least.iter().map(move |&least| (most, least)));
+    let min = rms(&mut at_least.iter().map(|&sample| low(sample))).max(USUAL * rms(&mut all().map(low)));
+    let max = rms(&mut at_most.iter().map(|&sample| high(sample))).max(USUAL * rms(&mut all().map(high)));
+    let peak_to_peak = rms(&mut apart.map(|(most, least)| high(most) - low(least))).max(usual_apart);
+    // A single position has no peak-to-peak value.
+    let of_both = if rows.len() > 1 { OF_SUMS * min.max(max) } else { 0.0 };
+    let value = |sample: usize| one[sample].value - other[sample].value;
+    let mut mean = 0.0;
+    for row in 0..rows.len() {
+        // Each row has the error of the nearest sample.
+        let nearest =
+            between.iter().copied().min_by_key(|&sample| samples[sample].abs_diff(row)).unwrap_or(0);
+        mean += value(nearest) / rows.len() as f64;
+    }
+    Statistics {
+        min,
+        max,
+        mean: mean.abs().max(OF_SUMS * rms(&mut all().map(value))),
+        peak_to_peak: peak_to_peak.max(of_both),
+    }
+}

@@ -1,0 +1,179 @@
+//! Observables of bearings: forces, moments, deflections and tilts.
+
+use super::{Equilibrium, Needs, Observable, Quantity};
+use calyx_model::bearing::BearingState;
+use calyx_model::ids::{BearingId, BodyId};
+use calyx_model::observed::Observed;
+
+/// Bearing in equilibrium.
+pub struct BearingLoad {
+    /// Deflection: motion of the first race relative to the second, m along and rad about the
+    /// bearing's axes.
+    pub deflection: [f64; 6],
+    /// Force (N) and moment about the bearing's origin (N m) on the first race, along the bearing's
+    /// axes. The opposite acts on the second race.
+    pub push: [f64; 6],
+    placed: BearingState,
+}
+
+/// Direction of a reported force, moment or motion of a bearing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Direction {
+    /// Ground axis, 0 to 2.
+    Ground(usize),
+    /// Axis of the bearing.
+    Axial,
+    /// Magnitude of the components normal to the bearing's axis.
+    Radial,
+}
+
+impl BearingLoad {
+    /// Returns the force (N) and the moment about the body's axis of rotation (N m) of the bearing
+    /// on a connected body, along ground axes.
+    pub fn wrench_on(&self, body: BodyId) -> [f64; 6] {
+        self.placed.wrench_on(body, self.push)
+    }
+
+    fn along(&self, [x, y, z]: [f64; 3], direction: Direction) -> f64 {
+        match direction {
+            Direction::Ground(axis) => self.placed.to_ground([x, y, z])[axis],
+            Direction::Axial => z,
+            Direction::Radial => x.hypot(y),
+        }
+    }
+}
+
+impl Equilibrium<'_> {
+    /// Evaluates a bearing of the scene; `None` if the scene has no such bearing, or its races have
+    /// separated.
+    pub fn bearing(self, bearing: BearingId) -> Option<BearingLoad> {
+        let system = self.system;
+        let own = system.scene.bearings.get(bearing.0)?;
+        let placed = BearingState::at(&system.scene.bodies, own, self.step.time).ok()?;
+        let of = |motions: &[f64]| {
+            let mut deflection = [0.0; 6];
+            for (dof, motion) in system.dofs.iter().zip(motions) {
+                for (sum, part) in deflection.iter_mut().zip(placed.deflection(dof)) {
+                    *sum += part * motion;
+                }
+            }
+            deflection
+        };
+        let (deflection, rate) = (of(&self.step.motion), of(&self.step.velocity));
+        let before = system.bearings.iter().take_while(|&&other| other != bearing.0);
+        let skipped: usize = before.map(|&other| system.scene.bearings[other].walls()).sum();
+        let width = system.width(own.body.0);
+        let walls: Vec<f64> = self.step.stops.iter().skip(skipped).map(|force| width * force).collect();
+        let walls = if system.bearings.contains(&bearing.0) { &walls[..] } else { &[] };
+        let (sprung, damped) = (own.push(&deflection, walls), own.damping_at(&rate));
+        let push = std::array::from_fn(|k| sprung[k] - damped[k]);
+        Some(BearingLoad { deflection, push, placed })
+    }
+
+    /// Returns the sum of the forces and moments of all bearings on a body, as in
+    /// [`BearingLoad::wrench_on`].
+    pub fn bearings_on(self, body: BodyId) -> [f64; 6] {
+        let mut total = [0.0; 6];
+        for (index, bearing) in self.system.scene.bearings.iter().enumerate() {
+            let Some(borne) =
+                bearing.bodies().find(|b| *b == body).and_then(|_| self.bearing(BearingId(index)))
+            else {
+                continue;
+            };
+            for (sum, part) in total.iter_mut().zip(borne.wrench_on(body)) {
+                *sum += part;
+            }
+        }
+        total
+    }
+}
+
+/// Returns the three rotational (`about`) or translational of six components.
+fn half(numbers: [f64; 6], about: bool) -> [f64; 3] {
+    let from = if about { 3 } else { 0 };
+    std::array::from_fn(|k| numbers[from + k])
+}
+
+fn observed(at: &Equilibrium<'_>, bearing: BearingId, of: impl Fn(&BearingLoad) -> f64) -> Observed {
+    Observed::number(at.bearing(bearing).map_or(f64::NAN, |borne| of(&borne)))
+}
+
+/// Force of a bearing on the body of its first race, N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingForce(pub BearingId, pub Direction);
+
+impl Observable for BearingForce {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("bearing_force", "N")
+    }
+
+    fn bearing_of(&self) -> Option<BearingId> {
+        Some(self.0)
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        observed(at, self.0, |borne| borne.along(half(borne.push, false), self.1))
+    }
+}
+
+/// Moment of a bearing on the body of its first race, about the bearing's origin, N m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingMoment(pub BearingId, pub Direction);
+
+impl Observable for BearingMoment {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("bearing_moment", "N*m")
+    }
+
+    fn bearing_of(&self) -> Option<BearingId> {
+        Some(self.0)
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        observed(at, self.0, |borne| borne.along(half(borne.push, true), self.1))
+    }
+}
+
+/// Displacement of the first race relative to the second, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingDeflection(pub BearingId, pub Direction);
+
+impl Observable for BearingDeflection {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("bearing_deflection", "m")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
+    fn bearing_of(&self) -> Option<BearingId> {
+        Some(self.0)
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        observed(at, self.0, |borne| borne.along(half(borne.deflection, false), self.1))
+    }
+}
+
+/// Rotation of the first race relative to the second, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingTilt(pub BearingId, pub Direction);
+
+impl Observable for BearingTilt {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("bearing_tilt", "rad")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
+    fn bearing_of(&self) -> Option<BearingId> {
+        Some(self.0)
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        observed(at, self.0, |borne| borne.along(half(borne.deflection, true), self.1))
+    }
+}

@@ -1,0 +1,179 @@
+//! Fields of a solved position for tables and VTU files: pressures by cell, line loads along
+//! contact lines, stresses along fillets.
+
+use super::deformed::{BodyField, MeshedBodies};
+use super::stress::{RootStress, around_contact};
+use super::{Contact, Equilibrium, Slice};
+use calyx_model::ids::BodyId;
+use calyx_model::observed::Location;
+use calyx_numerics::error::EngineError;
+use calyx_solve::step::ContactGrid;
+
+/// Fields of a solved position.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Fields {
+    /// Contact patches, loaded or not, in the order of the solution.
+    pub contacts: Vec<ContactField>,
+    /// Fillets of loaded teeth and their neighbours, body by body, if stresses are recovered.
+    pub fillets: Vec<FilletField>,
+    /// Meshes of elastic bodies, where somebody wants them ([`crate::options::AnalysisOptions::bodies`]).
+    pub bodies: Vec<BodyField>,
+    /// Bodies without a mesh, with the reason, phrased to follow the name.
+    pub without_mesh: Vec<(String, &'static str)>,
+}
+
+/// Contact patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactField {
+    /// Names of the two bodies.
+    pub bodies: [String; 2],
+    /// Tooth of each body.
+    pub teeth: [u32; 2],
+    /// True for coast flanks.
+    pub back: bool,
+    /// All cells, including those without load.
+    pub cells: Vec<PressedCell>,
+    /// Slices along the contact line.
+    pub slices: Vec<Slice>,
+}
+
+/// Cell of a contact patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PressedCell {
+    /// Corners in ground coordinates, in order around the cell, m. A plane model's cell extends
+    /// over the whole face.
+    pub corners: [[f64; 3]; 4],
+    /// Locations of its centre on both bodies.
+    pub places: [Location; 2],
+    /// Pressure, Pa.
+    pub pressure: f64,
+}
+
+/// Stresses on one fillet of a tooth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilletField {
+    /// Name of the body.
+    pub body: String,
+    /// Number of the tooth, counter-clockwise from 0.
+    pub tooth: u32,
+    /// The flank that it lies beside, as [`calyx_structure::Chart::surface`] counts them.
+    pub flank: u32,
+    /// Stresses along the profile, by section along the face; a plane model has one section.
+    pub sections: Vec<Vec<FilletStress>>,
+}
+
+/// Stress at a point of a fillet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilletStress {
+    /// Point in ground coordinates, m.
+    pub point: [f64; 3],
+    /// Location on the body.
+    pub place: Location,
+    /// Distance along the profile from the end of the flank towards the root, m.
+    pub depth: f64,
+    /// Stress along the profile, along the face, and shear stress, Pa. A plane model provides only
+    /// the first; the others are 0.
+    pub components: [f64; 3],
+    /// Largest and smallest principal stress, Pa.
+    pub principal: [f64; 2],
+}
+
+impl Equilibrium<'_> {
+    /// Returns all fields except the meshes of bodies.
+    pub fn fields(self) -> Fields {
+        let bodies = 0..self.system.scene.bodies.len();
+        Fields {
+            contacts: self.all_contacts().map(|contact| contact.field()).collect(),
+            fillets: bodies.flat_map(|body| self.fillets(BodyId(body))).collect(),
+            ..Fields::default()
+        }
+    }
+
+    /// Returns all fields, including the meshes of bodies if available.
+    ///
+    /// # Errors
+    /// Those of [`Equilibrium::deformed`].
+    pub(crate) fn fields_with(self, meshed: Option<&MeshedBodies>) -> Result<Fields, EngineError> {
+        let fields = self.fields();
+        let Some(meshed) = meshed else { return Ok(fields) };
+        Ok(Fields { bodies: self.deformed(meshed)?, without_mesh: meshed.without.clone(), ..fields })
+    }
+
+    fn fillets(self, body: BodyId) -> Vec<FilletField> {
+        let scene = self.system.scene;
+        let (Some(mut stresses), Ok(frame)) =
+            (around_contact(&self, body), self.system.displaced_pose(body.0, self.time(), &self.step.start))
+        else {
+            return Vec::new();
+        };
+        let pose = frame.rotated_first(scene.bodies[body.0].phase);
+        // Order the sections of one fillet along the face, each along the profile, by coordinates
+        // on the fillet, with a tolerance for rounding.
+        let key = |stress: &RootStress| (stress.place.tooth, stress.surface);
+        let chart = |stress: &RootStress| [stress.chart[1], stress.chart[0]];
+        stresses.sort_by(|a, b| {
+            let (p, q) = (chart(a), chart(b));
+            key(a).cmp(&key(b)).then(p[0].total_cmp(&q[0])).then(p[1].total_cmp(&q[1]))
+        });
+        let fillet = |fillet: &[RootStress]| {
+            let sections = fillet.chunk_by(|a, b| a.chart[1] == b.chart[1]);
+            let shown = |stress: &RootStress| FilletStress {
+                point: pose.point(stress.position),
+                place: stress.place.clone(),
+                depth: stress.chart[0],
+                components: stress.components,
+                principal: stress.principal,
+            };
+            FilletField {
+                body: scene.bodies[body.0].name.clone(),
+                tooth: fillet[0].place.tooth,
+                flank: fillet[0].surface,
+                sections: sections.map(|section| section.iter().map(shown).collect()).collect(),
+            }
+        };
+        stresses.chunk_by(|a, b| key(a) == key(b)).map(fillet).collect()
+    }
+}
+
+impl Contact<'_> {
+    fn field(&self) -> ContactField {
+        let name = |body: BodyId| self.at.system.scene.bodies[body.0].name.clone();
+        let corners = self.corners();
+        let pressures = self.patch.pressures();
+        let cell = |(index, (corners, pressure)): (usize, ([[f64; 3]; 4], f64))| {
+            let (first, second) = (self.place(0, index)?, self.place(1, index)?);
+            Some(PressedCell { corners, places: [first, second], pressure })
+        };
+        ContactField {
+            bodies: self.bodies().map(name),
+            teeth: self.teeth(),
+            back: self.at.system.scene.pairs[self.patch.pair].front.is_some(),
+            cells: corners.into_iter().zip(pressures).enumerate().filter_map(cell).collect(),
+            slices: self.slices(),
+        }
+    }
+
+    /// Returns the corners of every cell, in ground coordinates.
+    fn corners(&self) -> Vec<[[f64; 3]; 4]> {
+        match &self.patch.grid {
+            ContactGrid::Plane { frame, cells, .. } => {
+                let half_face = 0.5 * self.width();
+                let at = |x: f64, z: f64| {
+                    let [px, py] = [0, 1].map(|axis| frame.point[axis] + x * frame.tangent[axis]);
+                    [px, py, z]
+                };
+                let corners = |[low, high]: [f64; 2]| {
+                    [at(low, -half_face), at(high, -half_face), at(high, half_face), at(low, half_face)]
+                };
+                cells.iter().map(|cell| corners(cell.x)).collect()
+            }
+            ContactGrid::Solid(grid) => {
+                let corners = |cell: &calyx_contact::solid::Cell| {
+                    let ([left, right], [low, high]) = (cell.ends(0), cell.ends(1));
+                    [[left, low], [right, low], [right, high], [left, high]].map(|at| grid.frame.at(at))
+                };
+                grid.cells.iter().map(corners).collect()
+            }
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Observables of a gear mesh: transmission error and mesh stiffness.
+//!
+//! See `docs/theory/equilibrium.md`.
+
+use super::{Equilibrium, Needs, Observable, Quantity};
+use calyx_model::dof::Dof;
+use calyx_model::ids::{BodyId, PairId};
+use calyx_model::observed::Observed;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+const THETA_Z: usize = 5;
+
+/// Transmission error: lag of the second gear behind the drive flanks of the first gear, `sense
+/// (theta_1 N1/N2 + sign theta_2)`, rad. Angles are measured from rigid unmodified contact and
+/// relative to the line of centres, which rotates if the axes move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransmissionError(pub PairId);
+
+impl Observable for TransmissionError {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("transmission_error", "rad")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Some((mesh, [first, second])) = at.mesh(at.front(self.0)) else {
+            return Observed::number(f64::NAN);
+        };
+        let ratio = f64::from(mesh.teeth[0]) / f64::from(mesh.teeth[1]);
+        let line = at.system.rotated_line_of_centres(at.front(self.0).0, at.time());
+        let turned = |body: BodyId| at.system.turned(body.0, at.time()) - line;
+        let kinematic = turned(first) * ratio + mesh.sign * turned(second);
+        // Angles are determined modulo whole revolutions, and a mesh repeats with every tooth of
+        // the second gear.
+        let pitch = 2.0 * PI / f64::from(mesh.teeth[1]);
+        let kinematic = kinematic - (kinematic / pitch).round() * pitch;
+        let deflection = at.deviation(first, THETA_Z) * ratio + mesh.sign * at.deviation(second, THETA_Z);
+        Observed::number(mesh.drive_sense * (kinematic + deflection - mesh.sign * mesh.center_offset))
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
+}
+
+/// Transmission error at the same position as the load vanishes: that of rigid teeth with their
+/// modifications and deviations, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnloadedTransmissionError(pub PairId);
+
+impl Observable for UnloadedTransmissionError {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("unloaded_transmission_error", "rad")
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Ok(step) = at.system.touch(at.time()) else { return Observed::number(f64::NAN) };
+        TransmissionError(self.0).value(&Equilibrium { step: &step, ..*at })
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
+}
+
+/// Secant stiffness: the force along the line of action divided by the displacement of the mesh
+/// along it from unloaded contact, N/m. Zero without load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SecantStiffness(pub PairId);
+
+impl Observable for SecantStiffness {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("secant_mesh_stiffness", "N/m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Some((mesh, _)) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
+        let moment: f64 = at.mesh_contacts(self.0).map(|contact| contact.torque(0)).sum();
+        let force = moment.abs() / mesh.base_radii[0];
+        let moved =
+            TransmissionError(self.0).value(at).value - UnloadedTransmissionError(self.0).value(at).value;
+        // Contact on coast flanks reverses the sign.
+        Observed::number(if force > 0.0 { force / (moved * mesh.base_radii[1]).abs() } else { 0.0 })
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
+}
+
+/// Mesh stiffness (tangent stiffness): inverse of the displacement along the line of action per
+/// added force, with the present active set, N/m. Zero without load.
+///
+/// For two gears without another mesh, the compliance of bearings is included. Otherwise, as for a
+/// planet, the force would pass on to other meshes. Then it is the stiffness of these teeth alone,
+/// for a small rotation of one gear with all other forces unchanged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshStiffness(pub PairId);
+
+impl Observable for MeshStiffness {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("mesh_stiffness", "N/m")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let Some((mesh, [first, second])) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
+        let (step, dofs) = (at.step, &at.system.dofs);
+        let (n, m) = (step.problem.cells(), dofs.len());
+        let alone = at.is_alone(self.0);
+        let active = if alone { step.active.clone() } else { at.active_cells(self.0) };
+        if active.is_empty() || m == 0 {
+            return Observed::number(0.0);
+        }
+        let compliance = DMatrix::from_fn(active.len(), active.len(), |i, j| {
+            step.problem.compliance[active[i] * n + active[j]]
+        });
+        let arms = DMatrix::from_fn(active.len(), m, |i, k| step.problem.arms[active[i] * m + k]);
+        let Some(factor) = compliance.cholesky() else { return Observed::number(f64::NAN) };
+        let teeth = arms.transpose() * factor.solve(&arms);
+        // Work of a unit force along the line of action on each DOF.
+        let along = DVector::from_fn(m, |k, _| match dofs[k] {
+            Dof { body, component: THETA_Z } if body == first.0 => mesh.base_radii[0],
+            Dof { body, component: THETA_Z } if body == second.0 => mesh.sign * mesh.base_radii[1],
+            _ => 0.0,
+        });
+        if !alone {
+            // Rotation of one gear alone with the same displacement along the line of action.
+            let turned = (0..m).find(|&k| along[k] != 0.0);
+            return Observed::number(
+                turned.map_or(0.0, |k| at.system.width(first.0) * teeth[(k, k)] / along[k].powi(2)),
+            );
+        }
+        let stiffness = teeth + DMatrix::from_row_slice(m, m, &step.problem.stiffness);
+        let gives = stiffness.lu().solve(&along).map_or(f64::NAN, |motion| along.dot(&motion));
+        Observed::number(at.system.width(first.0) / gives)
+    }
+
+    fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
+}
+
+impl Equilibrium<'_> {
+    /// Returns whether the two bodies of a mesh have no other mesh.
+    fn is_alone(&self, pair: PairId) -> bool {
+        let front = self.front(pair);
+        let Some((_, bodies)) = self.mesh(front) else { return true };
+        let others =
+            (0..self.system.scene.pairs.len()).map(PairId).filter(|&other| self.front(other) != front);
+        let shares =
+            |other| self.mesh(other).is_some_and(|(_, own)| own.iter().any(|body| bodies.contains(body)));
+        !others.into_iter().any(shares)
+    }
+
+    /// Returns the indices of the loaded cells of a mesh, on both flanks of its teeth.
+    fn active_cells(&self, pair: PairId) -> Vec<usize> {
+        let front = self.front(pair);
+        let mut cells = Vec::new();
+        let mut first = 0;
+        for patch in &self.step.patches {
+            let own = first..first + patch.forces.len();
+            first = own.end;
+            if self.front(PairId(patch.pair)) == front {
+                cells.extend(self.step.active.iter().copied().filter(|cell| own.contains(cell)));
+            }
+        }
+        cells
+    }
+}

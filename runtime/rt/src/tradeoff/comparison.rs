@@ -1,0 +1,277 @@
+//! How far each setting is off the reference, output by output, and which settings are worth their time.
+//!
+//! Errors are parts of the largest magnitude that the output has in the reference run. Positions are compared one by one where both runs
+//! have them; a setting that leaves positions out is wrong by what its extremes and its mean miss.
+
+use super::measurement::{Measurement, Series};
+
+/// How far an output is off, over the reference's largest magnitude.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// The largest deviation at a position that both runs have.
+    pub deviation: f64,
+    /// Error of the largest value.
+    pub max: f64,
+    /// Of the least one.
+    pub min: f64,
+    /// Of the mean over time.
+    pub mean: f64,
+    /// Of the largest value less the least.
+    pub peak_to_peak: f64,
+}
+
+impl Errors {
+    /// The one that stands for all: the largest deviation, and where positions are left out what extremes or mean miss if that is more.
+    /// (Of the same positions, none of these is more than the deviation.)
+    pub fn error(&self) -> f64 {
+        self.deviation.max(self.max).max(self.min).max(self.mean)
+    }
+
+    fn between(
+        series: &Series,
+        times: &[f64],
+        reference: &Series,
+        reference_times: &[f64],
+    ) -> Option<Errors> {
+        let magnitude = reference.magnitude();
+        let part = |difference: f64| if difference == 0.0 { 0.0 } else { difference.abs() / magnitude };
+        let mut deviation: f64 = 0.0;
+        let mut common = 0;
+        for (time, value) in times.iter().zip(&series.values) {
+            // Both runs have it from one list, to the bit.
+            let Ok(at) = reference_times.binary_search_by(|other| other.total_cmp(time)) else { continue };
+            deviation = deviation.max(part(value - reference.values.get(at)?));
+            common += 1;
+        }
+        let errors = Errors {
+            deviation,
+            max: part(series.max - reference.max),
+            min: part(series.min - reference.min),
+            mean: part(series.mean - reference.mean),
+            peak_to_peak: part(series.peak_to_peak - reference.peak_to_peak),
+        };
+        let told = !series.values.iter().chain(&reference.values).any(|value| value.is_nan());
+        (told && common > 0 && errors.error().is_finite()).then_some(errors)
+    }
+}
+
+/// An output at all settings.
+#[derive(Clone, Debug)]
+pub struct OutputErrors {
+    pub name: String,
+    /// Largest magnitude in the reference run, SI.
+    pub magnitude: f64,
+    /// By setting; `None` where its level lacks the output.
+    pub errors: Vec<Option<Errors>>,
+    /// The settings that nothing cheaper beats, from cheap to dear.
+    pub frontier: Vec<usize>,
+}
+
+/// All settings against one of them.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// Settings from cheap to expensive.
+    pub settings: Vec<Measurement>,
+    /// Which of them is the reference.
+    pub reference: usize,
+    /// By setting: true if the mesh of the reference is finer, so that the errors include the
+    /// discretization error. Other settings are not recommended.
+    pub mesh_seen: Vec<bool>,
+    pub outputs: Vec<OutputErrors>,
+}
+
+/// Of the largest magnitude: what recommendations are made for.
+pub const TOLERANCES: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.001];
+
+impl Comparison {
+    /// Compares with the setting of this name; `None` if it is not among them.
+    pub fn new(mut settings: Vec<Measurement>, reference: &str) -> Option<Comparison> {
+        settings
+            .sort_by(|a, b| a.time().total_cmp(&b.time()).then_with(|| a.setting.name.cmp(&b.setting.name)));
+        let reference = settings.iter().position(|measured| measured.setting.name == reference)?;
+        let truth = &settings[reference];
+        let finer = |measured: &Measurement| {
+            // Settings that are no levels differ by their names alone.
+            let known = [truth, measured].iter().all(|one| one.setting.overrides.fidelity.is_some());
+            !known || truth.setting.is_finer_than(&measured.setting)
+        };
+        let mesh_seen: Vec<bool> = settings.iter().map(finer).collect();
+        let outputs = truth.outputs.iter().map(|output| {
+            let errors: Vec<Option<Errors>> = settings
+                .iter()
+                .map(|measured| {
+                    Errors::between(measured.output(&output.name)?, &measured.times, output, &truth.times)
+                })
+                .collect();
+            let frontier = frontier(&errors, reference, &mesh_seen);
+            OutputErrors { name: output.name.clone(), magnitude: output.magnitude(), errors, frontier }
+        });
+        let outputs = outputs.collect();
+        Some(Comparison { settings, reference, mesh_seen, outputs })
+    }
+}
+
+/// Settings, sorted from cheap to dear, each with a smaller error than all before. The reference and
+/// settings whose errors leave out the mesh are not among them.
+fn frontier(errors: &[Option<Errors>], reference: usize, mesh_seen: &[bool]) -> Vec<usize> {
+    let mut least = f64::INFINITY;
+    let mut frontier = Vec::new();
+    for (index, errors) in errors.iter().enumerate() {
+        let counts = index != reference && mesh_seen[index];
+        let Some(error) = errors.as_ref().map(Errors::error).filter(|_| counts) else { continue };
+        if error < least {
+            least = error;
+            frontier.push(index);
+        }
+    }
+    frontier
+}
+
+impl OutputErrors {
+    /// The cheapest setting that is off by no more than a part of the largest magnitude.
+    pub fn cheapest(&self, tolerance: f64) -> Option<usize> {
+        let within = |index: &&usize| self.errors[**index].is_some_and(|errors| errors.error() <= tolerance);
+        self.frontier.iter().find(within).copied()
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::super::Setting;
+    use super::*;
+    use calyx_runtime::scene::Fidelity;
+    use calyx_runtime::settings_override::Override;
+
+    /// A run with one output per series of values.
+    pub(in super::super) fn measured(
+        name: &str,
+        time: f64,
+        times: &[f64],
+        outputs: &[(&str, &[f64])],
+    ) -> Measurement {
+        let series = |(name, values): &(&str, &[f64])| {
+            let (min, max) =
+                values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)));
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
+            let name = (*name).to_owned();
+            Series { name, values: values.to_vec(), min, max, mean, peak_to_peak: max - min }
+        };
+        Measurement {
+            setting: Setting { name: name.into(), overrides: Override::default() },
+            predicted: None,
+            structures: 0.75 * time,
+            positions: 0.25 * time,
+            memory: 0,
+            built: 1,
+            times: times.to_vec(),
+            outputs: outputs.iter().map(series).collect(),
+        }
+    }
+
+    const TIMES: [f64; 3] = [0.0, 1.0, 2.0];
+
+    #[test]
+    fn errors_are_parts_of_the_largest_magnitude() {
+        let all = vec![
+            measured("truth", 8.0, &TIMES, &[("a", &[1.0, -4.0, 2.0])]),
+            measured("off", 1.0, &TIMES, &[("a", &[1.0, -4.0, 2.4])]),
+        ];
+        let compared = Comparison::new(all, "truth").unwrap();
+        assert_eq!((compared.reference, compared.settings[1].setting.name.as_str()), (1, "truth"));
+        let a = &compared.outputs[0];
+        let off = a.errors[0].unwrap();
+        assert!(
+            (off.deviation - 0.1).abs() < 1e-15 && (off.max - 0.1).abs() < 1e-15 && off.min == 0.0,
+            "{off:?}"
+        );
+        assert!((off.mean - 0.1 / 3.0).abs() < 1e-15 && (off.peak_to_peak - 0.1).abs() < 1e-15);
+        assert_eq!(a.errors[1].unwrap().error(), 0.0);
+        assert_eq!((a.magnitude, a.frontier.as_slice()), (4.0, &[0][..]));
+    }
+
+    #[test]
+    fn what_is_left_out_is_missed_by_extremes_and_mean() {
+        let all = vec![
+            measured("truth", 8.0, &TIMES, &[("a", &[0.0, 4.0, 2.0])]),
+            measured("thin", 1.0, &[0.0, 2.0], &[("a", &[0.0, 2.0])]),
+        ];
+        let compared = Comparison::new(all, "truth").unwrap();
+        let thin = compared.outputs[0].errors[0].unwrap();
+        assert_eq!((thin.deviation, thin.max, thin.error()), (0.0, 0.5, 0.5));
+    }
+
+    #[test]
+    fn outputs_that_a_level_lacks_are_blank() {
+        let all = vec![
+            measured("truth", 8.0, &TIMES, &[("a", &[1.0; 3]), ("b", &[0.0; 3])]),
+            measured("poor", 1.0, &TIMES, &[("a", &[f64::NAN; 3]), ("b", &[0.0; 3])]),
+            measured("poorer", 2.0, &TIMES, &[]),
+        ];
+        let compared = Comparison::new(all, "truth").unwrap();
+        let [a, b] = &compared.outputs[..] else { panic!("two outputs") };
+        assert!(a.errors[0].is_none() && a.errors[1].is_none() && a.frontier.is_empty());
+        // What is nought everywhere is right.
+        assert_eq!((b.errors[0].unwrap().error(), b.errors[1]), (0.0, None));
+        assert!(Comparison::new(Vec::new(), "truth").is_none());
+    }
+
+    #[test]
+    fn the_frontier_is_what_nothing_cheaper_beats() {
+        let of =
+            |name, time, value: f64| measured(name, time, &TIMES, &[("a", &[100.0, 100.0, 100.0 + value])]);
+        let all = vec![
+            of("truth", 9.0, 0.0),
+            of("dear and bad", 5.0, 30.0),
+            of("cheap", 1.0, 20.0),
+            of("better", 2.0, 4.0),
+            of("worse", 3.0, 8.0),
+            of("best", 4.0, 0.5),
+        ];
+        let compared = Comparison::new(all, "truth").unwrap();
+        let a = &compared.outputs[0];
+        let name = |index: usize| compared.settings[index].setting.name.as_str();
+        let names: Vec<&str> = a.frontier.iter().map(|index| name(*index)).collect();
+        assert_eq!(names, ["cheap", "better", "best"]);
+        assert_eq!(a.cheapest(0.05).map(name), Some("better"));
+        assert_eq!(a.cheapest(0.01).map(name), Some("best"));
+        assert_eq!(a.cheapest(0.001), None);
+    }
+
+    /// A comparison with the same mesh is no measure of its error.
+    #[test]
+    fn settings_on_the_mesh_of_the_reference_are_not_recommended() {
+        let level = |name: &str, refinement: Option<f64>| {
+            Setting::new(Override { fidelity: Fidelity::named(name), refinement, ..Override::default() })
+        };
+        let of = |setting: Setting, time, value: f64| Measurement {
+            setting,
+            ..measured("", time, &TIMES, &[("a", &[100.0, 100.0, 100.0 + value])])
+        };
+        let all = vec![
+            of(level("plane", None), 1.0, 5.0),
+            of(level("medium", None), 2.0, 0.1),
+            of(level("medium", Some(0.7)), 1.5, 2.0),
+            of(level("finest", Some(0.5)), 1.8, 0.05),
+            of(Setting::new(Override { cells: Some(20), ..level("medium", None).overrides }), 4.0, 0.0),
+        ];
+        let compared = Comparison::new(all, "medium cells=20").unwrap();
+        let seen: Vec<(&str, bool)> = compared
+            .settings
+            .iter()
+            .map(|m| m.setting.name.as_str())
+            .zip(compared.mesh_seen.iter().copied())
+            .collect();
+        assert_eq!(
+            seen,
+            [
+                ("plane", true),
+                ("medium refinement=0.7", true),
+                ("finest refinement=0.5", false),
+                ("medium", false),
+                ("medium cells=20", false)
+            ]
+        );
+        assert_eq!(compared.outputs[0].frontier, [0, 1]);
+        assert_eq!(compared.outputs[0].cheapest(0.01), None);
+    }
+}

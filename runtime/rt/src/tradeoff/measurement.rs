@@ -1,0 +1,114 @@
+//! What the run directory of a setting says: how long it took, and its values at every position.
+
+use super::Setting;
+use crate::directory::read_run;
+use serde_json::Value;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// A setting that was run.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    pub setting: Setting,
+    /// Its time as it was predicted, s.
+    pub predicted: Option<f64>,
+    /// Time to condense structures, s. Where another setting of the same mesh did it for this one too, that one's.
+    pub structures: f64,
+    /// Time of the positions, s: of all of them, also where an earlier run had solved some.
+    pub positions: f64,
+    /// Most memory that was asked for at once, bytes.
+    pub memory: u64,
+    /// Structures that were condensed, not taken from where they are kept.
+    pub built: u64,
+    /// When its positions are, s.
+    pub times: Vec<f64>,
+    /// Its outputs, in the model's order.
+    pub outputs: Vec<Series>,
+}
+
+/// An output over the positions, SI; not a number where a level lacks it.
+#[derive(Clone, Debug)]
+pub struct Series {
+    pub name: String,
+    pub values: Vec<f64>,
+    pub min: f64,
+    pub max: f64,
+    pub mean: f64,
+    pub peak_to_peak: f64,
+}
+
+impl Measurement {
+    /// Reads a finished run; `None` if there is none, or none whose time can be told.
+    ///
+    /// # Errors
+    /// Its files cannot be read.
+    pub fn read(
+        setting: &Setting,
+        predicted: Option<f64>,
+        directory: &Path,
+    ) -> io::Result<Option<Measurement>> {
+        let Some(run) = read_run(directory)?.filter(|run| run.get("incomplete").is_none()) else {
+            return Ok(None);
+        };
+        let timing: Value = match fs::read(directory.join("timing.json")) {
+            Ok(text) => serde_json::from_slice(&text)?,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(error),
+        };
+        let mut reader = csv::Reader::from_path(directory.join("steps.csv"))?;
+        let columns = reader.headers()?.clone();
+        let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>()?;
+        let column = |name: &str| -> Vec<f64> {
+            let at = columns.iter().position(|column| column == name);
+            let cell =
+                |row: &csv::StringRecord| at.and_then(|at| row.get(at)?.parse().ok()).unwrap_or(f64::NAN);
+            rows.iter().map(cell).collect()
+        };
+        let stage = |name: &str| timing["stages"][name].as_f64().unwrap_or(0.0);
+        let solved_before = timing["solved_before"].as_u64().unwrap_or(0) as usize;
+        let Some(solved_here) = rows.len().checked_sub(solved_before).filter(|here| *here > 0) else {
+            return Ok(None);
+        };
+        let series = |name: &String| {
+            let told = &run["outputs"][name];
+            let number = |statistic: &str| told[statistic].as_f64().unwrap_or(f64::NAN);
+            Series {
+                name: name.clone(),
+                values: column(name),
+                min: number("min"),
+                max: number("max"),
+                mean: number("mean"),
+                peak_to_peak: number("peak_to_peak"),
+            }
+        };
+        // In the order of the table, which is the model's.
+        let names = columns.iter().map(str::to_owned).filter(|name| run["outputs"].get(name).is_some());
+        Ok(Some(Measurement {
+            setting: setting.clone(),
+            predicted,
+            structures: stage("structures") + stage("modes"),
+            positions: stage("positions") * rows.len() as f64 / solved_here as f64,
+            memory: timing["memory"]["asked"].as_u64().unwrap_or(0),
+            built: timing["structures"]["built"].as_u64().unwrap_or(0),
+            times: column("time"),
+            outputs: names.collect::<Vec<_>>().iter().map(series).collect(),
+        }))
+    }
+
+    /// Structures and positions together, s.
+    pub fn time(&self) -> f64 {
+        self.structures + self.positions
+    }
+
+    pub fn output(&self, name: &str) -> Option<&Series> {
+        self.outputs.iter().find(|output| output.name == name)
+    }
+}
+
+impl Series {
+    /// Its largest magnitude at any position.
+    pub fn magnitude(&self) -> f64 {
+        self.values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
+    }
+}

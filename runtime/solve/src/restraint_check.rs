@@ -1,0 +1,205 @@
+//! Restraint check: rejects scenes in which a free motion meets no resistance, before anything is
+//! solved.
+//!
+//! The contact forces of an involute mesh act along one line, regardless of the number of teeth in
+//! contact. Each mesh therefore constrains one combination of DOFs in one sense. Whether these
+//! constraints can balance the load is a small contact problem of its own.
+//!
+//! See `docs/theory/equilibrium.md`.
+
+use calyx_contact::problem::{ContactError, FreeMotion};
+use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
+use calyx_model::bearing::springs;
+use calyx_model::dof::DOF_NAMES;
+use calyx_model::dof::Dof;
+use calyx_model::flanks::{add_flanks, spline_contacts};
+use calyx_model::frames::{loads_on, number_dofs, solid_pose};
+use calyx_model::mechanism::Mechanism;
+use calyx_model::pairs::SurfacePair;
+use calyx_model::plan::Plan;
+use calyx_numerics::error::{EngineError, Subject};
+use calyx_numerics::interrupt::Interrupt;
+use std::f64::consts::PI;
+
+/// Checks that nominal contact resists every free motion of the planned bodies under the loads at a
+/// time (s), that of the first position to solve.
+///
+/// # Errors
+/// Those that solving this position would return: E0714 if a load drives a body away, E0715 if
+/// nothing resists a motion, E0723 if a load is NaN. Also those of the interrupt, because the check
+/// of many bodies takes long.
+pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -> Result<(), EngineError> {
+    let dofs = number_dofs(scene, plan);
+    if dofs.is_empty() {
+        return Ok(());
+    }
+    let mut springs = {
+        let planned = plan.modelled_bearings();
+        springs(&scene.bodies, &scene.bearings, &planned, &dofs, |_| 1.0, time)?
+    };
+    for (body, contact) in &spline_contacts(scene, plan) {
+        add_flanks(&mut springs, scene, (*body, contact), &dofs, time, None)?;
+    }
+    let mut load = loads_on(scene, &dofs, time, 1.0)?;
+    for (load, own) in load.iter_mut().zip(&springs.load) {
+        *load += own;
+    }
+    let rest = unloaded_equilibrium(&springs.stiffness, &load);
+    // Resistance of teeth against axial and out-of-plane motion depends on the distribution of
+    // contact along the face, which only the solution shows.
+    let out_of_plane = |free: &Vec<f64>| {
+        dofs.iter().zip(free).any(|(dof, part)| (2..5).contains(&dof.component) && *part != 0.0)
+    };
+    if plan.in_space && rest.free.iter().any(out_of_plane) {
+        return Ok(());
+    }
+    // Count stops of bearings as closed: behind their clearances they resist like teeth.
+    let mut arms = springs.arms;
+    let mut contacts = springs.gaps.len();
+    let taking_part = |pair: &&SurfacePair| pair.bodies.iter().all(|body| !plan.bodies[body.0].left_out);
+    for pair in scene.pairs.iter().filter(taking_part) {
+        // Surfaces that are not gear flanks have no nominal contact; only the solution shows their
+        // resistance.
+        let Some(row) = nominal_arms(scene, pair, &dofs, time)? else { return Ok(()) };
+        arms.extend(row);
+        contacts += 1;
+    }
+    if rest.balanced {
+        load = drive_direction(scene, &dofs);
+    }
+    let at_rest = UnloadedEquilibrium { motion: vec![0.0; dofs.len()], ..rest };
+    match at_rest.rigid_limit(&vec![0.0; contacts], &arms, &load, interrupt) {
+        Err(
+            error @ (ContactError::Infeasible(_)
+            | ContactError::Unconstrained(_)
+            | ContactError::Interrupted(_)),
+        ) => Err(explain(scene, &dofs, &error)),
+        // Any other result depends on the positions of the teeth.
+        _ => Ok(()),
+    }
+}
+
+/// Returns the work of a unit force along the line of action on each DOF, at a time (s).
+fn nominal_arms(
+    scene: &Mechanism,
+    pair: &SurfacePair,
+    dofs: &[Dof],
+    time: f64,
+) -> Result<Option<Vec<f64>>, EngineError> {
+    let Some(mesh) = &pair.mesh else { return Ok(None) };
+    let bodies = pair.bodies.map(|body| body.0);
+    let [first, second] =
+        [solid_pose(scene, bodies[0], time)?.origin, solid_pose(scene, bodies[1], time)?.origin];
+    let across = [second[0] - first[0], second[1] - first[1]];
+    let [radius, mate] = mesh.base_radii;
+    let cosine = (radius + mesh.sign * mate).abs() / across[0].hypot(across[1]);
+    if !(0.0..=1.0).contains(&cosine) {
+        return Ok(None);
+    }
+    // A gear that drives counter-clockwise pushes its mate at a right angle to the line of centres,
+    // inclined outwards by the pressure angle. In an internal mesh the teeth touch on the side of
+    // the planet away from the ring's axis.
+    let sense = mesh.drive_sense;
+    let contact = across[1].atan2(across[0]) + if mesh.sign < 0.0 { PI } else { 0.0 };
+    let angle = contact + sense * cosine.asin();
+    let normal = [angle.cos(), angle.sin()];
+    let arm = |dof: &Dof| {
+        let (side, turn) = match dof.body {
+            body if body == bodies[0] => (-1.0, -sense * radius),
+            body if body == bodies[1] => (1.0, -sense * mesh.sign * mate),
+            _ => return 0.0,
+        };
+        match dof.component {
+            component @ 0..2 => side * normal[component],
+            5 => turn,
+            _ => 0.0,
+        }
+    };
+    Ok(Some(dofs.iter().map(arm).collect()))
+}
+
+/// Returns the load direction of the rigid-body limit of an unloaded system: the drive direction of
+/// the meshes.
+pub fn drive_direction(scene: &Mechanism, dofs: &[Dof]) -> Vec<f64> {
+    let mut direction = vec![0.0; dofs.len()];
+    for pair in &scene.pairs {
+        // Coast flanks do not drive a mesh.
+        let Some(mesh) = pair.mesh.as_ref().filter(|_| pair.front.is_none()) else { continue };
+        for (side, sign) in [(0, 1.0), (1, mesh.sign)] {
+            let turn = Dof { body: pair.bodies[side].0, component: 5 };
+            if let Some(at) = dofs.iter().position(|dof| *dof == turn) {
+                direction[at] = sign * mesh.drive_sense;
+            }
+        }
+    }
+    direction
+}
+
+/// DOFs with less than this fraction of the largest motion are not named in messages.
+const TAKES_PART: f64 = 1e-3;
+
+/// Converts an error of the contact solver into terms of the model.
+pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineError {
+    let named = |motion: &FreeMotion| motion_name(scene, dofs, &motion.motion);
+    let about = |error: EngineError, motion: &FreeMotion| match dofs.get(motion.dof) {
+        Some(dof) => error.about(Subject::Body(dof.body)).blame("free"),
+        None => error,
+    };
+    match error {
+        ContactError::Infeasible(motion) => about(
+            EngineError::new(
+                "E0714",
+                format!("no contact can balance the load: it drives {}", named(motion)),
+                "constrain this degree of freedom (remove it from `free`) or add a bearing, or check the sign of the load and that the teeth are in mesh; a reversing load needs `back_side_contact = TRUE` in `gears.mesh`",
+            ),
+            motion,
+        ),
+        ContactError::Unconstrained(motion) => about(
+            EngineError::new(
+                "E0715",
+                format!("nothing constrains {}", named(motion)),
+                "constrain this degree of freedom (remove it from `free`), add a bearing, or apply a load",
+            ),
+            motion,
+        ),
+        ContactError::DependentCells { cell } => EngineError::new(
+            "E0716",
+            format!("the gap equations are not independent of each other at contact cell {cell}"),
+            "let at least one of the two bodies be elastic, and let no two surface pairs describe the same contact",
+        ),
+        ContactError::Jammed => EngineError::new(
+            "E0717",
+            "the bodies overlap in every position",
+            "move the frames apart; look at centre distance, thickness and pitch errors",
+        ),
+        ContactError::Invalid(what) => {
+            EngineError::new("E0718", format!("the contact problem is unusable: {what}"), "")
+        }
+        ContactError::Interrupted(error) => error.clone(),
+        ContactError::NotConverged => EngineError::new(
+            "E0719",
+            "the contact solver found no solution",
+            "please report the model: this should not happen",
+        ),
+    }
+}
+
+/// Describes a motion in words: every DOF that takes part, with its sense.
+fn motion_name(scene: &Mechanism, dofs: &[Dof], motion: &[f64]) -> String {
+    // Compare rotations with displacements by the displacement at the rim.
+    let size = |at: usize| {
+        let Dof { body, component } = dofs[at];
+        let radius = scene.bodies[body].prototype.enclosing_radius();
+        motion[at].abs() * if component < 3 { 1.0 } else { radius }
+    };
+    let largest = (0..motion.len()).map(size).fold(0.0, f64::max);
+    let parts: Vec<String> = (0..motion.len())
+        .filter(|&at| size(at) > TAKES_PART * largest)
+        .map(|at| {
+            let sense = if motion[at] > 0.0 { "positive" } else { "negative" };
+            let Dof { body, component } = dofs[at];
+            format!("{} of body \"{}\" in the {sense} sense", DOF_NAMES[component], scene.bodies[body].name)
+        })
+        .collect();
+    parts.join(" and ")
+}

@@ -1,0 +1,157 @@
+//! Dimension-dependent part of a position: the trait [`ContactGeometry`], implemented for plane and
+//! three-dimensional models.
+
+use super::ContactPatch;
+use super::friction::Action;
+use crate::modal::Modes;
+use crate::system::Teeth;
+use calyx_contact::problem::ContactProblem;
+use calyx_model::mechanism::Mechanism;
+use calyx_model::pairs::SurfacePair;
+use calyx_numerics::error::EngineError;
+use faer::Mat;
+
+/// Tooth pair that may come into contact, before the solution.
+pub(super) struct Candidate<S> {
+    pub(super) teeth: Teeth,
+    /// Length of the profiles, m: the scale of gaps.
+    pub(super) length: f64,
+    /// Closest approach of the surfaces.
+    pub(super) nearest: Approach,
+    /// Further points at which the gap may close; empty in plane models.
+    pub(super) others: Vec<Approach>,
+    /// Geometry of the approach.
+    pub(super) site: S,
+}
+
+/// Gap that rigid motions open and close.
+pub(super) struct Approach {
+    /// Gap, m; negative for overlap.
+    pub(super) gap: f64,
+    /// Growth of the gap by each DOF.
+    pub(super) arms: Vec<f64>,
+}
+
+impl Approach {
+    /// Returns the gap after motions, m.
+    pub(super) fn gap_growth(&self, motion: &[f64]) -> f64 {
+        let rigid: f64 = self.arms.iter().zip(motion).map(|(arm, motion)| arm * motion).sum();
+        self.gap + rigid
+    }
+
+    pub(super) fn gap_closure(&self, motion: &[f64]) -> bool {
+        self.gap_growth(motion) < 0.0
+    }
+}
+
+impl<S> Candidate<S> {
+    pub(super) fn approaches(&self) -> impl Iterator<Item = &Approach> {
+        std::iter::once(&self.nearest).chain(&self.others)
+    }
+}
+/// Dimension-dependent part of a position.
+pub(super) trait ContactGeometry {
+    /// Geometry of the approach of a tooth pair.
+    type Site;
+    /// Contact grid of a patch.
+    type Grid;
+    /// Size of a grid.
+    type Size: Copy;
+
+    /// Returns all tooth pairs near enough to face each other, in a fixed order, with the
+    /// deviations `moved` from the prescribed motions, m or rad by DOF.
+    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Self::Site>>, EngineError>;
+
+    /// Estimates the force that flattens surfaces with an overlap (m), in the unit of loads.
+    fn force_of_overlap(&self, candidate: &Candidate<Self::Site>, overlap: f64) -> f64;
+
+    /// Creates the grid of a patch: of the given size, else of the model's, else of one derived
+    /// from the force.
+    fn build_grid(
+        &self,
+        candidate: &Candidate<Self::Site>,
+        force: f64,
+        size: Option<Self::Size>,
+    ) -> Self::Grid;
+
+    /// Returns the number of cells of a grid.
+    fn count(&self, grid: &Self::Grid) -> usize;
+
+    /// Returns its width across, m.
+    fn width(&self, grid: &Self::Grid) -> f64;
+
+    /// Returns whether a grid that should be wider ends at the end of a surface.
+    fn is_cut_off(&self, _grid: &Self::Grid) -> bool {
+        false
+    }
+
+    /// Returns the gap of each cell, m.
+    fn gaps(&self, grid: &Self::Grid) -> Vec<f64>;
+
+    /// Returns the growth of the gap of each cell by each DOF, row by row.
+    fn arms(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Vec<f64>;
+
+    /// Returns the points of action of cells and their normal, for friction.
+    fn action(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Action;
+
+    /// Returns the point of action of the closest approach, if there is no grid.
+    fn approaching(&self, candidate: &Candidate<Self::Site>) -> Action;
+
+    /// Computes the compliance matrix, see [`ContactProblem::compliance`].
+    fn compliance(&self, laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Result<Vec<f64>, EngineError>;
+
+    /// Returns the growth of the gap of each cell by the forces on the flanks of all spline teeth;
+    /// none in three dimensions.
+    fn by_spline_teeth(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Mat<f64> {
+        Mat::zeros(0, 0)
+    }
+
+    /// Returns an initial active set; it affects only the time of the solution.
+    fn guess(&self, _problem: &ContactProblem, _grids: &[Self::Grid]) -> Vec<usize> {
+        Vec::new()
+    }
+
+    /// Returns a better size for a grid whose size is not prescribed and is unsuitable. If `wide`
+    /// grids are acceptable, only a wider one.
+    fn corrected_grid_size(
+        &self,
+        candidate: &Candidate<Self::Site>,
+        grid: &Self::Grid,
+        forces: &[f64],
+        wide: bool,
+    ) -> Option<Self::Size>;
+
+    /// Returns the deficiencies of a grid after the solution (report figures 3.40 to 3.42). With
+    /// varying loads, `wide` grids are acceptable.
+    fn judge(
+        &self,
+        candidate: &Candidate<Self::Site>,
+        grid: &Self::Grid,
+        forces: &[f64],
+        wide: bool,
+    ) -> Option<String>;
+
+    /// Returns the growth of the gap of each cell by each modal coordinate; none in three
+    /// dimensions.
+    fn modal_arms(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)], _modes: &Modes) -> Mat<f64> {
+        Mat::zeros(0, 0)
+    }
+
+    /// Creates the patch for the results, without a grid if there is no pressure.
+    fn patch(&self, candidate: &Candidate<Self::Site>, laid: Option<(Self::Grid, Vec<f64>)>) -> ContactPatch;
+}
+/// Returns the warning that a grid does not suit its patch, with a better width (m).
+pub(super) fn unsuitable(scene: &Mechanism, pair: &SurfacePair, too_wide: bool, better: f64) -> String {
+    let bodies = pair.bodies.map(|body| scene.bodies[body.0].name.as_str());
+    let trouble = if too_wide {
+        "is too wide: only a few of its cells carry load"
+    } else {
+        "is too narrow: the pressure does not fall to zero inside it"
+    };
+    // Round to two digits, so that all positions of a cycle have the same message.
+    let better: f64 = format!("{:.1e}", better * 1e3).parse().unwrap_or(better * 1e3);
+    format!(
+        "the contact grid of \"{}\" and \"{}\" {trouble}; `grid_width = {better} mm` suits it",
+        bodies[0], bodies[1]
+    )
+}

@@ -1,0 +1,368 @@
+//! Contact problem at one position of the bodies: creates grids, corrects their sizes and solves
+//! for the cell forces.
+
+use super::contact_geometry::{Approach, Candidate, ContactGeometry};
+use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
+use super::relinearization::ContactReference;
+use super::{ContactPatch, StepResult};
+use crate::restraint_check;
+use calyx_contact::friction::solve_with_friction;
+use calyx_contact::problem::{ContactError, ContactProblem};
+use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
+use calyx_model::ids::BodyId;
+use calyx_numerics::error::EngineError;
+use faer::Mat;
+use std::sync::OnceLock;
+
+/// Gap, relative to the length of the profile, below which rigid surfaces touch: conjugate teeth
+/// all do, within rounding.
+const TOUCHING: f64 = 1e-7;
+/// A patch whose arm on a DOF is below this fraction of the largest leaves the load on it to
+/// others.
+const WORTH_LOADING: f64 = 0.1;
+/// Largest number of matrices of all cells by all cells that exist at a time: the terms of the
+/// compliance, the compliance itself, and the factor of the active set.
+const MATRICES: u64 = 4;
+/// Maximum number of corrections of grid sizes at a position.
+const REGRIDS: usize = 3;
+
+/// Coupling of modal coordinates, which are eliminated, to the cells of a contact problem.
+struct Modal {
+    /// Derivatives of the gaps, cells by coordinates.
+    arms: Mat<f64>,
+    /// Compliance and arms of the static problem.
+    statics: Option<[Vec<f64>; 2]>,
+}
+
+impl<S: ContactGeometry> Solver<'_, S> {
+    pub(super) fn solve_candidates(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+    ) -> Result<LaidOutContact, EngineError> {
+        // Fully constrained or sprung bodies may overlap and press on each other without any load.
+        // In a time step inertia balances these forces.
+        if !self.under.in_time {
+            let rest = unloaded_equilibrium(&self.under.springs.stiffness, load);
+            if rest.balanced
+                && let Some(laid) = self.touch_without_load(time, load, candidates, &rest)?
+            {
+                return Ok(laid);
+            }
+        }
+        let mut sizes = vec![None; candidates.len()];
+        let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
+        let mut rounds = REGRIDS;
+        let (grids, drags, mut problem, modal, solution) = loop {
+            let grids: Vec<S::Grid> = candidates
+                .iter()
+                .zip(&largest_forces)
+                .zip(&sizes)
+                .map(|((candidate, &force), &size)| self.space.build_grid(candidate, force, size))
+                .collect();
+            let (problem, modal) = self.problem(load, candidates, &grids)?;
+            let (drags, mut works) = self.friction(time, candidates, &grids);
+            works.resize(problem.arms.len(), 0.0);
+            let guess = self.guess(load, candidates, &problem, &grids);
+            let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
+            let (problem, solution) = solved.map_err(|error| self.explain_on(candidates, &grids, &error))?;
+            // Sizes that are not prescribed follow the forces of the patches.
+            let better = self.corrected_grid_sizes(candidates, &grids, &solution.forces);
+            if rounds == 0 || better.iter().all(Option::is_none) {
+                break (grids, drags, problem, modal, solution);
+            }
+            for (size, better) in sizes.iter_mut().zip(better) {
+                *size = better.or(*size);
+            }
+            rounds -= 1;
+        };
+
+        let (mut warnings, mut references) = (Vec::new(), Vec::new());
+        let mut patches = Vec::with_capacity(grids.len());
+        let mut left = &solution.forces[..];
+        for ((candidate, grid), friction_vectors) in candidates.iter().zip(grids).zip(drags) {
+            let (forces, others) = left.split_at(self.space.count(&grid));
+            left = others;
+            warnings.extend(self.space.judge(candidate, &grid, forces, self.under.in_time));
+            if forces.iter().any(|&force| force > 0.0) {
+                references.push(ContactReference {
+                    pair: candidate.teeth.0,
+                    action: self.space.action(candidate, &grid),
+                    reach: 0.5 * self.space.width(&grid),
+                });
+            }
+            patches.push(ContactPatch {
+                friction_vectors,
+                ..self.space.patch(candidate, Some((grid, forces.to_vec())))
+            });
+        }
+        let stops = left.to_vec();
+        let Modal { arms, statics } = modal;
+        let modal =
+            self.under.elastic.map(|elastic| elastic.recover(&arms, &solution.forces, &solution.motion));
+        // Sensitivities refer to the stiffness of the bodies, without the inertia terms of a step.
+        if let Some([compliance, arms]) = statics {
+            (problem.compliance, problem.arms) = (compliance, arms);
+        }
+        let step = StepResult {
+            time,
+            patches,
+            modal: modal.unwrap_or_default(),
+            velocity: Vec::new(),
+            other_loads: Vec::new(),
+            vibrations: OnceLock::new(),
+            motion: solution.motion,
+            start: Vec::new(),
+            problem,
+            active: solution.active,
+            stops,
+            certificate: solution.certificate,
+            warnings,
+        };
+        Ok(LaidOutContact { step, references })
+    }
+
+    /// Rigid-body limit as the load that springs do not carry vanishes: rigid contact at the
+    /// closest approaches. `None` if bodies press on each other even then, like teeth of a mesh
+    /// without backlash on both flanks.
+    fn touch_without_load(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        rest: &UnloadedEquilibrium,
+    ) -> Result<Option<LaidOutContact>, EngineError> {
+        let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
+        let motion = match rest.rigid_limit(&gaps, &arms, &self.limit_direction(), &self.system.interrupt) {
+            Ok(Some(limit)) => limit.motion,
+            Ok(None) if self.system.rigid => return Err(self.explain(&ContactError::Jammed)),
+            Ok(None) => return Ok(None),
+            Err(ContactError::Jammed) if self.both_sides() && !self.system.rigid => return Ok(None),
+            Err(error) => return Err(self.explain(&error)),
+        };
+        // The patches of rigid bodies are those that touch.
+        let touches = |candidate: &&&Candidate<S::Site>| {
+            let touching = |approach: &Approach| approach.gap_growth(&motion) < TOUCHING * candidate.length;
+            !self.system.rigid || candidate.approaches().any(touching)
+        };
+        let touching = candidates.iter().filter(touches);
+        let patches = touching.map(|candidate| self.space.patch(candidate, None)).collect();
+        let references = candidates.iter().map(|candidate| ContactReference {
+            pair: candidate.teeth.0,
+            action: self.space.approaching(candidate),
+            // There is no grid, but this search depth.
+            reach: SEARCH_DEPTH * candidate.length / MOST_SHIFT,
+        });
+        let problem = ContactProblem {
+            compliance: Vec::new(),
+            arms: Vec::new(),
+            gaps: Vec::new(),
+            stiffness: self.under.springs.stiffness.clone(),
+            load: load.to_vec(),
+        };
+        let certificate = problem.certify(&[], &motion);
+        let (active, stops, warnings) = (Vec::new(), Vec::new(), Vec::new());
+        let start = Vec::new();
+        let references = references.collect();
+        let (modal, velocity, other_loads) = (Vec::new(), Vec::new(), Vec::new());
+        let step = StepResult {
+            time,
+            patches,
+            motion,
+            modal,
+            velocity,
+            other_loads,
+            vibrations: OnceLock::new(),
+            start,
+            problem,
+            active,
+            stops,
+            certificate,
+            warnings,
+        };
+        Ok(Some(LaidOutContact { step, references }))
+    }
+
+    /// Returns a better size for each patch whose size is not prescribed and is unsuitable.
+    fn corrected_grid_sizes(
+        &self,
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+        forces: &[f64],
+    ) -> Vec<Option<S::Size>> {
+        let mut rest = forces;
+        let laid = candidates.iter().zip(grids);
+        laid.map(|(candidate, grid)| {
+            let (own, others) = rest.split_at(self.space.count(grid));
+            rest = others;
+            self.space.corrected_grid_size(candidate, grid, own, self.under.in_time)
+        })
+        .collect()
+    }
+
+    /// Returns for each patch the force that would balance the whole load alone, or its share if
+    /// several meshes carry one load, as planets do. A patch without a direct load passes on the
+    /// loads of others.
+    fn largest_forces(&self, load: &[f64], candidates: &[&Candidate<S::Site>]) -> Vec<f64> {
+        let largest_arm = |dof: usize| {
+            candidates.iter().map(|candidate| candidate.nearest.arms[dof].abs()).fold(0.0, f64::max)
+        };
+        let worth: Vec<f64> = (0..load.len()).map(|dof| WORTH_LOADING * largest_arm(dof)).collect();
+        // Meshes, with both flanks of their teeth, that act on a DOF.
+        let mesh = |candidate: &&Candidate<S::Site>| {
+            let pair = candidate.teeth.0;
+            self.system.scene.pairs[pair].front.map_or(pair, |front| front.0)
+        };
+        let meshes: Vec<f64> = (0..load.len())
+            .map(|dof| {
+                let bears = |candidate: &&&Candidate<S::Site>| {
+                    let arm = candidate.nearest.arms[dof];
+                    arm != 0.0 && arm.abs() >= worth[dof]
+                };
+                let mut bearing: Vec<usize> = candidates.iter().filter(bears).map(mesh).collect();
+                bearing.sort_unstable();
+                bearing.dedup();
+                bearing.len() as f64
+            })
+            .collect();
+        let alone = |candidate: &&Candidate<S::Site>| {
+            let all = candidate.nearest.arms.iter().zip(load).zip(worth.iter().zip(&meshes));
+            let balancing = all.filter(|((arm, _), (worth, _))| **arm != 0.0 && arm.abs() >= **worth);
+            balancing.map(|((arm, load), (_, meshes))| (load / arm).abs() / meshes).fold(0.0, f64::max)
+        };
+        let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
+        // Without load, the overlaps determine the size of the forces.
+        let pressed = |candidate: &&Candidate<S::Site>| {
+            self.space.force_of_overlap(candidate, (-candidate.nearest.gap).max(0.0))
+        };
+        let largest = match forces.iter().copied().fold(0.0, f64::max) {
+            0.0 => candidates.iter().map(pressed).fold(0.0, f64::max),
+            loaded => loaded,
+        };
+        for force in forces.iter_mut().filter(|force| **force == 0.0) {
+            *force = largest;
+        }
+        forces
+    }
+
+    fn problem(
+        &self,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+    ) -> Result<(ContactProblem, Modal), EngineError> {
+        let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
+        let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
+        let _room =
+            self.system.interrupt.reserve_memory(MATRICES * (count * count * size_of::<f64>()) as u64)?;
+        let cells = ContactProblem {
+            compliance: self.space.compliance(&laid)?,
+            arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),
+            gaps: grids.iter().flat_map(|grid| self.space.gaps(grid)).collect(),
+            stiffness: self.under.springs.stiffness.clone(),
+            load: load.to_vec(),
+        };
+        let mut problem = self.under.springs.behind(cells, self.space.by_spline_teeth(&laid).as_ref());
+        let Some(elastic) = self.under.elastic else {
+            return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }));
+        };
+        let modal = Modal {
+            arms: self.space.modal_arms(&laid, elastic.modes),
+            statics: Some([problem.compliance.clone(), problem.arms.clone()]),
+        };
+        elastic.eliminate(&mut problem, &modal.arms);
+        Ok((problem, modal))
+    }
+
+    /// Returns the initial active set. A spline tooth carries load on one flank at most; starting
+    /// with both would start with neither. In equilibrium the initial set contains the contacts
+    /// that stop rigid bodies; in a time step it follows from the step.
+    fn guess(
+        &self,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        problem: &ContactProblem,
+        grids: &[S::Grid],
+    ) -> Vec<usize> {
+        let flanks = self.system.flanks();
+        if flanks == 0 {
+            return self.space.guess(problem, grids);
+        }
+        let first = problem.cells() - flanks;
+        let mut guess: Vec<usize> = (0..first).collect();
+        if self.under.sizing.is_none() {
+            let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
+            let rest = unloaded_equilibrium(&self.under.springs.stiffness, load);
+            if let Ok(Some(limit)) = rest.rigid_limit(&gaps, &arms, load, &self.system.interrupt) {
+                let of_flanks = limit.touching.iter().filter_map(|at| at.checked_sub(gaps.len() - flanks));
+                guess.extend(of_flanks.map(|flank| first + flank));
+            }
+        }
+        guess
+    }
+
+    /// Computes the friction of each patch's cells, see [`ContactPatch::friction_vectors`], and its generalized forces
+    /// on the DOFs, see [`solve_with_friction`].
+    fn friction(
+        &self,
+        time: f64,
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+    ) -> (Vec<Vec<[f64; 3]>>, Vec<f64>) {
+        let scene = self.system.scene;
+        let (mut drags, mut works) = (Vec::with_capacity(grids.len()), Vec::new());
+        for (candidate, grid) in candidates.iter().zip(grids) {
+            let pair = &scene.pairs[candidate.teeth.0];
+            let action = self.space.action(candidate, grid);
+            let friction_vectors = action.friction_vectors(self.system, pair, time, self.under.start);
+            works.extend(action.works(self.system, pair, time, &friction_vectors, self.under.start));
+            drags.push(friction_vectors);
+        }
+        (drags, works)
+    }
+
+    /// Converts an error of the contact solver on these grids into terms of the model.
+    fn explain_on(
+        &self,
+        candidates: &[&Candidate<S::Site>],
+        grids: &[S::Grid],
+        error: &ContactError,
+    ) -> EngineError {
+        let scene = self.system.scene;
+        let in_a_pair = |dof: usize| {
+            let body = self.system.dofs.get(dof).map(|dof| BodyId(dof.body));
+            body.is_some_and(|body| scene.pairs.iter().any(|pair| pair.bodies.contains(&body)))
+        };
+        match error {
+            ContactError::Infeasible(motion) if candidates.is_empty() && in_a_pair(motion.dof) => {
+                let error = self.explain(error);
+                let message =
+                    format!("{}, and no surface has a nearest point on the other of its pair", error.message);
+                let help = "bring surfaces to face each other; of flat ones that are parallel, which touch everywhere or nowhere, make one round";
+                EngineError { message, help: help.into(), ..error }
+            }
+            ContactError::DependentCells { .. } => {
+                let whole = candidates.iter().zip(grids).find(|(_, grid)| self.space.is_cut_off(grid));
+                let Some((candidate, grid)) = whole else { return self.explain(error) };
+                let [first, second] =
+                    scene.pairs[candidate.teeth.0].bodies.map(|body| scene.bodies[body.0].name.as_str());
+                let width = 1e3 * self.space.width(grid);
+                EngineError::new(
+                    "E0716",
+                    format!(
+                        "under this load \"{first}\" and \"{second}\" touch over all of the {width:.3} mm that their surfaces face each \
+                         other: that is no small patch, and pushes on its cells cannot be told apart"
+                    ),
+                    "check the unit of the load and the dimensions of the bodies; the contact area must be small compared with them",
+                )
+            }
+            error => self.explain(error),
+        }
+    }
+
+    /// Converts an error of the contact solver into terms of the model, without regard to grids.
+    pub(super) fn explain(&self, error: &ContactError) -> EngineError {
+        restraint_check::explain(self.system.scene, &self.system.dofs, error)
+    }
+}

@@ -1,0 +1,245 @@
+//! Influence functions of a condensed three-dimensional body, evaluated from its tables:
+//! compliances between points of its surfaces, and stresses.
+//!
+//! A spot is a column of weights on the tables' samples and polynomials ([`super::table_weights`]),
+//! averaged along the spot. A compliance is a product of two such columns and a table. Exchanging
+//! loads and observers gives the same bits, because the products are the same: of the two
+//! orientations always the same one is computed.
+
+use super::elastic::{ElasticSolid, SurfaceTables};
+use super::table_weights::{TablePoints, TransverseWeights};
+use super::{Mirror, SegmentLoad, SolidStructure, SurfaceSegment, SurfaceStress};
+use crate::bore_coupling::{BoreCoupling, Coupling};
+use crate::dense::{mirror_lower, product};
+use crate::elastic::NormalAngle;
+use crate::surface::Surface;
+use crate::{Chart, SplineToothForce};
+use faer::Mat;
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+impl ElasticSolid {
+    /// Returns the number of sectors ahead, around the ring, from one tooth to another.
+    fn sectors_ahead(&self, from: u32, to: u32) -> u32 {
+        (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
+    }
+
+    fn known(&self, chart: Chart) -> Option<&SurfaceTables> {
+        self.surfaces.get(chart.surface as usize)
+    }
+
+    /// Returns points on the table of a surface with other surfaces.
+    fn points(&self, known: &SurfaceTables, segments: &[SurfaceSegment]) -> TablePoints {
+        let across = |u: f64| {
+            let splines = known.spline.weights(u.clamp(known.range[0], known.range[1]));
+            TransverseWeights { splines, more: None }
+        };
+        TablePoints::new(&self.modes, known.places(), segments, across)
+    }
+
+    /// Returns points on the table of a surface with itself, which has two more entries for each
+    /// polynomial: the increment of a point beyond the samples at either end over the outermost
+    /// one.
+    fn own_points(&self, known: &SurfaceTables, segments: &[SurfaceSegment]) -> TablePoints {
+        let across = |u: f64| {
+            let t = known.stretch.at(u.clamp(known.range[0], known.range[1]));
+            let beyond = known.stretched.beyond(t);
+            let more = (beyond != 0.0).then(|| (known.places() + usize::from(beyond > 0.0), beyond));
+            TransverseWeights { splines: known.stretched.weights(t - beyond), more }
+        };
+        TablePoints::new(&self.modes, known.places() + 2, segments, across)
+    }
+
+    /// Returns compliances within one surface: one row for each observer of `second`, one column
+    /// for each of `first`. If both are the same points, only the entries below the diagonal.
+    fn own_compliance(
+        &self,
+        known: &SurfaceTables,
+        table: &Mat<f64>,
+        [first, second]: [&[SurfaceSegment]; 2],
+        equal: bool,
+    ) -> Mat<f64> {
+        let columns = [first, second].map(|points| self.own_points(known, points));
+        let mut block = columns[0].seen(columns[1].columns(table.as_ref()).as_ref());
+        // The projection of a point load on the polynomials, along the line through the point.
+        let lines = columns[0].lines(&columns[1]);
+        let turned = |points: &[SurfaceSegment]| {
+            points.iter().map(|segment| known.normal_angle_at(segment.place[0])).collect::<Vec<NormalAngle>>()
+        };
+        let (first, second) = (turned(first), turned(second));
+        for (column, &a) in first.iter().enumerate() {
+            let from = if equal { column } else { 0 };
+            for (row, &b) in second.iter().enumerate().skip(from) {
+                block[(row, column)] += lines(column, row) * self.curvature_term(known, a, b);
+            }
+        }
+        block
+    }
+}
+
+/// Compares lists of spots.
+fn compare(a: &[SurfaceSegment], b: &[SurfaceSegment]) -> Ordering {
+    let values = |points: &[SurfaceSegment]| {
+        points
+            .iter()
+            .flat_map(|segment| [segment.place[0], segment.place[1], segment.length])
+            .collect::<Vec<f64>>()
+    };
+    let (a, b) = (values(a), values(b));
+    let by_value = || a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
+    a.len().cmp(&b.len()).then_with(|| by_value().unwrap_or(Ordering::Equal))
+}
+
+impl SolidStructure for ElasticSolid {
+    fn surface(&self, surface: u32) -> Arc<dyn Surface> {
+        self.surfaces[surface as usize].surface.clone()
+    }
+
+    fn teeth(&self) -> u32 {
+        self.teeth
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        self.surface_modulus
+    }
+
+    fn mirrors(&self) -> &[Mirror] {
+        &self.mirrors
+    }
+
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observers: &[SurfaceSegment],
+        load: Chart,
+        loads: &[SurfaceSegment],
+        block: &mut [f64],
+    ) {
+        let (Some(observed), Some(loaded)) = (self.known(observe), self.known(load)) else { return };
+        let ahead = self.sectors_ahead(load.tooth, observe.tooth);
+        let behind = self.sectors_ahead(observe.tooth, load.tooth);
+        let tables = self.offsets.get(ahead.min(behind) as usize);
+        let bore = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables());
+        if tables.is_none() && bore.is_none() {
+            return;
+        }
+        // Use the stored one of the two orientations: the observer ahead, or on the higher surface
+        // of the same tooth, or the greater list of the same surface. Halfway round a ring with an
+        // even number of teeth each is ahead of the other; the higher tooth decides.
+        let same = ahead == 0 && observe.surface == load.surface;
+        let order = if same {
+            compare(observers, loads)
+        } else if ahead == 0 {
+            observe.surface.cmp(&load.surface)
+        } else if ahead == behind {
+            (observe.tooth % self.teeth).cmp(&(load.tooth % self.teeth))
+        } else {
+            behind.cmp(&ahead)
+        };
+        let forward = order.is_ge();
+        let ((first, first_points), (second, second_points)) = if forward {
+            ((observe, observers), (load, loads))
+        } else {
+            ((load, loads), (observe, observers))
+        };
+        let table = tables.map(|tables| &tables.compliance[first.surface as usize][second.surface as usize]);
+        let known = if forward { [observed, loaded] } else { [loaded, observed] };
+        // Columns belong to the first.
+        let mut values = match table {
+            Some(table) if same => {
+                self.own_compliance(observed, table, [first_points, second_points], order.is_eq())
+            }
+            Some(table) => {
+                let columns = self.points(known[1], second_points).columns(table.as_ref());
+                self.points(known[0], first_points).seen(columns.as_ref())
+            }
+            None => Mat::zeros(second_points.len(), first_points.len()),
+        };
+        if let Some(bore) = bore {
+            let felt = |known: &SurfaceTables, chart: Chart, points: &[SurfaceSegment]| {
+                let table = bore.loads.get(chart.surface as usize)?;
+                Some(self.points(known, points).columns(table.as_ref()))
+            };
+            let felt = felt(known[0], first, first_points).zip(felt(known[1], second, second_points));
+            let Some((by_first, by_second)) = felt else { return };
+            values += bore.compliance((first.tooth, &by_first), (second.tooth, &by_second)).transpose();
+        }
+        if same && order.is_eq() {
+            mirror_lower(&mut values);
+        }
+        for (row, target) in block.chunks_exact_mut(loads.len().max(1)).enumerate() {
+            for (column, target) in target.iter_mut().enumerate() {
+                *target += if forward { values[(column, row)] } else { values[(row, column)] };
+            }
+        }
+    }
+
+    fn stresses(&self, tooth: u32, surface: u32, loads: &[SegmentLoad]) -> Vec<SurfaceStress> {
+        let Some(observed) = self.surfaces.get(surface as usize) else { return Vec::new() };
+        let mut components = Mat::<f64>::zeros(3 * observed.stress_points.len(), 1);
+        let mut by_chart = BTreeMap::<Chart, (Vec<SurfaceSegment>, Vec<f64>)>::new();
+        for load in loads {
+            let (segments, forces) = by_chart.entry(load.chart).or_default();
+            segments.push(load.segment);
+            forces.push(load.force);
+        }
+        for (chart, (segments, forces)) in &by_chart {
+            let Some(loaded) = self.known(*chart) else { continue };
+            let ahead = self.sectors_ahead(chart.tooth, tooth);
+            let behind = self.sectors_ahead(tooth, chart.tooth);
+            let tables = self.offsets.get(ahead.min(behind) as usize);
+            let forces = self.points(loaded, segments).loads(forces);
+            if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
+                let through = bore.loads.get(chart.surface as usize).and_then(|table| {
+                    let held = product(table.as_ref(), forces.as_ref());
+                    bore.stresses(surface as usize, tooth, (chart.tooth, &held))
+                });
+                through.iter().for_each(|through| components += through);
+            }
+            let Some(tables) = tables else { continue };
+            let tables = if ahead <= behind { &tables.stress_ahead } else { &tables.stress_behind };
+            let table = &tables[surface as usize][chart.surface as usize];
+            components += product(table.as_ref(), forces.as_ref());
+        }
+        let (sin, cos) = self.tooth_angle(tooth).sin_cos();
+        let stress = |(index, &(place, [x, y, z])): (usize, &([f64; 2], [f64; 3]))| {
+            let components = [0, 1, 2].map(|component| components[(3 * index + component, 0)]);
+            let position = [cos * x - sin * y, sin * x + cos * y, z];
+            SurfaceStress { tooth, surface, place, position, components }
+        };
+        observed.stress_points.iter().enumerate().map(stress).collect()
+    }
+
+    fn spline_tooth_forces(&self, loads: &[SegmentLoad]) -> Vec<SplineToothForce> {
+        let Some(bore) = &self.bore else { return Vec::new() };
+        let mut all = bore.no_coupling_forces(1);
+        for load in loads {
+            let table = self.known(load.chart).zip(bore.loads.get(load.chart.surface as usize));
+            let Some((loaded, table)) = table else { continue };
+            let forces = self.points(loaded, &[load.segment]).loads(&[load.force]);
+            let held = product(table.as_ref(), forces.as_ref());
+            all += bore.in_body(load.chart.tooth, &held);
+        }
+        bore.spline_tooth_forces(&all)
+    }
+
+    fn bytes(&self) -> usize {
+        let known = |known: &SurfaceTables| {
+            known.spline.bytes()
+                + known.stretched.bytes()
+                + size_of_val(known.turned.as_slice())
+                + size_of_val(known.stress_points.as_slice())
+        };
+        let tables = self.offsets.iter().flat_map(|tables| {
+            [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
+        });
+        let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
+        let bore = self.bore.as_ref().map_or(0, BoreCoupling::bytes);
+        self.surfaces.iter().map(known).sum::<usize>() + entries * size_of::<f64>() + bore
+    }
+
+    fn stored(&self) -> Option<Vec<u8>> {
+        self.to_bytes()
+    }
+}

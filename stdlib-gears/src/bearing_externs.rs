@@ -1,0 +1,177 @@
+//! Bearings as programs ask for them: the Rust side of `bearing` and of what can be observed of one in `gears.cx`.
+
+use crate::externs::{body, entry, host, refusal};
+use crate::observable_externs::observe;
+use calyx_abi::externs::Handle;
+use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::bearing::{Bearing, BearingMatrix, Stop, Support, axisymmetric};
+use calyx_runtime::observables::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Direction};
+use calyx_runtime::scene::BearingId;
+
+/// The handle of ground, which is no body of the scene.
+pub(crate) const GROUND: Handle = Handle(u64::MAX);
+
+calyx_abi::externs! {
+    Pure fn calyx_gears_ground(_context) -> Handle {
+        Ok(GROUND)
+    }
+
+    Scene fn calyx_gears_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], radial_stiffness: f64, axial_stiffness: f64,
+        tilting_stiffness: f64, torsional_stiffness: f64, radial_clearance: f64, axial_clearance: f64,
+        translation_stiffness: Vec<[f64; 3]>, coupling_stiffness: Vec<[f64; 3]>, rotation_stiffness: Vec<[f64; 3]>,
+        radial_damping: f64, axial_damping: f64, tilting_damping: f64, torsional_damping: f64,
+        unloaded_displacement: [f64; 3], unloaded_turn: [f64; 3], force: [f64; 3], moment: [f64; 3],
+        gap_clearances: Vec<f64>, gap_directions: Vec<[f64; 3]>, gap_arms: Vec<[f64; 3]>, gap_stiffness: f64,
+    ) -> Handle {
+        let place = context.place;
+        let first = self::body(context, "body", body)?;
+        let to = if to == GROUND { Support::Ground } else { Support::Body(self::body(context, "to", to)?) };
+        for (argument, clearance) in [("radial_clearance", radial_clearance), ("axial_clearance", axial_clearance)] {
+            if clearance < 0.0 {
+                return Err(refusal("E0688", argument, "a clearance of the bearing is negative",
+                    "press the races together by `force`, or by `gap_clearances` below zero"));
+            }
+        }
+        // What has a clearance bears nothing within it.
+        let open = |clearance: f64, stiffness: f64| if clearance > 0.0 { 0.0 } else { stiffness };
+        let mut stiffness = axisymmetric(
+            open(radial_clearance, radial_stiffness),
+            open(axial_clearance, axial_stiffness),
+            tilting_stiffness,
+            torsional_stiffness,
+        );
+        let blocks = [
+            ("translation_stiffness", &translation_stiffness, [0, 0]),
+            ("coupling_stiffness", &coupling_stiffness, [0, 3]),
+            ("rotation_stiffness", &rotation_stiffness, [3, 3]),
+        ];
+        for (argument, rows, corner) in blocks {
+            add_block(&mut stiffness, argument, rows, corner)?;
+        }
+        let mut stops = clearances([radial_clearance, axial_clearance], [radial_stiffness, axial_stiffness]);
+        stops.extend(gaps(&gap_clearances, &gap_directions, &gap_arms, gap_stiffness)?);
+        let bearing = Bearing {
+            name,
+            body: first,
+            to,
+            at,
+            stiffness,
+            damping: axisymmetric(radial_damping, axial_damping, tilting_damping, torsional_damping),
+            unloaded: six(unloaded_displacement, unloaded_turn),
+            load: six(force, moment),
+            stops,
+        };
+        let host = host(context)?;
+        let id = host.scene.add_bearing(bearing).map_err(|error| host.rejected(error.into(), place))?;
+        host.bearing_places.push(place);
+        Ok(Handle(id.0 as u64))
+    }
+
+    Scene fn calyx_gears_bearing_force(context, bearing: Handle, axis: String) -> Handle {
+        let bearing = self::bearing(context, bearing)?;
+        observe(context, BearingForce(bearing, direction(&axis)))
+    }
+
+    Scene fn calyx_gears_bearing_moment(context, bearing: Handle, axis: String) -> Handle {
+        let bearing = self::bearing(context, bearing)?;
+        observe(context, BearingMoment(bearing, direction(&axis)))
+    }
+
+    Scene fn calyx_gears_bearing_deflection(context, bearing: Handle, axis: String) -> Handle {
+        let bearing = self::bearing(context, bearing)?;
+        observe(context, BearingDeflection(bearing, direction(&axis)))
+    }
+
+    Scene fn calyx_gears_bearing_tilt(context, bearing: Handle, axis: String) -> Handle {
+        let bearing = self::bearing(context, bearing)?;
+        observe(context, BearingTilt(bearing, direction(&axis)))
+    }
+}
+
+fn bearing(context: &mut Context, bearing: Handle) -> Result<BearingId, RuntimeError> {
+    entry(&host(context)?.scene.bearings, bearing)?;
+    Ok(BearingId(bearing.0 as usize))
+}
+
+/// Declared to be one of these.
+fn direction(axis: &str) -> Direction {
+    match axis {
+        "axial" => Direction::Axial,
+        "radial" => Direction::Radial,
+        "x" => Direction::Ground(0),
+        "y" => Direction::Ground(1),
+        _ => Direction::Ground(2),
+    }
+}
+
+fn six([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> [f64; 6] {
+    [a, b, c, d, e, f]
+}
+
+/// Adds a block of three rows, and its mirror image off the diagonal.
+fn add_block(
+    matrix: &mut BearingMatrix,
+    argument: &str,
+    rows: &[[f64; 3]],
+    [top, left]: [usize; 2],
+) -> Result<(), RuntimeError> {
+    if !(rows.is_empty() || rows.len() == 3) {
+        let message = format!("`{argument}` has {} rows", rows.len());
+        let help = "a block of a bearing's matrix has three rows, one for each axis, each a vector";
+        return Err(refusal("E0686", argument, &message, help));
+    }
+    for (i, row) in rows.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
+            matrix[top + i][left + j] += entry;
+            if top != left {
+                matrix[left + j][top + i] += entry;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Stops by the play from one side to the other: half of it lies on either side of the middle.
+fn clearances([radial, axial]: [f64; 2], [radial_stiffness, axial_stiffness]: [f64; 2]) -> Vec<Stop> {
+    let mut stops = Vec::new();
+    if radial > 0.0 {
+        stops.push(Stop::Ring { clearance: 0.5 * radial, stiffness: radial_stiffness });
+    }
+    if axial > 0.0 {
+        for side in [1.0, -1.0] {
+            let direction = [0.0, 0.0, side, 0.0, 0.0, 0.0];
+            stops.push(Stop::Wall { clearance: 0.5 * axial, direction, stiffness: axial_stiffness });
+        }
+    }
+    stops
+}
+
+fn gaps(
+    clearances: &[f64],
+    directions: &[[f64; 3]],
+    arms: &[[f64; 3]],
+    stiffness: f64,
+) -> Result<Vec<Stop>, RuntimeError> {
+    let refuse = |argument, count: usize| {
+        let message =
+            format!("`{argument}` has {count} entries, and `gap_clearances` has {}", clearances.len());
+        Err(refusal(
+            "E0688",
+            argument,
+            &message,
+            "each gap has a clearance and a direction, and an arm if any has one",
+        ))
+    };
+    if directions.len() != clearances.len() {
+        return refuse("gap_directions", directions.len());
+    }
+    if !(arms.is_empty() || arms.len() == clearances.len()) {
+        return refuse("gap_arms", arms.len());
+    }
+    let wall = |(index, (&clearance, &direction)): (usize, (&f64, &[f64; 3]))| {
+        let arm = arms.get(index).copied().unwrap_or_default();
+        Stop::Wall { clearance, direction: six(direction, arm), stiffness }
+    };
+    Ok(clearances.iter().zip(directions).enumerate().map(wall).collect())
+}

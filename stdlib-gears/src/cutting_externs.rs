@@ -1,0 +1,292 @@
+//! Tools, rims and gears as programs make them: the Rust side of `rack`, `shaper`, `external` and `internal` of `gears.cx`.
+
+use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport};
+use crate::disc_web::{DiscWeb, Hub};
+use crate::error::{Refusal, Severity};
+use crate::externs::{engine, entry, host, refusal};
+use crate::helix::{Hand, Helix};
+use crate::host::{ModelHost, keep};
+use crate::internal_blank::InternalBlank;
+use crate::modification::Modification;
+use crate::plausibility::{of_gear, thickness};
+use crate::prototype::GearPrototype;
+use crate::rack::{Plane, Rack};
+use crate::shaper::Shaper;
+use calyx_abi::RuntimeError;
+use calyx_abi::externs::Handle;
+use calyx_runtime::material::Material;
+use calyx_runtime::structure::BoreSupport;
+use std::sync::Arc;
+
+calyx_abi::externs! {
+    Pure fn calyx_gears_rack(
+        context, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64, plane: String,
+    ) -> Handle {
+        let module = module_of("rack", module, diametral_pitch)?;
+        let (place, host) = (context.place, host(context)?);
+        let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| host.runtime_error(&error, place))?;
+        let plane = Plane::named(&plane).unwrap_or_default();
+        Ok(keep(&mut host.racks, rack.in_plane(plane)))
+    }
+
+    Pure fn calyx_gears_shaper(
+        context, teeth: f64, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64, addendum: f64,
+    ) -> Handle {
+        let teeth = whole_teeth(teeth)?;
+        let module = module_of("shaper", module, diametral_pitch)?;
+        let addendum = if addendum == 0.0 { Shaper::USUAL_ADDENDUM * module } else { addendum };
+        let (place, host) = (context.place, host(context)?);
+        let shaper = Shaper::new(teeth, module, pressure_angle, addendum, tip_radius)
+            .map_err(|error| host.runtime_error(&error, place))?;
+        Ok(keep(&mut host.shapers, shaper))
+    }
+
+    Pure fn calyx_gears_simple_rim(
+        context, diameter: f64, inner_diameter: f64, bore: String, bore_order: f64, bore_axial_order: f64,
+    ) -> Handle {
+        let hold = bore_support(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.rejected(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim.held(hold)))
+    }
+
+    Pure fn calyx_gears_webbed_rim(
+        context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64, web_offset: f64,
+        bore: String, bore_order: f64, bore_axial_order: f64,
+    ) -> Handle {
+        let hold = bore_support(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::new(diameter, inner_diameter)
+            .and_then(|rim| rim.on_web(web_thickness, web_offset, bore_diameter))
+            .map_err(|error| host.rejected(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim.held(hold)))
+    }
+
+    Pure fn calyx_gears_disc_web(
+        context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64,
+        web_thickness_at_hub: f64, web_offset: f64, dish: f64, hub_diameter: f64, hub_width: f64, hub_offset: f64,
+        web_youngs_modulus: f64, web_poissons_ratio: f64, bore: String, bore_order: f64, bore_axial_order: f64,
+        interface_order: f64, interface_axial_order: f64,
+    ) -> Handle {
+        let hold = bore_support(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
+        whole_orders(["interface_order", "interface_axial_order"], [interface_order, interface_axial_order])?;
+        let material = match web_youngs_modulus {
+            0.0 => None,
+            modulus => Some(web_material(modulus, web_poissons_ratio)?),
+        };
+        let disc = DiscWeb {
+            inner_thickness: if web_thickness_at_hub == 0.0 { web_thickness } else { web_thickness_at_hub },
+            inner_offset: web_offset + dish,
+            hub: (hub_diameter != 0.0 || hub_width != 0.0).then_some(Hub {
+                radius: 0.5 * hub_diameter,
+                width: hub_width,
+                offset: hub_offset,
+            }),
+            material,
+            harmonics: (interface_order > 0.0).then_some(interface_order as u16),
+            degree: interface_axial_order as u8,
+        };
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::new(diameter, inner_diameter)
+            .and_then(|rim| rim.on_disc(web_thickness, web_offset, bore_diameter, disc))
+            .map_err(|error| host.rejected(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim.held(hold)))
+    }
+
+    Pure fn calyx_gears_outer_rim(
+        context, diameter: f64, outer_diameter: f64, seat: String, seat_order: f64, seat_axial_order: f64,
+    ) -> Handle {
+        let hold = bore_support(&seat, ["seat_order", "seat_axial_order"], [seat_order, seat_axial_order])?;
+        let (place, host) = (context.place, host(context)?);
+        let rim = Rim::outer(diameter, outer_diameter).map_err(|error| host.rejected(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim.held(hold)))
+    }
+
+    Pure fn calyx_gears_splined(
+        context, rim: Handle, lugs: f64, width: f64, first: f64, centring: String, stiffness: f64,
+        radial_stiffness: f64, axial_order: f64, clearance: f64,
+    ) -> Handle {
+        for (name, number) in [("lugs", lugs), ("axial_order", axial_order)] {
+            if number.fract() != 0.0 {
+                return Err(refusal("E0655", name, &format!("`{name}` cannot be {number}"), "give a whole number"));
+            }
+        }
+        let given = |stiffness: f64| (stiffness != 0.0).then_some(stiffness);
+        let radial = match (centring.as_str(), given(radial_stiffness)) {
+            ("diameter", stiffness) => Some(RadialFit { stiffness }),
+            (_, None) => None,
+            (_, Some(_)) => return Err(refusal(
+                "E0655",
+                "radial_stiffness",
+                "`radial_stiffness` requires `centring = \"diameter\"`; these spline teeth centre on their flanks",
+                "leave it out, or choose \"diameter\"",
+            )),
+        };
+        let spline = SplineSupport {
+            spline_teeth: lugs as u16,
+            width: given(width),
+            first,
+            stiffness: given(stiffness),
+            radial,
+            axial_order: axial_order as u8,
+            clearance,
+        };
+        let (place, host) = (context.place, host(context)?);
+        let rim = *entry(&host.rims, rim)?;
+        let rim = rim.splined(&spline).map_err(|error| host.rejected(error.into(), place))?;
+        Ok(keep(&mut host.rims, rim))
+    }
+
+    Pure fn calyx_gears_external(
+        context, teeth: f64, rack: Handle, face_width: f64, outer_diameter: f64, root_diameter: f64,
+        material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
+        modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
+    ) -> Handle {
+        let teeth = whole_teeth(teeth)?;
+        let (place, host) = (context.place, host(context)?);
+        let rack = *entry(&host.racks, rack)?;
+        let of_shift = |shift: f64| rack.thickness_of_shift(shift);
+        let thickness = thickness(tooth_thickness, profile_shift, rack.module, of_shift)
+            .map_err(|error| host.runtime_error(&error, place))?;
+        let blank = GearBlank {
+            teeth,
+            rack,
+            outer_diameter,
+            root_diameter,
+            face_width,
+            helix: helix(host, helix_angle, &hand, place)?,
+            material: *entry(&host.materials, material)?,
+            rim: *entry(&host.rims, rim)?,
+            thickness,
+            tip_edge_radius: (tip_edge_radius != 0.0).then_some(tip_edge_radius),
+            modifications: modifications_of(host, modifications)?,
+            pitch_errors,
+        };
+        keep_gear(host, blank.cut(), rack.module, place)
+    }
+
+    Pure fn calyx_gears_internal(
+        context, teeth: f64, shaper: Handle, face_width: f64, minor_diameter: f64, root_diameter: f64,
+        material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
+        modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
+    ) -> Handle {
+        let teeth = whole_teeth(teeth)?;
+        let (place, host) = (context.place, host(context)?);
+        let shaper = *entry(&host.shapers, shaper)?;
+        let of_shift = |shift: f64| shaper.thickness_of_shift(shift);
+        let thickness = thickness(tooth_thickness, profile_shift, shaper.module, of_shift)
+            .map_err(|error| host.runtime_error(&error, place))?;
+        let blank = InternalBlank {
+            teeth,
+            shaper,
+            minor_diameter,
+            root_diameter,
+            face_width,
+            helix: helix(host, helix_angle, &hand, place)?,
+            material: *entry(&host.materials, material)?,
+            rim: *entry(&host.rims, rim)?,
+            thickness,
+            tip_edge_radius: (tip_edge_radius != 0.0).then_some(tip_edge_radius),
+            modifications: modifications_of(host, modifications)?,
+            pitch_errors,
+        };
+        keep_gear(host, blank.cut(), shaper.module, place)
+    }
+}
+
+/// Where a call stands.
+type Place = (u32, u32, u32);
+
+/// A tool's size, given in one of two ways.
+fn module_of(tool: &str, module: f64, diametral_pitch: f64) -> Result<f64, RuntimeError> {
+    match (module != 0.0, diametral_pitch != 0.0) {
+        (true, false) => Ok(module),
+        (false, true) => Ok(1.0 / diametral_pitch),
+        (true, true) => Err(refusal(
+            "E0663",
+            "diametral_pitch",
+            &format!("the {tool} has both a module and a diametral pitch"),
+            "give one of them: the diametral pitch is 1 divided by the module",
+        )),
+        (false, false) => Err(refusal(
+            "E0664",
+            "module",
+            &format!("the {tool} has neither a module nor a diametral pitch"),
+            "give its size, like `module = 2.5 mm` or `diametral_pitch = 10 / inch`",
+        )),
+    }
+}
+
+fn whole_teeth(teeth: f64) -> Result<u32, RuntimeError> {
+    if teeth.fract() == 0.0 && (3.0..=1e6).contains(&teeth) {
+        return Ok(teeth as u32);
+    }
+    Err(refusal(
+        "E0667",
+        "teeth",
+        &format!("a gear cannot have {teeth} teeth"),
+        "give a whole number of at least 3",
+    ))
+}
+
+/// Orders of a series are whole.
+fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result<(), RuntimeError> {
+    match names.into_iter().zip(orders).find(|(_, order)| order.fract() != 0.0) {
+        None => Ok(()),
+        Some((name, order)) => {
+            Err(refusal("E0649", name, &format!("`{name}` cannot be {order}"), "give a whole number"))
+        }
+    }
+}
+
+/// What a web is made of, by arguments of its own names.
+fn web_material(youngs_modulus: f64, poissons_ratio: f64) -> Result<Material, RuntimeError> {
+    Material::new(youngs_modulus, poissons_ratio, 0.0).map_err(|error| {
+        let argument = if error.code == "E0660" { "web_youngs_modulus" } else { "web_poissons_ratio" };
+        engine(error.blame(argument))
+    })
+}
+
+/// How a rim is held: the orders, around and along, are those of what is held beside the motion as a whole.
+fn bore_support(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<BoreSupport, RuntimeError> {
+    whole_orders(names, orders)?;
+    let [waves, degree] = orders;
+    match (kind, waves) {
+        ("free", 0.0) => Ok(BoreSupport::Means { harmonics: None, degree: degree as u8 }),
+        ("free", waves) => Ok(BoreSupport::Means { harmonics: Some(waves as u16), degree: degree as u8 }),
+        (_, 0.0) => Ok(BoreSupport::Rigid),
+        _ => Err(refusal(
+            "E0649",
+            names[0],
+            &format!("`{}` is of a free bore, and this one is rigid", names[0]),
+            "leave it out, or choose \"free\"",
+        )),
+    }
+}
+
+fn helix(host: &mut ModelHost, angle: f64, hand: &str, place: Place) -> Result<Helix, RuntimeError> {
+    let hand = Hand::named(hand).unwrap_or(Hand::Right);
+    Helix::new(angle, hand).map_err(|error| host.runtime_error(&error, place))
+}
+
+fn modifications_of(host: &ModelHost, handles: Vec<Handle>) -> Result<Vec<Modification>, RuntimeError> {
+    handles.into_iter().map(|handle| entry(&host.modifications, handle).cloned()).collect()
+}
+
+fn keep_gear(
+    host: &mut ModelHost,
+    cut: Result<Arc<GearPrototype>, Refusal>,
+    module: f64,
+    place: Place,
+) -> Result<Handle, RuntimeError> {
+    let gear = cut.map_err(|refusal| host.rejected(refusal, place))?;
+    host.note(gear.gear.warnings(), place);
+    let (wrong, unusual): (Vec<_>, Vec<_>) =
+        of_gear(&gear, module).into_iter().partition(|found| found.severity == Severity::Error);
+    host.note(&unusual, place);
+    if !wrong.is_empty() {
+        return Err(host.rejected(wrong.into(), place));
+    }
+    host.gear_places.push(place);
+    Ok(keep(&mut host.gears, gear))
+}

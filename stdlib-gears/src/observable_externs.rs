@@ -1,0 +1,310 @@
+//! What programs can ask of bodies and meshes at each position: the Rust side of the observables of `gears.cx`.
+
+use crate::externs::{self, host, refusal, spline_tooth_number, tooth_number};
+use crate::lumped_scene::{LumpedFrequency, LumpedSet};
+use calyx_abi::externs::Handle;
+use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::observables::{
+    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
+    LoadedFace, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
+    MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce, MeshStiffness,
+    ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad, PairsInContact,
+    PlanetSet, Rotation, SecantStiffness, SlidingVelocity, SplineToothLoad, SupportForce, SupportMoment,
+    ToothLoad, TransmissionError, UnloadedTransmissionError,
+};
+use calyx_runtime::scene::{BodyId, PairId};
+
+calyx_abi::externs! {
+    Scene fn calyx_gears_transmission_error(context, mesh: Handle) -> Handle {
+        observe(context, TransmissionError(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_unloaded_transmission_error(context, mesh: Handle) -> Handle {
+        observe(context, UnloadedTransmissionError(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_load_share(context, mesh: Handle) -> Handle {
+        observe(context, LoadShare(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_mesh_force(context, mesh: Handle) -> Handle {
+        observe(context, MeshForce(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_pair_load(context, mesh: Handle, pair: f64) -> Handle {
+        let pair = pair_number(pair)?;
+        observe(context, PairLoad(self::pair(mesh), pair))
+    }
+
+    Scene fn calyx_gears_tooth_load(context, body: Handle, tooth: f64) -> Handle {
+        let id = self::body(context, body)?;
+        let tooth = tooth_number(host(context)?, id, tooth)?;
+        observe(context, ToothLoad(id, tooth))
+    }
+
+    Scene fn calyx_gears_pairs_in_contact(context, mesh: Handle) -> Handle {
+        observe(context, PairsInContact(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_mesh_stiffness(context, mesh: Handle) -> Handle {
+        observe(context, MeshStiffness(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_natural_frequency(context, mode: f64) -> Handle {
+        let mode = mode_number(mode)?;
+        observe(context, NaturalFrequency(mode))
+    }
+
+    Scene fn calyx_gears_mode_share(context, body: Handle, mode: f64, motion: String) -> Handle {
+        let (id, mode) = (externs::body(context, "body", body)?, mode_number(mode)?);
+        let (components, elastic) = match motion.as_str() {
+            "translation" => ([true, true, true, false, false, false], false),
+            "rotation" => ([false, false, false, true, true, true], false),
+            "elastic" => ([false; 6], true),
+            _ => ([true; 6], true),
+        };
+        observe(context, ModeShare { mode, body: id, components, elastic })
+    }
+
+    Scene fn calyx_gears_mode_kind(context, mode: f64, around: Handle, planets: Vec<Handle>) -> Handle {
+        let (mode, set) = (mode_number(mode)?, planet_set(context, around, planets)?);
+        observe(context, ModeClassification { mode, set })
+    }
+
+    Scene fn calyx_gears_lumped_natural_frequency(
+        context, mode: f64, sun: Handle, ring: Handle, carrier: Handle, planets: Vec<Handle>, sun_meshes: Vec<Handle>,
+        ring_meshes: Vec<Handle>,
+    ) -> Handle {
+        let mode = mode_number(mode)?;
+        let planets = planet_set(context, carrier, planets)?;
+        let count = planets.planets.len();
+        let (sun, ring) = (externs::body(context, "sun", sun)?, externs::body(context, "ring", ring)?);
+        for (argument, meshes) in [("sun_meshes", &sun_meshes), ("ring_meshes", &ring_meshes)] {
+            if meshes.len() != count {
+                let message = format!("there are {count} planets and {} of the meshes", meshes.len());
+                return Err(refusal("E0772", argument, &message, "give one for each planet, in their order"));
+            }
+        }
+        let [sun_meshes, ring_meshes] = [sun_meshes, ring_meshes].map(|all| all.into_iter().map(pair).collect());
+        let PlanetSet { around: carrier, planets } = planets;
+        let set = LumpedSet { sun, ring, carrier, planets, sun_meshes, ring_meshes };
+        let count = set.mode_count(&host(context)?.scene);
+        if mode >= count {
+            let message = format!("there is no mode {}: the set has {count}", mode + 1);
+            let help = "count modes from 1; rigid bodies on springs have as many as free degrees of freedom in the plane";
+            return Err(refusal("E0770", "mode", &message, help));
+        }
+        observe(context, LumpedFrequency { mode, set })
+    }
+
+    Scene fn calyx_gears_modes_table(context, modes: f64, around: Handle, planets: Vec<Handle>) -> () {
+        if modes.fract() != 0.0 {
+            return Err(refusal("E0770", "modes", &format!("there are no {modes} modes"), "give a whole number, or 0 for all"));
+        }
+        let set = match planets.is_empty() {
+            true => None,
+            false => Some(planet_set(context, around, planets)?),
+        };
+        let count = (modes > 0.0).then_some(modes as usize);
+        host(context)?.scene.modes_table = Some(ModesRequest { count, set });
+        Ok(())
+    }
+
+    Scene fn calyx_gears_secant_mesh_stiffness(context, mesh: Handle) -> Handle {
+        observe(context, SecantStiffness(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_max_contact_pressure(context, mesh: Handle) -> Handle {
+        observe(context, MaxContactPressure(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_max_edge_pressure(context, mesh: Handle) -> Handle {
+        observe(context, MaxEdgePressure(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_max_line_load(context, mesh: Handle) -> Handle {
+        observe(context, MaxLineLoad(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_face_load_factor(context, mesh: Handle) -> Handle {
+        observe(context, FaceLoadFactor(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_loaded_face(context, mesh: Handle) -> Handle {
+        observe(context, LoadedFace(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_lowest_contact(context, body: Handle) -> Handle {
+        let body = gear_body(context, body)?;
+        observe(context, LowestContact(body))
+    }
+
+    Scene fn calyx_gears_highest_contact(context, body: Handle) -> Handle {
+        let body = gear_body(context, body)?;
+        observe(context, HighestContact(body))
+    }
+
+    Scene fn calyx_gears_sliding_velocity(context, mesh: Handle, pair: f64) -> Handle {
+        let pair = pair_number(pair)?;
+        observe(context, SlidingVelocity(self::pair(mesh), pair))
+    }
+
+    Scene fn calyx_gears_max_sliding_velocity(context, mesh: Handle) -> Handle {
+        observe(context, MaxSlidingVelocity(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_friction_loss(context, mesh: Handle, coefficient: f64) -> Handle {
+        observe(context, FrictionLoss(pair(mesh), coefficient_of_friction(coefficient)?))
+    }
+
+    Scene fn calyx_gears_efficiency(context, mesh: Handle, coefficient: f64) -> Handle {
+        observe(context, Efficiency(pair(mesh), coefficient_of_friction(coefficient)?))
+    }
+
+    Scene fn calyx_gears_max_root_stress(context, body: Handle) -> Handle {
+        let body = gear_body(context, body)?;
+        observe(context, MaxRootStress(body))
+    }
+
+    Scene fn calyx_gears_max_root_compression(context, body: Handle) -> Handle {
+        let body = gear_body(context, body)?;
+        observe(context, MaxRootCompression(body))
+    }
+
+    Scene fn calyx_gears_tooth_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::Tooth)
+    }
+
+    Scene fn calyx_gears_roll_angle_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::RollAngle)
+    }
+
+    Scene fn calyx_gears_radius_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::Radius)
+    }
+
+    Scene fn calyx_gears_axial_at(context, body: Handle, of: String) -> Handle {
+        place(context, body, &of, Coordinate::Axial)
+    }
+
+    Scene fn calyx_gears_support_force(context, body: Handle, axis: String) -> Handle {
+        let body = self::body(context, body)?;
+        observe(context, SupportForce(body, axis_number(&axis)))
+    }
+
+    Scene fn calyx_gears_support_moment(context, body: Handle, axis: String) -> Handle {
+        let body = self::body(context, body)?;
+        observe(context, SupportMoment(body, axis_number(&axis)))
+    }
+
+    Scene fn calyx_gears_lug_force(context, body: Handle, lug: f64, direction: String) -> Handle {
+        let id = self::body(context, body)?;
+        let lug = spline_tooth_number(host(context)?, id, lug)?;
+        observe(context, SplineToothLoad { body: id, spline_tooth: lug, radial: direction == "radial" })
+    }
+
+    Scene fn calyx_gears_displacement(context, body: Handle, axis: String) -> Handle {
+        let body = self::body(context, body)?;
+        observe(context, Displacement(body, axis_number(&axis)))
+    }
+
+    Scene fn calyx_gears_rotation(context, body: Handle, axis: String) -> Handle {
+        let body = self::body(context, body)?;
+        observe(context, Rotation(body, axis_number(&axis)))
+    }
+}
+
+pub(crate) fn observe(context: &mut Context, observable: impl Observable) -> Result<Handle, RuntimeError> {
+    Ok(Handle(host(context)?.scene.add_observable(observable).0 as u64))
+}
+
+fn place(
+    context: &mut Context,
+    body: Handle,
+    of: &str,
+    coordinate: Coordinate,
+) -> Result<Handle, RuntimeError> {
+    let maximum = match of {
+        "max_root_stress" => Maximum::RootStress,
+        "max_root_compression" => Maximum::RootCompression,
+        "max_contact_pressure" => Maximum::ContactPressure,
+        "max_edge_pressure" => Maximum::EdgePressure,
+        _ => Maximum::LineLoad,
+    };
+    let body = gear_body(context, body)?;
+    observe(context, MaximumLocation { body, maximum, coordinate })
+}
+
+fn pair(mesh: Handle) -> PairId {
+    PairId(mesh.0 as usize)
+}
+
+fn body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
+    externs::body(context, "body", body)
+}
+
+fn planet_set(
+    context: &mut Context,
+    around: Handle,
+    planets: Vec<Handle>,
+) -> Result<PlanetSet, RuntimeError> {
+    let around = externs::body(context, "around", around)?;
+    let planets: Vec<BodyId> = planets
+        .into_iter()
+        .map(|planet| externs::body(context, "planets", planet))
+        .collect::<Result<_, _>>()?;
+    if planets.contains(&around) || planets.is_empty() {
+        let message = "planets are bodies around another one";
+        return Err(refusal("E0772", "planets", message, "give the planets, and sun or carrier as `around`"));
+    }
+    Ok(PlanetSet { around, planets })
+}
+
+/// A mode's number, which counts from 1.
+fn mode_number(mode: f64) -> Result<usize, RuntimeError> {
+    match mode.fract() == 0.0 && (1.0..1e6).contains(&mode) {
+        true => Ok(mode as usize - 1),
+        false => Err(refusal(
+            "E0770",
+            "mode",
+            &format!("there is no mode {mode}"),
+            "modes are numbered from 1 for the lowest natural frequency; their number is that of the free degrees of freedom",
+        )),
+    }
+}
+
+/// A body that carries a gear.
+fn gear_body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
+    let body = self::body(context, body)?;
+    host(context)?.gear_on("body", body)?;
+    Ok(body)
+}
+
+/// Declared to be one of these.
+fn axis_number(axis: &str) -> usize {
+    ["x", "y", "z"].iter().position(|known| *known == axis).unwrap_or_default()
+}
+
+fn pair_number(pair: f64) -> Result<i32, RuntimeError> {
+    match pair.fract() == 0.0 && pair.abs() < 1e6 {
+        true => Ok(pair as i32),
+        false => Err(refusal(
+            "E0682",
+            "pair",
+            &format!("there is no pair of teeth {pair}"),
+            "0 is the pair that enters contact at the start of the cycle, 1 the next one, -1 the one before",
+        )),
+    }
+}
+
+fn coefficient_of_friction(coefficient: f64) -> Result<f64, RuntimeError> {
+    match coefficient.is_finite() && coefficient >= 0.0 {
+        true => Ok(coefficient),
+        false => Err(refusal(
+            "E0683",
+            "coefficient",
+            &format!("{coefficient} is not a coefficient of friction"),
+            "give a number from 0 on; 0.03 to 0.08 is usual for oiled gears",
+        )),
+    }
+}

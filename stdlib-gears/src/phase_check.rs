@@ -1,0 +1,211 @@
+//! Gears in loops, such as sun, planet and ring: which of two gears may still be turned so that their teeth mesh, and what is to be said where
+//! neither may.
+//!
+//! The first mesh of a gear phases it. A mesh of two gears that have meshes already closes a loop, and whether teeth meet spaces
+//! there is the assembly condition: between planets on one carrier that mesh with two coaxial gears stand whole multiples of `2 pi / Z`, where `Z` is
+//! the sum of the teeth of sun and ring. What is a little off has its reason, a pin out of its place or teeth too thin, and is left to contact.
+
+use crate::assembly::gear_of;
+use crate::error::{GeometryError, sentence};
+use crate::gear::ToothForm;
+use crate::mesh_geometry::MeshGeometry;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::motion::{axle, pose_in_space};
+use calyx_runtime::scene::{BodyId, Scene};
+use std::f64::consts::TAU;
+
+/// Beyond the backlash, the part of a module by which teeth of a loop may stand off: a hundred times what pins are out of place, and half of
+/// what the wrong spacing of as many as nine planets makes.
+const OUT_OF_PLACE: f64 = 0.1;
+/// The part of a module from which on it is told: pins and teeth are made to less.
+const TELLING: f64 = 0.05;
+/// Axes nearer to each other than this part of the distance to a planet are one.
+const COAXIAL: f64 = 1e-2;
+
+/// Which of two bodies has no mesh yet and may be turned: 1 for the second, 0 for the first; `None` if both have one.
+pub(crate) fn may_rotate(scene: &Scene, bodies: [BodyId; 2]) -> Option<usize> {
+    [1, 0].into_iter().find(|&side: &usize| partners(scene, bodies[side]).next().is_none())
+}
+
+/// Where a gear's teeth may stand that would have to turn by an angle (rad) to touch those of its mate: nothing to say, a warning, or that it
+/// cannot be put together.
+///
+/// # Errors
+/// E0750.
+pub(crate) fn judge(
+    scene: &Scene,
+    bodies: [BodyId; 2],
+    second: &ToothForm,
+    geometry: &MeshGeometry,
+    center_offset: f64,
+) -> Result<Option<GeometryError>, GeometryError> {
+    let off = center_offset.abs() * geometry.base_radius[1] / geometry.operating_pressure_angle.cos();
+    if off <= TELLING * second.module {
+        return Ok(None);
+    }
+    let spacing = PlanetSpacing::of(scene, bodies);
+    // The gear that is blamed is the planet, wherever it stands in the call.
+    let argument = match &spacing {
+        Some(spacing) if spacing.planet == bodies[1] => "second",
+        _ => "first",
+    };
+    let impossible = off > geometry.backlash.max(0.0) + OUT_OF_PLACE * second.module;
+    let message = if impossible {
+        sentence![
+            "these gears cannot be assembled: both are phased by earlier meshes, and here their teeth are ", length off,
+            " away from the spaces of the mating gear, along the pitch circle"
+        ]
+    } else {
+        sentence![
+            "both gears are phased by earlier meshes, and here their teeth are ", length off,
+            " away from contact, along the pitch circle: they carry more or less load than those of other planets"
+        ]
+    };
+    let help = match spacing {
+        Some(PlanetSpacing { feasible, given, teeth, .. }) if (feasible - given).abs() > 1e-9 => sentence![
+            "planets are integer multiples of 360 deg / ", number teeth, " apart, the sum of teeth of both coaxial gears: place this one ",
+            angle feasible, " from the one that is in mesh already, instead of ", angle given
+        ],
+        _ => {
+            sentence![
+                "check the numbers of teeth, the tooth thicknesses and the positions of the axes in the loop"
+            ]
+        }
+    };
+    match impossible {
+        true => Err(GeometryError::error("E0750", argument, message, help)),
+        false => Ok(Some(GeometryError::warning("E0752", argument, message, help))),
+    }
+}
+
+/// Whether a gear that is to be in mesh has room beside the others that mesh with its mate.
+///
+/// # Errors
+/// E0751: their tip circles overlap.
+pub(crate) fn clears_neighbours(scene: &Scene, bodies: [BodyId; 2]) -> Result<(), GeometryError> {
+    for (side, argument) in [(0, "first"), (1, "second")] {
+        let (own, mate) = (bodies[side], bodies[1 - side]);
+        for other in
+            partners(scene, mate).filter(|other| !partners(scene, own).any(|partner| partner == *other))
+        {
+            let overlap = overlap(scene, [own, other]).unwrap_or(0.0);
+            if overlap > 0.0 {
+                return Err(GeometryError::error(
+                    "E0751",
+                    argument,
+                    sentence![
+                        "the tips of this gear run ", length overlap, " into those of another one that is in mesh with the same gear"
+                    ],
+                    sentence!["place the two farther apart, use fewer planets, or reduce `outer_diameter`"],
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// By how much the tip circles of two external gears overlap whose faces do, m; negative where they are apart.
+fn overlap(scene: &Scene, bodies: [BodyId; 2]) -> Option<f64> {
+    let [one, other] = bodies.map(|body| gear_of(scene, body));
+    let gears = [one?, other?];
+    let [first, second] = [axis(scene, bodies[0])?, axis(scene, bodies[1])?];
+    let beside = (first[2] - second[2]).abs() >= 0.5 * (gears[0].face_width + gears[1].face_width);
+    if beside || gears.iter().any(|gear| gear.form().internal) {
+        return None;
+    }
+    let tips: f64 = gears.iter().map(|gear| gear.form().tip_radius).sum();
+    Some(tips - (first[0] - second[0]).hypot(first[1] - second[1]))
+}
+
+/// Where a planet stands from another one that is in mesh with the same two coaxial gears, and where it might.
+struct PlanetSpacing {
+    planet: BodyId,
+    /// rad
+    given: f64,
+    /// The nearest angle at which teeth meet spaces, rad.
+    feasible: f64,
+    /// Those of both coaxial gears, counted as they turn planets.
+    teeth: f64,
+}
+
+impl PlanetSpacing {
+    /// Of the planet among two bodies that close a loop; `None` where the loop is another one.
+    fn of(scene: &Scene, bodies: [BodyId; 2]) -> Option<PlanetSpacing> {
+        let [first, second] = bodies;
+        [(first, second), (second, first)].into_iter().find_map(|(planet, centre)| {
+            let middle = axis(scene, centre)?;
+            let away = |body: BodyId| {
+                let at = axis(scene, body)?;
+                Some([at[0] - middle[0], at[1] - middle[1]])
+            };
+            let size = |[x, y]: [f64; 2]| x.hypot(y);
+            let own = away(planet)?;
+            let coaxial = |body: &BodyId| away(*body).is_some_and(|away| size(away) < COAXIAL * size(own));
+            let other = partners(scene, planet).find(|partner| *partner != centre && coaxial(partner))?;
+            let earlier = partners(scene, centre)
+                .find(|body| *body != planet && partners(scene, other).any(|partner| partner == *body))?;
+            let turns = |body: BodyId| {
+                let form = gear_of(scene, body)?.form();
+                Some(form.sense() * f64::from(form.teeth))
+            };
+            let teeth = (turns(centre)? - turns(other)?).abs();
+            let reference = away(earlier)?;
+            let given = (reference[0] * own[1] - reference[1] * own[0])
+                .atan2(reference[0] * own[0] + reference[1] * own[1])
+                .rem_euclid(TAU);
+            let feasible = (given * teeth / TAU).round() * TAU / teeth;
+            (teeth > 0.0).then_some(PlanetSpacing { planet, given, feasible, teeth })
+        })
+    }
+}
+
+/// Bodies in mesh with a body, in the order of their meshes.
+pub(crate) fn partners(scene: &Scene, body: BodyId) -> impl Iterator<Item = BodyId> {
+    let meshes = scene.pairs.iter().filter(|pair| pair.mesh.is_some() && pair.front.is_none());
+    meshes.filter_map(move |pair| match pair.bodies {
+        [first, second] if first == body => Some(second),
+        [first, second] if second == body => Some(first),
+        _ => None,
+    })
+}
+
+/// Where a body's axle is at time 0, m.
+fn axis(scene: &Scene, body: BodyId) -> Option<[f64; 3]> {
+    let motion = scene.bodies.get(body.0)?.motion.as_ref();
+    Some(pose_in_space(motion, 0.0).ok()?.point(axle(motion)))
+}
+
+/// How the line from one axle to another moves at time 0: its direction's rate, rad/s.
+///
+/// # Errors
+/// E0658: the axles approach or part; E0710: a frame is not a number.
+pub(crate) fn orbit(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Result<f64, EngineError> {
+    let at = |body: BodyId| {
+        let motion = scene.bodies[body.0].motion.as_ref();
+        let place = pose_in_space(motion, 0.0)?.point(axle(motion));
+        Ok::<_, EngineError>((place, calyx_runtime::motion::point_velocity(motion, 0.0, place)))
+    };
+    let ((from, velocity), (to, other)) = (at(bodies[0])?, at(bodies[1])?);
+    let across = [to[0] - from[0], to[1] - from[1]];
+    let moving = [other[0] - velocity[0], other[1] - velocity[1]];
+    let square = across[0].powi(2) + across[1].powi(2);
+    let fastest = speeds.iter().fold(0.0, |most: f64, speed| most.max(speed.abs()));
+    let turning = (across[0] * moving[1] - across[1] * moving[0]) / square;
+    let parting = (across[0] * moving[0] + across[1] * moving[1]) / square;
+    if parting.abs() > STEADY * fastest.max(turning.abs()) {
+        return Err(EngineError::new(
+            "E0658",
+            format!(
+                "the axes of the two gears come nearer to each other or part, by {:.3e} of their distance in a second",
+                parting.abs()
+            ),
+            "let planets go round on a circle about the axis of what they mesh with, like `Rotate(own * Time, e3) * Translate(distance * e1) * Rotate(carrier * Time, e3)`",
+        )
+        .blame("second"));
+    }
+    // What is left by rounding of axes that rest.
+    Ok(if turning.abs() > 1e-3 * STEADY * fastest { turning } else { 0.0 })
+}
+
+/// What of a speed may be off.
+const STEADY: f64 = 1e-9;
