@@ -98,7 +98,7 @@ pub struct Quantity {
     /// Of an argument its name, of a result its place in the brackets; with `.e1` and so on for the numbers of a vector,
     /// `.11` ... `.33`, `.t1` ... for those of a transform (rotation row by row, then translation).
     pub name: String,
-    /// E.g. `lbf*inch`; empty for a pure number.
+    /// Name, such as `lbf*inch`; empty for a pure number.
     pub unit: String,
     pub factor: f64,
 }

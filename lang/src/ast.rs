@@ -53,7 +53,7 @@ pub enum StmtKind {
         value: Option<TypeExpr>,
     },
     Unit(UnitDecl),
-    /// `output name := value;`
+    /// Checks `output name := value;`.
     Output {
         name: Ident,
         value: Expr,
@@ -161,7 +161,7 @@ pub struct UnitDecl {
 pub enum UnitMeaning {
     /// `unit euro: Cost;`, the unit in which numbers of this dimension are stored.
     Coherent(TypeExpr),
-    /// `unit furlong = 220 yard;`
+    /// Checks `unit furlong = 220 yard;`.
     Equal(Expr),
 }
 

@@ -1,4 +1,5 @@
-//! What editors ask of checked texts, over the examples and the library: names are found, declared where they say, and seen.
+//! Tests editor queries over the examples and the library: names are found, their declarations are
+//! correct, and they are visible.
 
 #[path = "support/library.rs"]
 mod library;
@@ -61,7 +62,8 @@ fn every_identifier_of_the_examples_is_known() {
             for token in &database.tokens(file).expect("tokens").tokens {
                 let word = &text[token.span.start as usize..token.span.end as usize];
                 let known = names.binary_search_by_key(&token.span.start, |name| name.start).is_ok();
-                // Types that the language has are no names of the program, nor are systems of units and words of `extern`.
+                // Built-in types, unit systems and the keywords of `extern` are not names of the
+                // program.
                 let own = |word: &str| {
                     word.starts_with(char::is_uppercase) || word.contains("_s") || word == "pure"
                 };
@@ -119,7 +121,7 @@ fn every_name_is_seen_where_it_is_used() {
                 continue;
             }
             let seen = database.visible(&file, name.start);
-            // What was noted of a text says the same of it as long as it is the same.
+            // The cached result for an unchanged text must be the same.
             let noted = database.seen(&file, name.start);
             let other = seen.iter().zip(&noted).find(|(seen, noted)| seen != noted);
             assert_eq!(other, None, "{file}: at {name:?}");
@@ -144,9 +146,9 @@ fn calls_of_the_library_are_described() {
         let place = member.declared.clone().expect("a place");
         if member.kind == NameKind::Extern {
             let callable = database.callable(&place).expect("callable");
-            // Some only add to the model, and hand nothing back.
+            // Functions that only add to the model have no result.
             assert!(callable.doc.is_some(), "{callable:?}");
-            // What is observed speaks for itself.
+            // Observables are documented by their names.
             let several = callable.parameters.len() > 1;
             for parameter in &callable.parameters {
                 let plain = ["mesh", "body", "gauge", "bearing"].contains(&&*parameter.name)

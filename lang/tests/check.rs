@@ -1,7 +1,8 @@
-//! What the checker says about programs, as data: every fenced `cx` block of `check/*.md` is a model.
+//! Tests the checker with data: every fenced `cx` block of `check/*.md` is a model.
 //!
-//! Expectations stand in it as comments: `//~ E0401 part of the message` on the line a diagnostic points to, `//~^` for
-//! the line above, and `//= name: Length` for a type. A block without `//~` must have no diagnostics.
+//! Expected diagnostics are comments: `//~ E0401 part of the message` on the line of a diagnostic,
+//! `//~^` on the line below it; `//= name: Length` expects a type. A block without `//~` must have
+//! no diagnostics.
 
 use calyx_lang::check::{Checked, Loader, check_program};
 use calyx_lang::diagnostic::Diagnostic;
@@ -9,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// The library beside this crate, and a small module for tests.
+/// The project's library, and a small module for tests.
 struct Library;
 
 const TEST_MODULE: &str = "extern pure function depth(in d: Length, in shape: String = \"flat\" in [\"flat\", \"round\"]) -> Length;\n\
@@ -17,7 +18,7 @@ const TEST_MODULE: &str = "extern pure function depth(in d: Length, in shape: St
      extern scene function load(in part: Part) -> Observable(Force);\n\
      function twice(in x) { return 2*x; }\n";
 
-/// A module with everything a module can hold.
+/// A module with every kind of declaration that a module can contain.
 const COSTS: &str = "dimension Cost;\nunit euro: Cost;\nunit cent = 0.01 euro;\n\
      private const markup = 1.2;\nconst fee = 3 euro;\n\
      record Offer { price: Cost = fee; private_note = \"\"; }\n\
@@ -54,7 +55,7 @@ fn check(text: &str) -> Checked {
     check_program("model.cx", text, &Library)
 }
 
-/// The fenced `cx` blocks of a Markdown file, with the line each starts on.
+/// Returns the fenced `cx` blocks of a Markdown file, with their first lines.
 fn blocks(text: &str) -> Vec<(usize, String)> {
     let mut blocks = Vec::new();
     let mut open: Option<(usize, String)> = None;
@@ -81,7 +82,7 @@ fn describe(d: &Diagnostic, block: &str) -> String {
     format!("line {}: {} {}", line_of(block, d.primary.span.start) + 1, d.code, d.message)
 }
 
-/// What is wrong with a block: expectations not met and diagnostics not expected.
+/// Checks a block: returns missing and unexpected diagnostics.
 fn judge(block: &str) -> Vec<String> {
     let checked = check(block);
     let mut left: Vec<&Diagnostic> = checked.diagnostics.iter().collect();
@@ -90,7 +91,7 @@ fn judge(block: &str) -> Vec<String> {
         for expectation in line.split("//~").skip(1) {
             let above = expectation.chars().take_while(|c| *c == '^').count();
             let text = expectation[above..].trim();
-            // In another file, whose lines are not in sight here.
+            // A diagnostic in another file, whose lines are not part of the block.
             let elsewhere = text.strip_prefix("elsewhere ");
             let text = elsewhere.unwrap_or(text);
             let (code, message) = text.split_once(' ').unwrap_or((text, ""));
@@ -182,13 +183,13 @@ fn collect_codes(directory: &Path, codes: &mut BTreeSet<String>) {
     }
 }
 
-/// What cards in editors show can be pasted into a model.
+/// Help examples shown in editors must be valid models.
 #[test]
 fn help_shows_programs_that_are_right() {
     let mut failures = Vec::new();
     for help in calyx_lang::help::all().filter(|help| !help.example.is_empty()) {
         let found = check(help.example).diagnostics;
-        // What an example declares it need not use.
+        // Examples may contain unused declarations.
         let wrong =
             found.iter().filter(|d| d.code != "W0201").map(|d| format!("{}: {}", help.word, d.message));
         failures.extend(wrong);
@@ -220,7 +221,7 @@ fn the_example_becomes_a_program() {
     assert_eq!(calyx_lang::description::from_json(&json).expect("reads"), description);
 }
 
-/// Broken programs of all kinds: every program of the corpus cut short, and with a word taken out.
+/// Checks invalid programs: every program of the corpus truncated, and with a word removed.
 #[test]
 fn no_text_panics_the_checker() {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/check");

@@ -1,4 +1,4 @@
-//! Fixes that are made unasked: what they make of a text, and where there must be none.
+//! Tests automatic fixes: the changed text, and cases where no fix may be offered.
 
 #[allow(dead_code)]
 #[path = "support/library.rs"]
@@ -7,7 +7,7 @@ mod library;
 use calyx_lang::check::check_program;
 use library::Library;
 
-/// The text after its first certain fix; `None` if there is none.
+/// Applies the first automatic fix; returns `None` if there is none.
 fn fixed(text: &str, library: &Library) -> Option<String> {
     let checked = check_program("model.cx", text, library);
     let fix = checked.diagnostics.iter().find_map(|diagnostic| diagnostic.fix.as_ref())?;
@@ -41,7 +41,8 @@ fn a_fix_keeps_the_dimension_that_is_meant() {
 fn what_may_mean_two_things_is_not_changed() {
     let library = Library::read();
     for text in [
-        // N*ms or N*m*s; 0.001 Pa or MPa; 1e6 m or mm; force or mass; the exponent would raise the metre alone.
+        // N*ms or N*m*s; 0.001 Pa or MPa; 1e6 m or mm; force or mass; the exponent would apply only
+        // to the metre.
         "print(3 Nms);",
         "print(3 mPa);",
         "print(3 Mm);",

@@ -1,7 +1,9 @@
-//! The formatter against pairs of texts (`format/*.md`) and against every program of the repository.
+//! Tests the formatter with pairs of texts (`format/*.md`) and with every program of the
+//! repository.
 //!
-//! In a page a `cx` block is a program as somebody wrote it and the `formatted` block after it what it becomes; a `cx`
-//! block without one is left alone because of errors. `CALYX_BLESS=1` rewrites the second ones.
+//! In a page, a `cx` block is the input and the following `formatted` block the expected output; a
+//! `cx` block without one has errors and is not formatted. `CALYX_BLESS=1` rewrites the expected
+//! outputs.
 
 #[path = "support/formatting.rs"]
 mod formatting;
@@ -15,7 +17,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// All files below a folder that end like this.
+/// Collects all files below a folder with an ending.
 fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> = fs::read_dir(folder)
         .unwrap_or_else(|e| panic!("{}: {e}", folder.display()))
@@ -38,7 +40,7 @@ fn found(folder: &str, ending: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// The blocks of a page that begin with one of these fences, with their lines.
+/// Returns the blocks of a page with one of these fences, with their lines.
 fn blocks<'t>(page: &'t str, kinds: &[&str]) -> Vec<(usize, &'t str, &'t str)> {
     let mut blocks = Vec::new();
     let mut open: Option<(usize, &str, usize)> = None;
@@ -102,12 +104,12 @@ fn pages_are_formatted_as_they_say() {
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
-/// Models, library and tests are written as `calyx fmt` writes them. `CALYX_BLESS=1` formats them.
+/// Models, library and tests have the format of `calyx fmt`. `CALYX_BLESS=1` formats them.
 #[test]
 fn programs_of_the_repository_are_formatted() {
     let bless = std::env::var_os("CALYX_BLESS").is_some();
     let mut paths = found("", ".cx");
-    // What a grammar for editors colours need be neither right nor well laid out.
+    // The samples for syntax highlighting need not be valid or formatted.
     paths.retain(|path| !path.components().any(|part| part.as_os_str() == "grammar"));
     assert!(paths.len() >= 3);
     let mut failures = Vec::new();
@@ -135,14 +137,14 @@ fn snippets_of_the_book_are_formatted() {
             let place = format!("{}:{line}", path.display());
             match format(text) {
                 Ok(formatted) if formatted == text => {}
-                // The one that shows what formatting does.
+                // The example of unformatted text.
                 Ok(_) if text.starts_with("// before") => {}
                 Ok(formatted) if bless => {
                     let fenced = |text: &str| format!("```{kind}\n{text}```");
                     page = page.replacen(&fenced(text), &fenced(&formatted), 1);
                 }
                 Ok(formatted) => failures.push(format!("{place}: not\n{text}but\n{formatted}")),
-                // Snippets that show errors of syntax.
+                // Examples of syntax errors.
                 Err(FormatError::Errors(_)) if text.contains("//~") => {}
                 Err(problem) => failures.push(format!("{place}: {problem:?}")),
             }
@@ -154,7 +156,7 @@ fn snippets_of_the_book_are_formatted() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Every program in any test: same tree, same comments, done at once.
+/// Formatting any program of any test preserves tree and comments, and is idempotent.
 #[test]
 fn formatting_changes_no_program() {
     let mut failures = Vec::new();
@@ -215,7 +217,7 @@ fn a_part_is_laid_out_as_in_its_file() {
         part.replace_range(edit.span.start as usize..edit.span.end as usize, &edit.replacement);
     }
     assert_eq!(format(&file).unwrap(), file.replace(&statement, &part));
-    // The columns before it count: further out it fits in a line.
+    // The indentation counts: without it, the statement would fit on one line.
     assert!(part.contains('\n') && !format(&statement).unwrap().trim_end().contains('\n'), "{part}");
     assert!(matches!(format_part("var x = ;", &place), Err(FormatError::Errors(_))));
 }

@@ -1,8 +1,9 @@
-//! Programs made from the grammar, whole and broken, and texts that are none: no stage panics or runs out of stack, what
-//! is reported lies in the text, and what is right comes out of the formatter as the same program.
+//! Fuzz tests with programs from the grammar, valid and mutated, and with arbitrary texts. No stage
+//! may panic or overflow the stack, diagnostics must be within the text, and formatting must
+//! preserve valid programs.
 //!
-//! `CALYX_FUZZ=100000 cargo test -p calyx-lang --test fuzz` makes that many of each instead of a few, and
-//! `CALYX_FUZZ_SEED` begins with others.
+//! `CALYX_FUZZ=100000 cargo test -p calyx-lang --test fuzz` makes that many of each kind;
+//! `CALYX_FUZZ_SEED` changes the random seed.
 
 #[path = "support/formatting.rs"]
 mod formatting;
@@ -23,7 +24,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// How many of each kind are tried.
+/// Returns the number of cases of each kind.
 fn count(few: usize) -> usize {
     std::env::var("CALYX_FUZZ").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
 }
@@ -33,7 +34,7 @@ fn random(stream: u64) -> Random {
     Random((0x9E37_79B9_7F4A_7C15 ^ stream).wrapping_add(seed.wrapping_mul(0xD134_2543_DE82_EF95)) | 1)
 }
 
-/// What goes wrong with a text in any stage; `None` if nothing does.
+/// Returns a description of the failure of any stage on a text; `None` without a failure.
 fn trouble(text: &str, library: &Library) -> Option<String> {
     let stages = AssertUnwindSafe(|| {
         let tokens = lex(FileId(0), text);
@@ -53,7 +54,7 @@ fn trouble(text: &str, library: &Library) -> Option<String> {
     catch_unwind(stages).unwrap_or_else(|_| Some("panic".into()))
 }
 
-/// The smallest part of a troublesome text, found by leaving out pieces, that still gives trouble.
+/// Returns the smallest failing part of a failing text, found by removing pieces.
 fn shrunk(text: &str, troublesome: impl Fn(&str) -> bool) -> String {
     let mut characters: Vec<char> = text.chars().collect();
     let mut length = characters.len() / 2;
@@ -81,7 +82,7 @@ fn survives(text: &str, library: &Library) {
     }
 }
 
-/// Variants of an enumeration of `src/ast.rs`.
+/// Returns the variants of an enumeration in `src/ast.rs`.
 fn variants(name: &str) -> BTreeSet<String> {
     let source = fs::read_to_string(folder("src/ast.rs")).expect("the tree");
     let begin = source.find(&format!("pub enum {name} {{")).expect("the enumeration");
@@ -131,7 +132,7 @@ fn programs_of_the_grammar_are_read_and_formatted() {
     }
 }
 
-/// Deletes, doubles, exchanges tokens, puts in others, or ends the text early.
+/// Deletes, duplicates, exchanges or inserts tokens, or truncates the text.
 fn mutate(pieces: &mut Vec<Piece>, words: &[&str], random: &mut Random) {
     for _ in 0..1 + random.below(4) {
         let at = random.below(pieces.len());
@@ -225,7 +226,7 @@ fn broken_programs_do_no_harm() {
     }
 }
 
-/// Programs that people wrote, and so that mean something to the checker, with a few tokens changed.
+/// Mutates a few tokens of handwritten programs, which are meaningful to the checker.
 #[test]
 fn broken_models_do_no_harm() {
     let library = Library::read();
@@ -257,7 +258,7 @@ fn broken_models_do_no_harm() {
             .iter()
             .map(|t| Piece { text: text[t.span.start as usize..t.span.end as usize].into(), same_line: true })
             .collect();
-        // Tokens of other places, which are more likely to fit than words alone.
+        // Tokens from other positions, which fit more likely than single words.
         let names: Vec<String> = pieces.iter().map(|p| p.text.clone()).collect();
         let mut words: Vec<&str> = names.iter().map(String::as_str).collect();
         words.extend(WORDS);
@@ -303,7 +304,7 @@ fn random_of(choices: &[&str], depth: usize, random: &mut Random) -> String {
         match c {
             '#' => text.push_str(random.pick(&["P", "Q", "R"])),
             '@' => text.push_str(random.pick(&["f", "g", "h"])),
-            // The first ones are leaves.
+            // The first choices are leaves.
             '$' if depth == 0 => text += &random_of(&EXPRESSIONS[..12], 0, random),
             '$' => text += &random_of(EXPRESSIONS, depth - 1, random),
             c => text.push(c),
@@ -312,8 +313,8 @@ fn random_of(choices: &[&str], depth: usize, random: &mut Random) -> String {
     text
 }
 
-/// A program of records whose fields have types, defaults, both or neither, and of functions that use
-/// them in random ways.
+/// Returns a program of records whose fields have types, defaults, both or neither, and of
+/// functions that use the fields in random ways.
 fn half_typed_records(random: &mut Random) -> String {
     const FIELDS: &[&str] = &[
         ";",

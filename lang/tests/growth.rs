@@ -1,5 +1,5 @@
-//! What grows with the length of a model, by counting: the generator's models are sound, and what is made of them is in
-//! proportion to their length. `cargo bench -p calyx` says how long it takes.
+//! Tests that the size of the typed program grows linearly with the length of generated models.
+//! `cargo bench -p calyx` measures the time.
 
 #[path = "support/generator.rs"]
 mod generator;
@@ -18,7 +18,7 @@ fn program(text: &str) -> Program {
     checked.program.expect("a program")
 }
 
-/// Functions, sites, blocks and statements.
+/// Returns the numbers of functions, sites, blocks and statements.
 fn sizes(program: &Program) -> [usize; 4] {
     let blocks = || program.functions.iter().flat_map(|function| &function.blocks);
     let statements = blocks().map(|block| block.statements.len()).sum();
@@ -32,7 +32,8 @@ fn a_longer_model_gives_a_program_in_proportion() {
         assert!(two[at] > one[at], "each section adds something");
         assert_eq!(three[at] - two[at], two[at] - one[at], "each section adds the same");
     }
-    // Per section: five functions that are called; one of them for numbers only, since types share representations.
+    // Per section: five called functions; one of them is instantiated for numbers only, because
+    // types share representations.
     assert_eq!(two[0] - one[0], 5);
 }
 

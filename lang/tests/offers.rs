@@ -1,7 +1,8 @@
-//! What diagnostics offer, as data: every case of `offers.md` is a model and the lines that each change would make of it.
+//! Tests the changes that diagnostics offer: every case of `offers.md` is a model with the lines
+//! that each change would produce.
 //!
-//! `fix` marks what `calyx check --fix` does unasked, `offer` what an editor shows beside it. `CALYX_BLESS=1` writes what is
-//! found into the file.
+//! `fix` marks automatic fixes of `calyx check --fix`, `offer` additional suggestions in editors.
+//! `CALYX_BLESS=1` writes the actual changes into the file.
 
 #[path = "support/library.rs"]
 mod library;
@@ -22,7 +23,7 @@ fn changed(text: &str, fix: &Fix) -> String {
     changed
 }
 
-/// The line that a change touches, as it is afterwards.
+/// Returns the changed line after a fix.
 fn line(text: &str, fix: &Fix) -> String {
     let start = fix.span.start as usize;
     let line = text[..start].matches('\n').count();

@@ -1,4 +1,5 @@
-//! No text may panic the parser, overflow its stack or take it long: mutated programs, token soup, deep nesting.
+//! Tests that no text makes the parser panic, overflow the stack or take long: mutated programs,
+//! random tokens, deep nesting.
 
 use calyx_lang::diagnostic::Severity;
 use calyx_lang::parser::parse;
@@ -6,7 +7,7 @@ use calyx_lang::span::FileId;
 use std::fs;
 use std::path::Path;
 
-/// xorshift64*: small, and the same on every machine.
+/// The xorshift64* generator, the same on every machine.
 struct Random(u64);
 
 impl Random {
@@ -29,7 +30,8 @@ fn corpus() -> Vec<String> {
     texts
 }
 
-/// Every span must lie in the text, on character boundaries: renderers and editors rely on it.
+/// Asserts that every span is within the text and on character boundaries, which renderers and
+/// editors require.
 fn check(text: &str) {
     let (module, diagnostics) = parse(FileId(0), text);
     let inside = |start: u32, end: u32| {
@@ -60,7 +62,7 @@ fn mutated_programs_do_not_panic() {
     ];
     for _ in 0..3000 {
         let text = &corpus[random.below(corpus.len())];
-        // A window keeps one case short.
+        // A limited window keeps each case short.
         let characters: Vec<char> = text.chars().collect();
         let length = 1 + random.below(400);
         let start = random.below(characters.len());
@@ -178,7 +180,7 @@ fn nesting_has_a_limit_and_an_error() {
     }
 }
 
-/// What the limit lets through must survive every walk over the tree on an ordinary stack.
+/// The deepest accepted nesting must not overflow an ordinary stack in any traversal.
 #[test]
 fn nesting_below_the_limit_parses() {
     for text in [
@@ -200,7 +202,7 @@ fn nesting_below_the_limit_parses() {
     }
 }
 
-/// A file full of errors is parsed in proportion to its length.
+/// A file full of errors is parsed in linear time.
 #[test]
 fn many_errors_are_all_reported() {
     for broken in ["x = ;\n", "f(1 2);\n", "var = 3;\n", "x = $;\n", "} \n", "y = [1 2];\n"] {

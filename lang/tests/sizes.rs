@@ -1,5 +1,6 @@
-//! Adversarial sizes: a million nested brackets, many thousand signs, dots or letters get an answer through all stages,
-//! without panic or overflow of the stack. `CALYX_SIZE=1000000` makes all of them that long; the times are printed.
+//! Tests extreme sizes: texts with a million nested brackets, or many thousand operators, dots or
+//! letters pass through all stages without a panic or stack overflow. `CALYX_SIZE=1000000` sets the
+//! size of all texts; the times are printed.
 
 #[path = "support/library.rs"]
 mod library;
@@ -10,7 +11,7 @@ use library::{Library, improper};
 use std::sync::Mutex;
 use std::time::Instant;
 
-/// Texts of a million brackets, of a name of endless letters and the like get an answer, through all stages.
+/// Texts of repeated brackets, very long names and similar inputs terminate in all stages.
 #[test]
 fn endless_texts_have_an_answer() {
     let library = Library::read();
@@ -64,7 +65,7 @@ fn endless_texts_have_an_answer() {
             text + &format!("function f{i}() {{ f{}(); }}\n", i - 1)
         }),
     ];
-    // Chains of declarations and of types, in the order of their dependence and against it.
+    // Chains of declarations and of types, in dependence order and in reverse.
     let chain = |first: &str, next: &str| -> [String; 2] {
         let first = first.replace('#', "0");
         let rest = (1..10_000).map(|i| next.replace('#', &i.to_string()).replace('@', &(i - 1).to_string()));
@@ -89,7 +90,7 @@ fn endless_texts_have_an_answer() {
         ),
     ];
     let texts: Vec<String> = texts.into_iter().chain(chains.into_iter().flatten()).collect();
-    // The longest takes seconds: two at a time.
+    // The longest text takes seconds, so two run in parallel.
     let texts = Mutex::new(texts.into_iter());
     let next = || texts.lock().expect("no panic").next();
     std::thread::scope(|scope| {
@@ -99,7 +100,7 @@ fn endless_texts_have_an_answer() {
     });
 }
 
-/// Through all stages.
+/// Runs all stages.
 fn has_an_answer(text: &str, library: &Library) {
     let begin: String = text.chars().take(30).collect();
     let started = Instant::now();
@@ -112,6 +113,6 @@ fn has_an_answer(text: &str, library: &Library) {
         checked.diagnostics.len()
     );
     assert_eq!(improper(&checked.diagnostics, text), None, "{begin}");
-    // What has no errors has a layout.
+    // A text without syntax errors can be formatted.
     assert!(checked.diagnostics.iter().any(|d| d.code.starts_with("E01")) || formatted.is_ok(), "{begin}");
 }

@@ -1,8 +1,9 @@
-//! The parser against fixtures: `syntax/*.md` hold programs with the tree or the errors they must give.
+//! Tests the parser with fixtures: `syntax/*.md` contain programs with the expected tree or errors.
 //!
-//! A fixture is a fenced `cx` block. Errors are marked in comments of the program itself, on the line below their
-//! place (`//  ^ E0110 words of the message`) or above it (`//  v E0102`). A program without marks must
-//! parse without errors, and a `tree` block after it holds its tree. `CALYX_BLESS=1` rewrites the trees.
+//! A fixture is a fenced `cx` block. Expected errors are comments in the program, on the line below
+//! their location (`//  ^ E0110 words of the message`) or above it (`//  v E0102`). A program
+//! without such marks must have no errors, and a following `tree` block contains its tree.
+//! `CALYX_BLESS=1` rewrites the trees.
 
 use calyx_lang::tree_text as tree;
 
@@ -27,7 +28,7 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// Line and column, both from 1, of a byte.
+/// Returns line and column of a byte, both counted from 1.
 fn line_column(text: &str, byte: usize) -> (usize, usize) {
     let before = &text[..byte];
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);
@@ -63,7 +64,7 @@ fn marks(program: &str) -> Vec<Mark> {
     found
 }
 
-/// The nearest line above a mark that is no mark itself; from 1.
+/// Returns the nearest line above a mark that is not a mark itself, counted from 1.
 fn target_line(program: &str, mark: usize) -> usize {
     let lines: Vec<&str> = program.lines().collect();
     let is_mark =
@@ -150,7 +151,7 @@ fn examples_and_library_parse_without_errors() {
     }
 }
 
-/// A fix that is offered must mend what it is offered for.
+/// An offered fix must remove its error.
 #[test]
 fn offered_fixes_fix_their_errors() {
     let mut applied = 0;
@@ -171,7 +172,7 @@ fn offered_fixes_fix_their_errors() {
     assert!(applied >= 8, "only {applied} fixes");
 }
 
-/// A code nobody shows is a code nobody checks. Nesting has its own tests.
+/// Every code must have a fixture. Nesting has separate tests.
 #[test]
 fn every_syntax_code_has_a_fixture() {
     let mut sources = files(&folder("src/parser"), "rs");

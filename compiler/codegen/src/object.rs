@@ -18,7 +18,7 @@ use std::mem::{offset_of, size_of};
 pub struct ObjectOptions<'p> {
     /// The model's name, a C identifier: the file exports `NAME_model`.
     pub name: &'p str,
-    /// The description as JSON.
+    /// Returns the description as JSON.
     pub description: &'p str,
     /// Fingerprint of the engine that the code may call.
     pub abi: Fingerprint,

@@ -113,7 +113,7 @@ impl Binary {
 pub enum Node {
     /// A number, stored as its bits so that nodes can be compared.
     Constant(u64),
-    /// An input of the kernel, by index.
+    /// Returns an input of the kernel, by index.
     Symbol(u32),
     Unary(Unary, NodeId),
     Binary(Binary, NodeId, NodeId),

@@ -12,7 +12,7 @@ pub type ValueId = u32;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instruction {
     Constant(f64),
-    /// An input of the kernel, by index.
+    /// Returns an input of the kernel, by index.
     Input(u32),
     Negate(ValueId),
     Abs(ValueId),

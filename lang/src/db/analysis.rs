@@ -1,6 +1,7 @@
-//! Queries for editors: what names mean, of what type expressions are, what is seen from a place.
+//! Queries for editors: the meaning of names, the types of expressions, the visible names.
 //!
-//! Meanings are found by item, relative to its start, and kept until the unit that the item is checked in is checked again.
+//! Meanings are computed by item, with locations relative to its start, and cached until the unit
+//! of the item is checked again.
 
 use super::groups::group_of;
 use super::items::{Item, Part, facts, items, module, parse, parts, tokens};
@@ -27,15 +28,15 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What is known of a name that is declared in a file.
+/// The known properties of a name declared in a file.
 pub(super) struct NameInfo {
     pub kind: NameKind,
     pub ty: Option<Arc<str>>,
-    /// What a module's name stands for.
+    /// The module that a module's name denotes.
     pub module: Option<SourceRange>,
 }
 
-/// A name in an item, with places relative to the items they are in.
+/// A name in an item, with locations relative to their items.
 #[derive(Debug)]
 struct Relative {
     start: u32,
@@ -54,7 +55,7 @@ enum RelativeTarget {
     Module(Text),
 }
 
-/// The unit that an item is checked in.
+/// Returns the check unit of an item.
 pub(super) fn unit_of<'db>(
     db: &'db dyn salsa::Database,
     item: Item<'db>,
@@ -72,13 +73,13 @@ pub(super) fn unit_of<'db>(
     }
 }
 
-/// The scheme of a function that is an item.
+/// Returns the scheme of a function item.
 fn scheme<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Option<&'db ShownScheme> {
     let unit = unit_of(db, item, library)?;
     unit.meanings.scheme(*unit.functions.get(&id(item))?)
 }
 
-/// The names of an item.
+/// Returns the names in an item.
 #[salsa::tracked(no_eq)]
 fn relative_names<'db>(
     db: &'db dyn salsa::Database,
@@ -89,7 +90,7 @@ fn relative_names<'db>(
     let Some((file, start)) = unit.layout.start(id(item)) else { return Arc::default() };
     let content = item.content(db);
     let mut found: Vec<Relative> = Vec::new();
-    // Many names are of few declarations.
+    // Many names refer to few declarations.
     let mut types: HashMap<RelativePlace, Option<Arc<str>>> = HashMap::new();
     let mut statement = content.statement.clone();
     relocate::to(&mut statement, file, start);
@@ -138,12 +139,12 @@ fn relative_names<'db>(
 
 type RelativePlace = (ItemId, u32);
 
-/// The item of an id found in this revision.
+/// Returns the item with an id of the current revision.
 fn item_of<'db>(id: ItemId) -> Item<'db> {
     Item::from_id(Id::from_bits(id))
 }
 
-/// The types of a function of the engine, as declared.
+/// Returns the declared types of an engine function.
 pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<ShownScheme> {
     let content = item.content(db);
     let StmtKind::Function(decl) = &content.statement.kind else { return None };
@@ -161,18 +162,18 @@ pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<
     })
 }
 
-/// An item in the excerpt that its unit is checked in.
+/// An item in the excerpt of its unit.
 #[derive(Clone, Copy)]
 struct Excerpted {
-    /// Of the excerpt.
+    /// File of the excerpt.
     file: FileId,
     base: u32,
-    /// In its own file.
+    /// Start in its own file.
     start: u32,
     length: u32,
 }
 
-/// The expressions of a unit that lie in some of its items and that a range of their file touches.
+/// Returns the expressions in some items of a unit that overlap a range of their file.
 fn expressions_of(unit: &Unit, parts: &[Excerpted], range: &Range<u32>) -> Vec<Typed> {
     let mut parts = parts.to_vec();
     parts.sort_by_key(|part| part.base);
@@ -199,12 +200,12 @@ impl Database {
         self.models.get(file).copied().or_else(|| modules().find(|text| **text.name(db) == *file))
     }
 
-    /// Names of the models, in order.
+    /// Returns the names of the models, in order.
     pub fn models(&self) -> impl Iterator<Item = &str> {
         self.models.keys().map(String::as_str)
     }
 
-    /// All files: models, modules, and the prelude.
+    /// Returns all files: models, modules, and the prelude.
     pub fn files(&self) -> Vec<Arc<str>> {
         let db = &self.salsa;
         let modules =
@@ -213,7 +214,7 @@ impl Database {
         self.models().map(Arc::from).chain(modules).collect()
     }
 
-    /// The files that a file imports, directly or through others.
+    /// Returns the files that a file imports, directly or indirectly.
     pub fn imported(&self, file: &str) -> Vec<Arc<str>> {
         let db = &self.salsa;
         let Some(text) = self.find(file) else { return Vec::new() };
@@ -221,19 +222,19 @@ impl Database {
         all.map(|text| text.name(db).clone()).collect()
     }
 
-    /// The dotted path of a module's file; `None` for a model.
+    /// Returns the dotted path of a module's file; `None` for a model.
     pub fn module_of(&self, file: &str) -> Option<String> {
         let path = self.find(file)?.module(&self.salsa).clone();
         (!path.is_empty()).then_some(path)
     }
 
-    /// The file of a module, by its dotted path.
+    /// Returns the file of a module, by its dotted path.
     pub fn file_of(&self, module: &str) -> Option<Arc<str>> {
         let db = &self.salsa;
         self.library.modules(db).get(module).map(|text| text.name(db).clone())
     }
 
-    /// Modules that can be imported, by their dotted paths.
+    /// Returns the modules that can be imported, by their dotted paths.
     pub fn modules(&self) -> Vec<String> {
         let db = &self.salsa;
         let mut all: Vec<String> = self.library.known(db).clone();
@@ -243,23 +244,23 @@ impl Database {
         all
     }
 
-    /// The text of a file.
+    /// Returns the text of a file.
     pub fn text(&self, file: &str) -> Option<&str> {
         Some(self.find(file)?.content(&self.salsa))
     }
 
-    /// The tokens of a file; places have file 0.
+    /// Returns the tokens of a file; locations have file 0.
     pub fn tokens(&self, file: &str) -> Option<Arc<Tokens>> {
         Some(tokens(&self.salsa, self.find(file)?).clone())
     }
 
-    /// The tree of a file; places have file 0.
+    /// Returns the tree of a file; locations have file 0.
     pub fn tree(&self, file: &str) -> Option<Arc<Parsed>> {
         let text = self.find(file)?;
         Some(with_deep_stack(|| parse(&self.salsa, text).clone()))
     }
 
-    /// The names of a file that mean something, in order.
+    /// Returns the names in a file that have a meaning, in order.
     pub fn names(&self, file: &str) -> Vec<Name> {
         let Some(text) = self.find(file) else { return Vec::new() };
         with_deep_stack(|| {
@@ -268,7 +269,7 @@ impl Database {
         })
     }
 
-    /// The names of a file's top-level statements that a range touches, in order.
+    /// Returns the names in the top-level statements that overlap a range, in order.
     pub fn names_in(&self, file: &str, range: Range<u32>) -> Vec<Name> {
         let Some(text) = self.find(file) else { return Vec::new() };
         with_deep_stack(|| {
@@ -277,11 +278,11 @@ impl Database {
         })
     }
 
-    /// The name at an offset, or that ends there.
+    /// Returns the name that contains an offset or ends there.
     pub fn name_at(&self, file: &str, offset: u32) -> Option<Name> {
         let text = self.find(file)?;
         with_deep_stack(|| {
-            // Of two that meet there the later one.
+            // The later of two adjacent names.
             self.items_in(text, offset..offset).into_iter().rev().find_map(|item| self.name_in(item, offset))
         })
     }
@@ -293,11 +294,11 @@ impl Database {
         (at <= name.end).then(|| self.placed(item, name))
     }
 
-    /// The items of a file that a range touches.
+    /// Returns the items of a file that overlap a range.
     pub(super) fn items_in(&self, text: Text, range: Range<u32>) -> Vec<Item<'_>> {
         let db = &self.salsa;
         let all = items(db, text);
-        // They do not overlap, so their ends are in order as their starts are.
+        // Items do not overlap, so their ends are ordered like their starts.
         let end = |item: &Item<'_>| item.start(db) + item.content(db).text.len() as u32;
         let first = all.partition_point(|item| end(item) < range.start);
         all.iter().skip(first).copied().take_while(|item| item.start(db) <= range.end).collect()
@@ -308,7 +309,7 @@ impl Database {
         names.iter().map(|name| self.placed(item, name)).collect()
     }
 
-    /// A name of an item, in its file.
+    /// Converts a name of an item to its file.
     fn placed(&self, item: Item<'_>, name: &Relative) -> Name {
         let db = &self.salsa;
         let start = item.start(db);
@@ -335,7 +336,7 @@ impl Database {
         }
     }
 
-    /// Every name in any file that means what is declared at a place, the declaration included, by file.
+    /// Returns every name of the declaration at a location, including the declaration, by file.
     pub fn references(&self, place: &SourceRange) -> Vec<(Arc<str>, Name)> {
         let db = &self.salsa;
         let Some(target) = self.find(&place.file) else { return Vec::new() };
@@ -362,7 +363,7 @@ impl Database {
         found
     }
 
-    /// The expressions of the checked program that a range touches, in order of their starts, outer before inner.
+    /// Returns the typed expressions that overlap a range, by start, outer before inner.
     pub fn expressions(&self, file: &str, range: Range<u32>) -> Vec<Typed> {
         let Some(text) = self.find(file) else { return Vec::new() };
         let mut found = with_deep_stack(|| {
@@ -374,7 +375,7 @@ impl Database {
         found
     }
 
-    /// The units that the items of a range are checked in, each once however many items it has.
+    /// Returns the units of the items in a range, each once.
     fn excerpts(
         &self,
         text: Text,
@@ -392,18 +393,18 @@ impl Database {
         units
     }
 
-    /// The smallest expression around an offset.
+    /// Returns the smallest expression that contains an offset.
     pub fn expression_at(&self, file: &str, offset: u32) -> Option<Typed> {
         let around = self.expressions(file, offset..offset).into_iter();
         let around = around.filter(|typed| typed.start <= offset && offset <= typed.end);
         around.min_by_key(|typed| (typed.end - typed.start, u32::MAX - typed.start))
     }
 
-    /// Names that can be used at an offset: of the file from the inside out, of the prelude, and of the language. A name that is
-    /// hidden by a nearer one is left out.
+    /// Returns the names that can be used at an offset: those of the file, innermost first, of the
+    /// prelude, and of the language. Shadowed names are not included.
     pub fn visible(&self, file: &str, offset: u32) -> Vec<Visible> {
         let known = |local: &Local, _: &str| {
-            // In a broken text perhaps nothing.
+            // In an invalid text, the name may have no meaning.
             let name = self.name_at(file, local.span.start)?;
             match local.kind {
                 NameKind::Module => Some(NameInfo { kind: local.kind, ty: None, module: name.declared }),
@@ -413,7 +414,7 @@ impl Database {
         with_deep_stack(|| self.seen_by(file, offset, &known))
     }
 
-    /// [`Database::visible`], where `known` says what is known of a name of the file itself.
+    /// Computes [`Database::visible`]; `known` returns the properties of a name of the file itself.
     pub(super) fn seen_by(
         &self,
         file: &str,
@@ -459,7 +460,7 @@ impl Database {
         found
     }
 
-    /// What importers see of a module.
+    /// Returns the names of a module that importers see.
     pub fn members(&self, module_path: &str) -> Vec<Visible> {
         match module(&self.salsa, self.library, module_path.to_string()) {
             Some(text) => self.exports(*text),
@@ -498,7 +499,7 @@ impl Database {
         found
     }
 
-    /// The exported declarations of this name of any module that is known: module and place.
+    /// Returns the modules that export this name, each with the declaration.
     pub fn exported(&self, name: &str) -> Vec<(String, Visible)> {
         let db = &self.salsa;
         let mut found = Vec::new();
@@ -511,15 +512,15 @@ impl Database {
         found
     }
 
-    /// The part of a file that an offset lies in.
+    /// Returns the part of a file that contains an offset.
     pub(super) fn part_at(&self, file: &str, offset: u32) -> Option<&Part> {
         let text = self.find(file)?;
         let all = with_deep_stack(|| parts(&self.salsa, text));
         all.get(all.partition_point(|part| part.start <= offset).checked_sub(1)?)
     }
 
-    /// The top-level statement around an offset, in a tree of its own with places of the file: much less to make than the
-    /// whole tree after an edit.
+    /// Returns the top-level statement around an offset, as a tree with locations in the file.
+    /// After an edit, this is much faster than the tree of the whole file.
     pub fn around(&self, file: &str, offset: u32) -> Option<Arc<Parsed>> {
         let part = self.part_at(file, offset)?;
         let start = part.start as usize;
@@ -528,12 +529,12 @@ impl Database {
         Some(Arc::new(Parsed { module, diagnostics }))
     }
 
-    /// The system of units that a file names.
+    /// Returns the unit system that a file declares.
     pub fn system(&self, file: &str) -> Option<UnitSystem> {
         facts(&self.salsa, self.find(file)?).system
     }
 
-    /// What the declaration of a name says. `place` is that of the name.
+    /// Returns the text of a declaration. `place` is the location of its name.
     pub fn declaration(&self, place: &SourceRange) -> Option<Declaration> {
         let part = self.part_at(&place.file, place.start)?;
         let text = self.text(&place.file)?.get(part.start as usize..)?;
@@ -567,18 +568,18 @@ impl Database {
         })
     }
 
-    /// What a module says of itself.
+    /// Returns the documentation of a module.
     pub fn module_doc(&self, file: &str) -> Option<String> {
         self.tree(file)?.module.doc.clone()
     }
 
-    /// How a function of the language is called.
+    /// Returns the parameters and the result of a built-in function.
     pub fn builtin(&self, name: &str) -> Option<Callable> {
         builtins::callable(name)
     }
 }
 
-/// What a declaration declares, by its text alone.
+/// Returns the kind of a declaration, by its syntax alone.
 fn written_kind(found: Declared<'_>) -> NameKind {
     match found {
         Declared::Variable(_, decl) => match decl.init {

@@ -1,4 +1,5 @@
-//! How functions and records are called: what their declarations write, and types from wherever they are known.
+//! Parameters and results of functions and records: from the text of their declarations, with types
+//! from the checker or a cache.
 
 use super::Database;
 use super::analysis::{extern_scheme, unit_of};
@@ -11,7 +12,7 @@ use crate::deep_recursion::with_deep_stack;
 use crate::dimension::Dimension;
 use crate::span::Span;
 
-/// What is known of the types of a declaration.
+/// The known types of a declaration.
 pub(super) struct Types<'t> {
     pub scheme: &'t dyn Fn(&FunctionDecl) -> ShownScheme,
     pub field: &'t dyn Fn(&RecordDecl, &RecordField) -> String,
@@ -19,14 +20,14 @@ pub(super) struct Types<'t> {
 }
 
 impl Database {
-    /// How the function or record that is declared at a place is called.
+    /// Returns the parameters and the result of the function or record declared at a location.
     pub fn callable(&self, place: &SourceRange) -> Option<Callable> {
         let db = &self.salsa;
         let text = self.find(&place.file)?;
         let part = self.part_at(&place.file, place.start)?;
         let item = with_deep_stack(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
         let unit = with_deep_stack(|| unit_of(db, item, self.library));
-        // To places in the unit's excerpt.
+        // Converts to locations in the unit's excerpt.
         let base = unit.and_then(|unit| unit.layout.start(id(item)));
         let moved = |span: Span| {
             let (file, base) = base.unwrap_or_default();
@@ -51,7 +52,7 @@ impl Database {
         self.called(place, &Types { scheme: &scheme, field: &field, dimension: &dimension })
     }
 
-    /// The same with types from elsewhere.
+    /// Computes [`Database::callable`] with types from another source.
     pub(super) fn called(&self, place: &SourceRange, types: &Types<'_>) -> Option<Callable> {
         let part = self.part_at(&place.file, place.start)?;
         let content = self.text(&place.file)?.get(part.start as usize..)?;
@@ -61,7 +62,7 @@ impl Database {
     }
 }
 
-/// `content` is the text from `start` on, where the places of the statement are counted from.
+/// `content` is the text from `start` on, to which the locations of the statement are relative.
 fn described(
     place: &SourceRange,
     start: u32,

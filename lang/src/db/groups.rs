@@ -1,4 +1,5 @@
-//! Queries over names: which items an item needs, and which functions need each other.
+//! Queries over names: the items that an item depends on, and groups of mutually recursive
+//! functions.
 
 use super::items::{Item, declared, items, module, nameable, reachable, state_names};
 use super::{Library, Text};
@@ -10,13 +11,13 @@ use salsa::plumbing::AsId;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-/// Functions that are checked together: one, or several that name each other.
+/// Functions that are checked together: one function, or mutually recursive functions.
 #[salsa::interned]
 pub(super) struct Group<'db> {
     pub members: Vec<Item<'db>>,
 }
 
-/// The items that names in a file can mean.
+/// Returns the items that names in a file can refer to.
 fn meant<'db>(
     db: &'db dyn salsa::Database,
     file: Text,
@@ -45,25 +46,25 @@ fn meant<'db>(
     found
 }
 
-/// What others see of an item.
+/// Returns the part of an item that other items depend on.
 #[salsa::tracked]
 pub(super) fn header<'db>(db: &'db dyn salsa::Database, item: Item<'db>) -> Arc<item::Item> {
     Arc::new(item.content(db).header())
 }
 
-/// The items of a file that declare a name, in order.
+/// Returns the items of a file that declare a name, in order.
 #[salsa::tracked]
 pub(super) fn named<'db>(db: &'db dyn salsa::Database, file: Text, name: String) -> Vec<Item<'db>> {
     declared(db, file).get(&name).cloned().unwrap_or_default()
 }
 
-/// The items that an item names.
+/// Returns the items that an item refers to.
 #[salsa::tracked]
 pub(super) fn links<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Vec<Item<'db>> {
     meant(db, item.file(db), &item.content(db).names, library)
 }
 
-/// The items that others need to know of when they use an item.
+/// Returns the items that users of an item also depend on.
 #[salsa::tracked]
 pub(super) fn header_links<'db>(
     db: &'db dyn salsa::Database,
@@ -73,7 +74,8 @@ pub(super) fn header_links<'db>(
     meant(db, item.file(db), &item.content(db).header_names, library)
 }
 
-/// Of the files that import each other, the one that stands for all; a file by itself for itself.
+/// Returns the representative of the files that import each other; a file without import cycle
+/// represents itself.
 #[salsa::tracked]
 fn leader(db: &dyn salsa::Database, text: Text, library: Library) -> Text {
     let mutual = |other: &Text| reachable(db, *other, library).contains(&text);
@@ -88,7 +90,7 @@ pub(super) struct Groups<'db> {
     of: HashMap<Item<'db>, usize>,
 }
 
-/// The groups of a file and those that it and others import each other.
+/// Returns the groups of a file and of the files in the same import cycle.
 #[salsa::tracked]
 fn groups_of_leader(db: &dyn salsa::Database, first: Text, library: Library) -> Groups<'_> {
     let others = reachable(db, first, library).iter().copied();
@@ -122,7 +124,7 @@ pub(super) fn groups<'db>(db: &'db dyn salsa::Database, file: Text, library: Lib
     groups_of_leader(db, *leader(db, file, library), library)
 }
 
-/// The group a function belongs to.
+/// Returns the group of a function.
 #[salsa::tracked(returns(copy))]
 pub(super) fn group_of<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Library) -> Group<'db> {
     let groups = groups(db, item.file(db), library);
@@ -130,13 +132,13 @@ pub(super) fn group_of<'db>(db: &'db dyn salsa::Database, item: Item<'db>, libra
     Group::new(db, members.cloned().unwrap_or_else(|| vec![item]))
 }
 
-/// Whether a function sees a variable, param or output of its file's top level.
+/// Returns `true` if a function uses a variable, param or output of its file's top level.
 #[salsa::tracked(returns(copy))]
 pub(super) fn sees_state<'db>(db: &'db dyn salsa::Database, item: Item<'db>) -> bool {
     let (states, content) = (state_names(db, item.file(db)), item.content(db));
     let shared: Vec<&str> =
         content.names.iter().filter(|name| states.contains(*name)).map(String::as_str).collect();
-    // A variable of the function may have the name.
+    // A local variable of the function may shadow the name.
     !shared.is_empty()
         && sees(Extract { name: String::new(), system: None, items: vec![(0, content, Part::Own)] }, &shared)
 }

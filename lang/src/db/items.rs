@@ -1,4 +1,4 @@
-//! Queries over single files: their trees, their items, and what they declare.
+//! Queries over single files: their trees, their items, and their declarations.
 
 use super::{Library, Parsed, Text};
 use crate::ast::StmtKind;
@@ -27,7 +27,8 @@ pub(super) struct Part {
     pub splits: Arc<Vec<Split>>,
 }
 
-/// Pieces of a text by what is written in them, from one revision to the next: whoever edits a text parses little of it.
+/// A cache of the parsed pieces of a text, by their text, across revisions: after an edit, only
+/// changed pieces are parsed.
 #[derive(Debug, Default)]
 pub(super) struct ChunkCache(Mutex<HashMap<Arc<str>, KnownChunk>>);
 
@@ -49,7 +50,7 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
         let start = range.start as u32;
         let slice = content.get(range).unwrap_or_default();
         let last = parts.len() + 1 == count;
-        // A text may say the same twice.
+        // A text may contain equal pieces.
         let again = || next.get_key_value(slice).map(|(written, known)| (written.clone(), known.clone()));
         let known = kept.remove_entry(slice).or_else(again);
         let (written, splits) = match known.filter(|(_, known)| Arc::ptr_eq(&known.piece, &piece)) {
@@ -59,7 +60,7 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
                 (Arc::from(slice), Arc::new(each.collect()))
             }
         };
-        // What the last one is depends on the file's end.
+        // The last piece depends on the end of the file.
         if !last {
             next.insert(written, KnownChunk { piece: piece.clone(), splits: splits.clone() });
         }
@@ -69,7 +70,7 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
     Arc::new(parts)
 }
 
-/// What is wrong with the syntax of a file.
+/// Returns the syntax errors of a file.
 pub(super) fn problems(db: &dyn salsa::Database, text: Text) -> Vec<Diagnostic> {
     let own = parts(db, text)
         .iter()
@@ -77,7 +78,7 @@ pub(super) fn problems(db: &dyn salsa::Database, text: Text) -> Vec<Diagnostic> 
     tokens(db, text).diagnostics.iter().cloned().chain(own).collect()
 }
 
-/// The tree of a file as a whole.
+/// Returns the tree of a file.
 #[salsa::tracked(no_eq)]
 pub(super) fn parse(db: &dyn salsa::Database, text: Text) -> Arc<Parsed> {
     let placed = parts(db, text).iter().map(|part| PlacedChunk {
@@ -88,7 +89,8 @@ pub(super) fn parse(db: &dyn salsa::Database, text: Text) -> Arc<Parsed> {
     Arc::new(Parsed { module, diagnostics })
 }
 
-/// The content of an item. Most are the very same from one revision to the next, which is seen without looking inside.
+/// The content of an item. Most items are unchanged from one revision to the next, which a pointer
+/// comparison detects.
 #[derive(Clone, Debug, salsa::SalsaValue)]
 pub(super) struct Content(pub Arc<item::Item>);
 
@@ -106,7 +108,7 @@ impl Deref for Content {
     }
 }
 
-/// A top-level statement. It is the same one as long as it declares the same.
+/// A top-level statement. It keeps its identity as long as it declares the same name.
 #[salsa::tracked(debug)]
 pub(super) struct Item<'db> {
     #[returns(copy)]
@@ -114,16 +116,16 @@ pub(super) struct Item<'db> {
     pub kind: ItemKind,
     pub name: String,
     pub more: Vec<String>,
-    /// Not seen by importers.
+    /// `true` if importers do not see it.
     #[returns(copy)]
     pub private: bool,
-    /// Number of items of the same kind and name before this one. It makes the hash of equal statements
-    /// differ; a generated text may have thousands of them.
+    /// Number of earlier items with the same kind and name. It makes the hashes of equal statements
+    /// distinct; a generated text may have thousands of them.
     #[returns(copy)]
     pub number: u32,
     #[tracked]
     pub content: Content,
-    /// Where it starts in its file. An edit above changes it and nothing else.
+    /// Start in its file. An edit above changes only this field.
     #[tracked]
     #[returns(copy)]
     pub start: u32,
@@ -145,10 +147,10 @@ pub(super) fn items(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
     found
 }
 
-/// What a file says of itself as a whole.
+/// Properties that a file declares for itself.
 #[derive(Clone, Debug, Default, PartialEq, salsa::SalsaValue)]
 pub(super) struct Facts {
-    /// `units ...;` if the file has it.
+    /// The system of `units ...;`, if the file has it.
     pub system: Option<UnitSystem>,
     pub doc: String,
 }
@@ -157,14 +159,14 @@ pub(super) struct Facts {
 pub(super) fn facts(db: &dyn salsa::Database, text: Text) -> Facts {
     let statements = || parts(db, text).iter().flat_map(|part| &part.piece.statements);
     let system = statements().find_map(|statement| match &statement.kind {
-        // An unknown system is reported where statements are checked.
+        // An unknown system is reported when statements are checked.
         StmtKind::Units(name) => UnitSystem::from_name(&name.name),
         _ => None,
     });
     Facts { system, doc: model_doc(tokens(db, text).file_doc.as_deref(), statements()) }
 }
 
-/// The items of a file by the names they declare.
+/// Returns the items of a file by the names they declare.
 #[salsa::tracked]
 pub(super) fn declared(db: &dyn salsa::Database, text: Text) -> HashMap<String, Vec<Item<'_>>> {
     let mut declared: HashMap<String, Vec<Item<'_>>> = HashMap::new();
@@ -188,8 +190,8 @@ pub(super) fn state_names(db: &dyn salsa::Database, text: Text) -> BTreeSet<Stri
     names
 }
 
-/// Items that functions and declarations can refer to, by name: the first one of each name, without
-/// variables and statements.
+/// Returns the items that functions and declarations can refer to, by name: the first one of each
+/// name, without variables and statements.
 #[salsa::tracked]
 pub(super) fn nameable(db: &dyn salsa::Database, text: Text) -> HashMap<String, Item<'_>> {
     let mut nameable = HashMap::new();
@@ -202,15 +204,16 @@ pub(super) fn nameable(db: &dyn salsa::Database, text: Text) -> HashMap<String, 
     nameable
 }
 
-/// Imports and declarations of a file in order: those whose order matters.
+/// Returns the imports and declarations of a file in order, which matters for them.
 #[salsa::tracked]
 pub(super) fn declarations(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
     let all = items(db, text).iter().copied();
     all.filter(|item| matches!(item.kind(db), ItemKind::Import(_) | ItemKind::Declaration)).collect()
 }
 
-/// The dimensions and units that a file declares. They take part in every check of those who import it: a unit is named
-/// without its module, and shown where none is named.
+/// Returns the dimensions and units that a file declares. Every check of an importing file depends
+/// on them: a unit is used without its module, and is used for display even where the source does
+/// not name it.
 #[salsa::tracked]
 pub(super) fn vocabulary(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
     let measures = |item: &Item<'_>| {
@@ -219,7 +222,7 @@ pub(super) fn vocabulary(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> 
     declarations(db, text).iter().copied().filter(measures).collect()
 }
 
-/// Names of the base dimensions that a file declares.
+/// Returns the names of the base dimensions that a file declares.
 #[salsa::tracked]
 pub(super) fn bases(db: &dyn salsa::Database, text: Text) -> Vec<String> {
     let base = |item: &Item<'_>| match &item.content(db).statement.kind {
@@ -229,7 +232,7 @@ pub(super) fn bases(db: &dyn salsa::Database, text: Text) -> Vec<String> {
     vocabulary(db, text).iter().filter_map(base).collect()
 }
 
-/// Module and name of the base dimensions of all modules.
+/// Returns module and name of the base dimensions of all modules.
 #[salsa::tracked]
 pub(super) fn library_bases(db: &dyn salsa::Database, library: Library) -> Vec<(String, String)> {
     let files = [library.prelude(db)].into_iter().chain(library.modules(db).values().copied());
@@ -240,13 +243,13 @@ pub(super) fn library_bases(db: &dyn salsa::Database, library: Library) -> Vec<(
     files.flat_map(named).collect()
 }
 
-/// The file of a module.
+/// Returns the file of a module.
 #[salsa::tracked]
 pub(super) fn module(db: &dyn salsa::Database, library: Library, path: String) -> Option<Text> {
     library.modules(db).get(&path).copied()
 }
 
-/// The files that a file imports, directly or through others, in order of discovery.
+/// Returns the files that a file imports, directly or indirectly, in order of discovery.
 #[salsa::tracked]
 pub(super) fn reachable(db: &dyn salsa::Database, text: Text, library: Library) -> Vec<Text> {
     let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
@@ -266,7 +269,7 @@ pub(super) fn reachable(db: &dyn salsa::Database, text: Text, library: Library) 
     }
 }
 
-/// Names that a file's declarations of the engine's functions give to what the engine makes.
+/// Returns the names of handle types in a file's declarations of engine functions.
 #[salsa::tracked]
 fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
     let externs = items(db, text).iter().filter(|item| *item.kind(db) == ItemKind::Extern);
@@ -274,7 +277,7 @@ fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
         StmtKind::Function(decl) => Some(handles_of(decl)),
         _ => None,
     });
-    // Records and dimensions have names alike.
+    // Records and dimensions also have capitalized names.
     let known = declared(db, text);
     let other = |name: &String| {
         known.get(name).is_some_and(|all| all.iter().any(|item| *item.kind(db) == ItemKind::Declaration))
@@ -282,7 +285,7 @@ fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
     decls.flatten().filter(|name| !other(name)).collect()
 }
 
-/// Those a file may name.
+/// Returns the handle types that a file may use.
 #[salsa::tracked]
 pub(super) fn handles(db: &dyn salsa::Database, text: Text, library: Library) -> BTreeSet<String> {
     let imported = reachable(db, text, library).iter().copied();

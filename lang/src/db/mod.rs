@@ -1,9 +1,10 @@
-//! The incremental database: texts in, trees and checked models out, recomputed only where a text changed.
+//! The incremental database: stores texts, and computes trees and checked models. After an edit,
+//! only affected results are recomputed.
 //!
-//! The one way through: the command line asks a fresh database, an editor keeps one. Texts are parsed by file and checked
-//! by unit: a function, functions that name each other, or what else a file has. A unit's check depends on its own text,
-//! on the declarations it names and on the schemes of the functions it calls, and on nothing's place in a file.
-//! These are the only files that know salsa.
+//! The command line uses a new database, an editor keeps one. Texts are parsed by file and checked
+//! by unit: a function, mutually recursive functions, or the rest of a file. A unit's check depends
+//! on its own text, on the declarations it uses and on the schemes of the functions it calls, but
+//! not on positions in files. Only the modules of this folder depend on salsa.
 
 mod analysis;
 mod callables;
@@ -27,62 +28,64 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
 
-/// The tree of one file and what is wrong with its text. Spans have file 0.
+/// The tree of one file and the errors in its text. Spans have file 0.
 #[derive(Debug, PartialEq)]
 pub struct Parsed {
     pub module: Module,
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Texts of a model and of every module it may import, and what was computed from them.
+/// The texts of models and of the modules they may import, with cached results.
 ///
-/// Clones share results; a clone may be used on another thread while this one waits to change a text.
+/// Clones share results; a clone can be used on another thread while this one waits to change a
+/// text.
 #[derive(Clone)]
 pub struct Database {
     salsa: Storage,
     models: BTreeMap<String, Text>,
     library: Library,
-    /// Shared by all clones, and older than the texts: only for what must not wait.
+    /// Shared by all clones. It may be older than the texts, so it serves only queries that must
+    /// not wait.
     recent: Arc<recent::Recent>,
 }
 
-/// Why a question has no answer: a text is about to change, or nobody waits for it any more.
+/// A query was interrupted because a text changes or because it was cancelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Superseded;
 
-/// Stops what one clone of a database computes.
+/// Cancels the queries of one clone of a database.
 #[derive(Clone, Debug)]
 pub struct Canceller(salsa::CancellationToken);
 
 impl Canceller {
-    /// Whatever the clone is asked from now on is answered with [`Superseded`].
+    /// Cancels the current and all later queries of the clone; they return [`Superseded`].
     pub fn cancel(&self) {
         self.0.cancel();
     }
 }
 
-/// One text.
+/// The text of a file.
 #[salsa::input(debug)]
 struct Text {
-    /// As shown to people.
+    /// Display name.
     name: Arc<str>,
-    /// As imported: `gears.helical`; empty for a model, `prelude` for the prelude.
+    /// Name as imported: `gears.helical`; empty for a model, `prelude` for the prelude.
     module: String,
     content: String,
-    /// Never changes; what it holds speeds up parsing and decides nothing.
+    /// Never changes as an input; its contents speed up parsing but do not affect results.
     kept: ChunkCache,
 }
 
-/// What can be imported.
+/// The modules that can be imported.
 #[salsa::input]
 struct Library {
-    /// By dotted path.
+    /// Modules by dotted path.
     modules: BTreeMap<String, Text>,
     #[returns(copy)]
     prelude: Text,
-    /// Modules there are, for suggestions.
+    /// Names of available modules, for suggestions.
     known: Vec<String>,
-    /// Reasons for not reading files of imported modules, by dotted path.
+    /// Reasons why files of imported modules cannot be read, by dotted path.
     refused: BTreeMap<String, String>,
 }
 
@@ -96,7 +99,7 @@ struct Storage {
 impl salsa::Database for Storage {}
 
 impl Database {
-    /// A database without models whose programs see what the loader's prelude declares.
+    /// Creates a database without models, with the prelude of the loader.
     pub fn new(loader: &dyn Loader) -> Self {
         Self::with_storage(Storage::default(), loader)
     }
@@ -108,7 +111,7 @@ impl Database {
         Database { salsa, models: BTreeMap::new(), library, recent: Arc::default() }
     }
 
-    /// Adds a model or changes its text. `name` is the file as shown to people.
+    /// Adds a model or changes its text. `name` is its display name.
     pub fn set_model(&mut self, name: &str, content: &str) {
         match self.models.get(name) {
             Some(text) => set(&mut self.salsa, *text, content),
@@ -120,7 +123,8 @@ impl Database {
         }
     }
 
-    /// Adds a module or changes its text, e.g. while it is edited. `path` is dotted, as in `import`.
+    /// Adds a module or changes its text, for example while it is edited. `path` is dotted, as in
+    /// `import`.
     pub fn set_module(&mut self, path: &str, name: &str, content: &str) {
         let known = self.library.modules(&self.salsa).get(path).copied();
         match known {
@@ -135,7 +139,7 @@ impl Database {
         }
     }
 
-    /// Sets the reason for not reading the file of a module; `None` if it can be read.
+    /// Sets the reason why the file of a module cannot be read; `None` if it can be read.
     pub fn set_refusal(&mut self, path: &str, refusal: Option<String>) {
         if self.library.refused(&self.salsa).get(path) != refusal.as_ref() {
             let mut refused = self.library.refused(&self.salsa).clone();
@@ -147,12 +151,12 @@ impl Database {
         }
     }
 
-    /// Forgets a model.
+    /// Removes a model.
     pub fn remove_model(&mut self, name: &str) {
         self.models.remove(name);
     }
 
-    /// Forgets a module: who imports it is told that there is none.
+    /// Removes a module. Its imports are then reported as unknown.
     pub fn remove_module(&mut self, path: &str) {
         if self.library.modules(&self.salsa).contains_key(path) {
             let mut modules = self.library.modules(&self.salsa).clone();
@@ -161,35 +165,35 @@ impl Database {
         }
     }
 
-    /// Asks questions of a clone that may be interrupted: by a change of a text, which waits until all clones are gone, and
-    /// by the clone's canceller. A panic that is neither is passed on.
+    /// Runs queries on a clone that may be interrupted: by a change of a text, which waits until
+    /// all clones are dropped, or by the clone's canceller. Other panics are propagated.
     ///
     /// # Errors
-    /// It was interrupted.
+    /// The queries were interrupted.
     pub fn attempt<T>(&self, questions: impl FnOnce(&Database) -> T) -> Result<T, Superseded> {
-        // Attached throughout, so that no cancellation is lost between two questions.
+        // Attached for all queries, so that no cancellation is lost between two of them.
         attempt(|| salsa::Database::attach(&self.salsa, |_| questions(self)))
     }
 
-    /// Asks questions of this database in the middle of an attempt on another, e.g. of texts as an edit would make them.
-    /// They are not interrupted.
+    /// Runs queries on this database during an attempt on another, for example on texts with a
+    /// planned edit. They are not interrupted.
     pub fn aside<T>(&self, questions: impl FnOnce(&Database) -> T) -> T {
         salsa::attach_allow_change(&self.salsa, || questions(self))
     }
 
-    /// What stops this clone, from another thread.
+    /// Returns a handle that cancels this clone from another thread.
     pub fn canceller(&self) -> Canceller {
         Canceller(salsa::Database::cancellation_token(&self.salsa))
     }
 
-    /// The tree of a model; `None` if it was never set.
+    /// Returns the tree of a model; `None` if it does not exist.
     pub fn parse(&self, name: &str) -> Option<Arc<Parsed>> {
         let model = *self.models.get(name)?;
         Some(with_deep_stack(|| parse(&self.salsa, model).clone()))
     }
 
-    /// Asks the loader for every module that a model imports, directly or through others, and that is not yet
-    /// known. Call it after [`Database::set_model`] and before [`Database::check`].
+    /// Loads all modules that a model imports, directly or indirectly, and that are not yet loaded.
+    /// Call it after [`Database::set_model`] and before [`Database::check`].
     pub fn load_imports(&mut self, name: &str, loader: &dyn Loader) {
         let Some(model) = self.models.get(name).copied() else { return };
         let mut texts = vec![model, self.library.prelude(&self.salsa)];
@@ -222,23 +226,24 @@ impl Database {
         paths.collect()
     }
 
-    /// The typed program of a model and everything wrong with it; `None` if the model was never set.
+    /// Returns the typed program of a model and all diagnostics; `None` if the model does not
+    /// exist.
     pub fn check(&self, name: &str) -> Option<Arc<Checked>> {
         let model = *self.models.get(name)?;
         Some(with_deep_stack(|| check(&self.salsa, model, self.library).clone()))
     }
 }
 
-/// Asks questions of any databases, all of which may be interrupted as in [`Database::attempt`].
+/// Runs queries on any databases, all of which may be interrupted as in [`Database::attempt`].
 ///
 /// # Errors
-/// One was interrupted.
+/// A query was interrupted.
 pub fn attempt<T>(questions: impl FnOnce() -> T) -> Result<T, Superseded> {
-    // What is being computed is thrown away, and everything else is as it was.
+    // Incomplete results are discarded; all other state is unchanged.
     Cancelled::catch(AssertUnwindSafe(questions)).map_err(|_| Superseded)
 }
 
-/// Changes a text if it differs: an equal one must not start a new revision.
+/// Changes a text if it differs, because setting an equal text would start a new revision.
 fn set(salsa: &mut Storage, text: Text, content: &str) {
     if text.content(salsa) != content {
         text.set_content(salsa).to(content.into());

@@ -1,4 +1,4 @@
-//! Queries over a model as a whole: every unit checked, then put together.
+//! Queries over a whole model: checks all units and links them.
 
 use super::groups::{Group, groups};
 use super::items::{facts, items, module, problems, reachable};
@@ -14,7 +14,7 @@ use crate::span::{FileId, Span};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-/// The files of a program: the model, the prelude, and what they import.
+/// Returns the files of a program: the model, the prelude, and their imports.
 #[salsa::tracked]
 fn files(db: &dyn salsa::Database, model: Text, library: Library) -> Vec<Text> {
     let prelude = library.prelude(db);
@@ -27,7 +27,7 @@ fn files(db: &dyn salsa::Database, model: Text, library: Library) -> Vec<Text> {
     files
 }
 
-// A checked model is large and seldom equal to the one before: comparing does not pay.
+// A checked model is large and rarely equal to the previous one, so comparing does not pay.
 #[salsa::tracked(no_eq)]
 pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> Arc<Checked> {
     let files = files(db, model, library);
@@ -38,7 +38,8 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
         diagnostics.extend(problems(db, text).iter().map(|diagnostic| in_file(diagnostic, file)));
         diagnostics.extend(missing_modules(db, text, file, library));
     }
-    // Callees first, over all files: a chain of calls then never becomes a chain of queries inside one another.
+    // Callees first, over all files, so that a chain of calls does not become a chain of nested
+    // queries.
     for &file in files.iter().rev() {
         dependents(db, file, library);
     }
@@ -86,7 +87,7 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
         }
     }
     diagnostics.sort_by_key(|d| (d.primary.span.file, d.primary.span.start, d.primary.span.end));
-    // A declaration is looked at by every unit that names it.
+    // Every unit that uses a declaration checks it.
     let mut seen = HashSet::new();
     diagnostics.retain(|d| seen.insert((d.code.clone(), d.primary.span, d.message.clone())));
     let schemes = linked.units().iter().take(of_model).flat_map(|unit| unit.schemes.clone());
@@ -128,7 +129,7 @@ fn missing_modules(db: &dyn salsa::Database, text: Text, file: FileId, library: 
     found
 }
 
-/// The error of a module whose file is there and not read.
+/// Returns the error for a module whose file exists but cannot be read.
 fn refused(module: &str, span: Span, refusal: &str) -> Diagnostic {
     let file = format!("{}.cx", module.replace('.', "/"));
     Diagnostic::error(

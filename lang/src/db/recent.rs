@@ -1,7 +1,7 @@
-//! What was known of the names of a file when it was last checked.
+//! A cache of the types of a file's names at the last check.
 //!
-//! Types change less than texts. While a statement is being typed, what is offered there shows these, and waits for no check of
-//! the text as it is.
+//! Types change less often than texts. While a statement is typed, completion shows the cached
+//! types and does not wait for a check of the current text.
 
 use super::Database;
 use super::analysis::NameInfo;
@@ -17,16 +17,16 @@ use crate::scope::Local;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// By file.
+/// Cached names by file.
 #[derive(Default)]
 pub(super) struct Recent(Mutex<HashMap<String, Arc<Names>>>);
 
-/// Kinds and types by the function or record that a name is declared in (empty at the top level), and the name.
+/// Kinds and types by the enclosing function or record (empty at the top level) and by name.
 type Names = HashMap<String, HashMap<Arc<str>, (NameKind, Option<Arc<str>>)>>;
 
 impl Database {
-    /// Notes what is known of the names that a file declares, which checks it. Of a name of which nothing is known now, because its
-    /// statement is being written, what was known before stays.
+    /// Checks a file and stores the known properties of its declared names. A name without known
+    /// properties, because its statement is incomplete, keeps its previous ones.
     pub fn remember(&self, file: &str) {
         let Some(text) = self.find(file) else { return };
         let db = &self.salsa;
@@ -53,8 +53,8 @@ impl Database {
         self.recent.0.lock().unwrap_or_else(PoisonError::into_inner).get(file).cloned()
     }
 
-    /// [`Database::visible`] with types of the file's own names as they were last noted; the first time they are noted now. What has
-    /// been declared since has none.
+    /// Returns [`Database::visible`] with the cached types of the file's own names; the first call
+    /// fills the cache. Names declared since then have no type.
     pub fn seen(&self, file: &str, offset: u32) -> Vec<Visible> {
         let (Some(text), Some(tokens)) = (self.text(file), self.tokens(file)) else { return Vec::new() };
         if self.recent(file).is_none() {
@@ -73,13 +73,14 @@ impl Database {
             let top = || names.get("")?.get(name);
             let (kind, ty) = match function {
                 Some(function) if local.span.start > function.span.start => {
-                    // What is declared below the function may be seen in it too, unless it is a variable.
+                    // Names declared after the function are also visible in it, except variables.
                     let hoisted = !matches!(local.kind, NameKind::Variable | NameKind::Parameter);
                     inner.and_then(|inner| inner.get(name)).or_else(|| top().filter(|_| hoisted))
                 }
                 _ => top(),
             }?;
-            // It may be declared in another way by now. Tokens tell a variable, and a function, but not of which kind.
+            // The declaration may have changed. Tokens distinguish variables and functions, but not
+            // the kinds of functions.
             let alike = match local.kind {
                 NameKind::Variable => matches!(kind, NameKind::Variable | NameKind::Symbolic),
                 NameKind::Function => {
@@ -92,7 +93,7 @@ impl Database {
         with_deep_stack(|| self.seen_by(file, offset, &lookup))
     }
 
-    /// [`Database::callable`] with types as they were last noted, if any were noted of the file.
+    /// Returns [`Database::callable`] with the cached types, if the file is in the cache.
     pub fn callable_as_seen(&self, place: &SourceRange) -> Option<Callable> {
         let Some(names) = self.recent(&place.file) else { return self.callable(place) };
         let ty = |around: &str, name: &str| {
@@ -119,7 +120,7 @@ impl Database {
         self.called(place, &Types { scheme: &scheme, field: &field, dimension: &|_| None })
     }
 
-    /// The file of the module that an `import` names.
+    /// Returns the file of the module that an `import` names.
     fn module_named(&self, text: &str, tokens: &[Token], local: &Local) -> Option<SourceRange> {
         let mut first = tokens.iter().position(|token| token.span == local.span)?;
         while first >= 2 && tokens.get(first - 1).is_some_and(|token| token.kind == Kind::Dot) {
@@ -131,7 +132,7 @@ impl Database {
     }
 }
 
-/// The types in `(in x: Length, out y: [Number, String]`.
+/// Returns the types in `(in x: Length, out y: [Number, String]`.
 fn parameter_types(given: &str) -> Vec<&str> {
     let mut types = Vec::new();
     let (mut depth, mut start) = (0_i32, 1);
@@ -151,7 +152,7 @@ fn parameter_types(given: &str) -> Vec<&str> {
     types
 }
 
-/// The name of the function of the file's top level that a place lies in.
+/// Returns the name of the top-level function that contains an offset.
 fn function_around(tokens: &[Token], offset: u32) -> Option<Token> {
     let mut depth = 0_usize;
     let mut found = None;

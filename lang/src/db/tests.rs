@@ -28,7 +28,7 @@ impl Loader for Modules {
     }
 }
 
-/// A database that records the queries it runs.
+/// Returns a database that records the queries it runs.
 fn watched() -> (Database, Arc<Mutex<Vec<String>>>) {
     watched_with(&Modules::default())
 }
@@ -49,7 +49,7 @@ fn ran(log: &Mutex<Vec<String>>) -> Vec<String> {
     std::mem::take(&mut *log.lock().unwrap()).into_iter().map(name).collect()
 }
 
-/// How often each query ran since the last time, of those that look at more than names.
+/// Returns how often each query ran since the last call, without queries that only look up names.
 fn counts(log: &Mutex<Vec<String>>) -> String {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for name in ran(log) {
@@ -80,12 +80,12 @@ fn checked(db: &mut Database, text: &str) -> Arc<Checked> {
     db.check("a.cx").unwrap()
 }
 
-/// What a fresh database finds.
+/// Returns the result of a new database.
 fn afresh(text: &str) -> Arc<Checked> {
     checked(&mut Database::new(&Modules::default()), text)
 }
 
-/// The same findings, program and places as a fresh check gives.
+/// Asserts that diagnostics, program and locations equal those of a new check.
 fn assert_afresh(found: &Checked, text: &str) {
     let fresh = afresh(text);
     assert_eq!(found.diagnostics, fresh.diagnostics);
@@ -106,7 +106,7 @@ fn a_model_is_checked_by_unit() {
     let (mut db, log) = watched();
     let found = checked(&mut db, MODEL);
     assert_eq!(found.diagnostics, []);
-    // `sized` sees a param and is checked with the top level; `even` and `odd` are one unit.
+    // `sized` uses a param and is checked with the top level; `even` and `odd` are one unit.
     assert_eq!(counts(&log), "parts 2, items 2, check_group 3, check_top 2, check 1");
 }
 
@@ -127,7 +127,7 @@ fn an_edit_in_a_body_checks_that_body_only() {
     checked(&mut db, MODEL);
     ran(&log);
     for (old, new) in [
-        // The scheme stays equal.
+        // The scheme does not change.
         ("return w*h;", "var a = w*h; return a;"),
         ("// A comment.", "// Another comment, of another length,\n// on two lines."),
         ("return odd(n - 1)", "var m = n - 1; return odd(m)"),
@@ -167,7 +167,7 @@ fn another_scheme_checks_its_callers() {
     let (mut db, log) = watched();
     checked(&mut db, MODEL);
     ran(&log);
-    // `square` calls `area`; the scheme of `square` changes too, which the top level uses.
+    // `square` calls `area`; the scheme of `square`, which the top level uses, also changes.
     let text = MODEL.replace("return w*h;", "return w + h;");
     let found = checked(&mut db, &text);
     assert_eq!(counts(&log), "parts 1, items 1, check_group 2, check_top 1, check 1");
@@ -231,7 +231,7 @@ fn an_edit_of_the_library_checks_what_it_concerns() {
     db.load_imports("a.cx", &loader);
     assert_eq!(db.check("a.cx").unwrap().diagnostics, []);
     ran(&log);
-    // Another model uses what was found of the library.
+    // Another model reuses the results of the library.
     db.set_model("b.cx", "import second;\nprint(second.two());\n");
     db.check("b.cx").unwrap();
     assert_eq!(counts(&log), "parts 1, items 1, check_top 1, check 1");
@@ -250,7 +250,7 @@ fn a_module_that_is_not_imported_does_not_concern_a_model() {
     ran(&log);
     db.set_module("second", "second.cx", "function two() { return 2; }\n");
     db.check("a.cx").unwrap();
-    // It is read for the dimensions it may declare, and nothing is checked.
+    // It is parsed for the dimensions it may declare, but not checked.
     assert_eq!(counts(&log), "parts 1, items 1");
 }
 
@@ -272,7 +272,7 @@ fn imports_are_loaded_once_and_through_others() {
 #[path = "../../tests/support/generator.rs"]
 mod generator;
 
-/// The library of gears.
+/// The gear library.
 struct Gears;
 
 impl Loader for Gears {
@@ -305,11 +305,11 @@ fn a_longer_model_runs_queries_in_proportion_and_an_edit_the_same_few() {
         check_generated(&mut db, &generator::with_edited_body(&text));
         assert_eq!(counts(&log), "parts 1, items 1, check_group 1, check 1");
     }
-    // Six functions a section, each checked by itself.
+    // Six functions per section, each checked on its own.
     assert_eq!([groups[1] - groups[0], groups[2] - groups[1]], [6, 6]);
 }
 
-/// Numbers without pattern; the same in every run.
+/// A reproducible pseudo-random generator.
 struct Random(u64);
 
 impl Random {
@@ -387,7 +387,7 @@ fn another_database_can_be_asked_in_the_middle_of_an_attempt() {
     assert_eq!(found.ok(), Some((Some(0), true, true)));
 }
 
-/// A generated text may have thousands of equal statements. Each is an item of its own with few links.
+/// A generated text may have thousands of equal statements. Each is a separate item with few links.
 #[test]
 fn statements_alike_need_few_others() {
     for line in

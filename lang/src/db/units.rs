@@ -1,4 +1,4 @@
-//! Queries that check: groups of functions, and what is left of a file.
+//! Queries that check: groups of functions, and the rest of a file.
 
 use super::groups::{Group, group_of, groups, header, header_links, links, named, sees_state};
 use super::items::{
@@ -15,12 +15,12 @@ use salsa::plumbing::{AsId, FromId};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
-/// What checking a group gave.
+/// The result of checking a group.
 #[derive(Debug, Default)]
 pub(super) struct Checked {
-    /// `None` if it can only be checked together with what uses it.
+    /// The unit; `None` if the group can only be checked together with its uses.
     pub unit: Option<Unit>,
-    /// By member of the group.
+    /// Interfaces by member of the group.
     interfaces: Option<Vec<Arc<Interface>>>,
 }
 
@@ -28,7 +28,8 @@ pub(super) fn id(item: Item<'_>) -> ItemId {
     item.as_id().as_bits()
 }
 
-// Large and seldom equal to the one before: what others need of it is compared, in `interfaces`.
+// The result is large and rarely equal to the previous one; `interfaces` compares the parts that
+// other units need.
 #[salsa::tracked(no_eq)]
 pub(super) fn check_group<'db>(
     db: &'db dyn salsa::Database,
@@ -51,7 +52,7 @@ pub(super) fn check_group<'db>(
     Arc::new(Checked { unit: Some(unit), interfaces })
 }
 
-/// What callers know of a group's functions; `None` if their types depend on how they are used.
+/// Returns the interfaces of a group's functions; `None` if their types depend on their uses.
 #[salsa::tracked]
 fn interfaces<'db>(
     db: &'db dyn salsa::Database,
@@ -67,8 +68,8 @@ fn interface<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Librar
     interfaces(db, group, library).as_ref()?.get(at).cloned()
 }
 
-/// The functions of a file that are checked with its top level: they see its variables, or their types depend on how they
-/// are used, or they call such functions.
+/// Returns the functions of a file that are checked with its top level: they use its variables,
+/// their types depend on their uses, or they call such functions.
 #[salsa::tracked]
 pub(super) fn dependents(db: &dyn salsa::Database, file: Text, library: Library) -> HashSet<Item<'_>> {
     let mut found: HashSet<Item<'_>> = HashSet::new();
@@ -87,7 +88,7 @@ pub(super) fn dependents(db: &dyn salsa::Database, file: Text, library: Library)
     found
 }
 
-/// Checks what a file has beside functions that can be checked alone.
+/// Checks the rest of a file, without the functions that can be checked on their own.
 #[salsa::tracked(no_eq)]
 pub(super) fn check_top(db: &dyn salsa::Database, file: Text, library: Library) -> Arc<Unit> {
     let dependents = dependents(db, file, library);
@@ -109,9 +110,9 @@ struct Gathered<'db> {
     db: &'db dyn salsa::Database,
     library: Library,
     file: Text,
-    /// Checks a top level, which takes in functions that cannot be checked alone.
+    /// `true` for a top level, which includes functions that cannot be checked on their own.
     top: bool,
-    /// Meets a function that cannot be checked alone.
+    /// `true` if a function was found that cannot be checked on its own.
     open: bool,
     parts: HashMap<Item<'db>, Part>,
     left: Vec<Item<'db>>,
@@ -137,10 +138,10 @@ impl<'db> Gathered<'db> {
         self.left.push(item);
     }
 
-    /// Adds what is needed by what is there.
+    /// Adds the items that the existing ones need.
     fn follow(&mut self) {
         let (db, library) = (self.db, self.library);
-        // What `catch` receives need not be named.
+        // The type of a `catch` variable need not be named in the source.
         for &item in named(db, library.prelude(db), "Error".to_string()) {
             if *item.kind(db) == ItemKind::Declaration && !self.parts.contains_key(&item) {
                 self.add(item, Part::Whole);
@@ -155,12 +156,13 @@ impl<'db> Gathered<'db> {
                 }
             }
         }
-        // Units and dimensions are everybody's, and no function belongs in them: one named there by mistake is seen where
-        // the top level is checked. To follow it from every group would go round in circles.
+        // All units share the declared units and dimensions. These must not refer to functions;
+        // such an error is reported at the top level. Following it from every group would lead to a
+        // cycle of queries.
         self.follow_links(self.top);
     }
 
-    /// Adds what the items that were added name.
+    /// Adds the items that the newly added items refer to.
     fn follow_links(&mut self, to_functions: bool) {
         let (db, library) = (self.db, self.library);
         while let Some(item) = self.left.pop() {
@@ -215,7 +217,7 @@ impl<'db> Gathered<'db> {
         if self.file != prelude && !self.file.module(db).is_empty() {
             files.insert(0, self.file);
         }
-        // A module may be checked without a model.
+        // A module can be checked without a model.
         let model = match self.file.module(db).as_str() {
             "" => self.extract(self.file),
             _ => Extract { name: String::new(), system: None, items: Vec::new() },
@@ -243,7 +245,7 @@ impl<'db> Gathered<'db> {
             chosen.extend(items(db, file).iter().filter(|item| self.parts.contains_key(item)));
         } else {
             chosen.extend(declarations(db, file).iter().filter(|item| self.parts.contains_key(item)));
-            // The order of functions matters only between those of one name.
+            // The order of functions matters only between functions with the same name.
             let mut by_name: BTreeMap<&String, Vec<Item<'db>>> = BTreeMap::new();
             for &item in self.parts.keys().filter(|item| item.file(db) == file && is_function(db, **item)) {
                 by_name.entry(item.name(db)).or_default().push(item);
@@ -251,7 +253,7 @@ impl<'db> Gathered<'db> {
             for (name, all) in by_name {
                 match all.as_slice() {
                     [only] => chosen.push(*only),
-                    // Those of one kind are numbered in order.
+                    // Items of one kind are numbered in order.
                     _ if all.iter().all(|item| item.kind(db) == all[0].kind(db)) => {
                         let mut all = all;
                         all.sort_by_key(|item| item.number(db));
@@ -280,7 +282,7 @@ fn is_function(db: &dyn salsa::Database, item: Item<'_>) -> bool {
     matches!(item.kind(db), ItemKind::Function | ItemKind::Extern)
 }
 
-/// The name of a type that has one.
+/// Returns the name of a named type.
 fn type_name(ty: &TypeExpr) -> Option<&str> {
     match &ty.kind {
         TypeKind::Name(name) | TypeKind::Member(_, name) => Some(&name.name),
@@ -288,18 +290,18 @@ fn type_name(ty: &TypeExpr) -> Option<&str> {
     }
 }
 
-/// What a check asks where something is wrong.
+/// Answers queries for the suggestions in diagnostics.
 struct GroupContext<'db> {
     db: &'db dyn salsa::Database,
     library: Library,
     file: Text,
 }
 
-/// In a file that declares more names nobody waits for suggestions.
+/// Limit of the declared names in a file for which suggestions are computed.
 const MOST_NAMES: usize = 2000;
 
 impl GroupContext<'_> {
-    /// The file of a module, of the prelude, or of the model itself.
+    /// Returns the file of a module, of the prelude, or of the model itself.
     fn file_of(&self, name: &str) -> Option<Text> {
         let prelude = self.library.prelude(self.db);
         match name {
@@ -337,7 +339,7 @@ impl Surroundings for GroupContext<'_> {
         if declared.len() > MOST_NAMES {
             return Vec::new();
         }
-        // Of another file, what importers see.
+        // Only exported items of other files.
         let callable = |all: &Vec<Item<'_>>| {
             all.iter().any(|item| {
                 let declares = is_function(self.db, *item) || *item.kind(self.db) == ItemKind::Declaration;

@@ -1,4 +1,4 @@
-//! Declarations: interfaces, functions with their parameters, types.
+//! Formats declarations: interfaces, functions with their parameters, types.
 
 use super::document::Item;
 use super::printer::{Layout, Printer};
@@ -9,7 +9,7 @@ use crate::ast::{
 use crate::lexer::Kind;
 
 impl Printer<'_> {
-    /// `param name = default in low .. high;`
+    /// Formats `param name = default in low .. high;`.
     pub(super) fn param(&mut self, param: &ParamDecl) {
         self.token(Kind::Param);
         self.space();
@@ -45,7 +45,7 @@ impl Printer<'_> {
         }
     }
 
-    /// `record Name { field: Type = default; }`, one field a line.
+    /// Formats `record Name { field: Type = default; }`, one field per line.
     pub(super) fn record(&mut self, record: &RecordDecl) {
         self.token(Kind::Record);
         self.space();
@@ -75,7 +75,7 @@ impl Printer<'_> {
         self.token(Kind::CloseBrace);
     }
 
-    /// `dimension Name = Force/Length;`
+    /// Formats `dimension Name = Force/Length;`.
     pub(super) fn dimension(&mut self, has_value: bool) {
         self.token(Kind::Dimension);
         self.space();
@@ -89,7 +89,7 @@ impl Printer<'_> {
         self.token(Kind::Semicolon);
     }
 
-    /// `unit euro: Cost;`, `unit furlong = 220 yard;`
+    /// Formats `unit euro: Cost;` and `unit furlong = 220 yard;`.
     pub(super) fn unit(&mut self, unit: &UnitDecl) {
         self.token(Kind::Unit);
         self.space();
@@ -105,7 +105,7 @@ impl Printer<'_> {
         self.token(Kind::Semicolon);
     }
 
-    /// `var a = 1, b := 2, c`, without the `;`
+    /// Formats `var a = 1, b := 2, c`, without the `;`.
     pub(super) fn variables(&mut self, declared: &[VarDecl]) {
         self.token(Kind::Var);
         self.space();
@@ -146,7 +146,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What stands before the body.
+    /// Formats everything before the body.
     fn signature(&mut self, function: &FunctionDecl) {
         if function.is_test {
             self.token(Kind::Test);
@@ -205,7 +205,8 @@ impl Printer<'_> {
         }
     }
 
-    /// A type, token by token, because its tree does not hold its parentheses: `Array(Number)`, `Force/Length^(1/2)`.
+    /// Formats a type token by token, because the tree does not contain its parentheses:
+    /// `Array(Number)`, `Force/Length^(1/2)`.
     pub(super) fn type_expression(&mut self) {
         let mut open = 0_usize;
         let mut operand_ahead = true;

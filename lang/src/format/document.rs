@@ -1,23 +1,24 @@
-//! A text with places where it may break, and the layout that keeps its lines within a width.
+//! A document with optional line breaks, and its layout within a line width.
 //!
-//! After Oppen, *Prettyprinting* (1980): a document is a flat sequence of items, so building and laying it out takes
-//! no recursion and time in proportion to its length. Blanks and line ends are held back until text follows, so that
-//! several requests for a line end, as comments make them, are one.
+//! The algorithm follows Oppen, *Prettyprinting* (1980): a document is a flat sequence of items, so
+//! building and laying it out takes linear time and no recursion. Blanks and line ends are delayed
+//! until text follows, so that consecutive requests for a line end, as comments cause them, are
+//! merged.
 
-/// One piece of a document.
+/// An item of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Item<'t> {
     Text(&'t str),
     Space,
-    /// A blank, or a line end where its group breaks.
+    /// A blank, or a line end if its group breaks.
     Line,
-    /// Nothing, or a line end where its group breaks.
+    /// Nothing, or a line end if its group breaks.
     SoftLine,
-    /// A line end always; the groups around it break.
+    /// A line end in any case; the enclosing groups break.
     HardLine,
-    /// The same with an empty line, but not beside a bracket or at the beginning of the file.
+    /// A line end and an empty line, except next to a bracket and at the start of the file.
     EmptyLine,
-    /// A comment at the end of a line of code; a line end follows.
+    /// A comment at the end of a line of code, followed by a line end.
     Trailing(&'t str),
     Open(Breaks),
     Close,
@@ -25,28 +26,29 @@ pub(super) enum Item<'t> {
     Dedent,
 }
 
-/// How a group breaks that does not fit in a line.
+/// The line breaks of a group that does not fit on a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Breaks {
-    /// At all of its places.
+    /// At all optional breaks.
     All,
-    /// Where the next piece would not fit.
+    /// Only where the next item would not fit.
     Filled,
 }
 
 const INDENT: usize = 4;
 
-/// What the layout must know ahead about an item.
+/// Precomputed information about an item.
 #[derive(Clone, Copy, Default)]
 struct Ahead {
-    /// Of a group or of what follows a line in a filled group: columns up to the next place where a line may end.
+    /// For a group, or for the text after a break in a filled group: columns up to the next
+    /// possible break.
     width: usize,
-    /// Of a group: a line ends inside in any case.
+    /// For a group: `true` if it contains a forced line end.
     forced: bool,
 }
 
-/// The text in lines of a width, all but the first indented by so many columns at least; the first is to stand behind
-/// as many.
+/// Lays out items within a line width. All lines except the first are indented by at least `indent`
+/// columns; the first starts after `indent` existing columns.
 pub(super) fn lay_out(items: &[Item<'_>], width: usize, indent: usize) -> String {
     let ahead = look_ahead(items);
     let mut page = Page {
@@ -57,7 +59,7 @@ pub(super) fn lay_out(items: &[Item<'_>], width: usize, indent: usize) -> String
         pending_indent: indent,
         after_open: true,
     };
-    // How the groups around the item are laid out; `None` is in one line.
+    // The enclosing groups of the item; `None` for a group on one line.
     let mut groups: Vec<Option<Breaks>> = Vec::new();
     for (item, ahead) in items.iter().zip(ahead) {
         let group = groups.last().copied().unwrap_or(Some(Breaks::All));
@@ -92,9 +94,9 @@ pub(super) fn lay_out(items: &[Item<'_>], width: usize, indent: usize) -> String
     page.out
 }
 
-/// What the layout must know ahead of each item, in two passes.
+/// Computes the information about each item in two passes.
 fn look_ahead(items: &[Item<'_>]) -> Vec<Ahead> {
-    // Columns of everything before an item, were it all in one line.
+    // Columns before each item, if everything were on one line.
     let mut columns = Vec::with_capacity(items.len() + 1);
     let mut total = 0;
     for item in items {
@@ -108,7 +110,7 @@ fn look_ahead(items: &[Item<'_>]) -> Vec<Ahead> {
     columns.push(total);
 
     let mut ahead = vec![Ahead::default(); items.len()];
-    // Backwards: columns up to the next place where a line may end, and the groups that the item lies in.
+    // Backwards: columns up to the next possible break, and the enclosing groups of the item.
     let mut next_break = total;
     let mut around: Vec<LineContext> = Vec::new();
     for (index, item) in items.iter().enumerate().rev() {
@@ -142,16 +144,16 @@ fn look_ahead(items: &[Item<'_>]) -> Vec<Ahead> {
     ahead
 }
 
-/// A group, seen from behind.
+/// An enclosing group, in the backward pass.
 struct LineContext {
-    /// Columns up to the first place after the group where a line may end.
+    /// Columns up to the first possible break after the group.
     end: usize,
-    /// Columns up to the next such place that is the group's own, or behind it.
+    /// Columns up to the next possible break in the group itself or after it.
     next_line: usize,
     forced: bool,
 }
 
-/// What stands between two texts; the greatest of what is asked for.
+/// The pending space between two texts; the largest request wins.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Pending {
     Nothing,
@@ -165,10 +167,10 @@ struct Page {
     column: usize,
     pending: Pending,
     indent: usize,
-    /// What it was when a line end was last asked for. A line begins where it was asked for or, after a closing
-    /// bracket, further out.
+    /// The indentation when a line end was last requested. After a closing bracket, the next line
+    /// may start further left.
     pending_indent: usize,
-    /// Whether the last text opened a bracket, or nothing is written yet.
+    /// `true` if the last text opened a bracket, or if nothing is written yet.
     after_open: bool,
 }
 
@@ -184,7 +186,7 @@ impl Page {
         self.indent.min(self.pending_indent)
     }
 
-    /// Where the next text will begin, if `more` is asked for before it.
+    /// Returns the column of the next text if `more` is requested before it.
     fn column_after(&self, more: Pending) -> usize {
         match self.pending.max(more) {
             Pending::Nothing => self.column,
@@ -215,7 +217,7 @@ impl Page {
         self.after_open = matches!(text, "(" | "[" | "{");
     }
 
-    /// Behind the text that is there, whatever was asked for since.
+    /// Writes after the existing text, regardless of pending requests.
     fn trailing(&mut self, text: &str) {
         if !self.out.is_empty() {
             self.write(" ");

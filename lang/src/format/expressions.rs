@@ -1,4 +1,5 @@
-//! Expressions: operators spaced and broken before, units close to their numbers, brackets filled or one item a line.
+//! Formats expressions: operators have spaces and follow line breaks, units are next to their
+//! numbers, brackets are filled or have one item per line.
 
 use super::document::Item;
 use super::printer::{Layout, Printer};
@@ -9,7 +10,7 @@ use crate::units::Unit;
 impl Printer<'_> {
     pub(super) fn expression(&mut self, e: &Expr) {
         match &e.kind {
-            // Texts with errors are not printed.
+            // Texts with errors are not formatted.
             ExprKind::Error => {}
             ExprKind::Number(_) => self.token(Kind::Number),
             ExprKind::Quantity { exponent_span, .. } => {
@@ -27,7 +28,7 @@ impl Printer<'_> {
             ExprKind::Name(_) => self.token(Kind::Identifier),
             ExprKind::Field { base, .. } => {
                 self.expression(base);
-                // `1.x` would be the number `1.` in the unit `x`.
+                // `1.x` would be the number `1.` with the unit `x`.
                 if self.previous() == Some(Kind::Number) {
                     self.space();
                 }
@@ -80,11 +81,11 @@ impl Printer<'_> {
         }
     }
 
-    /// The value after `=` or `:=`.
+    /// Formats the value after `=` or `:=`.
     pub(super) fn value(&mut self, bind: Bind, e: &Expr) {
         self.space();
         self.bind(bind);
-        // Otherwise the value stands on the line and breaks inside.
+        // Otherwise the value starts on the same line and breaks inside.
         let below = self.comment_ahead();
         if below {
             self.item(Item::Indent);
@@ -103,7 +104,7 @@ impl Printer<'_> {
         });
     }
 
-    /// `2`, `-2` behind the `^` of a unit.
+    /// Formats `2` or `-2` after the `^` of a unit.
     pub(super) fn exponent(&mut self) {
         if self.kind() == Some(Kind::Minus) {
             self.token(Kind::Minus);
@@ -133,7 +134,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Operands of one precedence, joined from the left; lines break before operators.
+    /// Formats operands of one precedence, left-associative; lines break before operators.
     fn chain(&mut self, e: &Expr, op: BinaryOp) {
         let mut joined: Vec<(BinaryOp, &Expr)> = Vec::new();
         let mut first = e;
@@ -156,7 +157,7 @@ impl Printer<'_> {
             self.token(operator(op));
             if !close {
                 self.space();
-                // `a / 2 N*m` would look like a quotient by a moment.
+                // `a / 2 N*m` would look like a division by a moment.
                 after_division = op == BinaryOp::Divide;
             }
             self.expression(operand);
@@ -180,7 +181,7 @@ impl Printer<'_> {
         }
     }
 
-    /// `if (c) a else if (d) b else e`
+    /// Formats `if (c) a else if (d) b else e`.
     fn conditional(&mut self, e: &Expr) {
         let mut rest = e;
         while let ExprKind::If { condition, then, otherwise } = &rest.kind {
@@ -196,7 +197,7 @@ impl Printer<'_> {
         self.expression(rest);
     }
 
-    /// ` (condition)`
+    /// Formats ` (condition)`.
     pub(super) fn condition(&mut self, condition: &Expr) {
         self.space();
         self.token(Kind::OpenParen);
@@ -213,7 +214,7 @@ fn argument_layout(arguments: &[Argument]) -> Layout {
     }
 }
 
-/// Whether an expression breaks well inside itself.
+/// Returns `true` if an expression has suitable line breaks inside.
 fn breaks_inside(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Unary { operand, .. } => breaks_inside(operand),
@@ -222,7 +223,7 @@ fn breaks_inside(e: &Expr) -> bool {
     }
 }
 
-/// Whether several such items may share a line of a list that takes several.
+/// Returns `true` if several such items may share a line of a list.
 fn is_short(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Number(_)

@@ -1,8 +1,9 @@
-//! One way to write a program: its tokens and comments as they are, blanks and line ends as they should be.
+//! The formatter: preserves tokens and comments, and changes only blanks and line ends.
 //!
-//! The tree says where lines may break and how deep they stand, the tokens say what is written: the printer
-//! ([`printer`] and its neighbours) walks both in step, so nothing can be lost or invented. What results is a document
-//! that [`document`] lays out. Before a text is handed out its tokens and comments are compared with the original.
+//! The printer ([`printer`] and related modules) traverses the tree and the tokens in parallel: the
+//! tree determines the possible line breaks and the indentation, the tokens are the text. Nothing
+//! can be lost or added. The result is a document that [`document`] lays out. Before the text is
+//! returned, its tokens and comments are compared with the original.
 
 mod declarations;
 mod document;
@@ -20,34 +21,37 @@ use printer::Printer;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Columns of a line, as far as it can be broken.
+/// Line width, columns, where breaks are possible.
 pub const WIDTH: usize = 100;
 
-/// Why a text is left as it is.
+/// The reason why a text was not formatted.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FormatError {
-    /// It has these errors.
+    /// The text has these errors.
     Errors(Vec<Diagnostic>),
-    /// The result would not have been the same program: a defect of the formatter.
+    /// The result would be a different program: a defect of the formatter.
     WouldChange,
 }
 
-/// A replacement of blanks and line ends (and of a `,` before a closing bracket) by others.
+/// A replacement of blanks and line ends (and of a `,` before a closing bracket).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
     pub span: Span,
     pub replacement: String,
 }
 
-/// The text of a file in its canonical layout.
+/// Returns the text of a file in canonical format.
+///
+/// # Errors
+/// The text has syntax errors.
 pub fn format(text: &str) -> Result<String, FormatError> {
     format_in(text, &FormatContext::default())
 }
 
-/// Where a part of a file stands: what its layout depends on beside its own text.
+/// The context of a part of a file that affects its layout.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FormatContext {
-    /// Units that the file declares in another part.
+    /// Units declared in other parts of the file.
     pub units: BTreeSet<String>,
     /// Columns before its lines.
     pub indent: usize,
@@ -64,7 +68,10 @@ fn format_in(text: &str, place: &FormatContext) -> Result<String, FormatError> {
     }
 }
 
-/// The changes that [`format()`] makes between two bytes of a text.
+/// Returns the changes that [`format()`] makes in a byte range of a text.
+///
+/// # Errors
+/// As for [`format()`].
 pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, FormatError> {
     let formatted = format(text)?;
     let mut edits = edits(text, &formatted)?;
@@ -72,8 +79,12 @@ pub fn format_range(text: &str, range: Range<u32>) -> Result<Vec<Edit>, FormatEr
     Ok(edits)
 }
 
-/// The changes that lay out a part of a file, whatever the rest of it is like. The part begins and ends with statements
-/// or comments; changes are counted from its beginning, and none is before its first or behind its last word.
+/// Returns the changes that format a part of a file, independent of the rest. The part starts and
+/// ends with statements or comments. Positions are relative to its start, and no change precedes
+/// its first or follows its last token.
+///
+/// # Errors
+/// The part has syntax errors.
 pub fn format_part(part: &str, place: &FormatContext) -> Result<Vec<Edit>, FormatError> {
     let formatted = format_in(part, place)?;
     let mut edits = edits(part, &formatted)?;
@@ -81,7 +92,7 @@ pub fn format_part(part: &str, place: &FormatContext) -> Result<Vec<Edit>, Forma
     Ok(edits)
 }
 
-/// The units that a file declares, which are laid out like those of the language.
+/// Returns the units that a file declares, which are formatted like built-in ones.
 pub fn declared_units(module: &Module) -> BTreeSet<String> {
     let units = module.statements.iter().filter_map(|statement| match &statement.kind {
         StmtKind::Unit(unit) => Some(unit.name.name.clone()),
@@ -90,7 +101,7 @@ pub fn declared_units(module: &Module) -> BTreeSet<String> {
     units.collect()
 }
 
-/// What has to change between the words of a text to make another with the same words.
+/// Returns the changes between two texts with the same tokens and comments.
 fn edits(text: &str, formatted: &str) -> Result<Vec<Edit>, FormatError> {
     let (before, after) = (pieces(text), pieces(formatted));
     if before.len() != after.len() {
@@ -107,7 +118,7 @@ fn edits(text: &str, formatted: &str) -> Result<Vec<Edit>, FormatError> {
     let (mut from, mut to) = (0, 0);
     let mut index = 0;
     while index < before.len() {
-        // One piece, or several where a separator went before a comment.
+        // One token, or several if a separator moved before a comment.
         let length = (1..=before.len() - index).find(|length| {
             let run = index..index + length;
             same_words(text, &before[run.clone()], formatted, &after[run])
@@ -125,7 +136,7 @@ fn edits(text: &str, formatted: &str) -> Result<Vec<Edit>, FormatError> {
     Ok(edits)
 }
 
-/// Tokens and comments in order of place, but for a `,` before a closing bracket.
+/// Returns tokens and comments in order, without a `,` before a closing bracket.
 fn pieces(text: &str) -> Vec<Range<u32>> {
     let tokens = lexer::lex(FileId(0), text);
     let written = (0..tokens.tokens.len()).filter(|i| !is_trailing_comma(&tokens, *i));
@@ -135,7 +146,7 @@ fn pieces(text: &str) -> Vec<Range<u32>> {
     pieces.into_iter().map(|span| span.start..span.end).collect()
 }
 
-/// Whether two texts hold the same words, in any order, at these places.
+/// Returns `true` if two texts have the same tokens and comments, in any order, at these ranges.
 fn same_words(a: &str, in_a: &[Range<u32>], b: &str, in_b: &[Range<u32>]) -> bool {
     let words = |text, places: &[Range<u32>]| {
         let mut words: Vec<_> = places.iter().map(|p| slice(text, p.start, p.end)).collect();
@@ -162,11 +173,12 @@ fn lay_out(text: &str, tokens: &Tokens, place: &FormatContext) -> Result<String,
     Ok(document::lay_out(&items, WIDTH, place.indent))
 }
 
-/// A token or a comment as far as it counts.
+/// The significant content of a token or comment.
 type Piece<'t> = (Option<Kind>, &'t str);
 
-/// Everything that layout must not touch: tokens but for a `,` before a closing bracket, comments in their order, and
-/// what documentation belongs to; before a separator or the end of a bracket it belongs to nothing.
+/// Returns everything that formatting must preserve: tokens without a `,` before a closing bracket,
+/// comments in order, and the items to which documentation belongs. Documentation before a
+/// separator or a closing bracket belongs to nothing.
 fn meaning<'t>(text: &'t str, tokens: &'t Tokens) -> (Vec<Piece<'t>>, Vec<Piece<'t>>, Vec<Piece<'t>>) {
     let kept = |index: usize| !is_trailing_comma(tokens, index);
     let written = (0..tokens.tokens.len()).filter(|i| kept(*i)).map(|i| {

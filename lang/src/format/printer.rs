@@ -1,7 +1,7 @@
-//! The walk over tokens and comments while a tree is printed.
+//! Traverses tokens and comments while a tree is printed.
 //!
-//! Every token is taken from the text in its order; a token that is not the one the tree calls for stops the printing.
-//! Comments are written where they stand: behind code on its line, on lines of their own, or between two tokens.
+//! Tokens are copied from the text in order; a token that differs from the tree stops the printing.
+//! Comments keep their positions: after code on its line, on separate lines, or between two tokens.
 
 use super::document::{Breaks, Item};
 use crate::lexer::{Comment, CommentKind, Kind, Token, Tokens};
@@ -11,27 +11,27 @@ pub(super) struct Printer<'t> {
     text: &'t str,
     tokens: &'t [Token],
     comments: &'t [Comment],
-    /// The next token.
+    /// Index of the next token.
     at: usize,
-    /// The next comment.
+    /// Index of the next comment.
     comment_at: usize,
     items: Vec<Item<'t>>,
-    /// Tree and tokens did not agree.
+    /// `true` if tree and tokens did not match.
     lost: bool,
-    /// Units the file declares, which are written like built-in ones.
+    /// Units that the file declares, which are formatted like built-in ones.
     pub(super) units: BTreeSet<String>,
 }
 
-/// How the items of a bracket break.
+/// The line breaks between the items of a bracket.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Layout {
-    /// One a line, the bracket closing behind the last.
+    /// One item per line, with the closing bracket after the last item.
     Each,
-    /// One a line, the bracket closing on its own line.
+    /// One item per line, with the closing bracket on a separate line.
     EachClosed,
-    /// As many as fit in a line.
+    /// As many items as fit on a line.
     Filled,
-    /// The bracket clings to its only item, which breaks inside.
+    /// The bracket is adjacent to its only item, which breaks inside.
     Hugged,
 }
 
@@ -49,7 +49,7 @@ impl<'t> Printer<'t> {
         }
     }
 
-    /// The document; `None` if the tree was not that of the tokens.
+    /// Returns the document; `None` if the tree did not match the tokens.
     pub(super) fn finish(mut self) -> Option<Vec<Item<'t>>> {
         self.comments();
         let complete = self.at == self.tokens.len() && self.comment_at == self.comments.len();
@@ -60,12 +60,12 @@ impl<'t> Printer<'t> {
         self.kind_after(0)
     }
 
-    /// Kind of a token further on.
+    /// Returns the kind of a later token.
     pub(super) fn kind_after(&self, distance: usize) -> Option<Kind> {
         self.tokens.get(self.at + distance).map(|t| t.kind)
     }
 
-    /// Kind of the token written last.
+    /// Returns the kind of the last written token.
     pub(super) fn previous(&self) -> Option<Kind> {
         self.at.checked_sub(1).and_then(|i| self.tokens.get(i)).map(|t| t.kind)
     }
@@ -82,7 +82,7 @@ impl<'t> Printer<'t> {
         self.item(Item::Line);
     }
 
-    /// Writes `inside` as a group that breaks as a whole, its later lines indented.
+    /// Writes `inside` as a group that breaks at all its breaks, with later lines indented.
     pub(super) fn group(&mut self, inside: impl FnOnce(&mut Self)) {
         self.open();
         self.item(Item::Indent);
@@ -91,19 +91,21 @@ impl<'t> Printer<'t> {
         self.item(Item::Close);
     }
 
-    /// Opens a group that breaks as a whole. Comments before it stand before the group and do not break it.
+    /// Opens a group that breaks at all its breaks. Comments before it are outside the group and do
+    /// not break it.
     pub(super) fn open(&mut self) {
         self.comments();
         self.item(Item::Open(Breaks::All));
     }
 
-    /// The next token, which is of this kind.
+    /// Writes the next token, which must have this kind.
     pub(super) fn token(&mut self, kind: Kind) {
         let Some(token) = self.tokens.get(self.at).filter(|t| t.kind == kind) else {
             self.lost = true;
             return;
         };
-        // A separator stands directly behind what it ends; comments before it follow it.
+        // A separator directly follows the item that it ends; comments before it are written after
+        // it.
         let separates = matches!(kind, Kind::Comma | Kind::Semicolon);
         if !(separates && self.comments_may_follow()) {
             self.comments();
@@ -112,7 +114,7 @@ impl<'t> Printer<'t> {
         self.at += 1;
     }
 
-    /// The next token, whatever it is.
+    /// Writes the next token.
     pub(super) fn any_token(&mut self) {
         match self.kind() {
             Some(kind) => self.token(kind),
@@ -120,7 +122,7 @@ impl<'t> Printer<'t> {
         }
     }
 
-    /// A string from its opening to its closing quote, as it is written.
+    /// Copies a string from its opening to its closing quote.
     pub(super) fn string(&mut self) {
         self.comments();
         let Some(first) = self.tokens.get(self.at) else {
@@ -137,7 +139,7 @@ impl<'t> Printer<'t> {
             self.at += 1;
             if open == 0 {
                 self.write(first.span.start, token.span.end);
-                // Comments inside were written with the string.
+                // Comments inside were copied with the string.
                 while self.comments.get(self.comment_at).is_some_and(|c| c.span.start < token.span.end) {
                     self.comment_at += 1;
                 }
@@ -154,7 +156,7 @@ impl<'t> Printer<'t> {
         }
     }
 
-    /// A bracket with items separated by commas.
+    /// Writes a bracket with items separated by commas.
     pub(super) fn bracket<T>(
         &mut self,
         (open, close): (Kind, Kind),
@@ -186,7 +188,7 @@ impl<'t> Printer<'t> {
             }
             write(self, item);
         }
-        // Allowed, and not written.
+        // A trailing comma is allowed, but not printed.
         if self.kind() == Some(Kind::Comma) {
             self.at += 1;
         }
@@ -204,28 +206,29 @@ impl<'t> Printer<'t> {
         self.token(close);
     }
 
-    /// Begins a statement or another item with lines of its own; an empty line before it is kept.
+    /// Starts a statement or another item with separate lines; an empty line before it is
+    /// preserved.
     pub(super) fn begin_item(&mut self) {
         let start = self.tokens.get(self.at).map_or(self.text.len() as u32, |t| t.span.start);
-        // Comments before it say themselves how they stand.
+        // Comments before it determine the empty lines themselves.
         let empty = !self.comment_ahead() && self.empty_line(self.end_before(start), start);
         self.item(if empty { Item::EmptyLine } else { Item::HardLine });
     }
 
-    /// Whether a comment stands before the next token.
+    /// Returns `true` if a comment precedes the next token.
     pub(super) fn comment_ahead(&self) -> bool {
         let next = self.tokens.get(self.at).map_or(u32::MAX, |t| t.span.start);
         self.comments.get(self.comment_at).is_some_and(|c| c.span.start < next)
     }
 
-    /// Whether a line ends between the next token and a byte.
+    /// Returns `true` if there is a line end between the next token and a byte.
     pub(super) fn spans_lines(&self, until: u32) -> bool {
         let Some(token) = self.tokens.get(self.at) else { return false };
         self.line_ends(token.span.start, until) > 0
     }
 
-    /// Whether the comments before the next token may as well stand behind it: the last ends its line, and none is
-    /// documentation, which would then document what follows.
+    /// Returns `true` if the comments before the next token may move after it: the last one ends
+    /// its line, and none is documentation, which would then document the following item.
     fn comments_may_follow(&self) -> bool {
         let Some(token) = self.tokens.get(self.at) else { return true };
         let rest = self.comments.get(self.comment_at..).unwrap_or_default();
@@ -234,8 +237,8 @@ impl<'t> Printer<'t> {
             && before.last().is_none_or(|c| self.line_ends(c.span.end, token.span.start) > 0)
     }
 
-    /// Whether a comment and those behind it on its line are the last on it before the next token, and the first
-    /// comment of which this is not said.
+    /// Returns `true` if a comment and those after it on its line are the last on the line before
+    /// the next token, and the index of the first comment that was not examined.
     fn ends_line(&self, comment: usize, next_token: u32) -> (bool, usize) {
         let mut index = comment;
         while let Some(c) = self.comments.get(index).filter(|c| c.span.start < next_token) {
@@ -251,7 +254,7 @@ impl<'t> Printer<'t> {
     /// Writes the comments before the next token.
     pub(super) fn comments(&mut self) {
         let next_token = self.tokens.get(self.at).map_or(self.text.len() as u32, |t| t.span.start);
-        // After a comment up to the end of the line nothing can stand on that line.
+        // No text can follow a line comment on its line.
         let mut line_is_full = false;
         let (mut ends_line, mut known_before) = (false, 0);
         while let Some(comment) = self.comments.get(self.comment_at).filter(|c| c.span.start < next_token) {
@@ -266,7 +269,7 @@ impl<'t> Printer<'t> {
             let begins_line = previous == 0
                 || self.line_ends(previous, start) > 0
                 || line_is_full
-                // It documents what stands below it.
+                // It documents the item below.
                 || comment.kind == CommentKind::Doc;
             let line = |empty| if empty { Item::EmptyLine } else { Item::HardLine };
             let before = line(self.empty_line(previous, start));
@@ -282,7 +285,7 @@ impl<'t> Printer<'t> {
         }
     }
 
-    /// A comment between two tokens, or between a token and another comment.
+    /// Writes a comment between two tokens, or between a token and another comment.
     fn between(&mut self, text: &'t str, line: Option<Item<'t>>, comment_follows: bool) {
         if let Some(line) = line {
             self.item(line);
@@ -300,7 +303,7 @@ impl<'t> Printer<'t> {
         }
     }
 
-    /// Where the token or comment before a byte ends; 0 at the beginning.
+    /// Returns the end of the token or comment before a byte; 0 at the start.
     fn end_before(&self, start: u32) -> u32 {
         let token = self.tokens.partition_point(|t| t.span.end <= start).checked_sub(1);
         let comment = self.comments.partition_point(|c| c.span.end <= start).checked_sub(1);
@@ -308,11 +311,11 @@ impl<'t> Printer<'t> {
         token.max(comment.map_or(0, |i| self.comments[i].span.end))
     }
 
-    /// Whether a line between two bytes holds nothing.
+    /// Returns `true` if there is an empty line between two bytes.
     fn empty_line(&self, from: u32, to: u32) -> bool {
         let between = self.text.get(from as usize..to as usize).unwrap_or_default();
         let mut ends = between.split('\n');
-        // What stands before the first and after the last line end is on lines that hold something.
+        // The text before the first and after the last line end is on lines that are not empty.
         ends.next();
         ends.next_back();
         ends.any(|line| line.trim().is_empty())

@@ -1,4 +1,5 @@
-//! Statements: one a line, blocks indented, bodies on the line of their head where they fit.
+//! Formats statements: one per line, with indented blocks, and bodies on the line of their head if
+//! they fit.
 
 use super::document::Item;
 use super::printer::Printer;
@@ -10,7 +11,7 @@ impl Printer<'_> {
         self.statements(&module.statements);
     }
 
-    /// Statements on lines of their own. Those after a `case` are indented under it.
+    /// Formats statements on separate lines. Statements after a `case` are indented under it.
     fn statements(&mut self, statements: &[Stmt]) {
         let mut in_case = false;
         for statement in statements {
@@ -37,7 +38,7 @@ impl Printer<'_> {
             self.space();
         }
         match &statement.kind {
-            // Texts with errors are not printed.
+            // Texts with errors are not formatted.
             StmtKind::Error => {}
             StmtKind::Empty => self.token(Kind::Semicolon),
             StmtKind::Import(path) => {
@@ -182,7 +183,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What may stand in the head of a `for`: without the `;`.
+    /// Formats a statement in the head of a `for`, without the `;`.
     fn simple(&mut self, statement: &Stmt) {
         match &statement.kind {
             StmtKind::Var(declared) => self.variables(declared),
@@ -204,8 +205,9 @@ impl Printer<'_> {
         self.token(Kind::Semicolon);
     }
 
-    /// `{ ... }`. A block of at most one plain statement that is written in one line stays in it if it fits; blocks that
-    /// are `together`, as those of `if` and `else` are, if all of them do.
+    /// Formats `{ ... }`. A block of at most one plain statement that is written on one line stays
+    /// on one line if it fits. Blocks that are `together`, as those of `if` and `else`, do so only
+    /// if all of them fit.
     fn block(&mut self, block: &Stmt, statements: &[Stmt], together: bool) {
         let together = together && !statements.is_empty();
         let in_line = match statements {
@@ -238,7 +240,8 @@ impl Printer<'_> {
         self.token(Kind::CloseBrace);
     }
 
-    /// A head such as `while (c)` and what it governs, which goes to the next line where both do not fit in one.
+    /// Formats a head such as `while (c)` and its body, which moves to the next line if both do not
+    /// fit on one.
     pub(super) fn headed(&mut self, body: &Stmt, head: impl FnOnce(&mut Self)) {
         self.headed_with(body, false, head);
     }
@@ -255,7 +258,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A block on the line of its head, anything else indented.
+    /// Formats a block on the line of its head, or another body indented.
     fn governed(&mut self, body: &Stmt, together: bool) {
         if let StmtKind::Block(statements) = &body.kind {
             self.space();
@@ -268,7 +271,7 @@ impl Printer<'_> {
         self.item(Item::Dedent);
     }
 
-    /// Between a body and the word that goes on after it, as `else` does.
+    /// Formats the space between a body and a continuing keyword such as `else`.
     fn after_body(&mut self, body: &Stmt) {
         self.item(match body.kind {
             StmtKind::Block(_) => Item::Space,
@@ -292,7 +295,7 @@ impl Printer<'_> {
         }
     }
 
-    /// The statement of a `case`: indented on the next line, or another `case` below it.
+    /// Formats the statement of a `case`: indented on the next line, or another `case` below it.
     fn after_case(&mut self, statement: &Stmt) {
         if is_case(statement) {
             self.begin_item();
@@ -310,7 +313,7 @@ fn is_case(statement: &Stmt) -> bool {
     matches!(statement.kind, StmtKind::Case { .. } | StmtKind::Default(_))
 }
 
-/// Whether a statement may share its line with the braces around it.
+/// Returns `true` if a statement may share its line with the surrounding braces.
 fn is_plain(statement: &Stmt) -> bool {
     match &statement.kind {
         StmtKind::If { then: body, otherwise: None, .. }

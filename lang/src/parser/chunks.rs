@@ -1,8 +1,10 @@
-//! A file in pieces that are parsed alone, so that an edit parses what it touches.
+//! Incremental parsing: splits a file into pieces that are parsed independently, so that an edit
+//! affects only the pieces that it touches.
 //!
-//! A piece is a top-level statement with the comments and blanks above it; where brackets or words are missing it may hold
-//! several. What it parses to depends on its own text only. Pieces next to each other are parsed in one go, which is cheaper,
-//! and those that turn out to be wrong are then parsed again by themselves: the result never depends on what was parsed
+//! A piece is a top-level statement with the comments and blanks above it; if brackets or keywords
+//! are missing, it may contain several statements. The result of a piece depends only on its own
+//! text. Adjacent pieces are first parsed together, which is faster; pieces with errors are then
+//! parsed again individually. The result therefore does not depend on which pieces were parsed
 //! together.
 
 use super::parse_run;
@@ -14,22 +16,23 @@ use crate::span::FileId;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What a piece of a file parses to. Places are counted from the start of the piece, in file 0.
+/// The parsed form of a piece. Locations are relative to the start of the piece, in file 0.
 #[derive(Debug, Default, PartialEq)]
 pub struct Chunk {
     pub statements: Vec<Stmt>,
-    /// Of the syntax alone.
+    /// Syntax errors.
     pub problems: Vec<Diagnostic>,
 }
 
-/// A piece and where it lies.
+/// A piece and its position.
 #[derive(Clone, Debug)]
 pub struct PlacedChunk {
     pub range: Range<usize>,
     pub piece: Arc<Chunk>,
 }
 
-/// The pieces of a text. `kept` knows what some of them parse to; it is not asked for the last, in which the file ends.
+/// Returns the pieces of a text. `kept` returns cached pieces by text; it is not called for the
+/// last piece, which contains the end of the file.
 pub fn pieces(text: &str, tokens: &Tokens, kept: impl Fn(&str) -> Option<Arc<Chunk>>) -> Vec<PlacedChunk> {
     let ranges = split(&tokens.tokens);
     let slice = |range: &Range<usize>| text.get(range.clone()).unwrap_or_default();
@@ -47,7 +50,7 @@ pub fn pieces(text: &str, tokens: &Tokens, kept: impl Fn(&str) -> Option<Arc<Chu
     placed.map(|(range, piece)| PlacedChunk { range, piece: piece.unwrap_or_default() }).collect()
 }
 
-/// Parses pieces that follow each other.
+/// Parses adjacent pieces together.
 fn parse_together(text: &str, ends_file: bool, ranges: &[Range<usize>], found: &mut [Option<Arc<Chunk>>]) {
     let (Some(first), Some(last)) = (ranges.first(), ranges.last()) else { return };
     let slice = |range: Range<usize>| text.get(range).unwrap_or_default();
@@ -63,14 +66,14 @@ fn parse_together(text: &str, ends_file: bool, ranges: &[Range<usize>], found: &
     let mut at = 0;
     for (range, found) in ranges.iter().zip(found) {
         let (start, end) = (range.start - first.start, range.end - first.start);
-        // What lies before belongs to a statement that is parsed alone.
+        // Earlier statements belong to a piece that is parsed individually.
         while statements.next_if(|statement| (statement.span.start as usize) < start).is_some() {}
         let mut own = Vec::new();
         while let Some(statement) = statements.next_if(|statement| (statement.span.start as usize) < end) {
             own.push(statement);
         }
         while problems.next_if(|at| *at < start).is_some() {}
-        // What is missing at its end is missed at the next token.
+        // An error at its end is reported at the next token.
         let after = tokens.tokens.partition_point(|token| (token.span.start as usize) < end);
         let next = tokens.tokens.get(after).map_or(end, |token| token.span.start as usize);
         let faulty = problems.peek().is_some_and(|at| *at <= next);
@@ -97,7 +100,7 @@ fn parse_together(text: &str, ends_file: bool, ranges: &[Range<usize>], found: &
     }
 }
 
-/// Where top-level statements end, by their tokens.
+/// Splits tokens at the ends of top-level statements.
 fn split(tokens: &[Token]) -> Vec<Range<usize>> {
     let mut ranges = Vec::new();
     let (mut start, mut end) = (0, 0);
@@ -117,27 +120,28 @@ fn split(tokens: &[Token]) -> Vec<Range<usize>> {
     ranges
 }
 
-/// What is open in a statement.
+/// The open constructs of a statement.
 #[derive(Default)]
 struct OpenBlock {
-    /// Blocks.
+    /// Number of open blocks.
     braces: usize,
-    /// Parentheses outside of blocks; the number is of semicolons that may still stand in it, two in the head of a `for`.
+    /// Open parentheses outside of blocks, each with the number of semicolons that may still occur
+    /// in it: two in the head of a `for`.
     parentheses: Vec<u8>,
-    /// The last token.
+    /// The previous token.
     previous: Option<Kind>,
-    /// `do` whose `while` has not come, outside of blocks.
+    /// Number of `do` without their `while`, outside of blocks.
     loops: usize,
 }
 
 impl OpenBlock {
-    /// Takes a token; whether the statement ends with it.
+    /// Processes a token. Returns `true` if the statement ends with it.
     fn ends(&mut self, kind: Kind, next: Option<Kind>) -> bool {
         let previous = self.previous.replace(kind);
         let outside = self.braces == 0;
         match kind {
             Kind::OpenBrace => {
-                // No block stands in parentheses: they were left open.
+                // Parentheses contain no blocks, so they were left open.
                 self.parentheses.clear();
                 self.braces += 1;
             }
@@ -153,7 +157,7 @@ impl OpenBlock {
                 self.parentheses.pop();
             }
             Kind::Do if outside => self.loops += 1,
-            // Behind a statement it belongs to a `do`; elsewhere it begins a loop.
+            // After a statement it belongs to a `do`; elsewhere it starts a loop.
             Kind::While if outside && matches!(previous, Some(Kind::Semicolon | Kind::CloseBrace)) => {
                 self.loops = self.loops.saturating_sub(1);
             }
@@ -174,7 +178,7 @@ impl OpenBlock {
         false
     }
 
-    /// Whether what comes next belongs to the statement although it could end.
+    /// Returns `true` if the next token continues a statement that could end here.
     fn goes_on(&self, next: Option<Kind>) -> bool {
         match next {
             Some(Kind::Else | Kind::Catch) => true,
@@ -207,7 +211,7 @@ print(\"{size : .3 mm}\");
         "for (", "catch ", "function f(in a) ", "\"", "{x}", "output ", "units SI;", "@", "/*", "return ", "µ", "x = ",
     ];
 
-    /// Numbers without pattern; the same in every run.
+    /// Returns a reproducible pseudo-random number.
     fn below(state: &mut u64, end: usize) -> usize {
         *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (*state >> 33) as usize % end.max(1)

@@ -1,4 +1,4 @@
-//! Functions, their parameters and types, and the declarations that make a model's interface.
+//! Parses functions, their parameters and types, and the declarations of a model's interface.
 
 use super::Problem;
 use super::Rule;
@@ -14,7 +14,7 @@ use crate::lexer::Kind;
 use chumsky::pratt::{infix, left, postfix};
 use chumsky::prelude::*;
 
-/// `import`, `units`, `param` and `output`, which stand at the top level only.
+/// Parses `import`, `units`, `param` and `output`, which are allowed only at the top level.
 pub(super) fn interface<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let end = semicolon(source);
     let path = name(source, "the module")
@@ -46,7 +46,8 @@ pub(super) fn interface<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule
     top_level_only(source).ignore_then(choice((import, units, param, output))).boxed()
 }
 
-/// Reports the next token if it begins a declaration inside a block, a function or another statement.
+/// Reports the next token if it starts a top-level declaration inside a block, a function or
+/// another statement.
 fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -61,7 +62,7 @@ fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     .boxed()
 }
 
-/// The error at a token that begins a top-level declaration and does not stand at the top level.
+/// Returns the error for a token that starts a top-level declaration below the top level.
 pub(super) fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     let after_statement = matches!(source.previous(at), None | Some(Kind::Semicolon | Kind::CloseBrace));
     let inside = source.opening(at, Kind::CloseBrace);
@@ -77,14 +78,14 @@ pub(super) fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnosti
     })
 }
 
-/// `in low .. high`, `in ["a", "b"]`
+/// Parses `in low .. high` or `in ["a", "b"]`.
 fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
     let choices = e.list.clone().map_with(|values, extra| (values, source.range(extra.span())));
     let bound = when(move |at| {
         super::expressions::may_begin(source.kind(at)) && source.kind(at) != Some(Kind::DotDot)
     })
     .ignore_then(e.operators.clone());
-    // After `..` the end of the parameter or of the statement means that there is no bound.
+    // After `..`, the end of the parameter or of the statement means that there is no upper limit.
     let upper = when(move |at| source.kind(at) != Some(Kind::Comma)).ignore_then(bound.clone()).or_not();
     let range = bound
         .or_not()
@@ -96,7 +97,8 @@ fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
         .boxed()
 }
 
-/// `function f(...) statement`, `host function f(...) statement`, `function p(...) := e;`, `extern pure function f(...) -> T;`
+/// Parses `function f(...) statement`, `host function f(...) statement`, `function p(...) := e;`,
+/// `extern pure function f(...) -> T;`.
 pub(super) fn function<'a>(
     source: &'a Source<'a>,
     e: &Expressions<'a>,
@@ -142,7 +144,7 @@ pub(super) fn function<'a>(
         }
         Ok(mark)
     });
-    // `function`, and something else on the next line.
+    // `function` followed by something else on the next line.
     let begun = just(Kind::Function)
         .ignore_then(when(move |at| {
             source.begins_line(at) && !matches!(source.kind(at), Some(Kind::Identifier | Kind::OpenParen))
@@ -159,7 +161,8 @@ pub(super) fn function<'a>(
     begun.or(whole).boxed()
 }
 
-/// `private` before a declaration of a module; anything else after it is reported, and read all the same.
+/// Parses `private` before a declaration of a module; before anything else, it is reported and
+/// skipped.
 pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -201,7 +204,7 @@ fn parameter<'a>(
     types: Rule<'a, TypeExpr>,
 ) -> Rule<'a, Option<Parameter>> {
     let mode = select! { Kind::In => Mode::In, Kind::Out => Mode::Out, Kind::InOut => Mode::InOut };
-    // Before a name alone: `function f(a)`.
+    // A name without a mode: `function f(a)`.
     let no_mode = custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
         if source.kind(at) != Some(Kind::Identifier) {
@@ -223,7 +226,7 @@ fn parameter<'a>(
         when(move |at| !matches!(source.kind(at), None | Some(Kind::Comma | Kind::CloseParen | Kind::In)))
             .ignore_then(e.full.clone());
     let default = custom(move |input: &mut Reader<'a, '_>| {
-        // `in b =` lacks its value; only `:=` can do without.
+        // `in b =` needs a value; only `:=` may omit it.
         let at = position(input);
         let ends = matches!(source.kind(at + 1), Some(Kind::Comma | Kind::CloseParen));
         if source.kind(at) == Some(Kind::Assign) && ends {
@@ -247,7 +250,7 @@ fn parameter<'a>(
         .boxed()
 }
 
-/// `Length`, `Array(Number)`, `Force/Length^2`, `1/Length`
+/// Parses a type: `Length`, `Array(Number)`, `Force/Length^2`, `1/Length`.
 pub(super) fn type_expression<'a>(source: &'a Source<'a>) -> Rule<'a, TypeExpr> {
     recursive(|any| type_grammar(source, any.boxed())).boxed()
 }
@@ -311,7 +314,7 @@ fn type_grammar<'a>(source: &'a Source<'a>, any: Rule<'a, TypeExpr>) -> Rule<'a,
     grammar.boxed()
 }
 
-/// The exponent of a dimension: `2`, `-1`, `(1/2)`.
+/// Parses the exponent of a dimension: `2`, `-1`, `(1/2)`.
 fn rational<'a>(source: &'a Source<'a>) -> Rule<'a, (i32, i32)> {
     let integer = custom(move |input: &mut Reader<'a, '_>| {
         let negative = source.kind(position(input)) == Some(Kind::Minus);
@@ -351,7 +354,7 @@ fn rational<'a>(source: &'a Source<'a>) -> Rule<'a, (i32, i32)> {
     fraction.or(integer.map(|whole| (whole, 1))).boxed()
 }
 
-/// `var a = 1, b := 2, c`
+/// Parses `var a = 1, b := 2, c`.
 pub(super) fn variables<'a>(source: &'a Source<'a>, value: Rule<'a, Expr>) -> Rule<'a, StmtKind> {
     let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
     let variable = name(source, "the variable")

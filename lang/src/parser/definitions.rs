@@ -1,4 +1,4 @@
-//! Constants, records, dimensions and units: names for values, groups of values, and what they are measured in.
+//! Parses declarations of constants, records, dimensions and units.
 
 use super::declarations::{inside_another, type_expression};
 use super::expressions::Expressions;
@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
 use chumsky::prelude::*;
 
-/// `const`, `record`, `dimension` and `unit`.
+/// Parses `const`, `record`, `dimension` and `unit`.
 pub(super) fn definition<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let end = semicolon(source);
     let constant = just(Kind::Const)
@@ -37,7 +37,8 @@ pub(super) fn definition<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rul
     constant.or(outside).boxed()
 }
 
-/// Reports the next token if it begins a record, dimension or unit inside a block, function or other statement.
+/// Reports the next token if it starts a record, dimension or unit inside a block, function or
+/// other statement.
 fn outside_blocks<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -54,7 +55,7 @@ fn outside_blocks<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     .boxed()
 }
 
-/// `record Name { width = 1 inch; teeth: Number; }`
+/// Parses `record Name { width = 1 inch; teeth: Number; }`.
 fn record<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let typed = just(Kind::Colon).ignore_then(type_expression(source));
     let default = just(Kind::Assign).ignore_then(e.full.clone());

@@ -1,4 +1,4 @@
-//! Expressions, their literals and argument lists.
+//! Parses expressions, literals and argument lists.
 
 use super::recovery::{
     Reader, advance_to, assigns_on_new_line, close, expect, identifier, in_value, index_of, name, position,
@@ -15,20 +15,22 @@ use chumsky::input::MapExtra;
 use chumsky::pratt::{infix, left, postfix, prefix, right};
 use chumsky::prelude::*;
 
-/// Rules for expressions. All of them succeed: where no expression stands they report it and yield an `Error` node.
+/// Rules for expressions. All of them succeed: if there is no expression, they report it and return
+/// an `Error` node.
 #[derive(Clone)]
 pub(super) struct Expressions<'a> {
-    /// Everything, `at` included.
+    /// All expressions, including `at`.
     pub full: Rule<'a, Expr>,
-    /// Without `at`: where a condition, a range bound or an `else` branch ends before it.
+    /// Expressions without `at`, for a condition, a range limit or an `else` branch before it.
     pub operators: Rule<'a, Expr>,
     /// A condition in parentheses.
     pub condition: Rule<'a, Expr>,
-    /// `[a, b, c]`, without the node around it.
+    /// The elements of `[a, b, c]`, without the node around them.
     pub list: Rule<'a, Vec<Expr>>,
 }
 
-// From loosest to tightest; `at` is looser than all and no operator here.
+// From lowest to highest precedence; `at` has a lower precedence than all of these and is not an
+// operator here.
 const OR: u16 = 1;
 const AND: u16 = 2;
 const RELATION: u16 = 3;
@@ -39,7 +41,8 @@ const POWER: u16 = 7;
 const SUFFIX: u16 = 8;
 
 pub(super) fn expressions<'a>(source: &'a Source<'a>) -> Expressions<'a> {
-    // Inside itself a rule is known weakly: rules that hold each other are never freed, and an editor builds them at every key.
+    // The rule refers to itself weakly: a strong cycle would never be freed, and an editor builds
+    // the rules at every keystroke.
     let full = recursive(|any| {
         let any = any.boxed();
         at_clause(source, operators(source, any.clone()), any)
@@ -50,7 +53,7 @@ pub(super) fn expressions<'a>(source: &'a Source<'a>) -> Expressions<'a> {
     Expressions { operators: operators(source, any.clone()), full: any, condition, list }
 }
 
-/// Operators and what they stand between; without `at`.
+/// Parses operators and their operands, without `at`.
 fn operators<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
     let rule = recursive(|operators| {
         let list = list(source, any.clone());
@@ -71,7 +74,7 @@ fn operators<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> 
     rule.boxed()
 }
 
-/// Wraps a node with the place of its tokens.
+/// Wraps a node with the source range of its tokens.
 fn spanned<'a>(
     source: &'a Source<'a>,
     kind: impl Parser<'a, Input<'a>, ExprKind, Extra> + 'a,
@@ -79,7 +82,7 @@ fn spanned<'a>(
     kind.map_with(|kind, extra| Expr { kind, span: source.range(extra.span()) }).boxed()
 }
 
-/// Whether an expression, rather than the end of one, may be meant at a token.
+/// Returns `true` if an expression, rather than the end of one, may start at a token.
 pub(super) fn may_begin(kind: Option<Kind>) -> bool {
     kind.is_some_and(|k| {
         !k.begins_statement()
@@ -100,7 +103,7 @@ pub(super) fn may_begin(kind: Option<Kind>) -> bool {
     })
 }
 
-/// A number, or a quantity where a unit follows it.
+/// Parses a number, or a quantity if a unit follows.
 fn number<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -108,12 +111,12 @@ fn number<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
             return Err(Problem(None));
         }
         input.next();
-        // Malformed numbers were reported with the text.
+        // The lexer has already reported malformed numbers.
         let value = source.text(at).parse().unwrap_or(f64::NAN);
         let unit_at = at + 1;
         let is_unit = match source.kind(unit_at) {
             Some(Kind::Percent) => true,
-            // A name on the next line more likely begins a statement after a forgotten `;`.
+            // A name on the next line more likely starts a statement after a missing `;`.
             Some(Kind::Identifier) => {
                 !source.begins_line(unit_at) || Unit::find(source.text(unit_at)).is_some()
             }
@@ -131,7 +134,7 @@ fn number<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
     .boxed()
 }
 
-/// `^2`, `^-1` after a unit.
+/// Parses `^2` or `^-1` after a unit.
 fn unit_exponent<'a>(source: &'a Source<'a>, input: &mut Reader<'a, '_>) -> (i32, Option<Span>) {
     let caret = position(input);
     if source.kind(caret) != Some(Kind::Caret) {
@@ -193,7 +196,7 @@ fn string<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
     spanned(source, parts.map(ExprKind::String))
 }
 
-/// `: 10.3e lbf*inch` behind an interpolated value.
+/// Parses `: 10.3e lbf*inch` after an interpolated value.
 fn format<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Format> {
     let percent = index_of(Kind::Percent)
         .map(|at| Expr { kind: ExprKind::Name(source.ident(at)), span: source.place(at) });
@@ -260,7 +263,7 @@ fn boolean<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
 }
 
 fn variable<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
-    // Not `y` in `x = a +` and `y = 2;` on the next line.
+    // Excludes `y` in `x = a +` followed by `y = 2;` on the next line.
     let name = when(move |at| {
         let half_written = matches!(
             source.previous(at),
@@ -298,7 +301,7 @@ fn parenthesised<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Ex
     spanned(source, inner.map(|e| ExprKind::Paren(Box::new(e))))
 }
 
-/// Items up to a closing bracket; a trailing comma is allowed.
+/// Parses items up to a closing bracket; a trailing comma is allowed.
 fn items<'a, T: 'a>(source: &'a Source<'a>, item: Rule<'a, T>) -> Rule<'a, Vec<T>> {
     when(move |at| may_begin(source.kind(at)))
         .ignore_then(item)
@@ -328,7 +331,7 @@ fn arguments<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Ar
         .boxed()
 }
 
-/// The condition of `if`, `while`, `do` and the value of `switch`, in parentheses.
+/// Parses the condition of `if`, `while`, `do` or the value of `switch`, in parentheses.
 fn condition<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
     let assignment = custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -360,7 +363,7 @@ fn condition<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> 
     inside.or(bare).boxed()
 }
 
-/// `if (c) a else b` as a value. The `else` branch takes all operators that follow it.
+/// Parses `if (c) a else b` as a value. The `else` branch includes all operators that follow.
 fn conditional<'a>(
     source: &'a Source<'a>,
     condition: Rule<'a, Expr>,
@@ -383,7 +386,7 @@ fn conditional<'a>(
     spanned(source, node)
 }
 
-/// Where an operand must stand and none does. Reads nothing.
+/// Reports a missing operand, without consuming tokens.
 fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -415,7 +418,7 @@ fn binary(left: Expr, (op, op_span): (BinaryOp, Span), right: Expr) -> Expr {
     Expr { kind: ExprKind::Binary { op, op_span, left: Box::new(left), right: Box::new(right) }, span }
 }
 
-/// `1/2 inch` may be meant as half an inch.
+/// Returns a warning for `1/2 inch`, which may be intended as half an inch.
 fn divided_quantity(left: &Expr, op: BinaryOp, right: &Expr) -> Option<Diagnostic> {
     let (BinaryOp::Divide, ExprKind::Number(above), ExprKind::Quantity { value, unit, .. }) =
         (op, &left.kind, &right.kind)
@@ -437,7 +440,7 @@ fn divided_quantity(left: &Expr, op: BinaryOp, right: &Expr) -> Option<Diagnosti
     )
 }
 
-/// What may follow an operand.
+/// A suffix of an operand.
 enum Suffix {
     Call(Vec<Argument>),
     Index(Expr),
@@ -472,7 +475,7 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
         select! { Kind::Plus => UnaryOp::Plus, Kind::Minus => UnaryOp::Minus, Kind::Not => UnaryOp::Not }
             .map_with(|op, extra| (op, source.range(extra.span())))
             .boxed();
-    // `x = gears.` and `y = 2;` on the next line.
+    // `x = gears.` followed by `y = 2;` on the next line.
     let no_field = custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
         if !(assigns_on_new_line(source, at) && in_value(source, at)) {
@@ -529,7 +532,7 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
     .boxed()
 }
 
-/// `&&` and `||`, the spelling of C.
+/// Parses `&&` and `||`, the spelling of C.
 fn doubled<'a>(source: &'a Source<'a>, kind: Kind, op: BinaryOp, single: &'static str) -> Rule<'a, BinaryOp> {
     just(kind)
         .map_with(move |_, extra| {
@@ -546,7 +549,7 @@ fn doubled<'a>(source: &'a Source<'a>, kind: Kind, op: BinaryOp, single: &'stati
         .boxed()
 }
 
-/// `value at Time = 0.1 s`
+/// Parses `value at Time = 0.1 s`.
 fn at_clause<'a>(source: &'a Source<'a>, operators: Rule<'a, Expr>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
     let clause = just(Kind::At)
         .ignore_then(name(source, "the symbol"))

@@ -1,8 +1,10 @@
-//! Tokens to syntax tree: the grammar of tables 3.1 and 3.2 of the Calyx report, and what the language adds to it.
+//! The parser: converts tokens to a syntax tree, by the grammar of tables 3.1 and 3.2 of the Calyx
+//! report and the extensions of the language.
 //!
-//! Rules are chumsky parsers over token kinds. A rule decides by at most two tokens whether it applies; once it
-//! does, it reports what is missing and goes on, so that one error hides no other and a tree always results.
-//! Rules are boxed: unboxed ones make types that take minutes to compile.
+//! Rules are chumsky parsers over token kinds. A rule needs at most two tokens to decide whether it
+//! applies. Once it applies, it reports missing tokens and continues, so that one error does not
+//! hide others and there is always a tree. Rules are boxed, because the types of unboxed rules take
+//! minutes to compile.
 
 pub(crate) mod chunks;
 mod declarations;
@@ -25,17 +27,17 @@ use chumsky::util::MaybeRef;
 use chunks::PlacedChunk;
 use source::Source;
 
-/// The tree of a file and everything wrong with its text, in order of place.
+/// Parses a file. Returns its tree and all errors in its text, in order of position.
 pub fn parse(file: FileId, text: &str) -> (Module, Vec<Diagnostic>) {
     parse_tokens(file, text, &lexer::lex(file, text))
 }
 
-/// The same, for who needs the tokens too.
+/// Parses a file whose tokens are already available.
 pub fn parse_tokens(file: FileId, text: &str, tokens: &Tokens) -> (Module, Vec<Diagnostic>) {
     assemble(file, tokens, &chunks::pieces(text, tokens, |_| None))
 }
 
-/// A file of its pieces.
+/// Assembles a file from its pieces.
 pub(crate) fn assemble(file: FileId, tokens: &Tokens, pieces: &[PlacedChunk]) -> (Module, Vec<Diagnostic>) {
     let mut module = Module { statements: Vec::new(), doc: tokens.file_doc.clone() };
     let mut diagnostics = tokens.diagnostics.clone();
@@ -52,7 +54,7 @@ pub(crate) fn assemble(file: FileId, tokens: &Tokens, pieces: &[PlacedChunk]) ->
     (module, in_order(diagnostics))
 }
 
-/// Statements that follow each other, and what is wrong with their syntax.
+/// Parses consecutive statements, and returns the errors in their syntax.
 fn parse_run(text: &str, tokens: &Tokens, ends_file: bool) -> (Vec<Stmt>, Vec<Diagnostic>) {
     let Tokens { tokens, docs, diagnostics, .. } = tokens;
     let source = Source::new(FileId(0), text, tokens, docs, ends_file);
@@ -71,16 +73,16 @@ fn in_order(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     diagnostics
 }
 
-/// Leaves out second errors at one place, and errors right after text that was no token.
+/// Removes repeated errors at one location, and errors directly after invalid text.
 fn without_consequences(
     source: &Source<'_>,
     lexical: &[Diagnostic],
     mut problems: Vec<Diagnostic>,
 ) -> Vec<Diagnostic> {
-    // A stable sort: of errors at one place the one found first explains it.
+    // The sort is stable: of errors at one location, the one found first is the cause.
     problems.sort_by_key(|d| d.primary.span.start);
     problems.dedup_by_key(|d| d.primary.span.start);
-    // `x = ` and another statement on the next line: the value is missing, and with it the `;`.
+    // In `x = ` followed by another statement on the next line, the value and the `;` are missing.
     let value_is_missing: Vec<bool> = problems
         .windows(2)
         .map(|pair| {
@@ -99,7 +101,7 @@ fn without_consequences(
     bad_text.sort_by_key(|span| span.start);
     problems.retain(|problem| {
         let start = problem.primary.span.start;
-        // The last lexical error that begins at or before this place.
+        // The last lexical error that starts at or before this location.
         let before = bad_text.partition_point(|span| span.start <= start);
         let Some(bad) = before.checked_sub(1).map(|i| bad_text[i]) else { return true };
         bad.end < start && !source.is_blank(bad.end, start)
@@ -111,7 +113,7 @@ type Input<'a> = &'a [Kind];
 type Extra = extra::Err<Problem>;
 type Rule<'a, O> = Boxed<'a, 'a, Input<'a>, O, Extra>;
 
-/// What a rule reports; empty where a rule does not apply, which another one will answer.
+/// The error of a rule; `None` if the rule does not apply, so that another rule is tried.
 #[derive(Debug)]
 struct Problem(Option<Box<Diagnostic>>);
 

@@ -1,19 +1,19 @@
-//! Bounds the depth of the tree before it is built, so that no walk over it can run out of stack.
+//! Limits the depth of the tree before it is built, so that no traversal overflows the stack.
 
 use super::source::Source;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
 
-/// Brackets, interpolations and blocks inside one another.
+/// Limit of nested brackets, interpolations and blocks.
 const MAX_BRACKETS: usize = 256;
 /// Levels of the tree: brackets, and everything that puts one node under the next (operators of one expression,
 /// `else if` chains, labels in a row). Walks over such a tree have the stack of [`crate::deep_recursion`].
 const MAX_LEVELS: usize = 400;
 
-/// An error at the first token that goes too deep. A bound from above: each operator counts as one level until
-/// the next separator, as it is in `a - b - c`.
+/// Returns an error at the first token that is nested too deeply. The depth is an upper bound: each
+/// operator counts as one level until the next separator, as in `a - b - c`.
 pub(super) fn exceeds_nesting(source: &Source<'_>) -> Option<Diagnostic> {
-    // Levels opened at each bracket that is open, outermost first.
+    // Number of levels at each open bracket, outermost first.
     let mut open = vec![0_usize];
     let mut levels = 0_usize;
     for index in 0..source.len() {
@@ -71,7 +71,7 @@ fn add(open: &mut [usize], levels: &mut usize) {
     }
 }
 
-/// A separator: what follows does not lie under what came before it.
+/// Ends the levels at a separator: code after it is not nested in code before it.
 fn reset(open: &mut [usize], levels: &mut usize) {
     if let Some(here) = open.last_mut() {
         *levels -= *here;
@@ -79,7 +79,7 @@ fn reset(open: &mut [usize], levels: &mut usize) {
     }
 }
 
-/// Whether the statement that ends here goes on with what lies one level deeper.
+/// Returns `true` if the statement that ends here continues one level deeper.
 fn continues(source: &Source<'_>, index: usize) -> bool {
     matches!(source.kind(index + 1), Some(Kind::Else | Kind::Catch))
 }

@@ -1,4 +1,5 @@
-//! What rules expect, what they say when it is not there, and where they go on.
+//! Error recovery: expected tokens, their error messages, and the tokens at which parsing
+//! continues.
 
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule};
@@ -11,7 +12,7 @@ use chumsky::prelude::*;
 
 pub(super) type Reader<'a, 'p> = InputRef<'a, 'p, Input<'a>, Extra>;
 
-/// Index of the next token.
+/// Returns the index of the next token.
 pub(super) fn position(input: &Reader<'_, '_>) -> usize {
     *input.cursor().inner()
 }
@@ -20,13 +21,13 @@ pub(super) fn advance_to(input: &mut Reader<'_, '_>, index: usize) {
     while position(input) < index && input.next().is_some() {}
 }
 
-/// Applies, without reading anything, where `test` says so of the index of the next token.
+/// Succeeds without consuming tokens if `test` accepts the index of the next token.
 pub(super) fn when<'a>(test: impl Fn(usize) -> bool + 'a) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| if test(position(input)) { Ok(()) } else { Err(Problem(None)) })
         .boxed()
 }
 
-/// Index of a token of a kind, where one stands.
+/// Parses a token of a kind and returns its index.
 pub(super) fn index_of<'a>(kind: Kind) -> Rule<'a, usize> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -35,12 +36,13 @@ pub(super) fn index_of<'a>(kind: Kind) -> Rule<'a, usize> {
     .boxed()
 }
 
-/// A name, where one stands.
+/// Parses a name.
 pub(super) fn identifier<'a>(source: &'a Source<'a>) -> Rule<'a, Ident> {
     index_of(Kind::Identifier).map(|at| source.ident(at)).boxed()
 }
 
-/// A token that must be here; `true` if it is. `context` says what for, e.g. "after the condition".
+/// Parses a required token; returns `true` if it is present. `context` is its purpose, such as
+/// "after the condition".
 pub(super) fn expect<'a>(source: &'a Source<'a>, kind: Kind, context: &'static str) -> Rule<'a, bool> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -55,7 +57,8 @@ pub(super) fn expect<'a>(source: &'a Source<'a>, kind: Kind, context: &'static s
     .boxed()
 }
 
-/// A name that must be here; `None` if it is not. `what` says of what, e.g. "the variable".
+/// Parses a required name; returns `None` if it is missing. `what` is the named item, such as "the
+/// variable".
 pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, Option<Ident>> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -66,7 +69,7 @@ pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, O
         let reserved = lexer::keywords().any(|word| source.kind(at).is_some() && word == source.text(at));
         let same_line = !source.begins_line(at);
         if let Some(problem) = at.checked_sub(1).and_then(|comma| decimal_comma(source, comma)) {
-            // The unit belongs to the number.
+            // The unit is part of the number.
             let end = (at + 1..).find(|next| source.kind(*next) != Some(Kind::Identifier)).unwrap_or(at + 1);
             advance_to(input, end);
             input.emit(problem.into());
@@ -86,15 +89,15 @@ pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, O
     .boxed()
 }
 
-/// Whether a token begins a line with an assignment, `name = ...` or `name := ...`. Where a value is missing before it,
-/// that line is a statement of its own: the one above is not written to its end yet.
+/// Returns `true` if a token starts a line with an assignment, `name = ...` or `name := ...`. If a
+/// value is missing before it, this line is a separate statement and the one above is incomplete.
 pub(super) fn assigns_on_new_line(source: &Source<'_>, at: usize) -> bool {
     source.kind(at) == Some(Kind::Identifier)
         && matches!(source.kind(at + 1), Some(Kind::Assign | Kind::Bind))
         && source.begins_line(at)
 }
 
-/// Whether a `=`, `:=`, `return` or `throw` stands before a token in its statement.
+/// Returns `true` if a `=`, `:=`, `return` or `throw` precedes a token in its statement.
 pub(super) fn in_value(source: &Source<'_>, at: usize) -> bool {
     let before = (0..at).rev().map_while(|i| source.kind(i));
     before
@@ -102,8 +105,8 @@ pub(super) fn in_value(source: &Source<'_>, at: usize) -> bool {
         .any(|k| matches!(k, Kind::Assign | Kind::Bind | Kind::Return | Kind::Throw))
 }
 
-/// The `;` that ends a statement. Where it is missing the next statement is read as if it were there; where
-/// something else stands, everything up to the end of the statement is left out.
+/// Parses the `;` at the end of a statement. If it is missing, it is reported and the next
+/// statement is parsed; if there are other tokens, they are skipped up to the end of the statement.
 pub(super) fn semicolon<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -124,7 +127,7 @@ pub(super) fn semicolon<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
             input.emit(problem.into());
         } else {
             input.emit(unexpected(source, at).into());
-            // A block is read as a statement of its own, so that its errors show too.
+            // A block is parsed as a separate statement, so that its errors are also reported.
             if found != Some(Kind::OpenBrace) {
                 skip_statement(source, input);
             }
@@ -134,7 +137,7 @@ pub(super) fn semicolon<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     .boxed()
 }
 
-/// `int x = 3;`, `parm torque = 1 N;`: two names in a row at the beginning of a statement.
+/// Reports two adjacent names at the start of a statement: `int x = 3;`, `parm torque = 1 N;`.
 fn unknown_word(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     let first = at.checked_sub(1)?;
     let begins = matches!(
@@ -171,7 +174,8 @@ fn unknown_word(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     })
 }
 
-/// Mends `i++`, `a += b` and `a ** b` at the token behind which an operand is missing, where the change is certain.
+/// Adds a fix for `i++`, `a += b` and `a ** b` to the error for a missing operand, if the change is
+/// certain.
 pub(super) fn foreign_operator(source: &Source<'_>, at: usize, problem: Diagnostic) -> Diagnostic {
     let ends = |index| {
         matches!(source.kind(index), None | Some(Kind::Semicolon | Kind::CloseParen | Kind::CloseBrace))
@@ -209,7 +213,7 @@ pub(super) fn foreign_operator(source: &Source<'_>, at: usize, problem: Diagnost
     }
 }
 
-/// Error of a decimal comma: `2,5 mm`.
+/// Returns the error for a decimal comma: `2,5 mm`.
 fn decimal_comma(source: &Source<'_>, comma: usize) -> Option<Diagnostic> {
     let first = comma.checked_sub(1)?;
     let numbers = [first, comma + 1].iter().all(|at| source.kind(*at) == Some(Kind::Number));
@@ -221,7 +225,7 @@ fn decimal_comma(source: &Source<'_>, comma: usize) -> Option<Diagnostic> {
     Diagnostic::decimal_comma(place, source.text(first), source.text(comma + 1))
 }
 
-/// Error of a number right after another number, as in `100 1/min`.
+/// Returns the error for a number directly after another number, as in `100 1/min`.
 fn second_number(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     let before = at.checked_sub(1)?;
     if source.kind(at) != Some(Kind::Number) || source.kind(before) != Some(Kind::Number) {
@@ -249,7 +253,7 @@ fn second_number(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     Some(problem.fix(format!("write `{written}`"), between, ""))
 }
 
-/// A token no rule can use.
+/// Returns the error for a token that no rule accepts.
 pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
     if let Some(problem) = decimal_comma(source, at).or_else(|| second_number(source, at)) {
         return problem;
@@ -280,13 +284,13 @@ pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
     }
 }
 
-/// Leaves out the rest of a statement: at least one token, then up to and with the next `;`, or up to the next
-/// brace or word that begins a statement on its own line.
+/// Skips the rest of a statement: at least one token, then up to and including the next `;`, or up
+/// to the next brace or keyword that starts a statement on its own line.
 pub(super) fn skip_statement<'a>(source: &'a Source<'a>, input: &mut Reader<'a, '_>) {
     let start = position(input);
     let mut at = source.next(start);
     while let Some(kind) = source.kind(at) {
-        // The skipped token before may already be the end.
+        // The token skipped before may already be the end.
         if source.previous(at) == Some(Kind::Semicolon) {
             break;
         }
@@ -299,8 +303,8 @@ pub(super) fn skip_statement<'a>(source: &'a Source<'a>, input: &mut Reader<'a, 
     advance_to(input, at);
 }
 
-/// The bracket that closes a list. Where something else stands, what lies before a bracket that does close it
-/// is left out. `expected` names what could stand here, e.g. "`,` or `)`".
+/// Parses the bracket that closes a list. Other tokens before a matching bracket are reported and
+/// skipped. `expected` describes the allowed tokens, such as "`,` or `)`".
 pub(super) fn close<'a>(source: &'a Source<'a>, kind: Kind, expected: &'static str) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -340,7 +344,8 @@ pub(super) fn close<'a>(source: &'a Source<'a>, kind: Kind, expected: &'static s
     .boxed()
 }
 
-/// The next bracket of `kind` that closes what is open at `at`, if the statement does not end before it.
+/// Returns the next bracket of `kind` that matches the bracket open at `at`, if the statement does
+/// not end before it.
 fn closing_ahead(source: &Source<'_>, at: usize, kind: Kind) -> Option<usize> {
     let mut open = 0_usize;
     let mut index = at;

@@ -1,4 +1,4 @@
-//! What rules need to know of the file beside token kinds: places, texts, documentation.
+//! Properties of the source file that rules need: locations, texts, documentation.
 
 use crate::ast::Ident;
 use crate::lexer::{Kind, Token};
@@ -7,17 +7,18 @@ use chumsky::span::SimpleSpan;
 use std::cell::{Cell, OnceCell};
 use std::collections::HashMap;
 
-/// A lexed file. Tokens are addressed by index; an index past the end stands for the end of the file.
+/// A lexed file. Tokens are accessed by index; an index past the last token denotes the end of the
+/// file.
 pub(super) struct Source<'a> {
     file: FileId,
     text: &'a str,
     tokens: &'a [Token],
     docs: &'a HashMap<usize, String>,
-    /// The file ends with its last token.
+    /// `true` if the file ends with the last token.
     ends_file: bool,
-    /// Where the statement that is being read begins, if it begins with an expression.
+    /// Index of the first token of the current statement, if it starts with an expression.
     statement: Cell<usize>,
-    /// Innermost open bracket at each token, for each kind of bracket. Computed at the first use.
+    /// For each kind of bracket, the innermost open bracket at each token. Computed on first use.
     openings: OnceCell<[Vec<Option<usize>>; 3]>,
 }
 
@@ -55,23 +56,23 @@ impl<'a> Source<'a> {
         self.tokens.get(index).map(|t| t.kind)
     }
 
-    /// Kind of the token before `index`.
+    /// Returns the kind of the token before `index`.
     pub(super) fn previous(&self, index: usize) -> Option<Kind> {
         index.checked_sub(1).and_then(|i| self.kind(i))
     }
 
-    /// Place of a token; of the end of the file past the last one.
+    /// Returns the source range of a token; past the last token, the end of the file.
     pub(super) fn place(&self, index: usize) -> Span {
         self.tokens.get(index).map_or_else(|| self.after(index), |t| t.span)
     }
 
-    /// The empty place right behind the token before `index`.
+    /// Returns the empty range directly after the token before `index`.
     pub(super) fn after(&self, index: usize) -> Span {
         let end = index.min(self.tokens.len()).checked_sub(1).map_or(0, |i| self.tokens[i].span.end as usize);
         Span::new(self.file, end, end)
     }
 
-    /// Place of a range of tokens, without the blanks around it.
+    /// Returns the source range of tokens, without surrounding blanks.
     pub(super) fn range(&self, tokens: SimpleSpan) -> Span {
         if tokens.start < tokens.end {
             self.place(tokens.start).to(self.place(tokens.end - 1))
@@ -97,34 +98,34 @@ impl<'a> Source<'a> {
         self.statement.set(index);
     }
 
-    /// Whether a token is the first of a statement that begins with an expression.
+    /// Returns `true` if a token is the first of a statement that starts with an expression.
     pub(super) fn begins_statement(&self, index: usize) -> bool {
         self.statement.get() == index
     }
 
-    /// Whether a token stands on a later line than the one before it.
+    /// Returns `true` if a token is on a later line than the previous one.
     pub(super) fn begins_line(&self, index: usize) -> bool {
         let (from, to) = (self.after(index).start as usize, self.place(index).start as usize);
         self.text[from..to.max(from)].contains('\n')
     }
 
-    /// Whether a token follows the one before it without a blank.
+    /// Returns `true` if a token directly follows the previous one, without a blank.
     pub(super) fn touches_previous(&self, index: usize) -> bool {
         index > 0 && self.after(index).end == self.place(index).start
     }
 
-    /// Where the first token behind a byte position begins.
+    /// Returns the start of the first token after a byte position.
     pub(super) fn next_start(&self, from: u32) -> Option<u32> {
         let index = self.tokens.partition_point(|t| t.span.start < from);
         self.tokens.get(index).map(|t| t.span.start)
     }
 
-    /// Whether only blanks stand between two byte positions.
+    /// Returns `true` if there are only blanks between two byte positions.
     pub(super) fn is_blank(&self, from: u32, to: u32) -> bool {
         self.text.get(from as usize..to as usize).is_some_and(|t| t.trim().is_empty())
     }
 
-    /// How to name a token in a message: its own text where that is short.
+    /// Returns the description of a token for messages: its own text if it is short.
     pub(super) fn describe(&self, index: usize) -> String {
         match self.kind(index) {
             None if self.ends_file => "the end of the file".into(),
@@ -136,7 +137,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Index past a token, and past a whole string where one begins.
+    /// Returns the index after a token; for the start of a string, after the whole string.
     pub(super) fn next(&self, index: usize) -> usize {
         if self.kind(index) != Some(Kind::StringOpen) {
             return index + 1;
@@ -155,7 +156,8 @@ impl<'a> Source<'a> {
         self.tokens.len()
     }
 
-    /// The last bracket before `index` that `close` would close there; other kinds of brackets do not count.
+    /// Returns the last open bracket before `index` that `close` would close; other kinds of
+    /// brackets are ignored.
     pub(super) fn opening(&self, index: usize, close: Kind) -> Option<usize> {
         let kind = BRACKETS.iter().position(|(_, closes)| *closes == close)?;
         let openings = self.openings.get_or_init(|| BRACKETS.map(|pair| self.openings_of(pair)));

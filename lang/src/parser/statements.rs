@@ -1,4 +1,4 @@
-//! Statements and the file as a whole.
+//! Parses statements and whole files.
 
 use super::expressions::{Expressions, expressions, may_begin};
 use super::recovery::{
@@ -12,9 +12,9 @@ use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
 use chumsky::prelude::*;
 
-/// A whole file.
+/// Parses a file.
 pub(super) fn file<'a>(source: &'a Source<'a>) -> Rule<'a, Vec<Stmt>> {
-    // Statements end before a `}`; one that closes no block is reported and left out.
+    // Statements end before a `}`; one that closes no block is reported and skipped.
     let stray = custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
         if source.kind(at) != Some(Kind::CloseBrace) {
@@ -38,12 +38,12 @@ fn spanned<'a>(
     .boxed()
 }
 
-/// Any statement. Does not apply at a `}` and at the end of the file only.
+/// Parses any statement. Fails only at a `}` and at the end of the file.
 fn statement<'a>(source: &'a Source<'a>) -> Rule<'a, Stmt> {
     let e = expressions(source);
     let any = recursive(|any| {
         let any = any.boxed();
-        // Where a statement must follow.
+        // The statement of a head such as `while (c)`, or an error if it is missing.
         let body = any.clone().or(spanned(source, missing(source))).boxed();
         let kind = choice((
             declarations::interface(source, &e),
@@ -66,16 +66,16 @@ fn statement<'a>(source: &'a Source<'a>) -> Rule<'a, Stmt> {
     any.boxed()
 }
 
-/// `;` and `var`.
+/// Parses `;` and `var`.
 fn simple<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let empty = when(move |at| source.kind(at) == Some(Kind::Semicolon)).to(StmtKind::Empty);
     empty.or(declarations::variables(source, e.full.clone())).boxed()
 }
 
-/// `place = value`, `place := value` or an expression, without the `;`.
+/// Parses `place = value`, `place := value` or an expression, without the `;`.
 fn expression_or_assignment<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
-    // `name :` is a label, and was tried before.
+    // Labels, `name :`, were tried before.
     when(move |at| {
         source.begin_statement(at);
         may_begin(source.kind(at)) && begins_expression(source.kind(at))
@@ -103,7 +103,7 @@ fn expression_or_assignment<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> 
     .boxed()
 }
 
-/// Whether a statement that begins with this token is an expression rather than nonsense.
+/// Returns `true` if a statement that starts with this token is probably an expression.
 fn begins_expression(kind: Option<Kind>) -> bool {
     matches!(
         kind,
@@ -126,20 +126,20 @@ fn is_place(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Name(_) | ExprKind::Error => true,
         ExprKind::Index { base, .. } | ExprKind::Field { base, .. } => is_place(base),
-        // `a += 1`: reported where the operand is missing.
+        // `a += 1`: reported at the missing operand.
         ExprKind::Binary { right, .. } => matches!(right.kind, ExprKind::Error),
         _ => false,
     }
 }
 
-/// `break`, `continue`, `return`, `goto`, `throw`, without the `;`.
+/// Parses `break`, `continue`, `return`, `goto`, `throw`, without the `;`.
 fn jump<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
-    // A value on the next line belongs to the next statement: there is a `;` missing.
+    // A value on the next line belongs to the next statement: a `;` is missing.
     let value =
         when(move |at| may_begin(source.kind(at)) && !(source.begins_line(at) && ends_here(source, at)))
             .ignore_then(e.full.clone())
             .or_not();
-    // `goto` and `y = 2;` on the next line.
+    // `goto` followed by `y = 2;` on the next line.
     let no_label = custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
         if !assigns_on_new_line(source, at) {
@@ -161,8 +161,8 @@ fn jump<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     .boxed()
 }
 
-/// Whether `return` or `throw` before `at` has no value: an assignment or a call cannot be one and follow on its
-/// own line.
+/// Returns `true` if `return` or `throw` before `at` has no value: an assignment or a call on the
+/// next line is a separate statement.
 fn ends_here(source: &Source<'_>, at: usize) -> bool {
     matches!(source.kind(at + 1), Some(Kind::Assign | Kind::Bind | Kind::Colon))
         || source.kind(at) == Some(Kind::If)
@@ -210,7 +210,7 @@ fn conditional<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, S
     branch.or(switch).boxed()
 }
 
-/// Reports that a block must follow; the statement that does is taken for it.
+/// Reports a missing block, and uses the next statement instead.
 fn not_a_block<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -233,7 +233,7 @@ fn loops<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) 
         .then_ignore(semicolon(source))
         .map(|(body, condition)| StmtKind::DoWhile { body: Box::new(body), condition });
 
-    // Nothing, as far as the header goes on.
+    // An empty statement, if the header continues.
     let nothing = spanned(source, empty().to(StmtKind::Empty));
     let step = spanned(source, expression_or_assignment(source, e)).or(nothing.clone()).boxed();
     let init = spanned(source, declarations::variables(source, e.full.clone())).or(step.clone()).boxed();
@@ -253,7 +253,7 @@ fn loops<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) 
     choice((repeat, repeat_after, count)).boxed()
 }
 
-/// `case e:`, `default:` and `label:`, with the statement each belongs to.
+/// Parses `case e:`, `default:` and `label:`, with their statements.
 fn labelled<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
     let case = just(Kind::Case)
         .ignore_then(e.full.clone())
@@ -293,7 +293,7 @@ fn try_catch<'a>(source: &'a Source<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtK
         .boxed()
 }
 
-/// Where a statement must stand and none does. Reads nothing.
+/// Reports a missing statement, without consuming tokens.
 fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -308,7 +308,7 @@ fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
     .boxed()
 }
 
-/// What begins no statement: left out up to the next one.
+/// Reports tokens that start no statement, and skips them up to the next statement.
 fn unusable<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
@@ -318,7 +318,7 @@ fn unusable<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
         input.emit(unexpected(source, at).into());
         let closes = |at| matches!(source.kind(at), Some(Kind::CloseParen | Kind::CloseBracket));
         if closes(at) {
-            // What follows brackets that close nothing may well be a statement.
+            // A statement may follow brackets that close nothing.
             let end = (at..).find(|i| !closes(*i)).unwrap_or(at);
             advance_to(input, end + usize::from(source.kind(end) == Some(Kind::Semicolon)));
         } else {

@@ -1,4 +1,4 @@
-//! What formatting must never do to a text.
+//! Checks that formatting preserves a text.
 
 use calyx_lang::format::{FormatError, format, format_range};
 use calyx_lang::lexer::lex;
@@ -10,7 +10,7 @@ fn comments(text: &str) -> Vec<&str> {
     lex(FileId(0), text).comments.iter().map(|c| &text[c.span.start as usize..c.span.end as usize]).collect()
 }
 
-/// What is wrong with the formatted form of a text that parses.
+/// Formats a text without syntax errors, and returns a description of any violation.
 pub fn judge(text: &str) -> Result<String, String> {
     let formatted = match format(text) {
         Ok(formatted) => formatted,
@@ -40,7 +40,7 @@ pub fn judge(text: &str) -> Result<String, String> {
     Ok(formatted)
 }
 
-/// The text after all edits that formatting makes.
+/// Returns the text after all edits of the formatter.
 fn applied(text: &str) -> Result<String, FormatError> {
     let mut result = text.to_string();
     for edit in format_range(text, 0..text.len() as u32)?.iter().rev() {

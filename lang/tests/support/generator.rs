@@ -1,7 +1,7 @@
-//! Models of any length, the same each time: what a designer's model is made of, over and over. For benches and for tests
-//! that count.
+//! Generates reproducible models of any length, from repeated typical sections, for benches and for
+//! tests of growth.
 
-/// A model of about so many lines.
+/// Returns a model of about `lines` lines.
 pub fn model(lines: usize) -> String {
     let mut text = String::from(HEAD);
     let mut section = 0;
@@ -12,13 +12,13 @@ pub fn model(lines: usize) -> String {
     text
 }
 
-/// The model with one number changed in the body of one function, in the first section.
+/// Returns the model with one number changed in the body of one function, in the first section.
 #[allow(dead_code)]
 pub fn with_edited_body(text: &str) -> String {
     text.replacen("total = total + step*weight_0(i);", "total = total + step*weight_0(i + 1);", 1)
 }
 
-/// A chain of so many factors and its first and second derivatives by time.
+/// Returns a model of a chain of `factors` factors and its first and second time derivatives.
 #[allow(dead_code)]
 pub fn chain(factors: usize) -> String {
     let mut text = String::from("units mm_N_s;\nparam speed = 3 rad/s;\n");
@@ -39,7 +39,7 @@ pub fn chain(factors: usize) -> String {
     text
 }
 
-/// A section builds on the one before.
+/// Returns the name on which a section builds: a result of the previous section.
 fn previous(section: usize) -> String {
     match section {
         0 => "width".into(),
@@ -70,7 +70,7 @@ record Stage {
 
 const SECTION_LINES: usize = 48;
 
-/// `#` is the section's number, `#P` what it builds on.
+/// A section; `#` is its number, `#P` the name on which it builds.
 const SECTION: &str = "
 // Section #.
 

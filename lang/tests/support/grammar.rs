@@ -1,9 +1,9 @@
-//! Random programs from the grammar of the reference: its rules are read, so that the page and the parser are held
-//! together.
+//! Generates random programs from the grammar in the reference, so that the reference and the
+//! parser stay consistent.
 
 use std::collections::BTreeMap;
 
-/// xorshift64*: small, and the same on every machine.
+/// The xorshift64* generator, the same on every machine.
 pub struct Random(pub u64);
 
 impl Random {
@@ -31,21 +31,21 @@ enum Node {
 /// The rules of a grammar in the notation of the reference.
 pub struct Grammar {
     rules: BTreeMap<String, Node>,
-    /// How deep the shallowest tree of each rule is.
+    /// Depth of the shallowest tree of each rule.
     depths: BTreeMap<String, usize>,
 }
 
-/// One token of a program, and whether it must stand on the line of the one before it.
+/// A token of a program, and whether it must be on the line of the previous token.
 #[derive(Clone, Debug)]
 pub struct Piece {
     pub text: String,
     pub same_line: bool,
 }
 
-/// What the grammar says in words: a part does not begin with this token.
+/// Restrictions that the grammar states in words: the part must not start with this token.
 const NOT_FIRST: &[(&str, &str)] = &[("simple_statement", "if"), ("low", "["), ("body", "(")];
 
-/// Tokens that a text of the grammar has in many spellings. Names among them are words in other places.
+/// Returns spellings of a lexical token. The names include contextual keywords.
 fn lexical(rule: &str) -> Option<&'static [&'static str]> {
     Some(match rule {
         "NAME" => &[
@@ -111,7 +111,8 @@ impl Grammar {
         grammar
     }
 
-    /// Shallowest trees, by rounds: a rule is as deep as its shallowest way, plus one.
+    /// Computes the depth of each rule by iteration: the depth of its shallowest alternative plus
+    /// one.
     fn measure(&mut self) {
         loop {
             let known: Vec<(String, usize)> = self
@@ -140,7 +141,7 @@ impl Grammar {
         }
     }
 
-    /// A random program about this deep.
+    /// Returns a random program of about this depth.
     pub fn program(&self, random: &mut Random, depth: usize) -> Vec<Piece> {
         let mut out = Vec::new();
         self.generate(&Node::Rule("file".into()), depth, random, &mut out, false);
@@ -190,7 +191,7 @@ impl Grammar {
 
     fn rule(&self, name: &str, depth: usize, random: &mut Random, out: &mut Vec<Piece>, in_line: bool) {
         let start = out.len();
-        // A string ends on its line, a unit stands on the line of its number.
+        // A string ends on its line, and a unit is on the line of its number.
         let one_line = in_line || matches!(name, "string" | "quantity");
         self.generate(&self.rules[name], depth, random, out, one_line);
         if one_line && !in_line && start < out.len() {
@@ -204,12 +205,12 @@ fn push(text: &str, out: &mut Vec<Piece>, in_line: bool) {
     out.push(Piece { text: text.into(), same_line });
 }
 
-/// Whether what comes next would be another statement if it stood on the next line.
+/// Returns `true` if the next token would start another statement on a new line.
 fn follows_jump(pieces: &[Piece]) -> bool {
     pieces.last().is_some_and(|p| matches!(p.text.as_str(), "return" | "throw"))
 }
 
-/// The text of a program, with blanks, line ends and comments between its tokens.
+/// Returns the text of a program, with random blanks, line ends and comments between tokens.
 pub fn written(pieces: &[Piece], random: &mut Random) -> String {
     let mut text = String::new();
     for piece in pieces {

@@ -1,4 +1,4 @@
-//! The library for programs under test, and what no diagnostic may be.
+//! The library for programs under test, and checks that every diagnostic must pass.
 
 use calyx_lang::check::Loader;
 use calyx_lang::codes;
@@ -11,7 +11,7 @@ pub fn folder(relative: &str) -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(relative)
 }
 
-/// The library beside this crate.
+/// The project's library.
 pub struct Library {
     prelude: String,
     gears: String,
@@ -35,7 +35,8 @@ impl Loader for Library {
     }
 }
 
-/// What is wrong with diagnostics of a text: places outside it, codes without a page.
+/// Returns a description of an invalid diagnostic: a location outside the text, or a code without
+/// an explanation.
 pub fn improper(diagnostics: &[Diagnostic], text: &str) -> Option<String> {
     let outside = |start: u32, end: u32| start > end || text.get(start as usize..end as usize).is_none();
     diagnostics.iter().find_map(|d| {

@@ -1,4 +1,4 @@
-//! Blocks and statements.
+//! Lowers blocks and statements.
 
 use super::{Activation, Machine};
 use crate::layout::passed;
