@@ -1,13 +1,17 @@
-//! The engine: finite elements and exact contact of bodies on moving frames, as programs that embed it
-//! need it. It knows nothing of the Calyx language: a scene is built in code, planned, solved and read.
+//! Finite element and contact engine for gear systems: elastic bodies on moving frames, coupled by
+//! exact contact conditions.
 //!
-//! This crate is a facade. It re-exports the crates of which the engine is made, each of which names only
-//! those before it: `calyx-numerics`, `calyx-fe`, `calyx-structure`, `calyx-contact`, `calyx-model`,
-//! `calyx-solve`, `calyx-analysis`.
+//! The engine does not depend on the Calyx language. A program builds a scene, plans the analysis,
+//! solves it and reads the results.
+//!
+//! This crate is a facade. It re-exports the crates of the engine, each of which depends only on
+//! those before it: `calyx-numerics`, `calyx-fe`, `calyx-structure`, `calyx-contact`,
+//! `calyx-model`, `calyx-solve`, `calyx-analysis`.
 //!
 //! # Two cylinders
 //!
-//! Steel, of 50 and 100 mm radius, pressed together with 10 kN on a face of 20 mm: half-width and peak pressure against Hertz.
+//! Two steel cylinders of 50 and 100 mm radius and 20 mm face width are pressed together with
+//! 10 kN. The example compares the contact half-width and the maximum pressure with Hertz.
 //!
 //! ```
 //! use calyx_runtime::analysis::{AnalysisOptions, Position, Steps};
@@ -24,7 +28,7 @@
 //! let (radii, face_width, force) = ([0.05, 0.1], 0.02, 10e3);
 //! let [lower, upper] = radii.map(|radius| Arc::new(Disc::new(radius, face_width, Material::STEEL)));
 //!
-//! // The lower cylinder is held; the upper one may sink, and does so under its load.
+//! // The lower cylinder is fixed; the upper one is free to move along y and is loaded.
 //! let mut scene = Scene::default();
 //! let lower = scene.add_body(Body::new("lower", lower, SteadyRotation::at_rest([0.0, -radii[0]])));
 //! let upper = scene.add_body(
@@ -35,7 +39,7 @@
 //! let contact = scene.add_pair(SurfacePair::new([lower, upper], [Disc::TOP, Disc::BOTTOM]));
 //! let peak = scene.observe(MaxContactPressure(contact));
 //!
-//! // One position, at time 0; a mechanism would have many.
+//! // One position, at time 0. A mechanism is solved at many positions.
 //! let positions = [Position::at(0.0)];
 //! let outputs = [OutputRequest::observing("peak pressure", peak)];
 //! let mut steps = Steps::new(&scene, &positions, &outputs, &AnalysisOptions::default())?;
@@ -54,51 +58,55 @@
 //! # Ok::<(), calyx_runtime::error::EngineError>(())
 //! ```
 //!
-//! # The way through
+//! # Data flow
 //!
 //! ```text
 //! Scene ──> Plan ──────> System ───────> StepResult ─> Observed ─> AnalysisResult
-//!  bodies,   what is      structures      pressures,    values      rows, summaries,
-//!  pairs,    modelled,    condensed,      motions,                  certificate
-//!  loads     and why      freedoms        certificate
+//!  bodies,   models of    condensed       pressures,    values      rows, summaries,
+//!  pairs,    the bodies,  structures,     motions,                  certificate
+//!  loads     reasons      DOFs            certificate
 //! ```
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
-//! | [`scene`] | what there is: [`scene::Body`], [`scene::SurfacePair`], and what is observed of it; [`scene::Prototype`] is how a body is modelled |
-//! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | the parts of a scene that are simulated, whatever is observed of them |
-//! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
+//! | [`scene`] | model: [`scene::Body`], [`scene::SurfacePair`], observables; [`scene::Prototype`] builds the structure of a body |
+//! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | simulated parts of a scene, without observables |
+//! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions, external loads, materials, masses |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
-//! | [`fidelity`], [`plan`], [`target`] | how bodies are modelled; what of the scene is modelled, what is left out, and why |
-//! | [`validate`] | whether a requested analysis is possible: the rules that a check and a run share |
-//! | [`restraint_check`] | whether contacts can hold what is free, known before anything is solved |
-//! | [`system`], [`step`], [`integration`], [`vibrations`] | the planned mechanism, built; a position in equilibrium; a step in time; free vibrations |
-//! | [`observables`], [`observed`] | values read off a solved position, one [`observables::Observable`] each |
+//! | [`fidelity`], [`plan`], [`target`] | fidelity levels; parts of the scene that are modelled or left out, with reasons |
+//! | [`validate`] | checks of a requested analysis, shared by the language server and by runs |
+//! | [`restraint_check`] | restraint check: rejects free motions without resistance before anything is solved |
+//! | [`system`], [`step`], [`integration`], [`vibrations`] | system of the planned mechanism; equilibrium at one position; time step; free vibrations |
+//! | [`observables`], [`observed`] | evaluation of each [`observables::Observable`] at a solved position |
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
 //! | [`analysis`], [`dynamics`], [`options`], [`position`], [`rows`], [`results`], [`summary`] | an analysis from options to results: [`analysis::Steps`] is the iterator over a list of positions, [`analysis::quasi_static`] reports to an observer |
-//! | [`settings_override`] | settings of an analysis that are changed from outside the model |
-//! | [`estimate`] | estimated errors of the statistics of outputs |
-//! | [`tolerance`] | the cheapest setting whose estimated error meets a tolerance |
+//! | [`settings_override`] | settings overrides from outside the model |
+//! | [`estimate`] | error estimates of the statistics of outputs |
+//! | [`tolerance`] | search for the cheapest setting whose estimated error satisfies a tolerance |
 //! | [`cost`] | predicted time and memory of an analysis |
-//! | [`resources`], [`cache`], [`interrupt`] | what an analysis uses and no result depends on: threads, stored structures, an interrupt |
-//! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies by their surfaces, the finite elements behind them, the true curves contact sees |
-//! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
-//! | [`error`] | why the engine could not do what was asked: a code, a sentence, a remedy |
+//! | [`resources`], [`cache`], [`interrupt`] | threads, structure cache and cancellation; no result depends on them |
+//! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their surfaces, finite elements, exact profiles and surfaces for contact |
+//! | [`contact`] | closest approach, contact grids, contact problem and its exact solution |
+//! | [`error`] | errors with a code, a message and a remedy |
 //!
-//! # What holds everywhere
+//! # Conventions
 //!
-//! * SI units: m, rad, s, N, N m, Pa. A plane model works per metre of face width inside; loads and results are of the whole width.
-//! * A structure deforms relative to its body's frame; rigid motion belongs to the frame, whose free components are unknowns of the
-//!   contact problem. Free bodies are normal.
-//! * Every solution carries a [`contact::problem::Certificate`]: complementarity, penetration, tension and equilibrium, relative to
-//!   the problem's own scale.
-//! * The same scene gives the same bits, whatever the number of threads, what was solved before, and what a cache holds.
-//! * Nothing panics on what a scene can say; errors are [`error::EngineError`]s.
+//! * Quantities are in SI units: m, rad, s, N, N m, Pa. Internally a plane model works per metre of
+//!   face width; loads and results refer to the whole face width.
+//! * A structure deforms relative to the frame of its body. The frame carries the rigid-body
+//!   motion, and its free components are unknowns of the contact problem. Unconstrained bodies are
+//!   allowed.
+//! * Every solution has a [`contact::problem::Certificate`]: residuals of complementarity,
+//!   penetration, tension and equilibrium, relative to the scale of the problem.
+//! * The same scene gives bitwise equal results for any number of threads, any earlier analyses and
+//!   any content of the cache.
+//! * No scene makes the engine panic; errors are [`error::EngineError`]s.
 //!
-//! # Where to go next
+//! # Where to start
 //!
-//! `calyx-gears` opens with a gear pair analysed over its mesh cycle. A body of a kind of your own implements [`scene::Prototype`]:
-//! the source of [`disc`] is the shortest example. A frame's own motion implements [`motion::Motion`]; a load is a closure of time
+//! The documentation of `calyx-gears` starts with the analysis of a gear pair over its mesh cycle.
+//! New kinds of bodies implement [`scene::Prototype`]; the source of [`disc`] is the shortest
+//! example. New prescribed motions implement [`motion::Motion`]. A load is a closure of time
 //! ([`load::Load`]).
 
 #![warn(missing_docs)]

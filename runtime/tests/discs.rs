@@ -1,6 +1,8 @@
-//! Elastic discs through the whole engine, against closed forms: squeezed between rigid platens, and against each other.
+//! Tests of elastic discs through the whole engine, against closed forms: between rigid platens,
+//! and against each other.
 //!
-//! Hertz's pressure depends on what is near the contact alone; the approach of the platens sees the whole body.
+//! Hertzian pressure depends only on the surroundings of the contact; the approach of the platens
+//! depends on the whole body.
 
 use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
 use calyx_runtime::disc::{Disc, Facing, Platen};
@@ -26,12 +28,12 @@ use std::sync::{Arc, OnceLock};
 const STEEL: Material = Material::STEEL;
 const FACE_WIDTH: f64 = 0.02;
 
-/// E', here of plane strain.
+/// E' in plane strain.
 fn surface_modulus() -> f64 {
     STEEL.surface_modulus(Plane::Strain)
 }
 
-/// A disc condensed once for all its scenes.
+/// Disc that is condensed once for all its scenes.
 #[derive(Clone)]
 struct Shared {
     disc: Disc,
@@ -62,7 +64,7 @@ impl Prototype for Shared {
     }
 }
 
-/// A body with its origin at height `y`.
+/// Body with its origin at height `y`.
 fn body(name: &str, prototype: Arc<dyn Prototype>, y: f64) -> Body {
     Body::new(name, prototype, SteadyRotation::at_rest([0.0, y]))
 }
@@ -99,11 +101,11 @@ fn a_disc_between_platens_gives_as_much_as_the_closed_form_says() {
         scene.add_pair(SurfacePair::new([disc, lower], [Disc::BOTTOM, Platen::SURFACE]));
         let step = solve(&scene);
 
-        // The freedoms are the disc's and the upper platen's, downwards.
+        // The DOFs are those of the disc and of the upper platen, downwards.
         let [disc_moves, approach] = [0, 1].map(|dof| -step.motion[dof]);
         let known = 2.0 * force / (PI * surface_modulus()) * (2.0 * (4.0 / a_over_r).ln() - 1.0);
         assert!((approach / known - 1.0).abs() < 3e-3, "a/R {a_over_r}: {approach} {known}");
-        // Both halves give alike.
+        // Both halves have equal compliance.
         assert!((disc_moves / approach - 0.5).abs() < 1e-6, "{disc_moves} {approach}");
         for patch in &step.patches {
             assert!((patch.force() / force - 1.0).abs() < 1e-12);
@@ -135,15 +137,16 @@ fn two_cylinders_converge_to_hertz() {
     for [peak, half_width] in &errors {
         assert!(peak.abs() < 5e-3 && half_width.abs() < 1e-2, "{errors:?}");
     }
-    // The limit is not quite Hertz's: he neglects that pressure shortens a surface by (1 - 2 nu)(1 + nu) p / E, which on a
-    // curved one adds that part to the curvature, and half of it to the peak, here 0.9 thousandths.
+    // The limit differs slightly from Hertz, who neglects that pressure shortens a surface by (1 -
+    // 2 nu)(1 + nu) p / E. On a curved surface this adds that fraction to the curvature, and half
+    // of it to the peak, here 0.9 thousandths.
     let shortening =
         (1.0 - 2.0 * STEEL.poissons_ratio) * (1.0 + STEEL.poissons_ratio) * known_peak / STEEL.youngs_modulus;
     let [coarsest, _, _, finest] = errors.map(|[peak, _]| (peak - 0.5 * shortening).abs());
     assert!(finest < 2e-4 && finest < 0.5 * coarsest, "{errors:?} {shortening}");
 }
 
-/// A disc that rests on a platen, is pressed on it, and is observed.
+/// Disc on a platen under a load, with its observables.
 fn resting(disc: Arc<dyn Prototype>, radius: f64) -> Scene {
     let mut scene = Scene::default();
     let disc = body("disc", disc, 0.0).free_in(&[Component::Uy]).loaded(downwards(5e5));
@@ -159,7 +162,7 @@ fn requests(scene: &Scene) -> Vec<OutputRequest> {
     (0..scene.observables.len()).map(observing).collect()
 }
 
-/// What the last position shows.
+/// Fields of the last position.
 #[derive(Default)]
 struct Shown(Option<Fields>);
 
@@ -172,7 +175,7 @@ impl Observer for Shown {
     }
 }
 
-/// Discs and platens have no sectors to be shown: they are named, not passed over.
+/// Discs and platens have no sectors to display: they are named, not omitted silently.
 #[test]
 fn pictures_name_bodies_that_they_do_not_have() {
     let mut scene = resting(Shared::new(0.02), 0.02);
@@ -189,7 +192,8 @@ fn pictures_name_bodies_that_they_do_not_have() {
     );
 }
 
-/// A disc that counts how often it is meshed: for its structure, its modes, and, as gears are, for its inertia.
+/// Disc that counts how often it is meshed: for its structure, its modes and, like gears, its
+/// inertia.
 struct Counted {
     disc: Disc,
     built: Arc<[AtomicUsize; 3]>,
@@ -235,7 +239,8 @@ impl Prototype for Counted {
     }
 }
 
-/// Vibrations about an equilibrium see modes and inertias at every position; what these are made of is meshed once an analysis.
+/// Vibrations about an equilibrium use modes and inertias at every position; each mesh is created
+/// once per analysis.
 #[test]
 fn natural_frequencies_mesh_nothing_anew_at_a_position() {
     let counts = [1, 6].map(|positions: usize| {

@@ -1,4 +1,5 @@
-//! Motion in time of cylinders and frames on bearings: closed forms, bits of runs that go on, and what is refused.
+//! Tests of transient analyses of cylinders and frames on bearings: closed forms, bitwise equality
+//! of resumed runs, and rejected requests.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, BearingMatrix};
@@ -24,7 +25,7 @@ const WIDTH: f64 = 0.01;
 /// The cylinder is condensed once for all tests.
 static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(usize::MAX)));
 
-/// A steel cylinder above a platen, on which a force drives it.
+/// Steel cylinder above a platen, driven by a force.
 fn cylinder(height: f64, force: f64) -> (Scene, BodyId) {
     let disc = Disc::new(RADIUS, WIDTH, Material::STEEL);
     let mut scene = Scene::default();
@@ -93,7 +94,8 @@ fn a_cylinder_that_falls_on_a_platen_goes_on_with_the_same_bits() {
     }
 }
 
-/// Mass, spring and damper: the bearing's own, a part of the mass, a part of the stiffness. All that acts on a free frame adds up to nothing.
+/// Mass, spring and damper: damping of the bearing, mass-proportional, stiffness-proportional. The
+/// forces on a free frame are in equilibrium.
 #[test]
 fn damping_of_each_kind_is_that_of_the_closed_form() {
     let (mass, stiffness, force) = (3.0, 4e6, 100.0);
@@ -153,7 +155,8 @@ fn what_cannot_move_in_time_is_refused() {
     assert_eq!(refused(&scene, AnalysisOptions::default(), damped), Some("E0764"));
     let no_range = from_frames(Vec::new());
     assert_eq!(refused(&scene, AnalysisOptions::default(), no_range), Some("E0764"));
-    // Neither is built before it is known: a frame without mass, and bodies in space.
+    // Both are rejected before anything is built: a frame without mass, and three-dimensional
+    // bodies.
     let (mut massless, _) = cylinder(1e-3, 1.0);
     let frame = Body::new("frame", Arc::new(RigidBody), SteadyRotation::at_rest([0.5, 0.0]));
     let frame = massless.add_body(frame.free_in(&[Component::Ux]));
@@ -166,22 +169,22 @@ fn what_cannot_move_in_time_is_refused() {
     assert_eq!(refused(&scene, solid, plain()), Some("E0761"));
 }
 
-/// A frame with a mass at x = 0.5 m, free across, before it hangs on anything.
+/// Frame with a mass at x = 0.5 m, free in the plane, without bearings.
 fn frame(motion: SteadyRotation, mass: f64) -> Body {
     Body::new("frame", Arc::new(RigidBody), motion)
         .free_in(&[Component::Ux, Component::Uy])
         .with_added(Inertia::axial(mass, 0.1, 0.0))
 }
 
-/// Stiffer along x than along y, N/m.
+/// Stiffness along x and along y, N/m.
 fn across(x: f64, y: f64) -> BearingMatrix {
     let mut matrix = [[0.0; 6]; 6];
     (matrix[0][0], matrix[1][1]) = (x, y);
     matrix
 }
 
-/// Two masses on bearings, from rest under a force that is there at once: the error of the whole engine falls with the square of the step, and what
-/// steps go towards is the exact motion.
+/// Two masses on bearings, from rest under a step force: the error of the whole engine decreases
+/// with the square of the step, and the limit is the exact motion.
 #[test]
 fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
     let (masses, ground, between, force, until) = ([2.0, 1.0], 3e5, 2e5, 3.0, 0.03);
@@ -204,7 +207,7 @@ fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
             [0, 1].map(|output: usize| solved[1].row.outputs[output].value)
         })
         .collect();
-    // By modes (1, shape): roots of det(K - square M).
+    // Modal solution (1, shape): roots of det(K - square M).
     let exact = {
         let [m1, m2] = masses;
         let (trace, product) = ((ground + between) / m1 + between / m2, ground * between / (m1 * m2));
@@ -223,7 +226,7 @@ fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
         let order = (error(k) / error(k + 1)).log2();
         assert!((order - 2.0).abs() < 0.02, "halving {k}: {order}");
     }
-    // What Richardson makes of the last three.
+    // Richardson extrapolation of the last three.
     let once = |k: usize, i: usize| found[k + 1][i] + (found[k + 1][i] - found[k][i]) / 3.0;
     for i in 0..2 {
         let towards = once(4, i) + (once(4, i) - once(3, i)) / 15.0;
@@ -231,7 +234,8 @@ fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
     }
 }
 
-/// Orders from -4 to 4 of the path (x + i y) of a body, once what it began with has died down, in a turn of so many steps.
+/// Orders from -4 to 4 of the path (x + i y) of a body after the decay of the initial transient,
+/// with this number of steps per revolution.
 fn orders_of_path(
     mut scene: Scene,
     body: BodyId,
@@ -261,7 +265,7 @@ fn orders_of_path(
     (-4..=4).map(order).collect()
 }
 
-/// Of two orders that there are, what they are; of all others that they are not.
+/// Two orders have the expected values; all others vanish.
 fn assert_orders(found: &[Complex<f64>], expected: [(i32, Complex<f64>); 2]) {
     let size = expected[0].1.norm().max(expected[1].1.norm());
     for (order, found) in (-4..).zip(found) {
@@ -271,7 +275,8 @@ fn assert_orders(found: &[Complex<f64>], expected: [(i32, Complex<f64>); 2]) {
     }
 }
 
-/// The trapezoidal rule gives a steady vibration the frequency `2/h tan(omega h/2)` in place of omega, and is exact beside that: so are orders.
+/// For a steady vibration the trapezoidal rule replaces omega by `2/h tan(omega h/2)` and is exact
+/// otherwise; so are orders.
 #[test]
 fn orders_of_turning_bodies_seen_from_ground_are_exact() {
     let (mass, [kx, ky], damping) = (2.0, [2e5, 1e5], 80.0);
@@ -284,7 +289,7 @@ fn orders_of_turning_bodies_seen_from_ground_are_exact() {
     };
     let turning = SteadyRotation { origin: [0.5, 0.0], start: 0.0, speed };
 
-    // An unbalance in a bearing that stands: once a turn, forwards and backwards.
+    // Unbalance in a fixed bearing: once per revolution, forwards and backwards.
     let unbalance = 1e-4;
     let (mut scene, _) = cylinder(1.0, 0.0);
     let off = Inertia { moment: [unbalance, 0.0, 0.0], ..Inertia::default() };
@@ -296,7 +301,7 @@ fn orders_of_turning_bodies_seen_from_ground_are_exact() {
     let found = orders_of_path(scene, rotor, steps, step, damping);
     assert_orders(&found, [(1, forwards), (-1, backwards)]);
 
-    // A weight on a shaft that bends more easily one way: its sag, and twice a turn.
+    // Weight on a shaft of anisotropic stiffness: its static deflection, and twice per revolution.
     let weight = 20.0;
     let (mut scene, _) = cylinder(1.0, 0.0);
     let shaft = scene.add_body(Body::new("shaft", Arc::new(RigidBody), turning));

@@ -1,4 +1,5 @@
-//! Fidelities and the options of meshes in space: by name, in their ranges, and refused where a body has no model in space.
+//! Tests of fidelity levels and three-dimensional mesh options: by name, within their ranges, and
+//! rejected for a body without a three-dimensional model.
 
 use calyx_runtime::disc::Disc;
 use calyx_runtime::interrupt::Interrupt;

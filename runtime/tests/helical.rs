@@ -1,4 +1,5 @@
-//! A pair of involute helicoids on half-spaces in equilibrium: torques, axial forces, friction.
+//! Tests of the equilibrium of two involute helicoids on half-spaces: torques, axial forces,
+//! friction.
 
 #[allow(dead_code)]
 #[path = "../contact/src/solid/test_surfaces.rs"]

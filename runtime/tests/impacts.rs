@@ -1,8 +1,10 @@
-//! Impacts without damping: whoever integrates them must not make energy of them. Oscillators with clearance through many impacts, on hard
-//! stops and on the contact of an elastic cylinder; where nothing touches, energy is read off speed and height alone.
+//! Tests of undamped impacts, which must not gain energy: oscillators with clearance through many
+//! impacts, on hard stops and on the contact of an elastic cylinder. Out of contact, the energy
+//! follows from velocity and height alone.
 //!
-//! A step in which contact begins does some work too little, one in which it ends some too much, of the order of the square of the step by the time
-//! of contact. Both have to even out: the bar is that of one impact, whatever their number.
+//! A step in which contact starts does slightly too little work, one in which it ends slightly too
+//! much, of the order of the squared ratio of the step to the duration of contact. The errors must
+//! cancel: the tolerance for any number of impacts is that of one.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, Stop};
@@ -21,10 +23,10 @@ use std::sync::Arc;
 
 const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
-/// The part of its energy that an oscillator may gain.
+/// Largest relative gain of energy.
 const GAIN: f64 = 1e-3;
 
-/// A cylinder this far above a platen, free to move up and down.
+/// Cylinder at this height above a platen, free to move vertically.
 fn cylinder(height: f64) -> (Scene, BodyId) {
     let mut scene = Scene::default();
     let platen = Arc::new(Platen::new(0.1, WIDTH, Facing::Up));
@@ -36,8 +38,8 @@ fn cylinder(height: f64) -> (Scene, BodyId) {
     (scene, above)
 }
 
-/// Times, places and speeds of the only freedom that moves, step by step, until it has passed `impacts` times from where nothing touches to where
-/// something does.
+/// Times, positions and velocities of the only moving DOF, step by step, until `impacts` impacts
+/// have started.
 fn followed(
     mut scene: Scene,
     (body, component, dof): (BodyId, usize, usize),
@@ -67,14 +69,14 @@ fn followed(
     states
 }
 
-/// Most that was gained and lost of the first of some energies.
+/// Largest gain and loss relative to the first of some energies.
 fn changes(energies: &[f64]) -> [f64; 2] {
     let first = energies[0];
     let most = |sign: f64| energies.iter().map(|energy| sign * (energy / first - 1.0)).fold(0.0, f64::max);
     [most(1.0), most(-1.0)]
 }
 
-/// A mass that flies to and fro between the walls of its bearing.
+/// A mass moves back and forth between the walls of its bearing.
 #[test]
 fn a_mass_between_walls_keeps_its_energy() {
     let (mass, stiffness, clearance, speed, step) = (1.0, 1e7, 2e-5, 0.1, 2e-5);
@@ -99,7 +101,8 @@ fn a_mass_between_walls_keeps_its_energy() {
     assert!(gained < GAIN && lost < 3.0 * GAIN, "gained {gained:e}, lost {lost:e}");
 }
 
-/// A cylinder that a force lets bounce on a platen, by the contact of its elastic surface: its energy is known from where it is let go.
+/// A cylinder bounces on a platen under a force, by the contact of its elastic surface: its energy
+/// is that of its initial height.
 #[test]
 fn a_bouncing_cylinder_rises_no_higher_than_it_fell_from() {
     let (height, force, step) = (4e-6, 1e4, 5e-7);

@@ -1,4 +1,5 @@
-//! What no load passes through on its way to what is looked at is left out, and nothing that is looked at depends on it.
+//! Tests of the load path: parts of a scene that no load passes through to an observable are left
+//! out, and no observable depends on them.
 
 use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::load::Wrench;
@@ -15,7 +16,7 @@ use std::sync::Arc;
 const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
 
-/// Discs pressed on platens, so many, side by side.
+/// Scene of this number of discs pressed on platens, side by side.
 fn discs(count: usize) -> (Scene, Vec<BodyId>) {
     let mut scene = Scene::default();
     let steel = Material::new(210e9, 0.3, 7850.0).expect("steel");
@@ -62,7 +63,8 @@ fn what_nobody_looks_at_is_left_out_and_changes_nothing() {
     assert!((all.1 / part.1 - 1.0).abs() < 1e-12, "{all:?} {part:?}");
 }
 
-/// What was left out has no value, whoever asks for it afterwards; nor has anything of the whole scene.
+/// An observable of a part that is left out has no value afterwards, nor has an observable of the
+/// whole scene.
 #[test]
 fn what_was_left_out_has_no_value() {
     let (mut scene, pressed) = discs(2);
@@ -81,7 +83,8 @@ fn what_was_left_out_has_no_value() {
     }
 }
 
-/// A plane model spreads loads over the width of the bodies that bear them, whatever else stands beside them.
+/// A plane model distributes loads over the width of the bodies that carry them, regardless of
+/// other bodies.
 #[test]
 fn a_width_is_that_of_the_bodies_that_load_each_other() {
     let (mut scene, pressed) = discs(2);
@@ -103,7 +106,8 @@ fn a_width_is_that_of_the_bodies_that_load_each_other() {
         (system.value(&step, &looked_at).value, narrow, wide)
     });
     assert!((all.0 / part.0 - 1.0).abs() < 1e-12 && (all.2 / part.2 - 1.0).abs() < 1e-9, "{all:?} {part:?}");
-    // Hertz: by the root of the load per width, five times as much on the narrow disc.
+    // Hertzian pressure follows the root of the load per width, five times as much on the narrow
+    // disc.
     assert!((all.1 / all.2 / 5.0f64.sqrt() - 1.0).abs() < 0.02 && part.1.is_nan(), "{all:?}");
 }
 
@@ -115,7 +119,7 @@ fn motion_in_time_keeps_what_bears_no_load() {
     assert_eq!(left_out(&plan), [false; 4]);
 }
 
-/// Something of the whole scene, for all that the engine knows.
+/// Observable that the engine cannot attribute to a part of the scene.
 #[derive(Clone, Debug, PartialEq)]
 struct Patches;
 

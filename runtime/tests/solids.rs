@@ -1,5 +1,5 @@
-//! Bodies in space, from the scene to results: spheres that carry a plate against Hertz and statics, and the same bits on any number of
-//! threads.
+//! Tests of three-dimensional bodies from the scene to results: spheres that carry a plate, against
+//! Hertz and statics, with bitwise equal results for any number of threads.
 
 use calyx_runtime::analysis::{AnalysisOptions, Position, Steps};
 use calyx_runtime::error::EngineError;
@@ -22,7 +22,8 @@ use std::sync::Arc;
 const MODULUS: f64 = 2.2e11;
 const RADIUS: f64 = 0.02;
 
-/// The top of a sphere, or a pad in the plane z = 0 if its radius is infinite, looking along z (`up` 1) or against it (-1).
+/// Top of a sphere, or a pad in the plane z = 0 if its radius is infinite, facing z (`up` 1) or -z
+/// (-1).
 #[derive(Clone, Copy)]
 struct Top {
     radius: f64,
@@ -80,7 +81,7 @@ impl Prototype for Cushion {
     }
 }
 
-/// At a point, shifted further by a rate per second, not turned.
+/// Motion without rotation: at a point, with a velocity.
 struct At([f64; 3], [f64; 3]);
 
 impl Motion for At {
@@ -99,10 +100,11 @@ impl Motion for At {
     }
 }
 
-/// Places of the spheres under the plate, m.
+/// Positions of the spheres under the plate, m.
 const FEET: [[f64; 2]; 3] = [[0.1, 0.0], [-0.05, 0.08], [-0.05, -0.08]];
 
-/// A plate with three pads on three spheres, loaded out of its middle; the spheres are lower by `sink` m.
+/// Plate with three pads on three spheres, loaded off its centre; the spheres are lower by `sink`
+/// m.
 fn tripod(wrench: Wrench, sink: f64) -> (Scene, BodyId, Vec<PairId>) {
     let mut scene = Scene::default();
     let half = 0.25 * RADIUS;
@@ -156,7 +158,7 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
     let motion = &step.motion;
     for (foot, patch) in step.patches.iter().enumerate() {
         let force = forces[foot];
-        // The spheres roll a little under the tilting plate.
+        // The spheres roll slightly under the tilting plate.
         assert!((patch.force() / force - 1.0).abs() < 1e-5, "{} {force}", patch.force());
         let [pressure, approach] = hertz(force);
         let [x, y] = FEET[foot];
@@ -164,7 +166,7 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
         assert!((solved.row.outputs[foot].value / pressure - 1.0).abs() < 0.01, "{foot}");
         assert!((sunk / approach - 1.0).abs() < 0.01, "{sunk} {approach}");
     }
-    // What contact does to the plate balances its load; over all bodies it adds up to nothing.
+    // The contact forces on the plate balance its load; over all bodies they vanish.
     let mut total = [0.0; 6];
     for body in 0..scene.bodies.len() {
         let wrench = steps.system().contact_force(step, BodyId(body));
@@ -187,7 +189,8 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
     }
 }
 
-/// The line load of Hertz's contact of radius a under F is 3 F / 4 a in its middle: half an ellipsoid, added up across.
+/// The line load of a Hertzian contact of radius a under F is 3 F / 4 a in its middle: the integral
+/// of half an ellipsoid across.
 #[test]
 fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     let (down, sink) = (-3000.0, 1e-5);
@@ -205,7 +208,7 @@ fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
     let slices: f64 = contact.slices().iter().map(|slice| slice.force).sum();
     assert!((slices / contact.force() - 1.0).abs() < 1e-12);
-    // Cells are rectangles: their pressures on their areas are the force.
+    // Cells are rectangles: pressure times area adds up to the force.
     let fields = at.fields();
     assert_eq!(fields.contacts.len(), 3);
     let area = |[a, b, _, d]: [[f64; 3]; 4]| {
@@ -215,7 +218,8 @@ fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     };
     let cells = fields.contacts[2].cells.iter().map(|cell| cell.pressure * area(cell.corners));
     assert!((cells.sum::<f64>() / contact.force() - 1.0).abs() < 1e-9);
-    // What holds a sphere is the force of its contact; the plate is free in z and nothing else acts on it.
+    // The support reaction of a sphere is its contact force; the plate is free in z without other
+    // forces.
     let sphere = contact.bodies()[0];
     assert!((at.support(sphere)[2] / contact.force() - 1.0).abs() < 1e-9);
     assert!(at.support(plate)[2].abs() < 1e-9 * down.abs());
@@ -230,7 +234,7 @@ fn held_bodies_that_overlap_press_on_each_other() {
     let positions = [Position::at(0.0)];
     let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("nothing is free");
     let solved = steps.next().expect("a position").expect("it can be solved");
-    // From the approach to the force and back.
+    // Convert the approach to the force and back.
     let force = 4.0 / 3.0 * 0.5 * MODULUS * (RADIUS * 1e-6_f64.powi(3)).sqrt();
     let [pressure, approach] = hertz(force);
     assert!((approach / 1e-6 - 1.0).abs() < 1e-12);

@@ -1,4 +1,5 @@
-//! Tolerances of a roller between plates, whose levels and meshes are cheap: what is taken, whether it keeps to them, and what cannot be had.
+//! Tests of tolerance searches for a roller between plates, whose levels and meshes are cheap:
+//! chosen setting, true error, and unattainable tolerances.
 
 use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
 use calyx_runtime::cache::{Key, OperatorCache};
@@ -23,7 +24,7 @@ const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
 const DISC: Disc = Disc::new(RADIUS, WIDTH, Material::STEEL);
 
-/// A disc that tells with which options it was built.
+/// Disc that records the options of its builds.
 #[derive(Default)]
 struct Counted {
     built: Mutex<Vec<StructureOptions>>,
@@ -54,7 +55,8 @@ impl Prototype for Counted {
     }
 }
 
-/// A roller that a plate of some length presses on another: how far the plate goes down, and the largest pressure.
+/// Roller pressed on another by a plate of some length: displacement of the plate, and largest
+/// pressure.
 fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
     let roller: Arc<Counted> = Arc::default();
     let at = |y: f64| SteadyRotation::at_rest([0.0, y]);
@@ -70,7 +72,7 @@ fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
     scene.add_pair(SurfacePair::new([disc, table], [Disc::BOTTOM, Platen::SURFACE]));
     let outputs = vec![
         OutputRequest::observing("approach", scene.add_observable(Displacement(press, 1))),
-        // On a patch that ends where the plate does.
+        // The patch ends at the end of the plate.
         match plate < LONG {
             true => OutputRequest::observing("pressure", scene.add_observable(MaxEdgePressure(pressed))),
             false => OutputRequest::observing("pressure", scene.add_observable(MaxContactPressure(pressed))),
@@ -81,7 +83,7 @@ fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
 
 const LONG: f64 = 2.0 * RADIUS;
 
-/// Rollers are condensed once for all tests but those that count.
+/// Rollers are condensed once for all tests except those that count.
 static ROLLERS: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(1 << 30)));
 
 fn from(fidelity: Fidelity) -> AnalysisOptions {
@@ -89,13 +91,14 @@ fn from(fidelity: Fidelity) -> AnalysisOptions {
     AnalysisOptions { fidelity, resources, ..AnalysisOptions::default() }
 }
 
-/// The values at the only position.
+/// Values at the only position.
 fn values(result: &AnalysisResult) -> Vec<f64> {
     result.rows[0].outputs.iter().map(|output| output.value).collect()
 }
 
-/// Rigid bodies do not approach at all, a disc has no closed form and no model in space: nothing but a mesh in the plane will do. Whatever
-/// the tolerance, what is taken keeps to it as estimates do to the truth, which is at most twice as much; and a tighter one takes more.
+/// Rigid bodies do not approach, and a disc has neither a closed-form nor a three-dimensional
+/// model, so only a plane mesh suffices. For any tolerance the true error of the chosen setting is
+/// at most twice the tolerance, and a smaller tolerance needs a more expensive setting.
 #[test]
 fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
     let (mut scene, outputs, _) = squeezed(LONG);
@@ -128,7 +131,8 @@ fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
     assert!(effort[1] > effort[0], "{effort:?}");
 }
 
-/// All that rigid plates tell of a roller is that it does not give: with no level beside them to say how wrong that is, it is not taken.
+/// Rigid plates show no deflection of a roller. Without another level for an error estimate, the
+/// rigid level is not chosen.
 #[test]
 fn a_level_that_nothing_judges_is_not_taken() {
     let (scene, outputs, _) = squeezed(LONG);
@@ -153,8 +157,9 @@ fn no_structure_is_condensed_twice() {
     }
 }
 
-/// The pressure under the end of a short plate is infinite, and a thousandth of a millionth is more than any grid has. Either is found out
-/// before anything dear is tried, and the results are the best so far, marked as such.
+/// The pressure under the end of a short plate is infinite, and a tolerance of 1e-9 is beyond any
+/// grid. Either is detected before anything expensive is tried, and the results are the best so
+/// far, marked as such.
 #[test]
 fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
     for (plate, tolerance) in [(1e-4, 0.01), (LONG, 1e-9)] {
@@ -181,7 +186,7 @@ fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
     }
 }
 
-/// Whoever takes the results may end the run, whatever level is being tried.
+/// An observer can end the run at any level.
 #[test]
 fn an_observer_ends_the_search() {
     struct Full;
@@ -197,7 +202,7 @@ fn an_observer_ends_the_search() {
     let at = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Position::at);
     let ended = quasi_static_within(0.05, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut Full);
     assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
-    // So does whoever interrupts it.
+    // An interrupt can, too.
     let stopped = Interrupt::new(|| Err(EngineError::new("E0704", "the run was cancelled", "")));
     let resources = Resources { interrupt: stopped, ..Resources::default() };
     let options = AnalysisOptions { resources, ..from(Fidelity::Rigid) };
@@ -205,7 +210,7 @@ fn an_observer_ends_the_search() {
     assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
 }
 
-/// Counts what it is told, and interrupts a search once there are results.
+/// Counts its events, and interrupts a search once there are results.
 struct Ending {
     ended: Arc<AtomicBool>,
     steps: Vec<(usize, f64)>,
@@ -225,7 +230,7 @@ impl Observer for Ending {
                 self.ended.fetch_or(finite, Ordering::Relaxed);
             }
             Event::Step { index, solved, .. } => {
-                // Whoever writes positions down begins anew with the first.
+                // An observer that writes positions restarts at the first.
                 self.steps.truncate(index);
                 self.steps.push((index, solved.row.position.time));
             }
@@ -235,7 +240,7 @@ impl Observer for Ending {
     }
 }
 
-/// Nothing that was found is lost: the best results are there, and observers have been told their positions.
+/// No results are lost: the best results are returned, and observers have received their positions.
 #[test]
 fn a_search_that_is_ended_has_the_best_results() {
     let (scene, outputs, _) = squeezed(LONG);

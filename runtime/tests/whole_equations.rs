@@ -1,8 +1,10 @@
-//! The full discretised equations (report 2.10 to 2.15) as a check of the way production goes: a toothed ring whose tooth a moment drives against
-//! a hard roller, by component modes with the residual flexibility, and by Newmark's rule at every unknown of the whole ring's mesh.
+//! Comparison with the full discretized equations (report 2.10 to 2.15). A moment drives a tooth of
+//! a ring against a rigid roller: computed by component modes with the residual flexibility, and by
+//! Newmark's method for every DOF of the whole ring's mesh.
 //!
-//! In common are the mesh, the cells of the contact and what they give way by in statics. Mass, stiffness, their solution and the search for the
-//! cells that carry load are the check's own. The ring turns in a second check, where its own vibration feels that it does.
+//! Mesh, contact cells and their static compliance are shared. Mass and stiffness matrices, the
+//! solution and the search for the active set are independent. In a second test the ring rotates,
+//! which affects its vibration.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
@@ -34,23 +36,23 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
 const TEETH: u32 = 5;
-/// m
+/// Face width, m.
 const WIDTH: f64 = 0.01;
 const BORE: f64 = 0.0375;
 const ROOT: f64 = 0.045;
-/// Where a flank begins and ends, on the side of the tooth on the x axis that looks along y.
+/// Ends of a flank, on the side of the tooth on the x axis that faces y.
 const FLANK: [[f64; 2]; 2] = [[0.0575, 0.012], [0.08, 0.007]];
 const ROLLER: f64 = 0.02;
-/// Across the contact, m, and its cells.
+/// Width of the contact grid, m, and its number of cells.
 const GRID: f64 = 6e-4;
 const CELLS: usize = 17;
-/// Of the bearing, N/m, and of what turns with the ring, kg m².
+/// Stiffness of the bearing, N/m, and additional moment of inertia, kg m².
 const SUPPORT: f64 = 2e8;
 const ADDED: f64 = 1e-4;
-/// N m, after a rise of so many s.
+/// Moment, N m, and its rise time, s.
 const MOMENT: f64 = 120.0;
 const RISE: f64 = 1e-4;
-/// Damping by mass, 1/s.
+/// Mass-proportional damping, 1/s.
 const DAMPING: f64 = 1500.0;
 const STEP: f64 = 1e-6;
 const STEPS: usize = 400;
@@ -119,7 +121,7 @@ fn mesh(sectors: u32) -> PlaneModel {
     PlaneModel::new(builder.finish(ElementOrder::QUADRATIC).expect("a mesh"), Material::STEEL, Plane::Strain)
 }
 
-/// The straight flank.
+/// Straight flank.
 struct Flank;
 
 impl Profile for Flank {
@@ -140,7 +142,7 @@ impl Profile for Flank {
     }
 }
 
-/// The quarter of the roller that looks at the flank.
+/// Quarter of the roller that faces the flank.
 struct Round;
 
 impl Profile for Round {
@@ -172,7 +174,7 @@ impl Prototype for Roller {
     }
 }
 
-/// The ring, which its bore holds.
+/// Ring supported at its bore.
 struct Toothed {
     inertia: Inertia,
 }
@@ -229,17 +231,18 @@ impl Prototype for Toothed {
     }
 }
 
-/// Where the roller stands: it touches the flank in the middle.
+/// Position of the roller: it touches the flank in the middle.
 fn roller() -> ([f64; 2], f64) {
     let s = 0.55 * Flank.length();
     let ProfilePoint { position, normal, .. } = Flank.at(s);
     ([0, 1].map(|axis: usize| position[axis] + ROLLER * normal[axis]), s)
 }
 
-/// Displacement of the ring's frame along x and y (m), its turn (rad), and the force on the flank (N), step by step.
+/// Displacement of the ring's frame along x and y (m), its rotation (rad), and the force on the
+/// flank (N), step by step.
 type Motion = Vec<[f64; 4]>;
 
-/// As production has it, with the modes of the ring up to a frequency (Hz).
+/// Solution of the engine, with the modes of the ring up to a frequency (Hz).
 fn by_modes(inertia: Inertia, highest_frequency: f64) -> Motion {
     let mut scene = Scene::default();
     let ring = Body::new("ring", Arc::new(Toothed { inertia }), SteadyRotation::at_rest([0.0; 2]))
@@ -281,10 +284,11 @@ fn by_modes(inertia: Inertia, highest_frequency: f64) -> Motion {
     motion
 }
 
-/// The unknowns of the whole ring: its nodes beside the bore, then the motion of the frame, which the bore follows.
+/// Unknowns of the whole ring: its nodes except those of the bore, then the motion of the frame,
+/// which the bore follows.
 struct Whole {
     model: PlaneModel,
-    /// Of each degree of freedom of the mesh, in unknowns.
+    /// Each DOF of the mesh in terms of the unknowns.
     seen: Vec<Vec<(usize, f64)>>,
     count: usize,
 }
@@ -309,7 +313,7 @@ impl Whole {
         Whole { model, seen, count: 2 * free + 3 }
     }
 
-    /// The moments of the mesh about the frame, per metre: mass and polar one.
+    /// Inertia of the mesh about the frame, per metre: mass and polar moment.
     fn inertia(&self) -> Inertia {
         let mass = self.model.mass();
         let [along, _, around] = self.model.rigid_body_modes();
@@ -320,7 +324,7 @@ impl Whole {
         WIDTH * Inertia::axial(of(&along), of(&around), 0.0)
     }
 
-    /// A matrix of the mesh in the unknowns, and what the frame has beside it.
+    /// Transforms a matrix of the mesh to the unknowns, and adds that of the frame.
     fn reduced(&self, matrix: &SparseColMat<usize, f64>, frame: [f64; 3]) -> BTreeMap<(usize, usize), f64> {
         let mut entries = BTreeMap::new();
         for entry in matrix.triplet_iter() {
@@ -343,7 +347,7 @@ impl Whole {
     }
 }
 
-/// Columns of rows of the mesh's degrees of freedom.
+/// Columns from rows of the mesh's DOFs.
 fn columns(rows: &[SparseVector], count: usize, seen: impl Fn(usize) -> Vec<(usize, f64)>) -> Mat<f64> {
     let mut columns = Mat::zeros(count, rows.len());
     for (column, row) in rows.iter().enumerate() {
@@ -354,7 +358,7 @@ fn columns(rows: &[SparseVector], count: usize, seen: impl Fn(usize) -> Vec<(usi
     columns
 }
 
-/// Forces that keep gaps from closing, by Gauss and Seidel.
+/// Contact forces that keep gaps from closing, by the Gauss-Seidel method.
 fn pressed(compliance: &Mat<f64>, gaps: &[f64], forces: &mut [f64]) {
     for _ in 0..10_000 {
         let mut change = 0.0_f64;
@@ -371,7 +375,7 @@ fn pressed(compliance: &Mat<f64>, gaps: &[f64], forces: &mut [f64]) {
     panic!("cells do not settle");
 }
 
-/// By all unknowns of the mesh.
+/// Solution with all unknowns of the mesh.
 fn by_all_unknowns(whole: &Whole) -> Motion {
     let (model, count) = (&whole.model, whole.count);
     let (stiffness, mass) = (model.stiffness(), model.mass());
@@ -379,7 +383,7 @@ fn by_all_unknowns(whole: &Whole) -> Motion {
     let k = whole.reduced(&stiffness, [support, support, 0.0]);
     let m = whole.reduced(&mass, [0.0, 0.0, ADDED / WIDTH]);
 
-    // The cells along the flank, how far they are from the roller, and what presses them in.
+    // Cells along the flank, their gaps to the roller, and the loads that they take.
     let (center, middle) = roller();
     let cell = |i: usize| [i, i + 1].map(|end| middle + GRID * (end as f64 / CELLS as f64 - 0.5));
     let places: Vec<f64> = (0..CELLS).map(|i| 0.5 * (cell(i)[0] + cell(i)[1])).collect();
@@ -402,8 +406,8 @@ fn by_all_unknowns(whole: &Whole) -> Motion {
         })
         .collect();
 
-    // A whole step's matrix takes the place of the held ring's stiffness in what cells do to each other; what the mesh does not see of it is
-    // near the cells, and static.
+    // The effective matrix of the step replaces the stiffness of the supported ring in the
+    // compliance of the cells. The rest of the compliance is near the cells and static.
     let structure = structure();
     let chart = Chart { tooth: 0, surface: 0 };
     let mut statics = vec![0.0; CELLS * CELLS];
@@ -459,7 +463,7 @@ fn by_all_unknowns(whole: &Whole) -> Motion {
     motion
 }
 
-/// The largest difference of each by the largest value of it.
+/// Largest difference of each component, relative to its largest value.
 fn differences(found: &Motion, expected: &Motion) -> [f64; 4] {
     assert_eq!(found.len(), expected.len());
     std::array::from_fn(|what| {
@@ -476,11 +480,11 @@ fn modes_and_residual_flexibility_answer_as_all_unknowns_of_the_mesh_do() {
     let with_modes = differences(&by_modes(whole.inertia(), 100e3), &expected);
     let rigid = differences(&by_modes(whole.inertia(), 0.0), &expected);
     assert!(with_modes.iter().all(|difference| *difference < 0.01), "{with_modes:?}");
-    // The ring's own vibration is no small part of it.
+    // The ring's own vibration is a significant part.
     assert!(rigid[3] > 0.03, "{rigid:?}");
 }
 
-/// Of the ring that turns: rad/s, and N on its frame after a rise.
+/// Angular velocity of the rotating ring, rad/s, and force on its frame after a rise, N.
 const SPEED: f64 = 2500.0;
 const FORCE: f64 = 1e4;
 
@@ -488,7 +492,7 @@ fn force(time: f64) -> f64 {
     FORCE / MOMENT * moment(time)
 }
 
-/// Path of the frame of a ring that turns at a speed and touches nothing, seen from ground, m: with its modes.
+/// Path of the frame of a rotating ring without contact in ground coordinates, m: with its modes.
 fn turning_by_modes(inertia: Inertia, speed: f64) -> Vec<[f64; 2]> {
     let mut scene = Scene::default();
     let motion = SteadyRotation { origin: [0.0; 2], start: 0.0, speed };
@@ -521,8 +525,8 @@ fn turning_by_modes(inertia: Inertia, speed: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The same with all unknowns in axes that turn with the ring: `M (w'' + 2 W e3 x w' - W² w) + K w = f`. What it grows by is left out: that
-/// does not move its frame.
+/// Path with all unknowns in rotating axes: `M (w'' + 2 W e3 x w' - W² w) + K w = f`. The
+/// centrifugal expansion is omitted, because it does not move the frame.
 fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
     let (stiffness, mass) = (whole.model.stiffness(), whole.model.mass());
     let across: Vec<_> = mass
@@ -546,7 +550,7 @@ fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
     for (at, value) in &m {
         *step.entry(*at).or_insert(0.0) += of_mass * value;
     }
-    // Its turn is prescribed.
+    // The rotation is prescribed.
     let mut held = Constraints::new();
     held.prescribe(whole.count - 1, 0.0);
     let solver = Solver::new(&whole.matrix(&step), held).expect("definite");
@@ -560,7 +564,8 @@ fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
         let begun = &v + (1.0 - gamma) * STEP * &a;
         let (sin, cos) = (speed * time).sin_cos();
         let mut end = &v + STEP * &a;
-        // By the speeds at the end of the step, which it has to find: all of the frame's motion feels them in these axes.
+        // Iterate on the velocities at the end of the step, on which the Coriolis terms of the
+        // frame's motion depend.
         for _ in 0..4 {
             let mut load = -(&k * &ahead) - 2.0 * speed * (&coriolis * &end);
             load[(count - 3, 0)] += cos * force(time) / WIDTH;
@@ -590,8 +595,8 @@ fn a_ring_that_turns_feels_it_as_all_unknowns_of_the_mesh_do() {
     let most = |path: &[[f64; 2]]| path.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
     let rest = most(&less(&at_rest, &expected_at_rest)) / most(&expected_at_rest);
     assert!(rest < 1e-3, "{rest:e}");
-    // It is little that turning does to the path of so stiff a ring, and that little is the same but for what the modes are known to leave out:
-    // that they soften as they turn, and those above them.
+    // Rotation changes the path of so stiff a ring only slightly. The changes agree except for the
+    // neglected terms: softening of the modes by rotation, and the omitted modes.
     let (felt, meant) = (less(&by_modes, &at_rest), less(&expected, &expected_at_rest));
     let off = most(&less(&felt, &meant)) / most(&meant);
     assert!(off < 0.12, "{off:e}");

@@ -57,8 +57,8 @@ pub struct Context {
     pub files: Arc<[FileDescription]>,
     /// Directory below which the program may read files; `None` if there is none.
     pub directory: Option<PathBuf>,
-    /// Files and directories outside of `directory` that the program may read too, as absolute
-    /// paths without links.
+    /// Files and directories outside `directory` that the program may read too, as absolute paths
+    /// without links.
     pub allowed: Arc<[PathBuf]>,
     /// Tables stored with the program, by the names that it uses: these are not read from
     /// `directory`. `None` for a program next to its tables.
@@ -71,7 +71,7 @@ pub struct Context {
     pub keeps_output: bool,
     /// Size of the kept lines, bytes.
     pub kept_output: u64,
-    /// Bytes of the tables that the program has read.
+    /// Size of the tables that the program has read, bytes.
     pub kept_tables: u64,
 }
 

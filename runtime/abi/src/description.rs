@@ -68,9 +68,9 @@ pub struct ModelDescription {
     /// uses. Elaboration adds them; they are stored with the program.
     #[serde(with = "shared")]
     pub tables: Arc<[FileDescription]>,
-    /// Files and directories outside of the model's directory that the program may read, as
-    /// absolute paths without links. They are allowed on this machine, so they do not travel with
-    /// the program.
+    /// Files and directories outside the model's directory that the program may read, as absolute
+    /// paths without links. The permission belongs to this machine and is not stored with the
+    /// program.
     #[serde(skip)]
     pub allowed: Arc<[PathBuf]>,
     /// Calls of engine and library functions, in order of location. Elaboration adds them.

@@ -104,8 +104,8 @@ macro_rules! entry_points {
             $(#[$doc])*
             ///
             /// # Safety
-            /// `ctx` must be valid and not aliased; addresses must point to the stated numbers of slots
-            /// or bytes.
+            /// `ctx` must be valid and not aliased; addresses must point to the stated numbers of
+            /// slots or bytes.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn $symbol(ctx: *mut Context $(, $argument: u64)*) -> i32 {
                 // SAFETY: the caller guarantees a valid context and valid addresses.

@@ -8,11 +8,11 @@ use crate::helpers::malformed;
 use crate::limits::check_memory;
 use std::sync::Arc;
 
-/// Slots of the record `Error`: code, message, place, value, help.
+/// Number of slots of the record `Error`: code, message, place, value, help.
 pub const ERROR_SLOTS: usize = 5;
 
-/// The error that a program throws: the slots of an `Error`. It arises at [`Context::place`].
-/// `help` is that of an error whose own is empty.
+/// Creates the error that a program throws from the slots of an `Error`. Its location is
+/// [`Context::place`]. `help` is the remedy if the record has none.
 pub fn thrown(ctx: &Context, error: &[Slot], help: &str) -> RuntimeError {
     let &[code, message, origin, value, own_help] = error else {
         return malformed("an error of another form");

@@ -13,7 +13,7 @@ const GRANT: u64 = 4096;
 pub struct Limits {
     /// Deadline, and the time limit that it follows from.
     pub time: Option<(Instant, Duration)>,
-    /// Bytes that the program's strings, arrays, expressions and tables may take together.
+    /// Memory limit of the program's strings, arrays, expressions and tables together, bytes.
     pub memory: Option<u64>,
 }
 

@@ -350,8 +350,8 @@ impl Observer for () {
     }
 }
 
-/// Runs a quasi-static analysis from planning to results ([`PlannedAnalysis`], [`Steps`]) and reports its
-/// events to an observer.
+/// Runs a quasi-static analysis from planning to results ([`PlannedAnalysis`], [`Steps`]) and
+/// reports its events to an observer.
 ///
 /// # Errors
 /// Those of planning, building and solving, and of the observer.

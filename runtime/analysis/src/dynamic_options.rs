@@ -1,4 +1,4 @@
-//! Options of a motion in time.
+//! Options of a transient analysis.
 
 use calyx_numerics::error::EngineError;
 use calyx_solve::integration::{Scheme, TimeRange, check_resolved};

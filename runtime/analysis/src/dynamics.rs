@@ -1,6 +1,9 @@
-//! Dynamic analysis: motion in time, contact solved in every step.
+//! Transient analysis: contact in every time step.
 //!
-//! [`calyx_solve::integration`] has the equations of a step; `history` is the analysis: start in equilibrium, steps, rows.
+//! [`calyx_solve::integration`] contains the equations of a step; `history` is the analysis:
+//! initial equilibrium, steps, rows.
+//!
+//! See `docs/theory/dynamics.md`.
 
 mod history;
 

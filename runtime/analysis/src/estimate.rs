@@ -7,9 +7,9 @@
 //! as here). Perturbed solves are coarser than the analysis and cost a part of it: a mesh of half
 //! as many elements along every direction, a contact grid of half as many cells. Only the next
 //! fidelity level, which estimates the model error, costs more than the analysis. A transient
-//! analysis is repeated with steps of twice the length ([`time_integration`]). The error between positions
-//! is estimated from the positions and from a few more between them ([`sampling`]). Values that
-//! consist of rounding are identified from the scales of the scene ([`rounding`]).
+//! analysis is repeated with steps of twice the length ([`time_integration`]). The error between
+//! positions is estimated from the positions and from a few more between them ([`sampling`]).
+//! Values that consist of rounding are identified from the scales of the scene ([`rounding`]).
 //!
 //! Orders and factors are measured (`cargo bench -p calyx-gears --bench convergence`). Tests check
 //! the effectivity, the ratio of estimated to true error (`stdlib-gears/tests/estimates.rs`). See

@@ -1,4 +1,4 @@
-//! Analyses from plan to results: what is observed, over which positions, how far it may be off.
+//! Analyses from plan to results: observables, positions, statistics and error estimates.
 
 #![warn(missing_docs)]
 

@@ -1,4 +1,4 @@
-//! Rows of results: a solved position each.
+//! Rows of results, one per solved position.
 
 use calyx_contact::problem::Certificate;
 use calyx_model::observed::{Observed, OutputRequest};
@@ -34,7 +34,7 @@ impl StepRow {
 pub struct Solved {
     /// Reported row.
     pub row: StepRow,
-    /// How well it is solved.
+    /// Certificate: residuals of the contact solution.
     pub certificate: Certificate,
     /// State of the coordinates after a time step, from which the next step starts; empty for an
     /// equilibrium.

@@ -1,4 +1,4 @@
-//! Everything that a model says, before anything is built: a mechanism, and what is to be observed of it.
+//! Complete model before the analysis: a mechanism with its observables.
 
 pub use calyx_model::body::Body;
 pub use calyx_model::dof::{Component, DOF_NAMES};
@@ -13,12 +13,12 @@ use calyx_model::target::{Examined, Target};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-/// Everything the model says. Frozen by the first analysis.
+/// Complete model. The first analysis freezes it.
 ///
-/// It is a [`Mechanism`] with observables: fields and methods of the mechanism are those of the scene.
+/// A scene is a [`Mechanism`] with observables, and dereferences to the mechanism.
 #[derive(Clone, Default)]
 pub struct Scene {
-    /// What is simulated.
+    /// Simulated mechanism.
     pub mechanism: Mechanism,
     /// By [`ObservableId`].
     pub observables: Vec<Arc<dyn Observable>>,

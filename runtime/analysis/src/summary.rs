@@ -69,8 +69,8 @@ pub(crate) fn is_closed(
     Cycle::of(rows).is_some_and(|cycle| repeats(request, observables, [0.0, cycle.period]))
 }
 
-/// Whether every mesh cycle gives the same values of an output, if teeth are alike: it observes something, nothing that follows
-/// one tooth, and does not depend on time itself.
+/// Returns whether an output repeats in every mesh cycle if all teeth are equal: it depends on an
+/// observable, on none that follows a single tooth, and not on time itself.
 fn repeats(request: &OutputRequest, observables: &[Arc<dyn Observable>], times: [f64; 2]) -> bool {
     let passes = |index: usize| {
         observables.get(index).is_none_or(|seen| seen.quantity().course == Periodicity::Passes)

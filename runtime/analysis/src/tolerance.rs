@@ -10,9 +10,9 @@
 //! setting. The number of positions is doubled if the variation between them is too large. An
 //! output without an error estimate fails the tolerance.
 //!
-//! Decisions depend on estimates and on counted work ([`search_cost`]), never on times, so they are equal
-//! on every machine. A search that would take too much work, or that is interrupted, ends with the
-//! best results so far and reports this ([`ToleranceOutcome::ended`]).
+//! Decisions depend on estimates and on counted work ([`search_cost`]), never on times, so they are
+//! equal on every machine. A search that would take too much work, or that is interrupted, ends
+//! with the best results so far and reports this ([`ToleranceOutcome::ended`]).
 //!
 //! See `docs/theory/fidelity.md`.
 
@@ -62,15 +62,14 @@ fn meshes(fidelity: Fidelity) -> &'static [f64] {
     }
 }
 
-/// A quasi-static analysis that keeps to a tolerance, a part of the largest magnitude of every output. It begins with the fidelity of the
-/// options and goes up from there.
+/// Runs a quasi-static analysis that satisfies a tolerance, relative to the largest magnitude of
+/// every output. The search starts with the fidelity of the options. If no setting meets the
+/// tolerance, the results are those with the least estimated error, and
+/// [`ToleranceOutcome::missed`] is the warning about them.
 ///
 /// # Errors
-/// E0791: the tolerance is no part. E0793: the search ended without results. Those of
+/// E0791: the tolerance is invalid. E0793: the search ended without results. Those of
 /// [`quasi_static`].
-///
-/// If no setting meets the tolerance, the results are those with the least estimated error, and
-/// [`ToleranceOutcome::missed`] is the warning about them.
 pub fn quasi_static_within(
     tolerance: f64,
     scene: &Scene,
@@ -160,8 +159,8 @@ struct Search<'a> {
 enum Stop {
     /// There are no results.
     Failed(EngineError),
-    /// It is interrupted, has done its work, or has no setting left: the best results so far are
-    /// taken. The reason, and the error if there are none.
+    /// The search is interrupted, has reached its work limit, or has no setting left: the best
+    /// results so far are used. Contains the reason, and the error if there are no results.
     Ended(String, EngineError),
 }
 
@@ -376,7 +375,7 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// The end of a search that has no better setting left to try.
+    /// Returns the end of a search without a better setting.
     fn exhausted(&self) -> Stop {
         let mut reason = EXHAUSTED.to_owned();
         if let Some((fidelity, error)) = &self.missing {
@@ -386,7 +385,7 @@ impl Search<'_> {
         Stop::Ended(reason, self.without_results())
     }
 
-    /// The error of a search that ends before it has results.
+    /// Returns the error of a search that ends before it has results.
     fn without_results(&self) -> EngineError {
         let tolerance = percent(self.ladder.tolerance);
         let message = format!("there are no results that meet the tolerance of {tolerance}");

@@ -31,11 +31,11 @@ pub struct PatchCells<'a> {
     pub cells: &'a [Cell],
 }
 
-/// A, row-major, cells in the order of the patches: growth of a cell's gap, averaged over it, per force on a cell,
-/// m/(N/m). Each row of a block is a checkpoint.
+/// Computes A, row-major, with the cells in the order of the patches: growth of a cell's average
+/// gap per force on a cell, m/(N/m). Each row of a block is a checkpoint.
 ///
 /// # Errors
-/// The interrupt's.
+/// Those of the interrupt.
 pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let starts: Vec<usize> = patches
         .iter()

@@ -56,23 +56,23 @@ pub(super) enum Singular {
     Interrupted(EngineError),
 }
 
-/// The end of a factorization without a factor.
+/// Reason why a factorization has no result.
 enum Broken {
-    /// The first row that depends on those before it.
+    /// First row that depends on the rows before it.
     Dependent(usize),
     Interrupted(EngineError),
 }
 
-/// Size of a matrix that is factored in one piece: less than half a second.
+/// Size of a matrix that is factorized in one piece, in less than half a second.
 const WHOLE: usize = 1536;
-/// Multiplications between two checkpoints: less than a second.
+/// Number of multiplications between two checkpoints: less than a second.
 const PIECE: usize = 1 << 32;
 
 /// A pivot below this fraction of its diagonal entry is rounding: the row depends on the rows
 /// before it.
 const PIVOT_TOLERANCE: f64 = 1e-13;
 
-/// `A = L L'`, in place. Only the lower triangle is that of the factor.
+/// Cholesky factorization `A = L L'`, in place of the lower triangle.
 fn cholesky(a: &mut Mat<f64>, interrupt: &Interrupt) -> Result<(), Broken> {
     let n = a.nrows();
     let diagonal: Vec<f64> = (0..n).map(|i| a[(i, i)]).collect();
@@ -83,7 +83,7 @@ fn cholesky(a: &mut Mat<f64>, interrupt: &Interrupt) -> Result<(), Broken> {
     }
 }
 
-/// Factors a part of a matrix whose first row is row `first` of the whole. Large parts are cut up
+/// Factorizes a part of a matrix that starts at row `first` of the whole. Large parts are divided
 /// by their size alone, with a checkpoint before each piece.
 fn factor(a: MatMut<'_, f64>, first: usize, interrupt: &Interrupt) -> Result<(), Broken> {
     let checkpoint = || interrupt.check().map_err(Broken::Interrupted);
@@ -112,7 +112,7 @@ fn factor(a: MatMut<'_, f64>, first: usize, interrupt: &Interrupt) -> Result<(),
     factor(lower, first + cut, interrupt)
 }
 
-/// Factors a matrix in one piece. The error is the row at which it is not positive definite.
+/// Factorizes a matrix in one piece. The error is the row at which it is not positive definite.
 fn factor_whole(mut a: MatMut<'_, f64>) -> Result<(), usize> {
     let n = a.nrows();
     // Sequential, so that the bits do not depend on the number of threads.
@@ -149,8 +149,8 @@ pub(super) struct ActiveEquations {
 const RANK_TOLERANCE: f64 = 1e-12;
 
 impl ActiveEquations {
-    /// `compliance` (between two cells) and `arms` of all cells, `active` ascending, `stiffness` of
-    /// the free DOFs.
+    /// Factorizes the equations from the `compliance` between two cells, the `arms` of all cells,
+    /// the ascending `active` cells and the `stiffness` of the DOFs.
     pub fn new(
         compliance: impl Fn(usize, usize) -> f64,
         arms: &Matrix,
@@ -262,7 +262,7 @@ mod tests {
     use std::sync::Arc;
     use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-    /// A matrix of that size whose factor is not sparse.
+    /// Returns a matrix of that size with a dense factor.
     fn compliance(n: usize) -> Mat<f64> {
         Mat::from_fn(n, n, |i, j| {
             let apart = i.abs_diff(j) as f64;
@@ -287,7 +287,7 @@ mod tests {
             let value: f64 = (0..=i.min(j)).map(|k| cut[(i, k)] * cut[(j, k)]).sum();
             assert!((value - whole[(i, j)]).abs() < 1e-12, "({i}, {j}): {value} and {}", whole[(i, j)]);
         }
-        // A row that repeats another one is found wherever it is.
+        // A row that repeats another one is detected at any position.
         let twice = Mat::from_fn(n, n, |i, j| {
             let of = |k: usize| if k == n - 2 { 3 } else { k };
             whole[(of(i), of(j))]

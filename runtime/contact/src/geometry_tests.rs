@@ -238,8 +238,7 @@ fn cells_shrink_towards_an_edge() {
     assert!(grid.cells.iter().any(|c| (c.arc[0][1] - 0.01).abs() < 1e-12));
 }
 
-/// As many cells as the library's ranges allow take seconds: each row of each block is a
-/// checkpoint.
+/// The largest permitted number of cells takes seconds, so each row of each block is a checkpoint.
 #[test]
 fn the_compliance_of_many_cells_can_be_interrupted() {
     let pair = Pair::new(0.05, 0.0);

@@ -50,7 +50,7 @@ impl super::pressure::PressureStrip for Cell {
 pub enum Width {
     /// Total width, m.
     Total(f64),
-    /// [`MARGIN`] times the Hertzian contact of this force (N/m).
+    /// [`MARGIN`] times the width of the Hertzian contact of this force.
     Hertz {
         /// Force per face width, N/m.
         force: f64,
@@ -61,15 +61,15 @@ pub enum Width {
 /// sharing and reliefs, and three quarters of the cells are loaded.
 pub const MARGIN: f64 = 1.3;
 
-/// Options of a contact grid in the plane.
+/// Options of a plane contact grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOptions {
     /// M: a grid has 2M + 1 cells, more where it is graded towards an edge and fewer where a
     /// surface ends.
     pub half_count: usize,
-    /// Total width, or the load it follows from.
+    /// Total width, or the load that determines it.
     pub width: Width,
-    /// E*, Pa.
+    /// Contact modulus E*, Pa.
     pub contact_modulus: f64,
     /// Permits cells on the edges of the profiles.
     pub search_edges: bool,
@@ -84,11 +84,11 @@ pub struct Grid {
     pub cells: Vec<Cell>,
     /// Requested width, m.
     pub width: f64,
-    /// M: half the number of cells, the middle one not counted.
+    /// M: half the number of cells without the middle one.
     pub half_count: usize,
     /// True on the left and right if the grid ends there because a surface does.
     pub surface_ends: [bool; 2],
-    /// Where the flanks end on the left and right, in the grid or beyond it.
+    /// Ends of the flanks on the left and right, within the grid or beyond it.
     pub flank: FlankEnds,
     /// Hertzian half-width of a line load of 1 N/m, m.
     pub unit_half_width: f64,
@@ -184,7 +184,7 @@ pub fn build_grid(
     Grid { frame, cells, width, half_count: options.half_count, surface_ends, flank, unit_half_width }
 }
 
-/// Where the first flank ends on the left and on the right.
+/// Returns the ends of the flanks on the left and on the right.
 fn flank_ends(surfaces: &[Surface; 2], edges: &[Edge]) -> FlankEnds {
     let ends = |[low, high]: FlankEnds, [from, to]: [f64; 2]| [low.max(from), high.min(to)];
     let surfaces = surfaces.iter().map(|surface| surface.x);

@@ -142,7 +142,7 @@ fn a_patch_on_an_edge_is_resolved_like_one_on_the_flank() {
     assert_eq!(in_zones(&grid, &pressures), [0.0, found.pressure]);
 }
 
-/// The largest pressures of the flank and of the edge zone.
+/// Returns the largest pressures of the flank zone and of the edge zone.
 fn in_zones(grid: &Grid, pressures: &[f64]) -> [f64; 2] {
     let half_width = grid.unit_half_width * FORCE.sqrt();
     [Zone::Flank, Zone::Edge].map(|zone| {

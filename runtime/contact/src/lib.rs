@@ -1,9 +1,13 @@
-//! Contact: where surfaces approach, which cells could carry pressure, and the pressures that hold the bodies.
+//! Plane contact of elastic bodies: closest approach, contact grids, and the contact problem.
 //!
-//! A step of an analysis goes through these modules in order: [`approach`] finds where two profiles come closest,
-//! [`grid`] lays cells there, [`assembly`] builds their compliance, [`problem`] states the contact problem and
-//! [`active_set`] solves it; `unloaded_equilibrium` and `rigid_limit` say where bodies are as the load vanishes; [`friction`] adds what slides; [`pressure`] reads peak pressure
-//! and half-width off the solution, and [`zone`] separates flanks from edges. [`solid`] is the same in space.
+//! An analysis step uses these modules in order: [`approach`] finds the closest approach of two
+//! profiles, [`grid`] creates contact cells there, [`assembly`] computes their compliance matrix,
+//! [`problem`] states the linear complementarity problem and [`active_set`] solves it.
+//! `unloaded_equilibrium` and `rigid_limit` compute the positions of bodies as the load vanishes,
+//! [`friction`] adds sliding friction, [`pressure`] evaluates peak pressure and half-width, and
+//! [`zone`] separates flanks from edges. [`solid`] contains the three-dimensional counterparts.
+//!
+//! See `docs/theory/contact.md`.
 
 #![warn(missing_docs)]
 

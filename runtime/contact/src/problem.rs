@@ -130,7 +130,7 @@ pub struct Solution {
     pub method: Method,
     /// Number of active sets tried.
     pub iterations: usize,
-    /// How well it is solved.
+    /// Residuals of the solution.
     pub certificate: Certificate,
 }
 

@@ -1,4 +1,4 @@
-//! The contact problem in variables of order one.
+//! Contact problem in variables of order one.
 
 use super::dense::Matrix;
 use super::problem::ContactProblem;

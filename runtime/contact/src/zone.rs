@@ -1,24 +1,28 @@
 //! Flank zone and edge zone of a contact patch.
 //!
-//! An edge that cuts a patch off, or on which the curvature jumps, raises the pressure beside it, up to a singularity at a sharp
-//! corner. The edge zone is the part of the patch within one Hertzian half-width of such an edge if the patch reaches the edge, and
-//! the part beyond the edge, on its rounding. The flank zone is what lies farther away. A patch whose contact line is farther from the
-//! edge than its half-width does not reach the edge, and has its largest pressure in the flank zone. As the contact line comes nearer
-//! to the edge, the contribution of such a patch to the flank falls in proportion to the distance, down to zero where the line is on
-//! the edge: near a cut the pressure is steep one half-width away, too.
+//! An edge that truncates a patch, or on which the curvature jumps, raises the pressure next to it,
+//! up to a singularity at a sharp corner. If the patch reaches such an edge, the edge zone is the
+//! part of the patch within one Hertzian half-width of the edge. It also includes the part beyond
+//! the edge, on its rounding. The flank zone is the rest of the patch. A patch whose contact line
+//! is farther from the edge than its half-width does not reach the edge, and has its largest
+//! pressure in the flank zone. As the contact line approaches the edge, the contribution of the
+//! patch to the flank zone decreases in proportion to the distance, down to zero for a contact line
+//! on the edge, because near a truncation the pressure gradient is large one half-width away, too.
 //!
-//! Edge, contact line and half-width (of the load that the patch carries, Johnson, eq. 4.43) follow from the surfaces and the load,
-//! not from the contact grid, and pressures at the limit of the zones are interpolated between cells. So the largest pressure of the
-//! flank zone is continuous in the grid and converges.
+//! Edge, contact line and half-width (under the load of the patch, Johnson, eq. 4.43) follow from
+//! the surfaces and the load, not from the contact grid, and pressures at the limit of the zones
+//! are interpolated between cells. So the largest pressure of the flank zone is continuous in the
+//! grid and converges.
 //!
-//! A slice of a patch in three dimensions has a length. An oblique edge comes nearer over that length, and cells that the edge crosses
-//! carry no load or only part of it: the load ends before the edge beside the middle of the slice, with the raised pressure next to
-//! that end. Therefore the half-width is counted from the end of the load ([`Edges::effective`]). As slices become shorter, that end
+//! A slice of a three-dimensional patch has a length. An oblique edge approaches over that length,
+//! and cells that the edge crosses carry no load or only part of it: the load ends before the edge
+//! at the middle of the slice, with the raised pressure next to that end. Therefore the half-width
+//! is measured from the end of the load ([`Edges::effective`]). As slices become shorter, that end
 //! tends to the edge itself.
 
 use super::pressure::{self, Peak, PressureStrip, center, hertz_half_width};
 
-/// A part of a patch across its contact line.
+/// Part of a patch across its contact line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Zone {
     /// At least one Hertzian half-width away from the ends of both flanks.
@@ -27,43 +31,46 @@ pub enum Zone {
     Edge,
 }
 
-/// Ends of the flanks on the common tangent, m: where the rounding of an edge begins or a surface ends. Infinite where there is
-/// none.
+/// Ends of the flanks on the common tangent, m: the start of a rounded edge or the end of a
+/// surface. Infinite without one.
 pub type FlankEnds = [f64; 2];
 
-/// No edge anywhere.
+/// No edges.
 pub const ENDLESS: FlankEnds = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Hertzian half-width of a line load of 1 N/m, m: half-widths grow with the root of the line load. Zero for rigid bodies and where
-/// the relative curvature (1/m) is not positive.
+/// Returns the Hertzian half-width of a line load of 1 N/m, m; half-widths grow with the root of
+/// the line load. Zero for rigid bodies and for a relative curvature (1/m) that is not positive.
 pub fn unit_half_width(contact_modulus: f64, relative_curvature: f64) -> f64 {
     let half_width = hertz_half_width(1.0, contact_modulus, relative_curvature);
     if half_width.is_finite() { half_width } else { 0.0 }
 }
 
-/// Edges beside a section across the contact line, or beside a slice of a patch in three dimensions, on the common tangent, m.
+/// Edges next to a section across the contact line, or next to a slice of a three-dimensional
+/// patch, on the common tangent, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edges {
-    /// Ends of the flanks beside the middle of the slice.
+    /// Ends of the flanks at the middle of the slice.
     pub ends: FlankEnds,
-    /// Ends of the flanks where they are nearest over the length of the slice.
+    /// Nearest ends of the flanks over the length of the slice.
     pub nearest: FlankEnds,
-    /// Where the surfaces come closest to each other.
+    /// Location of the closest approach.
     pub closest: f64,
 }
 
 impl Edges {
-    /// Edges that are parallel to the contact line.
+    /// Creates edges parallel to the contact line.
     pub fn parallel(ends: FlankEnds, closest: f64) -> Edges {
         Edges { ends, nearest: ends, closest }
     }
 
-    /// Ends of the load, each between the nearest point of its edge and the point beside the middle of the slice.
+    /// Returns the ends of the load, each between the nearest point of its edge and the point at
+    /// the middle of the slice.
     fn effective(&self, pieces: &[impl PressureStrip], pressures: &[f64]) -> FlankEnds {
         let loaded = |cell: &usize| pressures[*cell] > 0.0;
         let (first, last) = ((0..pieces.len()).find(loaded), (0..pieces.len()).rfind(loaded));
         let (Some(first), Some(last)) = (first, last) else { return self.ends };
-        // A cell that carries less than its neighbour counts in part, so that the end does not jump as a cell becomes loaded.
+        // A cell that carries less than its neighbour counts in part, so that the end does not jump
+        // as a cell becomes loaded.
         let part = |cell: usize, neighbour: Option<&f64>| {
             neighbour.filter(|p| **p > 0.0).map_or(1.0, |p| (pressures[cell] / p).min(1.0))
         };
@@ -77,8 +84,8 @@ impl Edges {
         [low.min(self.nearest[0]).max(self.ends[0]), high.max(self.nearest[1]).min(self.ends[1])]
     }
 
-    /// Whether the patch reaches an edge here: its contact line is nearer to the end of the load beside an edge than the half-width
-    /// of the patch, m.
+    /// Returns whether the patch reaches an edge here: its contact line is nearer to the end of the
+    /// load at an edge than the half-width of the patch, m.
     pub fn reached(&self, pieces: &[impl PressureStrip], pressures: &[f64], half_width: f64) -> bool {
         let [low, high] = self.effective(pieces, pressures);
         (self.closest - low).min(high - self.closest) < half_width
@@ -86,7 +93,8 @@ impl Edges {
 }
 
 impl Zone {
-    /// Intervals of the zone along the tangent, m. Beside an edge that a patch does not reach there is no edge zone.
+    /// Returns the intervals of the zone along the tangent, m. There is no edge zone at an edge
+    /// that the patch does not reach.
     fn intervals(self, [low, high]: FlankEnds, closest: f64, half_width: f64) -> [[f64; 2]; 2] {
         let other_loads = |distance: f64| if distance < half_width { half_width } else { 0.0 };
         match self {
@@ -98,7 +106,8 @@ impl Zone {
         }
     }
 
-    /// The largest pressure in the zone, Pa. `half_width` is that of the patch, m. `None` where nothing in the zone is loaded.
+    /// Returns the largest pressure in the zone, Pa. `half_width` is that of the patch, m. `None`
+    /// if nothing in the zone is loaded.
     pub fn peak(
         self,
         pieces: &[impl PressureStrip],
@@ -119,7 +128,7 @@ impl Zone {
     }
 }
 
-/// The largest pressure between two points, Pa.
+/// Returns the largest pressure between two points, Pa.
 fn peak_within(pieces: &[impl PressureStrip], pressures: &[f64], [from, to]: [f64; 2]) -> Option<Peak> {
     if from >= to {
         return None;
@@ -136,8 +145,8 @@ fn peak_within(pieces: &[impl PressureStrip], pressures: &[f64], [from, to]: [f6
         .reduce(|one, other| if other.pressure > one.pressure { other } else { one })
 }
 
-/// The pressure at a point, by linear interpolation of squared pressures between the centres of cells: Hertz's squared pressure is a
-/// parabola. `None` where there is no load.
+/// Returns the pressure at a point by linear interpolation of squared pressures between the centres
+/// of cells, because the squared Hertzian pressure is a parabola. `None` without load.
 fn at(pieces: &[impl PressureStrip], pressures: &[f64], x: f64) -> Option<Peak> {
     let behind = pieces.partition_point(|piece| center(piece) < x);
     let own = |cell: usize| pressures.get(cell).copied().unwrap_or(0.0);
@@ -148,7 +157,7 @@ fn at(pieces: &[impl PressureStrip], pressures: &[f64], x: f64) -> Option<Peak> 
             let squared = (1.0 - part) * own(before).powi(2) + part * own(behind).powi(2);
             (squared.sqrt(), if own(before) > own(behind) { before } else { behind })
         }
-        // Beyond the outermost centres.
+        // Outside the outermost centres.
         before => {
             let cell = before.unwrap_or(0);
             let [low, high] = pieces.get(cell)?.ends();
@@ -162,7 +171,8 @@ fn at(pieces: &[impl PressureStrip], pressures: &[f64], x: f64) -> Option<Peak> 
 mod tests {
     use super::*;
 
-    /// Hertz's pressure 1 over half-width 1 about `middle`, averaged over cells that end at a flank's end at 0.
+    /// Hertzian pressure with peak 1 and half-width 1 about `middle`, averaged over cells that end
+    /// at a flank's end at 0.
     fn hertz(middle: f64, cells: usize) -> (Vec<[f64; 2]>, Vec<f64>) {
         let size = 4.0 / cells as f64;
         let pieces: Vec<[f64; 2]> =
@@ -191,7 +201,8 @@ mod tests {
         assert!((flank - 1.0).abs() < 1e-3 && edge == 0.0, "{flank} {edge}");
     }
 
-    /// Nearer to the edge, the pressure one half-width away from the edge counts, in proportion to the distance.
+    /// Near the edge, the pressure one half-width away from the edge counts in proportion to the
+    /// distance.
     #[test]
     fn zones_change_continuously() {
         for (middle, expected) in
@@ -206,8 +217,8 @@ mod tests {
         }
     }
 
-    /// An edge crosses a slice whose half-width is 1: the load ends at x = 0.4, with the largest pressure in the cell beside it,
-    /// wherever in the slice the middle of the edge is.
+    /// An edge crosses a slice whose half-width is 1: the load ends at x = 0.4, with the largest
+    /// pressure in the cell next to it, for any position of the edge at the middle of the slice.
     #[test]
     fn a_cell_beside_an_oblique_edge_is_in_the_edge_zone() {
         let pieces: Vec<[f64; 2]> = (-5..5).map(|k| [0.4 * f64::from(k), 0.4 * f64::from(k + 1)]).collect();
@@ -221,7 +232,7 @@ mod tests {
             assert!(edge.is_some_and(|peak| peak.pressure == 2.5), "{middle}: {edge:?}");
             assert!(edges.reached(&pieces, &pressures, 1.0));
         }
-        // An edge that the load does not reach leaves the slice whole.
+        // An edge that the load does not reach does not divide the slice.
         let far = Edges { ends: [f64::NEG_INFINITY, 4.0], nearest: [f64::NEG_INFINITY, 3.0], closest: 0.0 };
         assert_eq!(Zone::Flank.peak(&pieces, &pressures, &far, 1.0), pressure::peak(&pieces, &pressures));
         assert!(!far.reached(&pieces, &pressures, 1.0));

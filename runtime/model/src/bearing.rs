@@ -224,12 +224,16 @@ impl Bearing {
         still && !self.stops.iter().any(Stop::is_preloaded)
     }
 
-    /// Whether it can be had on these bodies, beside these other bearings.
+    /// Checks whether these bodies can have this bearing in addition to the other bearings.
     ///
     /// # Errors
-    /// E0685: both races are on one body; E0686: a matrix is not symmetric, or gives energy; E0687: the races do not stay together;
-    /// E0688: a stop has no stiffness or no direction; E0653: the scene has no such body; E0671: it has a bearing of that name; E0710: a
-    /// frame is not a number.
+    /// - E0653: the scene has no such body.
+    /// - E0671: the scene has a bearing of the same name.
+    /// - E0685: both races are on one body.
+    /// - E0686: a matrix is not symmetric, or is not positive semidefinite.
+    /// - E0687: the races do not keep their origin and axis in common.
+    /// - E0688: a stop has no stiffness or no direction.
+    /// - E0710: a frame is NaN.
     pub fn check(&self, bodies: &[Body], others: &[Bearing]) -> Result<(), EngineError> {
         if others.iter().any(|other| other.name == self.name) {
             let message = format!("there are two bearings called \"{}\"", self.name);

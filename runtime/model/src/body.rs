@@ -1,4 +1,4 @@
-//! A body: what it is made of, its prescribed motion, its free components, its loads and masses.
+//! Body: its prototype, prescribed motion, free components, loads and masses.
 
 use crate::dof::Component;
 use crate::load::{Impulse, Load, Wrench};

@@ -3,7 +3,8 @@
 /// Names of the six DOFs of a frame, in the order of [`Component`].
 pub const DOF_NAMES: [&str; 6] = ["u_x", "u_y", "u_z", "theta_x", "theta_y", "theta_z"];
 
-/// Component of the motion of a frame along or about the ground axes, in the order of [`DOF_NAMES`].
+/// Component of the motion of a frame along or about the ground axes, in the order of
+/// [`DOF_NAMES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Component {
     /// Displacement along x.

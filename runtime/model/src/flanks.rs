@@ -1,4 +1,5 @@
-//! Flanks of lugs with clearance in the contact problem: which bodies have them, their arms and gap equations.
+//! Flanks of spline teeth with clearance in the contact problem: bodies that have them, their arms
+//! and gap equations.
 
 use crate::bearing::Springs;
 use crate::dof::Dof;

@@ -38,11 +38,11 @@ pub fn number_dofs(scene: &Mechanism, plan: &Plan) -> Vec<Dof> {
         .collect()
 }
 
-/// The external forces and moments on freedoms at a time (s), in their order, where so large a part of the loads is on, see
-/// [`crate::body::Body::acted_on`].
+/// Returns the external forces and moments on the DOFs at a time (s), with the loads scaled by
+/// `part`, see [`crate::body::Body::acted_on`].
 ///
 /// # Errors
-/// E0710 if a frame is not a number there, E0723 if a load is none.
+/// E0710 if a frame is NaN, E0723 if a load is NaN.
 pub fn loads_on(scene: &Mechanism, dofs: &[Dof], time: f64, part: f64) -> Result<Vec<f64>, EngineError> {
     let mut loads = Vec::with_capacity(dofs.len());
     let mut latest: Option<(usize, [f64; 6])> = None;

@@ -1,4 +1,4 @@
-//! Parts of a scene by their indices.
+//! Indices of the parts of a scene.
 
 /// Index of a body in its scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,5 +1,5 @@
-//! What is simulated, and how: bodies with their motions and loads, bearings, pairs of surfaces, and the
-//! plan of what of them is modelled.
+//! Simulated mechanism and its plan: bodies with their motions and loads, bearings, surface pairs,
+//! and the selection and models of the parts that an analysis needs.
 
 #![warn(missing_docs)]
 

@@ -27,7 +27,8 @@ impl Wrench {
         Wrench { moment, ..Wrench::NONE }
     }
 
-    /// What does work on a body's freedoms, in the order of [`crate::dof::DOF_NAMES`], where they count along `axes`; N and N m.
+    /// Returns the generalized forces on a body's DOFs, in the order of [`crate::dof::DOF_NAMES`],
+    /// with their directions `axes`; N and N m.
     pub fn along(&self, axes: &[[f64; 3]; 3]) -> [f64; 6] {
         let of = |[x, y, z]: [f64; 3]| axes.map(|axis| x * axis[0] + y * axis[1] + z * axis[2]);
         let ([a, b, c], [d, e, f]) = (of(self.force), of(self.moment));

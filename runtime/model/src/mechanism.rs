@@ -1,4 +1,4 @@
-//! What is simulated, whatever is observed of it: bodies, bearings, and the surfaces that may touch.
+//! Simulated part of a scene, without observables: bodies, bearings and surface pairs.
 
 use crate::bearing::Bearing;
 use crate::body::Body;
@@ -6,7 +6,7 @@ use crate::ids::{BearingId, BodyId, PairId};
 use crate::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 
-/// Bodies, bearings and pairs of surfaces.
+/// Bodies, bearings and surface pairs.
 #[derive(Clone, Default)]
 pub struct Mechanism {
     /// By [`BodyId`].

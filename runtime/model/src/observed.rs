@@ -1,4 +1,4 @@
-//! Values of observables, and requests for outputs that are made of them.
+//! Values of observables, and requests for outputs computed from them.
 
 use crate::ids::ObservableId;
 use calyx_abi::{Kernel, Repr, SymbolicValue};

@@ -10,7 +10,8 @@ use std::f64::consts::TAU;
 pub struct SurfacePair {
     /// The two bodies.
     pub bodies: [BodyId; 2],
-    /// Index of the surface of each, as its [`Structure`](calyx_structure::Structure) counts them.
+    /// Index of the surface of each body, as numbered by its
+    /// [`Structure`](calyx_structure::Structure).
     pub surfaces: [u32; 2],
     /// Discretization of the contact.
     pub grid: GridOptions,

@@ -1,4 +1,4 @@
-//! Positions at which a motion is analysed.
+//! Positions of a mechanism that are analysed.
 
 use crate::pairs::GearMesh;
 use serde::{Deserialize, Serialize};

@@ -139,11 +139,12 @@ pub trait Prototype: Any + Send + Sync {
         None
     }
 
-    /// As [`Prototype::shape`], in space: usually [`ModifiedStructure`](calyx_structure::solid::ModifiedStructure), the shared structure under the surfaces
-    /// of this body.
+    /// Derives the three-dimensional structure of this body, like [`Prototype::shape`]. The result
+    /// is usually a [`ModifiedStructure`](calyx_structure::solid::ModifiedStructure): the shared
+    /// structure with the surfaces of this body.
     ///
     /// # Errors
-    /// The body's own shape cannot be had.
+    /// The shape of this body cannot be derived.
     fn shape_solid(
         &self,
         shared: Arc<dyn SolidStructure>,
@@ -203,8 +204,9 @@ pub trait Prototype: Any + Send + Sync {
         0.0
     }
 
-    /// The lugs by which the body rests in what is around it by contact, if it does: those of its structure's
-    /// [`BoreSupport::SplineWithClearance`](calyx_structure::BoreSupport::SplineWithClearance).
+    /// Returns the spline teeth with clearance that support the body, if any: those of
+    /// [`BoreSupport::SplineWithClearance`](calyx_structure::BoreSupport::SplineWithClearance) of
+    /// its structure.
     fn spline_contact(&self) -> Option<SplineContact> {
         None
     }

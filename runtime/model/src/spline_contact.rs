@@ -1,13 +1,19 @@
-//! Lugs with clearance: the teeth of a spline, or keys, by which a body rests in what is around it, as contact.
+//! Splines with clearance: spline teeth or keys that support a body by contact with its
+//! surroundings.
 //!
-//! Every lug stands in a space of the housing that is wider than it by the clearance. Each of its two flanks is a cell of the contact problem
-//! ([`calyx_contact::problem`]) among those of teeth: a gap of half the clearance where the body stands as its frame is meant to, and a force
-//! that only pushes, spread evenly around over the lug. A flank gives way by the lug's own compliance, and by what the body's bore does under
-//! the forces of all lugs and teeth ([`calyx_structure::BoreSupport::SplineWithClearance`]); the body as a whole moves with its frame, which has to be free.
-//! What the lugs stand in does not give way and moves as the frame is meant to: it is ground for a frame at rest.
+//! Every spline tooth is in a space of the housing that is wider by the clearance. Each of its two
+//! flanks is a cell of the contact problem ([`calyx_contact::problem`]), like those of gear teeth:
+//! its gap is half the clearance at the prescribed position of the body, and its compressive force
+//! is distributed uniformly over the tooth. The compliance of a flank consists of that of the
+//! spline tooth and that of the bore under the forces of all spline and gear teeth
+//! ([`calyx_structure::BoreSupport::SplineWithClearance`]). The body moves with its frame, which
+//! must be free. The counterpart is rigid and moves with the prescribed motion of the frame: it is
+//! ground for a frame at rest.
 //!
-//! Gaps follow the frame to the first order, from where it is meant to be: turning a lug by the clearance over the radius opens a gap by
-//! the clearance times half of that angle.
+//! Gaps are linear in the motion of the frame from its prescribed position. A rotation by the
+//! clearance divided by the radius has an error of the clearance times half of that angle.
+//!
+//! See `docs/theory/bearings.md`.
 
 use calyx_structure::SplineTeeth;
 use faer::MatRef;

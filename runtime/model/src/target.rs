@@ -1,30 +1,31 @@
-//! What outputs look at of a mechanism, from which follows what of it has to be modelled.
+//! Dependence of observables on the parts of a mechanism, which determines the parts to be
+//! modelled.
 
 use crate::fidelity::Needs;
 use crate::ids::{BearingId, BodyId, PairId};
 use crate::mechanism::Mechanism;
 
-/// Parts of a mechanism that an observable looks at.
+/// Parts of a mechanism that an observable depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Target {
-    /// Least that bodies have to be modelled with.
+    /// Model requirements of the observable.
     pub needs: Needs,
     /// Body whose stresses are recovered for it.
     pub stresses_of: Option<BodyId>,
-    /// Body whose frame it looks at, whether or not the body touches anything.
+    /// Body whose frame it depends on, with or without contact.
     pub frame_of: Option<BodyId>,
-    /// Bearing that it looks at.
+    /// Bearing that it depends on.
     pub bearing_of: Option<BearingId>,
-    /// Pair of surfaces that it looks at.
+    /// Surface pair that it depends on.
     pub pair_of: Option<PairId>,
-    /// Mode that it tells of, from 0.
+    /// Index of its mode, from 0.
     pub mode: Option<usize>,
-    /// True if it reads beside the middle of the face, which a plane model does not see.
+    /// True if it is evaluated outside the middle of the face, which a plane model ignores.
     pub off_middle: bool,
 }
 
 impl Target {
-    /// Returns true if it names no part of the mechanism, and so looks at all of it.
+    /// Returns whether it names no part of the mechanism and therefore depends on all of it.
     pub fn is_everything(&self) -> bool {
         let parts = [self.frame_of.is_some(), self.stresses_of.is_some()];
         let others = [self.bearing_of.is_some(), self.pair_of.is_some()];
@@ -32,19 +33,19 @@ impl Target {
     }
 }
 
-/// A mechanism and what is observed of it: what a plan is made for.
+/// Mechanism with its observables, for which a plan is made.
 pub trait Examined {
-    /// What is simulated.
+    /// Returns the mechanism.
     fn mechanism(&self) -> &Mechanism;
 
-    /// One per observable, in the order of their indices.
+    /// Returns the parts that each observable depends on, in the order of their indices.
     fn targets(&self) -> Vec<Target>;
 
-    /// Returns true if a table of the modes at the first position is requested.
+    /// Returns whether a table of the modes at the first position is requested.
     fn examines_modes(&self) -> bool;
 }
 
-/// A mechanism of which nothing is observed.
+/// A mechanism without observables.
 impl Examined for Mechanism {
     fn mechanism(&self) -> &Mechanism {
         self

@@ -44,24 +44,27 @@ impl Drop for MemoryReservation {
     }
 }
 
-/// Asked at checkpoints whether to go on; the error it answers with ends the work, and is what the caller gets.
+/// Cancellation callback, called at checkpoints. An error from it ends the work and is returned to
+/// the caller.
 ///
-/// It is asked between positions, between the batches of whatever takes long while structures are
-/// built, at each row of a contact compliance, and before each factorization of the contact solver
-/// and each piece of a large one; by several threads at once where work is done side by side. It should answer fast
-/// (a flag, a clock), and having said no once it should keep to it.
+/// It is called between positions, between batches of work while structures are built, at each row
+/// of a contact compliance matrix, and before each factorization of the contact solver and each
+/// piece of a large one; by several threads at the same time if work is parallel. It should return
+/// quickly (a flag, a clock), and after an error it should keep returning one.
 ///
-/// # How long it may take to be asked
-/// The longest stages without a checkpoint are of the mesh of one sector, a tooth of a gear with its share of the rim: making it,
-/// adding up its stiffness, ordering that and eliminating what its last cut leaves. Each is about a twentieth of an analysis of a mesh cycle at the default
-/// mesh, whatever the number of teeth (`cargo bench -p calyx-gears --bench interruption` measures it), and grows with
-/// the refinement of its mesh. With kept structures the longest is one piece of
-/// a factorization, less than a second.
+/// # Latency
+/// The longest stages without a checkpoint concern the mesh of one sector, a tooth of a gear with
+/// its part of the rim: meshing, assembly of the stiffness matrix, its ordering, and elimination of
+/// the last separator. Each takes about a twentieth of an analysis of a mesh cycle with the default
+/// mesh, for any number of teeth (measured by `cargo bench -p calyx-gears --bench interruption`),
+/// and grows with the refinement of the mesh. With cached structures the longest stage is one piece
+/// of a factorization, less than a second.
 ///
 /// # Memory
-/// Before anything large is allocated (what condensing a sector takes, a contact matrix), the question is asked whether so many bytes
-/// may be taken, so that an analysis ends with an error instead of being killed. What is asked for is at least what is taken, at any
-/// number of threads: what threads side by side were promised and may not have taken yet, the question is told too.
+/// Before any large allocation (the condensation of a sector, a contact matrix) the callback
+/// receives the number of bytes, so that an analysis can end with an error instead of being killed.
+/// The request is an upper bound of the allocation for any number of threads. The callback also
+/// receives the memory that is reserved for parallel threads.
 #[derive(Clone, Default)]
 pub struct Interrupt {
     question: Option<Arc<Question>>,

@@ -1,5 +1,5 @@
-//! Numerical foundations of the engine: dense matrices, vectors in three dimensions, quadrature,
-//! and what every layer above reports and obeys, errors and interrupts.
+//! Numerical foundations of the engine: dense matrices, three-dimensional vectors, quadrature, and
+//! the errors and interrupts of all crates above.
 
 #![warn(missing_docs)]
 

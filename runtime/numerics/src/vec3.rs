@@ -1,4 +1,4 @@
-//! Vectors in three dimensions, as arrays of their components.
+//! Three-dimensional vectors as arrays of their components.
 
 /// Components along x, y and z.
 pub type Vector = [f64; 3];
@@ -18,7 +18,7 @@ pub fn plus(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// Returns the first vector less the second.
+/// Returns the difference.
 pub fn minus(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }

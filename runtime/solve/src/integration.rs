@@ -1,16 +1,19 @@
-//! Time integration of a plane model: inertia, damping and modes of the bodies beside contact.
+//! Time integration of a plane model: inertia, damping and component modes of the bodies, with
+//! contact in every time step.
 //!
-//! The unknowns are the freedoms of statics and, where modes are asked for, the modal coordinates of every body. Contact sees the residual
-//! flexibility of what the modes leave out, so its points have no mass of their own and contact is well posed in time. A step of Newmark's family
-//! in acceleration form ([`newmark`]) is the contact problem of statics with the step's matrix in place of the springs, laid out where the state
-//! predicts bodies to be; nothing of a mesh is touched by it.
+//! The unknowns are the DOFs of static analysis and, if modes are requested, the modal coordinates
+//! of every body. Contact includes the residual flexibility of the omitted modes, so contact points
+//! have no mass of their own and dynamic contact is well posed. A step of Newmark's family in
+//! acceleration form ([`newmark`]) is the static contact problem with the step's effective matrix
+//! in place of the springs. Its contact grid is created at the predicted positions of the bodies.
+//! No step requires a finite element mesh. See `docs/theory/dynamics.md`.
 //!
-//! | Module | What |
+//! | Module | Contents |
 //! |---|---|
-//! | `newmark` | the integrators, on numbers alone |
-//! | `time_ranges` | over which times, in which steps, under which part of the loads |
-//! | `matrices` | mass, damping, loads by inertia |
-//! | `effective_matrix` | the matrix of a step, and terms that would make it unsymmetric |
+//! | `newmark` | integration schemes, independent of the model |
+//! | `time_ranges` | time ranges, their steps and load factors |
+//! | `matrices` | mass, damping, inertia loads |
+//! | `effective_matrix` | effective matrix of a step, and unsymmetric terms |
 
 mod effective_matrix;
 mod matrices;

@@ -1,4 +1,5 @@
-//! Positions of a planned mechanism: equilibrium, a step in time, vibrations about it.
+//! Solution of the positions of a planned mechanism: equilibrium, time steps, and vibrations about
+//! an equilibrium.
 
 #![warn(missing_docs)]
 

@@ -1,9 +1,10 @@
 //! Solution of one position in equilibrium, or of one time step: search for contact, grids, contact
 //! problem.
 //!
-//! The procedure is common to plane and three-dimensional models, in [`contact_layout`] and [`contact_solution`]. The
-//! dimension-dependent part (positions of bodies, closest approach, grids and compliances) is
-//! behind the trait [`contact_geometry::Space`], implemented in [`plane`] and [`solid`].
+//! The procedure is common to plane and three-dimensional models, in [`contact_layout`] and
+//! [`contact_solution`]. The dimension-dependent part (positions of bodies, closest approach, grids
+//! and compliances) is behind the trait [`contact_geometry::ContactGeometry`], implemented in
+//! [`plane`] and [`solid`].
 //!
 //! See `docs/theory/equilibrium.md`.
 
@@ -50,8 +51,9 @@ pub struct StepResult {
     pub modal: Vec<f64>,
     /// Rates of the DOFs and of the modal coordinates, per second; empty in equilibrium.
     pub velocity: Vec<f64>,
-    /// What acts on the frame of each body beside contact, bearings and its whole load, in the order of [`calyx_model::dof::DOF_NAMES`]: inertia, and
-    /// the part of the load that a step leaves out; N and N m. Empty in equilibrium.
+    /// Additional forces on the frame of each body besides contact, bearings and its whole load, in
+    /// the order of [`calyx_model::dof::DOF_NAMES`]: inertia, and the part of the load that a step
+    /// leaves out; N and N m. Empty in equilibrium.
     pub other_loads: Vec<[f64; 6]>,
     /// Free vibrations about the position, computed on request, see
     /// [`crate::observables::Equilibrium::vibrations`].
@@ -59,7 +61,7 @@ pub struct StepResult {
     /// Forces on the stops of bearings, whose gap equations follow those of the patches, and then
     /// on the flanks of spline teeth: N, in a plane model N per metre of face width.
     pub stops: Vec<f64>,
-    /// How well it is solved.
+    /// Residuals of the contact solution.
     pub certificate: Certificate,
     /// Warnings about the position, in sentences.
     pub warnings: Vec<String>,

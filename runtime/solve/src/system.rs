@@ -30,9 +30,9 @@ pub type Teeth = (usize, [u32; 2]);
 
 /// Data that all positions share.
 pub struct System<'s> {
-    /// What is simulated.
+    /// Simulated mechanism.
     pub scene: &'s Mechanism,
-    /// Bodies as they are modelled.
+    /// Models of the bodies.
     pub bodies: Bodies,
     /// Free components of the frames of bodies, in the order of the unknowns.
     pub dofs: Vec<Dof>,
@@ -331,8 +331,8 @@ impl<'s> System<'s> {
         [velocity[0] - turning * (y - from[1]), velocity[1] + turning * (x - from[0]), 0.0]
     }
 
-    /// The deviations of a body from its prescribed motion that are among those of all freedoms, in the order of
-    /// [`calyx_model::dof::DOF_NAMES`]; m and rad.
+    /// Extracts the deviations of a body from its prescribed motion from the vector of all DOFs, in
+    /// the order of [`calyx_model::dof::DOF_NAMES`]; m and rad.
     pub fn moved(&self, body: usize, motion: &[f64]) -> [f64; 6] {
         let mut by = [0.0; 6];
         for (dof, &moved) in self.dofs.iter().zip(motion).filter(|(dof, _)| dof.body == body) {

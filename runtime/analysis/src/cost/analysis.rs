@@ -43,7 +43,7 @@ pub struct AnalysisCost {
 }
 
 impl AnalysisCost {
-    /// s
+    /// Returns the total time, s.
     pub fn time(&self) -> f64 {
         let structures = self.structures.iter().map(|(_, cost)| cost.time).sum::<f64>();
         structures + self.positions.time + self.errors.time

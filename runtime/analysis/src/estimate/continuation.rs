@@ -1,37 +1,38 @@
 //! Continuations of a time history into the interval between two positions, from both sides.
 //!
-//! Let `L(t)` and `R(t)`, `0 <= t <= 1`, continue a time history into an interval from its left and from
-//! its right end, each through positions on its own side alone. The model of the interval is
+//! Let `L(t)` and `R(t)`, `0 <= t <= 1`, continue a time history into an interval from its left and
+//! from its right end, each through positions on its own side alone. The model of the interval is
 //!
 //! ```text
 //! f(t) = L(t) for t < s,   f(t) = R(t) for t > s,
 //! ```
 //!
-//! with an unknown switch `s`. It covers all that a mesh cycle does between two positions. At a kink, such as
-//! where a tooth pair takes up load or where the largest stress changes from one tooth to the next, both
-//! continuations meet: `L(s) = R(s)`. Across a jump one of them ends. Where the history is smooth, both agree
-//! but for their errors.
+//! with an unknown switch `s`. It covers all that a mesh cycle does between two positions. At a
+//! kink, such as where a tooth pair takes up load or where the largest stress changes from one
+//! tooth to the next, both continuations meet: `L(s) = R(s)`. Across a jump one of them ends. Where
+//! the history is smooth, both agree but for their errors.
 //!
-//! A switch at `s` makes the history jump by `D(s) = L(s) - R(s)`. Histories are continuous but for few jumps of
-//! any size, so `D` has a prior density with a heavy tail, the Cauchy density of a width below all `D`. That gives
-//! `s` the density
+//! A switch at `s` makes the history jump by `D(s) = L(s) - R(s)`. Histories are continuous but for
+//! few jumps of any size, so `D` has a prior density with a heavy tail, the Cauchy density of a
+//! width below all `D`. That gives `s` the density
 //!
 //! ```text
 //! p(s) = D(s)^-2 / (integral of D^-2 over the interval),
 //! ```
 //!
-//! which puts the switch where both meet, if they do, and otherwise close to where they nearly do. The estimates
-//! are expectations over `s`: of the largest value, `max(max L over t <= s, max R over t >= s)`, and of the
-//! integral. No constant is chosen.
+//! which puts the switch where both meet, if they do, and otherwise close to where they nearly do.
+//! The estimates are expectations over `s`: of the largest value, `max(max L over t <= s, max R
+//! over t >= s)`, and of the integral. No constant is chosen.
 //!
-//! Two limits show why that is local. If one side is constant and the other leads to the same value, as at the end of
-//! a plateau, `D` vanishes there and the largest value is that of the plateau. If a history rises to a position by
-//! `d` in an interval and falls behind it by a slope that the other side does not show, `D` is about the same
-//! over the interval and the largest value is expected to lie up to `d / 2` above that position.
+//! Two limits show why that is local. If one side is constant and the other leads to the same
+//! value, as at the end of a plateau, `D` vanishes there and the largest value is that of the
+//! plateau. If a history rises to a position by `d` in an interval and falls behind it by a slope
+//! that the other side does not show, `D` is about the same over the interval and the largest value
+//! is expected to lie up to `d / 2` above that position.
 
 /// Parts of an interval in which the continuations are taken as linear.
 const PARTS: usize = 16;
-/// Part of the largest distance of the two continuations that counts as none.
+/// Fraction of the largest distance of the two continuations that counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
 
 /// A point of a time history: position and value.
@@ -54,10 +55,12 @@ pub(super) struct Largest {
 }
 
 impl Continuations {
-    /// Continues a time history between two positions, from the points on either side, nearest first.
+    /// Continues a time history between two positions, from the points on either side, nearest
+    /// first.
     ///
-    /// `limited` keeps a parabola from rising or falling faster than the line through the two nearest points. If
-    /// the third point lies behind a kink, the parabola bends away without bound, while the line does not.
+    /// `limited` keeps a parabola from rising or falling faster than the line through the two
+    /// nearest points. If the third point lies behind a kink, the parabola bends away without
+    /// bound, while the line does not.
     pub fn new(points: &[Vec<Point>; 2], [from, to]: [f64; 2], limited: bool) -> Continuations {
         let at = |points: &[Point], part: usize| {
             let x = from + part as f64 / PARTS as f64 * (to - from);
@@ -74,7 +77,7 @@ impl Continuations {
         Continuations { left, right }
     }
 
-    /// By how much each continuation misses the position at its other end.
+    /// Returns by how much each continuation misses the position at its other end.
     pub fn misses(&self) -> [f64; 2] {
         [self.left[PARTS] - self.right[PARTS], self.right[0] - self.left[0]]
     }
@@ -83,14 +86,14 @@ impl Continuations {
         self.left[point] - self.right[point]
     }
 
-    /// True if both continuations meet in a part, or coincide.
+    /// Returns whether both continuations meet in a part, or coincide.
     fn meets(&self, part: usize) -> bool {
         let [one, next] = [self.distance(part), self.distance(part + 1)];
         one * next < 0.0 || (one == 0.0 && next == 0.0)
     }
 
-    /// The probability of a switch in each part: with linear continuations the integral of `D^-2` over a part is its
-    /// length by the product of `D` at its ends.
+    /// Returns the probability of a switch in each part: with linear continuations the integral of
+    /// `D^-2` over a part is its length divided by the product of `D` at its ends.
     fn probabilities(&self) -> [f64; PARTS] {
         let meeting = (0..PARTS).filter(|&part| self.meets(part)).count();
         if meeting > 0 {
@@ -103,13 +106,14 @@ impl Continuations {
         weights.map(|weight| weight / sum)
     }
 
-    /// The switch in a part where both continuations meet, as a part of it.
+    /// Returns the switch in a part where both continuations meet, as a fraction of the part.
     fn meeting(&self, part: usize) -> f64 {
         let [one, next] = [self.distance(part), self.distance(part + 1)];
         if one == next { 0.5 } else { one / (one - next) }
     }
 
-    /// Where a kink is expected, as a part of the interval: the two continuations change order between its ends.
+    /// Returns the expected location of a kink as a fraction of the interval: the two continuations
+    /// change order between its ends.
     pub fn kink(&self) -> Option<f64> {
         if self.distance(0) * self.distance(PARTS) >= 0.0 {
             return None;
@@ -121,7 +125,7 @@ impl Continuations {
         if at.is_empty() { None } else { Some(at.iter().sum::<f64>() / at.len() as f64) }
     }
 
-    /// The largest value in the interval, and its rise above `level`.
+    /// Returns the largest value in the interval, and its rise above `level`.
     pub fn largest(&self, level: f64) -> Largest {
         let mut up_to = self.left;
         let mut from = self.right;
@@ -144,7 +148,7 @@ impl Continuations {
         Largest { expected: expected.max(end), rise: square.sqrt() }
     }
 
-    /// The expected mean over the interval less that of the chord.
+    /// Returns the expected mean over the interval minus that of the chord.
     pub fn above_chord(&self) -> f64 {
         let probabilities = self.probabilities();
         let [start, stop] = [self.left[0], self.right[PARTS]];
@@ -161,12 +165,12 @@ impl Continuations {
     }
 }
 
-/// The smaller of two departures to one side; departures to either side cancel.
+/// Returns the smaller of two deviations of equal sign; 0 for opposite signs.
 fn common_to(one: f64, other: f64) -> f64 {
     if one * other > 0.0 { one.signum() * one.abs().min(other.abs()) } else { 0.0 }
 }
 
-/// Evaluates the polynomial through a few points.
+/// Evaluates the interpolating polynomial through a few points.
 fn lagrange(points: &[Point], x: f64) -> f64 {
     let term = |(index, &(own, value)): (usize, &Point)| {
         let others = points.iter().enumerate().filter(|(other, _)| *other != index);

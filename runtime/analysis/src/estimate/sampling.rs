@@ -1,17 +1,17 @@
-//! The part of the error estimate that comes from positions: extremes and means between them.
+//! Error estimates of the variation between positions: extremes and means.
 //!
-//! In every interval between two positions an output is continued from the left and from the
-//! right, by parabolas through the positions on either side alone ([`super::continuation`]). The
-//! estimate of an extreme is by how much the largest of the values expected in the intervals
-//! exceeds the largest value at the positions. It depends on nothing but the interval and the
-//! positions next to it: an extreme on a plateau has no error, however much the output varies
-//! elsewhere. At places where loads of rigid teeth jump, positions lie on both sides, and nothing is
-//! continued across. Elastic teeth do not jump there; their time histories are continued through
-//! both positions.
+//! In every interval between two positions an output is continued from the left and from the right,
+//! by parabolas through the positions on that side ([`super::continuation`]). The error of an
+//! extreme is the excess of the largest expected value in the intervals over the largest value at
+//! the positions. It depends only on the interval and the positions next to it: an extreme on a
+//! plateau has no error, however much the output varies elsewhere. Where loads of rigid teeth jump,
+//! positions lie on both sides of the jump, and nothing is continued across it. Elastic teeth do
+//! not jump there, so their time histories are continued through both positions.
 //!
-//! Continuations miss what begins and ends inside an interval. A few intervals are therefore
-//! divided ([`most_promising`]), in turn the one whose expected extreme is largest and the one whose
-//! continuations fit worst. The values found there are known, and continuations begin from them.
+//! Continuations miss events that begin and end inside an interval. Therefore a few intervals are
+//! divided ([`most_promising`]), alternately the one with the largest expected extreme and the one
+//! whose continuations fit worst. The values at the new positions are known, and continuations
+//! start from them.
 
 use super::continuation::{Continuations, Point};
 use super::{Ends, Statistics, ends};
@@ -31,15 +31,16 @@ const JUMP: f64 = 0.01;
 const APART: f64 = 0.3;
 /// Intervals shorter than this fraction of the analysis's average are not divided.
 const SHORTEST: f64 = 0.02;
-/// Part of an interval with a name at one end at which it is divided, from that end. No interval is
-/// divided closer to an end.
+/// Point of division of an interval with a named position at one end, as a fraction from that end.
+/// No interval is divided closer to an end.
 const BESIDE_NAMES: f64 = 0.25;
 /// Fraction of an interval's miss distance that is added to its extreme while intervals are
 /// selected, relative to peak-to-peak.
 const HIDDEN: f64 = 0.25;
-/// Estimated error of the mean over an interval, in what continuations miss at its ends.
+/// Estimated error of the mean over an interval, relative to the miss distances of the
+/// continuations at its ends.
 const MISSED_MEAN: f64 = 0.15;
-/// Rises below this part of peak to peak divide no interval.
+/// Rises below this fraction of peak-to-peak divide no interval.
 const RISING: f64 = 1e-3;
 /// Outputs that vary by at most this fraction of their magnitude select no intervals.
 const CHANGING: f64 = 1e-3;
@@ -58,14 +59,14 @@ pub(crate) struct SamplingContext {
     named: Vec<bool>,
 }
 
-/// An interval, as far as the largest value in it is concerned.
+/// Evaluation of the largest value in an interval.
 #[derive(Clone, Copy, Debug)]
 struct Extrapolation {
     /// Root mean square of the rise above a level.
     rise: f64,
     /// Miss distance of the better extrapolation at the opposite end.
     missed: f64,
-    /// Expected location of a kink, as a part of the interval.
+    /// Expected location of a kink, as a fraction of the interval.
     kink: Option<f64>,
 }
 
@@ -160,7 +161,7 @@ impl SamplingContext {
         (stencils, alone)
     }
 
-    /// Both continuations into an interval, and which of them has two positions of its own.
+    /// Returns both continuations into an interval, and which of them has two positions of its own.
     fn continued(
         &self,
         interval: isize,
@@ -175,7 +176,7 @@ impl SamplingContext {
         (Continuations::new(&points, ends, limited), alone)
     }
 
-    /// The largest value in an interval against a level.
+    /// Evaluates the largest value in an interval relative to a level.
     fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Extrapolation {
         let (continued, alone) = self.continued(interval, of, closed, true);
         let missed = missed(&continued, alone);
@@ -200,7 +201,7 @@ impl SamplingContext {
         all.map(|i| 0.5 * (of(i) + of(i + 1)) * (self.place(i + 1) - self.place(i))).sum()
     }
 
-    /// Returns the area between chords and extrapolations.
+    /// Returns the area between chords and continuations.
     fn area(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
@@ -218,7 +219,7 @@ impl SamplingContext {
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let missed = |interval: isize| {
-            // The mean is of parabolas that are not limited, and so is what they miss.
+            // The mean uses parabolas without a limit, and so does their miss distance.
             let (continued, alone) = self.continued(interval, of, closed, false);
             let missed = missed(&continued, alone).min(most - least);
             missed * (self.place(interval + 1) - self.place(interval))
@@ -248,8 +249,8 @@ impl SamplingContext {
     }
 }
 
-/// By how much the better of two continuations, of those with two positions of their own, misses the
-/// position at its other end.
+/// Returns the smaller miss distance of the continuations that have two positions of their own, at
+/// the position at their other end.
 fn missed(continued: &Continuations, alone: [bool; 2]) -> f64 {
     let missed = continued.misses().into_iter().zip(alone).filter(|(_, alone)| *alone);
     let missed = missed.map(|(missed, _)| missed.abs()).fold(f64::INFINITY, f64::min);
@@ -263,24 +264,25 @@ pub(crate) struct SampledOutput<'a> {
     pub closed: bool,
 }
 
-/// An interval that is worth dividing.
+/// Interval that is worth dividing.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Promising {
-    /// The position that it begins with.
+    /// Position at its start.
     pub interval: usize,
-    /// Expected location of a kink, as a part of the interval.
+    /// Expected location of a kink, as a fraction of the interval.
     pub kink: Option<f64>,
 }
 
-/// Sorts the intervals by how much dividing them promises for the extremes of all outputs, the most
-/// promising first. Leaves out those shorter than a small part of `average`, the length of an
-/// interval of the analysis.
+/// Sorts the intervals by the merit of dividing them for the extremes of all outputs, in descending
+/// order. Omits those shorter than a small fraction of `average`, the average interval of the
+/// analysis.
 ///
-/// Two orders take turns, the first one if `turn` is even. The first is by the expected rise above
-/// the extreme, relative to peak to peak. The second adds the misfit of continuations in any output:
-/// a feature that one output shows is hidden in others, such as a pair that takes up load.
+/// Two orders alternate, the first one if `turn` is even. The first is by the expected rise above
+/// the extreme, relative to peak-to-peak. The second adds the misfit of continuations in any
+/// output: an event that shows in one output, such as a tooth pair that takes up load, affects
+/// others.
 pub(crate) fn most_promising(all: &[SampledOutput<'_>], average: f64, turn: usize) -> Vec<Promising> {
-    // Interval, rise relative to peak to peak, and the rest, for every output and either sign.
+    // Interval, rise relative to peak-to-peak, and evaluation, for every output and either sign.
     let mut looks: Vec<(usize, f64, Extrapolation)> = Vec::new();
     let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
     for SampledOutput { course, ends, closed } in all {
@@ -337,8 +339,8 @@ pub(crate) fn most_promising(all: &[SampledOutput<'_>], average: f64, turn: usiz
     }
 }
 
-/// The position that divides an interval after a row, or the one round the end of the cycle after the
-/// last row: at the expected kink, close to a row with a name, or in the middle.
+/// Returns the position that divides an interval after a row; the last interval extends over the
+/// end of the cycle. The position is at the expected kink, close to a named row, or in the middle.
 pub(crate) fn divided(rows: &[StepRow], Promising { interval, kink }: Promising) -> Position {
     let (first, last) = (&rows[0].position, &rows[rows.len() - 1].position);
     let one = &rows[interval].position;

@@ -104,8 +104,8 @@ fn what_begins_and_ends_between_positions_is_measured() {
     assert!((0.8..1.5).contains(&effectivity), "{effectivity}");
 }
 
-/// The load share of a pair is one while no other pair carries load. Its maximum has no error if
-/// three positions lie on that plateau, although it changes quickly next to it.
+/// The load share of a tooth pair is one while no other pair carries load. Its maximum has no error
+/// if three positions lie on that plateau, although it changes quickly next to it.
 #[test]
 fn an_extreme_on_a_plateau_has_no_error() {
     for shift in [0.0, 0.03, 0.06, 0.09] {

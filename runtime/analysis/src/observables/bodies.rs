@@ -6,10 +6,13 @@ use calyx_model::observed::{Location, Observed};
 use std::ops::Add;
 
 impl Equilibrium<'_> {
-    /// What contact does to a body's frame, in the order of [`calyx_model::dof::DOF_NAMES`]: force (N) and moment about the body's axle
-    /// ([`calyx_model::motion::axle`]: the origin of its frame, unless it sits off its shaft; N m), along ground axes. Over all bodies forces, and moments about any one point, add up to zero.
+    /// Returns the contact forces on the frame of a body, in the order of
+    /// [`calyx_model::dof::DOF_NAMES`]: force (N) and moment about the body's axis of rotation
+    /// ([`calyx_model::motion::axle`]: the origin of its frame unless the body is eccentric; N m),
+    /// along ground axes. Summed over all bodies, forces, and moments about any one point, vanish.
     ///
-    /// On a free freedom it balances the external load; what holds a held one bears it together with the load.
+    /// Along a free DOF they balance the external load; along a constrained one the support carries
+    /// both.
     pub fn contact_force(self, body: BodyId) -> [f64; 6] {
         let mut total = [0.0; 6];
         for (contact, side) in self.contacts_on(body) {
@@ -20,8 +23,10 @@ impl Equilibrium<'_> {
         total
     }
 
-    /// What holds a body, in the order of [`calyx_model::dof::DOF_NAMES`]: force (N) and moment about the body's axle (N m), along ground
-    /// axes. With contact, bearings, lugs by contact, external load and inertia it is in equilibrium, so it is zero along freedoms.
+    /// Returns the support reaction of a body, in the order of [`calyx_model::dof::DOF_NAMES`]:
+    /// force (N) and moment about the body's axis of rotation (N m), along ground axes. It balances
+    /// contact, bearings, spline teeth with clearance, external load and inertia, so it vanishes
+    /// along free DOFs.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
             (self.contact_force(body), self.system.scene.bodies[body.0].acted_on(self.step.time, 1.0));

@@ -33,7 +33,7 @@ impl<'a> Equilibrium<'a> {
         self.system.scene
     }
 
-    /// s
+    /// Returns the time, s.
     pub fn time(&self) -> f64 {
         self.step.time
     }
@@ -77,7 +77,8 @@ impl<'a> Equilibrium<'a> {
         self.contacts(pair).map(|contact| contact.force()).sum()
     }
 
-    /// Deviation of a body's frame from its prescribed motion, m or rad; `component` counts as in [`calyx_model::dof::DOF_NAMES`].
+    /// Returns the deviation of a body's frame from its prescribed motion, m or rad; `component` is
+    /// an index of [`calyx_model::dof::DOF_NAMES`].
     pub fn deviation(&self, body: BodyId, component: usize) -> f64 {
         let dof = Dof { body: body.0, component };
         let at = self.system.dofs.iter().position(|other| *other == dof);
@@ -152,9 +153,9 @@ pub struct Slice {
     pub length: f64,
     /// Normal force, N.
     pub force: f64,
-    /// The largest across it in the flank zone, Pa; see [`Zone`].
+    /// Largest pressure across the slice in the flank zone, Pa; see [`Zone`].
     pub pressure: f64,
-    /// The same in the edge zone, Pa; 0 where none of that is loaded.
+    /// Largest pressure across the slice in the edge zone, Pa; 0 if that is unloaded.
     pub edge_pressure: f64,
     /// Location in ground coordinates, m.
     pub point: [f64; 3],
@@ -203,8 +204,8 @@ impl Contact<'_> {
         }
     }
 
-    /// The force and its moment about a body's axle that the patch puts on the body on one of its sides, along ground
-    /// axes: N and N m, as [`calyx_model::dof::DOF_NAMES`] counts them.
+    /// Returns the force of the patch on the body of a side and its moment about that body's axis
+    /// of rotation, along ground axes: N and N m, in the order of [`calyx_model::dof::DOF_NAMES`].
     pub fn wrench(&self, side: usize) -> [f64; 6] {
         let origin = self.at.origin(self.bodies()[side]);
         self.patch.wrench(side, origin, self.width())
@@ -257,8 +258,8 @@ impl Contact<'_> {
         self.slices().iter().map(|slice| slice.length).sum::<f64>() + beyond
     }
 
-    /// Cells beside each other across a patch in space, without their pressures. The cell with the largest force says where they are.
-    /// `None` of no cells.
+    /// Combines neighbouring cells across a three-dimensional patch into a slice, without their
+    /// pressures, located at the cell with the largest force; `None` without cells.
     fn slice(&self, grid: &Grid, cells: &Range<usize>) -> Option<Slice> {
         let force = |cell: usize| self.patch.forces[cell];
         let largest = cells.clone().max_by(|&a, &b| force(a).total_cmp(&force(b)).then(b.cmp(&a)))?;
@@ -275,7 +276,8 @@ impl Contact<'_> {
         Some(Slice { length, force: total, pressure, edge_pressure, point, places })
     }
 
-    /// The largest pressure (Pa) of a zone and where it is on the body of one of its sides; `None` where nothing is pressed there.
+    /// Returns the largest pressure (Pa) of a zone and its location on the body of a side; `None`
+    /// if there is no pressure.
     pub fn peak(&self, side: usize, zone: Zone) -> Option<(f64, Option<Location>)> {
         let Peak { pressure, cell, .. } = self.patch.peak_in(zone)?;
         Some((pressure, self.place(side, cell)))

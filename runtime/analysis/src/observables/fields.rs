@@ -16,7 +16,7 @@ pub struct Fields {
     pub contacts: Vec<ContactField>,
     /// Fillets of loaded teeth and their neighbours, body by body, if stresses are recovered.
     pub fillets: Vec<FilletField>,
-    /// Meshes of elastic bodies, where somebody wants them ([`crate::options::AnalysisOptions::bodies`]).
+    /// Meshes of elastic bodies, if requested ([`crate::options::AnalysisOptions::bodies`]).
     pub bodies: Vec<BodyField>,
     /// Bodies without a mesh, with the reason, phrased to follow the name.
     pub without_mesh: Vec<(String, &'static str)>,
@@ -56,7 +56,7 @@ pub struct FilletField {
     pub body: String,
     /// Number of the tooth, counter-clockwise from 0.
     pub tooth: u32,
-    /// The flank that it lies beside, as [`calyx_structure::Chart::surface`] counts them.
+    /// Flank next to the fillet, as in [`calyx_structure::Chart::surface`].
     pub flank: u32,
     /// Stresses along the profile, by section along the face; a plane model has one section.
     pub sections: Vec<Vec<FilletStress>>,

@@ -12,9 +12,9 @@ pub enum Maximum {
     RootStress,
     /// Largest compression in its fillets, see [`MaxRootCompression`].
     RootCompression,
-    /// Of pressure on its flanks, away from edges.
+    /// Largest pressure on its flanks, away from edges.
     ContactPressure,
-    /// Of pressure on its edges and beside them.
+    /// Largest pressure on its edges and next to them.
     EdgePressure,
     /// Largest force per length of contact line.
     LineLoad,

@@ -132,12 +132,12 @@ pub trait Observable: Comparable + Debug + Send + Sync {
         None
     }
 
-    /// Whether it reads beside the middle of the face, which a plane model does not see.
+    /// Returns whether it is evaluated outside the middle of the face, which a plane model ignores.
     fn off_middle(&self) -> bool {
         false
     }
 
-    /// All that it looks at, as a plan takes it.
+    /// Returns the parts of the mechanism that it depends on, for the plan.
     fn target(&self) -> Target {
         Target {
             needs: self.needs(),
@@ -171,13 +171,14 @@ impl<T: Any + PartialEq> Comparable for T {
     }
 }
 
-/// Reads observables off the positions that a system has solved.
+/// Evaluation of observables at the positions that a system has solved.
 pub trait Observe {
     /// Evaluates an observable at a solved position; NaN if the plan leaves out a part that it
     /// depends on.
     fn value(&self, step: &StepResult, observable: &dyn Observable) -> Observed;
 
-    /// The values of observables at a solved position; none (not a number) of those that need what the fidelity does not have.
+    /// Evaluates observables at a solved position; NaN for those that require more than the
+    /// fidelity provides.
     fn values(
         &self,
         step: &StepResult,
@@ -191,7 +192,7 @@ pub trait Observe {
         observables.iter().map(value).collect()
     }
 
-    /// What contact does to a body's frame, see [`Equilibrium::contact_force`].
+    /// Returns the contact forces on a body's frame, see [`Equilibrium::contact_force`].
     fn contact_force(&self, step: &StepResult, body: BodyId) -> [f64; 6];
 }
 

@@ -5,7 +5,7 @@ use calyx_contact::zone::Zone;
 use calyx_model::ids::PairId;
 use calyx_model::observed::Observed;
 
-/// Largest pressure on the flanks of a pair, at least one Hertzian half-width away from edges. Pa.
+/// Largest pressure on the flanks of a pair, at least one Hertzian half-width away from edges, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxContactPressure(pub PairId);
 
@@ -23,7 +23,7 @@ impl Observable for MaxContactPressure {
     }
 }
 
-/// Largest pressure on the edges of a pair, and within one Hertzian half-width of them. Pa.
+/// Largest pressure on the edges of a pair, and within one Hertzian half-width of them, Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxEdgePressure(pub PairId);
 
@@ -41,7 +41,7 @@ impl Observable for MaxEdgePressure {
     }
 }
 
-/// Of all patches, the largest in a zone.
+/// Returns the largest pressure of all patches in a zone.
 fn largest(at: &Equilibrium<'_>, pair: PairId, zone: Zone) -> Observed {
     let mut largest = Observed::number(0.0);
     for contact in at.contacts(pair) {

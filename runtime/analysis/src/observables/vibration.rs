@@ -1,4 +1,5 @@
-//! Natural frequencies and shares of modes, of the vibrations of a scene about an equilibrium.
+//! Observables of vibrations about an equilibrium: natural frequencies and energy fractions of
+//! modes.
 
 use super::{Equilibrium, Observable, Quantity};
 use calyx_model::ids::BodyId;
@@ -41,7 +42,7 @@ pub struct ModeShare {
     pub mode: usize,
     /// Body whose motion counts.
     pub body: BodyId,
-    /// Which components of its frame count, in the order of [`calyx_model::dof::DOF_NAMES`].
+    /// Components of its frame that count, in the order of [`calyx_model::dof::DOF_NAMES`].
     pub components: [bool; 6],
     /// Includes its modal coordinates: vibrations relative to its frame.
     pub elastic: bool,

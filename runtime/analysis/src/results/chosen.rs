@@ -1,4 +1,4 @@
-//! Settings that were tried for a tolerance, and the one that was chosen.
+//! Outcome of a tolerance search: the settings that were tried, and the chosen one.
 
 use calyx_model::fidelity::Fidelity;
 use calyx_numerics::error::EngineError;
@@ -73,10 +73,10 @@ pub struct ToleranceOutcome {
     pub level_unseen: Option<String>,
 }
 
-/// The reason for which a search ends if no setting is left to try.
+/// Reason for the end of a search without further settings.
 pub(crate) const EXHAUSTED: &str = "no setting is estimated to meet it";
 
-/// What to do where no setting meets a tolerance.
+/// Remedy if no setting meets a tolerance.
 pub(crate) const LARGER: &str =
     "ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
 
@@ -123,7 +123,7 @@ impl ToleranceOutcome {
     }
 }
 
-/// A part of one in percent, to two digits.
+/// Formats a fraction in percent, with two digits.
 pub(crate) fn percent(part: f64) -> String {
     let rounded: f64 = format!("{:.1e}", 100.0 * part).parse().unwrap_or(f64::NAN);
     format!("{rounded} %")

@@ -15,8 +15,8 @@ pub(super) struct Best {
 }
 
 impl Best {
-    /// Reports the positions of these results to the observer, unless they are the last ones that it
-    /// received. Observers that write positions restart at the first.
+    /// Reports the positions of these results to the observer, unless they are the last ones that
+    /// it received. Observers that write positions restart at the first.
     ///
     /// # Errors
     /// The observer's.

@@ -15,8 +15,8 @@ const BLOCK: usize = 4;
 /// Number of cells below which the problem is solved directly.
 const WORTH_IT: usize = 150;
 
-/// A guess of the cells of a problem that carry force, for [`crate::active_set::solve_until`]; `grids` are those of its patches,
-/// in order. Empty if there is none to be had.
+/// Returns an initial active set for [`crate::active_set::solve_until`]; `grids` are those
+/// of the problem's patches, in order. Empty if there is none.
 pub fn first_guess(problem: &ContactProblem, grids: &[&Grid], interrupt: &Interrupt) -> Vec<usize> {
     let (n, m) = (problem.cells(), problem.dofs());
     let mut blocks: Vec<std::ops::Range<usize>> = Vec::new();

@@ -89,7 +89,7 @@ pub struct Slice {
     pub cells: Range<usize>,
     /// True at low and at high x if the slice ends there because a surface does.
     pub surface_ends: [bool; 2],
-    /// Where the flanks end beside it, within its cells or beyond them.
+    /// Ends of the flanks next to the slice, within its cells or beyond them.
     pub edges: Edges,
 }
 
@@ -311,13 +311,13 @@ struct Layer<'a> {
 
 type Places = [[f64; 2]; 2];
 
-/// A slice while slices are laid.
+/// Slice under construction.
 #[derive(Default)]
 struct Laid {
     cells: Vec<Cell>,
     surface_ends: [bool; 2],
     edges: Option<Edges>,
-    /// Places of its ridge.
+    /// Surface coordinates of its contact line.
     places: Places,
 }
 
@@ -363,7 +363,7 @@ impl Layer<'_> {
         self.middle + f64::from(index) * self.pitch[1]
     }
 
-    /// A slice, or `None` where the surfaces do not lie over each other.
+    /// Creates a slice; `None` if the surfaces do not face each other.
     fn slice(&self, index: i32, guess: Places) -> Option<Laid> {
         let y = self.center(index);
         let contact_line = closest_across(&self.height_fields, y, guess)?;
@@ -440,7 +440,7 @@ impl Layer<'_> {
         (bounds, surface_ends)
     }
 
-    /// Edges beside a slice at `y` whose ridge is at `closest`.
+    /// Returns the edges next to a slice at `y` whose contact line is at `closest`.
     fn edges_beside(&self, y: f64, closest: f64, places: Places) -> Edges {
         let ends = self.flank_ends(y, places);
         let both = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
@@ -448,7 +448,7 @@ impl Layer<'_> {
         Edges { ends, nearest, closest }
     }
 
-    /// Where the first flank ends at low and at high x of the slice at `y`.
+    /// Returns the nearest ends of the flanks at low and at high x of the slice at `y`.
     fn flank_ends(&self, y: f64, places: Places) -> FlankEnds {
         let surfaces = limits(&self.height_fields, y, places).map_or(ENDLESS, |[low, high]| [low.x, high.x]);
         let edges = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places));
@@ -489,8 +489,8 @@ impl Layer<'_> {
         })
     }
 
-    /// Returns the cell over `x` of the slice at `y` with its contact line at `contact_line`, optionally
-    /// `cut` at the side faces, and the surface coordinates of its centre.
+    /// Returns the cell over `x` of the slice at `y` with its contact line at `contact_line`,
+    /// optionally `cut` at the side faces, and the surface coordinates of its centre.
     fn cell(
         &self,
         x: [f64; 2],

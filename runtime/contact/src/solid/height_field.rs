@@ -170,8 +170,8 @@ impl<'a> HeightField<'a> {
         reached.then_some(foot)
     }
 
-    /// Returns the point of [`HeightField::on_line`], or the end of that line if it ends before, and
-    /// whether the target was reached.
+    /// Returns the point of [`HeightField::on_line`], or the end of that line if it ends before,
+    /// and whether the target was reached.
     pub fn towards(
         &self,
         held: usize,

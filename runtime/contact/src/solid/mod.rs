@@ -1,9 +1,9 @@
 //! Three-dimensional contact of surfaces: contact lines, contact grids and compliance.
 //!
-//! [`find_contact_line`] finds the contact line, along which two placed surfaces are closest; [`build_grid`]
-//! creates the cells; [`compliance`] computes their compliance matrix and [`first_guess`] an
-//! initial active set. Contact problem and solver are those of plane contact, with forces in N
-//! instead of N/m. [`pressures`], [`assess`] and [`peak`] evaluate the solution.
+//! [`find_contact_line`] finds the contact line, along which two placed surfaces are closest;
+//! [`build_grid`] creates the cells; [`compliance`] computes their compliance matrix and
+//! [`first_guess`] an initial active set. Contact problem and solver are those of plane contact,
+//! with forces in N instead of N/m. [`pressures`], [`assess`] and [`peak`] evaluate the solution.
 //!
 //! See `docs/theory/contact.md`.
 

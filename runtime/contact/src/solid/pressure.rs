@@ -31,7 +31,7 @@ fn strip(grid: &Grid, pressures: &[f64], slice: usize) -> (Vec<[f64; 2]>, Vec<f6
     (grid.cells[cells.clone()].iter().map(|cell| cell.ends(0)).collect(), pressures[cells].to_vec())
 }
 
-/// The peak of a slice that carries no load.
+/// Peak of an unloaded slice.
 const NONE: pressure::Peak = pressure::Peak { pressure: 0.0, x: 0.0, cell: 0 };
 
 /// Returns the peak of each slice, Pa; 0 for unloaded slices.
@@ -44,7 +44,8 @@ fn slice_peaks(grid: &Grid, pressures: &[f64]) -> Vec<pressure::Peak> {
         .collect()
 }
 
-/// The largest pressure of each slice in a zone, Pa; 0 where none of it is loaded. Cells are counted within the slice.
+/// Returns the largest pressure of each slice in a zone, Pa; 0 for unloaded slices. Cells are
+/// numbered within the slice.
 pub fn slice_peaks_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Vec<pressure::Peak> {
     let half_width = half_width(grid, pressures);
     (0..grid.slices.len())
@@ -55,7 +56,8 @@ pub fn slice_peaks_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Vec<pressur
         .collect()
 }
 
-/// Hertzian half-width of the patch, m: of the line loads of its slices, averaged by the forces that they carry.
+/// Returns the Hertzian half-width of the patch, m: of the mean line load of its slices, weighted
+/// by their forces.
 fn half_width(grid: &Grid, pressures: &[f64]) -> f64 {
     let force = |cell: usize| pressures[cell] * grid.cells[cell].area();
     let (mut sum, mut by_load) = (0.0, 0.0);
@@ -78,11 +80,13 @@ pub fn peak(grid: &Grid, pressures: &[f64]) -> Option<Peak> {
     along(grid, &slice_peaks(grid, pressures))
 }
 
-/// The largest pressure of a zone. Side faces are no edges: every patch reaches them.
+/// Returns the largest pressure of a zone. Side faces do not count as edges, because every patch
+/// reaches them.
 pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
     let peaks = slice_peaks_in(grid, pressures, zone);
     let half_width = half_width(grid, pressures);
-    // Where an edge cuts slices off, and within the edge zone, the largest pressures of the slices do not lie on a parabola.
+    // At slices that an edge truncates, and within the edge zone, the peaks of the slices do not
+    // lie on a parabola.
     let mut whole = peaks.clone();
     let mut largest_cut: Option<usize> = None;
     for index in 0..peaks.len() {
@@ -103,7 +107,7 @@ pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
     cut.or(found)
 }
 
-/// The largest of slices' peaks.
+/// Returns the largest of the slices' peaks.
 fn along(grid: &Grid, peaks: &[pressure::Peak]) -> Option<Peak> {
     let values: Vec<f64> = peaks.iter().map(|peak| peak.pressure).collect();
     let found = pressure::peak(&lengths(grid), &values)?;

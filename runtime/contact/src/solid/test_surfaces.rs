@@ -124,7 +124,8 @@ impl Pair {
         (self.base_radii[0] + self.base_radii[1]) / self.pressure_angle.cos()
     }
 
-    /// Flanks of both, each in the coordinates of its body, and the turns of the bodies, rad: touching at mid-face.
+    /// Flanks of both in the coordinates of their bodies, and the rotations of the bodies, rad: in
+    /// contact at mid-face.
     pub fn turned(&self) -> ([Helicoid; 2], [f64; 2]) {
         let tangents = self.base_radii.map(|rb| rb * self.pressure_angle.tan());
         let path = [tangents[0] + self.phase, tangents[1] - self.phase];

@@ -145,7 +145,7 @@ fn arms_are_the_displacements_of_spline_teeth() {
     }
 }
 
-/// A ring under loads on its teeth, on nothing but its lugs.
+/// Ring under loads on its teeth, supported only by its spline teeth.
 fn ring_problem(ring: &LoosenedRing, contact: &SplineContact) -> ContactProblem {
     let mut springs = Springs::none(3);
     let half = 0.5 * contact.clearance;
@@ -164,8 +164,9 @@ fn ring_problem(ring: &LoosenedRing, contact: &SplineContact) -> ContactProblem 
     springs.behind(nothing, Mat::zeros(0, contact.flanks()).as_ref())
 }
 
-/// Under a load that presses every lug the same way the clearance turns the ring, and the rest is as on lugs that bear both ways. Under one that
-/// pushes the ring aside they bear what an interior-point solver finds too.
+/// If a load presses every spline tooth in the same sense, the clearance only rotates the ring, and
+/// the forces are those of spline teeth without clearance. Under a transverse load the forces agree
+/// with those of the interior-point solver.
 #[test]
 fn spline_teeth_that_are_all_pressed_bear_as_spline_teeth_without_play() {
     let all: Vec<(usize, u32)> = (0..TEETH).map(|tooth| (0, tooth)).collect();
@@ -186,7 +187,7 @@ fn spline_teeth_that_are_all_pressed_bear_as_spline_teeth_without_play() {
             let solution = solve(&problem, None).unwrap();
             assert!(solution.certificate.largest() < 1e-10, "{:?}", solution.certificate);
             agree(&contact.around(&solution.forces), expected, 1e-9);
-            // The mesh's bore is a circle but for a little.
+            // The bore of the mesh differs slightly from a circle.
             let arms = contact.arms(0.0, [0.0; 2]).into_iter().flatten().collect();
             let round = solve(&ContactProblem { arms, ..problem }, None).unwrap();
             agree(&contact.around(&round.forces), expected, 1e-5);

@@ -29,9 +29,9 @@
 //! rim; it is of second order in the displacements and not among the modal data. Both change a
 //! natural frequency by fractions of the order of `(omega / omega_n)²`, and including only one
 //! would give the wrong sign, so both are neglected. At a tenth of the lowest natural frequency
-//! this is one percent; from there on a step issues a warning ([`Matrices::speed_warnings`]). The effect
-//! of the acceleration of the path on the stiffness of modes is neglected for the same reason.
-//! External loads act on the axis along ground axes, so they do not depend on deviations.
+//! this is one percent; from there on a step issues a warning ([`Matrices::speed_warnings`]). The
+//! effect of the acceleration of the path on the stiffness of modes is neglected for the same
+//! reason. External loads act on the axis along ground axes, so they do not depend on deviations.
 //!
 //! Mass-proportional (Rayleigh) damping acts on the rates of deviations: it damps deviations from
 //! the prescribed motion, not that motion.
@@ -98,7 +98,7 @@ struct ModalArm {
 /// modal coordinates.
 pub struct Forces {
     frames: Vec<[f64; 3]>,
-    /// Generalised forces on modal coordinates, per width of the model.
+    /// Generalized forces on modal coordinates, per width of the model.
     pub modal: Vec<f64>,
 }
 
@@ -106,7 +106,7 @@ pub struct Forces {
 /// cause a warning; beyond the second value they are an error.
 const FAST: f64 = 0.1;
 const TOO_FAST: f64 = 0.5;
-/// Where the components of a frame in the plane stand among those of [`calyx_model::dof::DOF_NAMES`].
+/// Indices of the in-plane components of a frame in [`calyx_model::dof::DOF_NAMES`].
 const IN_PLANE: [usize; 3] = [0, 1, 5];
 
 fn dot([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
@@ -257,8 +257,9 @@ impl Matrices {
         Ok(warnings)
     }
 
-    /// What the inertia of every body does to its frame, in the order of [`calyx_model::dof::DOF_NAMES`], N and N m: by the prescribed motion, by
-    /// displacements and rates, and by the accelerations of freedoms and modal coordinates.
+    /// Returns the inertia forces of every body on its frame, in the order of
+    /// [`calyx_model::dof::DOF_NAMES`], N and N m: those of the prescribed motion, of displacements
+    /// and rates, and of the accelerations of DOFs and modal coordinates.
     pub fn inertia(&self, system: &System<'_>, following: &Forces, acceleration: &[f64]) -> Vec<[f64; 6]> {
         let m = system.dofs.len();
         let of = |(index, body): (usize, &BodyMotion)| {

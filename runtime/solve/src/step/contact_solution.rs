@@ -302,8 +302,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         guess
     }
 
-    /// Computes the friction of each patch's cells, see [`ContactPatch::friction_vectors`], and its generalized forces
-    /// on the DOFs, see [`solve_with_friction`].
+    /// Computes the friction of each patch's cells, see [`ContactPatch::friction_vectors`], and its
+    /// generalized forces on the DOFs, see [`solve_with_friction`].
     fn friction(
         &self,
         time: f64,

@@ -61,8 +61,9 @@ impl Action {
     }
 }
 
-/// Work of a drag on the body of a side by a component of its motion, in the order of [`calyx_model::dof::DOF_NAMES`]: shifts are along `axes`,
-/// turns about them through `origin`.
+/// Returns the work of a friction force on the body of a side by a component of its motion, in the
+/// order of [`calyx_model::dof::DOF_NAMES`]: displacements along `axes`, rotations about them
+/// through `origin`.
 pub(super) fn work(
     friction_vectors: [f64; 3],
     side: usize,

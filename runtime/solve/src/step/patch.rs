@@ -33,7 +33,7 @@ pub enum ContactGrid {
         frame: ContactFrame,
         /// Intervals of the tangent.
         cells: Vec<Cell>,
-        /// Where the flanks end.
+        /// Ends of the flanks.
         flank: FlankEnds,
         /// Hertzian half-width of a line load of 1 N/m, m.
         unit_half_width: f64,
@@ -84,12 +84,12 @@ impl ContactPatch {
         }
     }
 
-    /// The largest pressure in the flank zone or in the edge zone; `None` where no cell of it is loaded.
+    /// Returns the largest pressure in a zone; `None` if no cell of it is loaded.
     pub fn peak_in(&self, zone: Zone) -> Option<Peak> {
         match &self.grid {
             ContactGrid::Plane { cells, flank, unit_half_width, .. } => {
                 let half_width = unit_half_width * self.force().max(0.0).sqrt();
-                // Cells are measured from the closest approach.
+                // Cell coordinates have their origin at the closest approach.
                 zone.peak(cells, &self.pressures(), &Edges::parallel(*flank, 0.0), half_width)
             }
             ContactGrid::Solid(grid) => {
@@ -114,8 +114,9 @@ impl ContactPatch {
         }
     }
 
-    /// The force and its moment about `origin` (m) that the patch puts on the body on one of its sides, along ground axes: N and
-    /// N m, as [`calyx_model::dof::DOF_NAMES`] counts them. `width` is that of a plane model's face, m, and 1 in space.
+    /// Returns the force of the patch on the body of a side and its moment about `origin` (m),
+    /// along ground axes: N and N m, in the order of [`calyx_model::dof::DOF_NAMES`]. `width` is
+    /// that of a plane model's face, m, and 1 in three dimensions.
     pub fn wrench(&self, side: usize, origin: [f64; 3], width: f64) -> [f64; 6] {
         let mut wrench = match &self.grid {
             ContactGrid::Plane { frame, .. } => {
@@ -148,8 +149,9 @@ impl ContactPatch {
 /// Ground axes.
 const GROUND: [[f64; 3]; 3] = solid::Pose::IDENTITY.rotation;
 
-/// Growth of the gap at `point` by a component of a body's motion, in the order of [`calyx_model::dof::DOF_NAMES`], along `axes`: m per m, or
-/// m per rad about one of them through `origin`.
+/// Returns the growth of the gap at `point` by a component of a body's motion, in the order of
+/// [`calyx_model::dof::DOF_NAMES`], along `axes`: m per m, or m per rad about one of them through
+/// `origin`.
 pub(super) fn solid_arm(
     frame: &solid::PatchFrame,
     side: usize,

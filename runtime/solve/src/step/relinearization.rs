@@ -66,7 +66,8 @@ impl ContactReference {
     }
 }
 
-/// Returns the largest drift of some patches, see [`ContactReference::relative_shift`], and its patch.
+/// Returns the largest drift of some patches, see [`ContactReference::relative_shift`], and its
+/// patch.
 pub(super) fn farthest<'a>(
     system: &System,
     time: f64,
