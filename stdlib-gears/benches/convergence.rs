@@ -1,7 +1,9 @@
-//! How outputs of the chapter 5 pair converge, on which the factors of error estimates are founded: their statistics over a mesh cycle on
-//! coarser and finer meshes and contact grids, against the finest of each list, in parts of the largest magnitude.
+//! Convergence of the outputs of the chapter 5 pair, from which the factors of the error estimates
+//! are derived. It compares statistics over a mesh cycle on coarser and finer meshes and contact
+//! grids with the finest of each list, relative to the largest magnitude.
 //!
-//! `cargo bench -p calyx-gears --bench convergence -- plane` does one model; `medium` the one in space.
+//! `cargo bench -p calyx-gears --bench convergence -- plane` runs one model; `medium` the
+//! three-dimensional one.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -17,7 +19,7 @@ use pair::{CHAPTER_5, PLAIN, Pair};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// One setting: of the mesh, and factors on the cells across and along.
+/// Setting: the mesh, and factors of the numbers of cells across and along.
 #[derive(Clone, Copy)]
 struct Setting {
     name: &'static str,

@@ -1,5 +1,6 @@
-//! Motion in time of the chapter 5 pair: what a step costs when the mesh has four times the unknowns or more, and how long 10,000 steps take. The former is
-//! a ratio, of the fastest of chunks of steps that take turns, and travels between machines.
+//! Dynamic analysis of the chapter 5 pair: cost of a time step for a mesh with at least four times
+//! the unknowns, and duration of 10,000 steps. The former is a ratio of the fastest of alternating
+//! chunks of steps, and comparable between machines.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -14,11 +15,11 @@ use common::pair::{COARSE, MESH, PairOptions, RELIEVED, pair};
 use std::time::Instant;
 
 const STEPS: usize = 10_000;
-/// A row is kept of each: what is timed at once.
+/// Number of steps timed together; one row is stored per chunk.
 const CHUNK: usize = 100;
 
 fn main() {
-    // As rigid bodies with elastic teeth, and with their modes.
+    // With rigid bodies on elastic teeth, and with modes.
     println!(
         "{:>12} {:>10} {:>8} {:>18} {:>20} {:>22}",
         "modes to", "modes", "cells", "step, us", "with more unknowns", "10,000 steps, s"
@@ -81,7 +82,7 @@ fn measure(highest_frequency: f64, half_cells: usize) {
     );
 }
 
-/// Of both gears.
+/// Number of unknowns of both gears.
 fn unknowns(scene: &Scene, structure: StructureOptions) -> usize {
     let plan = Plan::new(scene, Fidelity::Plane, structure).expect("it can be planned");
     let sizes = RELIEVED.iter().zip(&plan.bodies).filter_map(|(member, body)| {

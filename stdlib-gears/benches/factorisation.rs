@@ -1,6 +1,7 @@
-//! The equations of a sector of the chapter 5 pinion in space: eliminated part by part down to its cuts, and decomposed whole, here
-//! and by others. CHOLMOD takes part where Debian's libsuitesparse-dev and a C compiler are installed. Ratios travel between
-//! machines, times do not, so ratios are what to compare.
+//! Solution of the equations of a three-dimensional sector of the chapter 5 pinion: static
+//! condensation by parts to its cuts, and factorization as a whole by this program and by other
+//! libraries. CHOLMOD is included if Debian's libsuitesparse-dev and a C compiler are installed.
+//! Ratios are comparable between machines, times are not.
 
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::prototype::GearPrototype;
@@ -82,8 +83,9 @@ fn main() {
     }
 }
 
-/// The structure of a gear, mesh to tables, with more and more teeth of the same size: a ring is joined by doubling, so its cost grows
-/// like the logarithm of their number, however its bore is held.
+/// Structure of a gear, from mesh to tables, with an increasing number of teeth of the same size.
+/// Sectors are joined by doubling, so the cost grows with the logarithm of their number, for every
+/// bore support.
 fn rings() {
     println!("{:>40} {:>10} {:>10}", "structure of a gear, medium", "seconds", "ratio");
     for (bore, hold) in
@@ -112,7 +114,7 @@ fn timed<T>(run: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64(), result)
 }
 
-/// A program of the C library, compiled for this run.
+/// Program that uses the C library, compiled for this run.
 struct Cholmod {
     program: PathBuf,
     matrix: PathBuf,
@@ -135,7 +137,8 @@ impl Cholmod {
         }
     }
 
-    /// Seconds to order and to decompose what moves, and the entries of the factor.
+    /// Seconds for ordering and factorization of the free unknowns, and the number of entries of
+    /// the factor.
     fn run(&self, stiffness: &SparseColMat<usize, f64>, moves: &[Option<usize>]) -> [f64; 3] {
         let mut numbers = vec![None; moves.len()];
         let mut count = 0_u64;
@@ -170,13 +173,13 @@ impl Cholmod {
 impl Drop for Cholmod {
     fn drop(&mut self) {
         for path in [&self.program, &self.matrix] {
-            // Nothing is lost if it stays.
+            // A remaining file does no harm.
             let _ = std::fs::remove_file(path);
         }
     }
 }
 
-/// The chapter 5 pinion, or a gear of the same teeth and rim with more of them.
+/// The chapter 5 pinion, or a gear of the same tooth form and rim with more teeth.
 fn pinion(teeth: u32, hold: BoreSupport) -> Arc<GearPrototype> {
     let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), 0.02 * INCH).expect("a rack");
     let pitch = 0.1 * INCH * f64::from(teeth);

@@ -1,5 +1,5 @@
-//! How long an analysis goes on after somebody has asked it to end: the longest time between two checkpoints, on one thread,
-//! against the whole analysis.
+//! Latency of an interrupt: the longest time between two checkpoints of an analysis on one thread,
+//! compared with the whole analysis.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -28,16 +28,16 @@ fn main() {
             PairOptions { center_distance, moment: 20.0, edges: true, ..PairOptions::chapter_5(&gears) };
         measure(&format!("20 and {teeth} teeth"), &large, 16, None, plane);
     }
-    // The most cells and positions that the library's ranges allow.
+    // The maximum numbers of cells and positions that the library permits.
     measure("801 cells", &usual, 2, Some([400, 0]), plane);
     measure("10000 positions", &usual, 10_000, Some([1, 0]), plane);
-    // In space memory bounds the cells.
+    // In three dimensions memory limits the number of cells.
     let solid = Fidelity::Solid(Template::Medium);
     measure("11 x 11 cells in space", &usual, 2, Some([5, 5]), solid);
     measure("81 x 41 cells in space", &usual, 1, Some([40, 20]), solid);
 }
 
-/// Between one checkpoint and the next: their number, the last one, and the longest time.
+/// Statistics of the checkpoints: their number, the last one, and the longest interval.
 struct Watch {
     checkpoints: usize,
     last: Instant,
@@ -53,8 +53,8 @@ impl Watch {
     }
 }
 
-/// An analysis of so many uniform positions, with so many cells across and along on each side of the
-/// middle.
+/// Measures an analysis with this number of uniform positions, and this number of cells across and
+/// along on each side of the middle.
 fn measure(
     name: &str,
     options: &PairOptions,
@@ -83,7 +83,7 @@ fn measure(
             Ok(())
         }
     };
-    // One thread, so that the time between two checkpoints is that of what is done there.
+    // With one thread, the time between two checkpoints is that of the work between them.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     let resources =
         Resources { interrupt: Interrupt::new(question), pool: Some(Arc::new(pool)), ..Resources::default() };

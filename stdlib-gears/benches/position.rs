@@ -1,6 +1,7 @@
-//! What a position costs, a structure, and an analysis that only changes the torque. A position touches no mesh, so four times the unknowns must hardly change it; a
-//! ring is joined by doubling, so its cost grows like the logarithm of the number of teeth. Ratios travel between machines,
-//! times do not.
+//! Cost of a position, of a structure, and of an analysis that only changes the torque. The cost of
+//! a position does not depend on the mesh, so four times the unknowns must hardly change it.
+//! Sectors of a ring are joined by doubling, so the cost of a structure grows with the logarithm of
+//! the number of teeth. Ratios are comparable between machines, times are not.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -37,7 +38,8 @@ fn main() {
     }
 }
 
-/// Shares of an analysis of the chapter 5 pair, everything observed, whose structures are kept from one at another torque.
+/// Time shares of an analysis of the chapter 5 pair with all outputs, with cached structures from
+/// an analysis at another torque.
 fn another_torque() {
     let (mut scene, mesh) = pair(&PairOptions { edges: true, ..PairOptions::chapter_5(&PLAIN) });
     for (body, member) in scene.bodies.iter_mut().zip(PLAIN.iter()) {
@@ -68,7 +70,7 @@ fn another_torque() {
     println!("{:>26} {:>16.3} {:>8.3}", "before its positions", 1e3 * before, before / first);
 }
 
-/// Seconds a position of the chapter 5 pair takes, stresses and all: the fastest of some cycles.
+/// Seconds per position of the chapter 5 pair including stresses: the fastest of several cycles.
 fn position(refinement: f64) -> f64 {
     let (scene, mesh) = pair(&PairOptions { edges: true, ..PairOptions::chapter_5(&PLAIN) });
     let system = system_of(&scene, StructureOptions { refinement, ..StructureOptions::default() });
@@ -87,7 +89,7 @@ fn position(refinement: f64) -> f64 {
 /// Seconds to mesh and condense a gear.
 fn structure(teeth: u32) -> f64 {
     let gear = member(standard_data(teeth, 0.0, 0.25), 0.01);
-    // Not the member's own build, which keeps what it has built.
+    // Bypasses the member's own build, which caches its result.
     fastest(3, || {
         black_box(
             gear.prototype.build(&StructureOptions::default(), &Interrupt::never()).expect("a structure"),
@@ -95,7 +97,7 @@ fn structure(teeth: u32) -> f64 {
     })
 }
 
-/// Seconds of the fastest of some runs: the one least disturbed.
+/// Seconds of the fastest of several runs, which is the least disturbed one.
 fn fastest(runs: usize, mut run: impl FnMut()) -> f64 {
     (0..runs)
         .map(|_| {

@@ -1,6 +1,7 @@
-//! What an analysis of the chapter 5 pair in space is made of, from a cold start: shares of the whole, which travel between machines.
-//! Name templates to see theirs: `cargo bench -p calyx-gears --bench spur_pair -- medium finest`. Before, what levels without meshes cost
-//! beside the plane, of the pair without crowns, and in space with them.
+//! Time shares of an analysis of the chapter 5 pair in three dimensions from a cold start; shares
+//! are comparable between machines. Arguments select templates: `cargo bench -p calyx-gears --bench
+//! spur_pair -- medium finest`. It first prints the cost of levels without meshes relative to the
+//! plane model, for the pair without crowns and with them (in three dimensions).
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -37,7 +38,8 @@ fn main() {
     named.iter().for_each(|name| measure(name));
 }
 
-/// Whole analyses from a cold start at the cheap levels, over that in the plane.
+/// Ratio of the time of whole analyses from a cold start at the cheap levels to that of the plane
+/// model.
 fn ladder() {
     let whole = |crown: f64, fidelity: Fidelity| {
         let (scene, cycle, _) = pair::Pair { crown, ..pair::CHAPTER_5 }.scene();
@@ -112,7 +114,7 @@ fn measure(template: &str) {
     );
 }
 
-/// Stages of setting up both gears, one gear after the other.
+/// Stages of the setup of both gears, one gear after the other.
 fn bodies(scene: &Scene, plan: &Plan, line: &dyn Fn(&str, f64)) {
     let gears = scene.bodies.iter().zip(&plan.bodies);
     let (mut meshing, mut assembly, mut order, mut elimination, mut whole, mut restoring) =
@@ -159,7 +161,7 @@ fn bodies(scene: &Scene, plan: &Plan, line: &dyn Fn(&str, f64)) {
     println!("{:>44} {:.1} MB", "bytes", 1e-6 * kept as f64);
 }
 
-/// The last round of each position, whose grids suit it, once more.
+/// Repeats the last round of each position, in which the grids have their final size.
 fn last_rounds(scene: &Scene, plan: &Plan, steps: &[StepResult], line: &dyn Fn(&str, f64)) {
     let build = |(body, planned): (&calyx_runtime::scene::Body, &calyx_runtime::plan::BodyPlan)| {
         body.prototype.build_solid(&planned.options, &Interrupt::never()).expect("a structure")
@@ -176,7 +178,7 @@ fn last_rounds(scene: &Scene, plan: &Plan, steps: &[StepResult], line: &dyn Fn(&
                     body: bodies[side].0,
                     structure: structures[bodies[side].0].as_ref(),
                     chart: Chart { tooth: patch.teeth[side], surface: patch.surfaces[side] },
-                    // Side faces of spur gears are where they are, however they are turned.
+                    // Side faces of spur gears do not move when the gears rotate.
                     pose: Pose::IDENTITY,
                 };
                 PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells }

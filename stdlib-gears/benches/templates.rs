@@ -1,7 +1,8 @@
-//! What the templates of meshes in space reach: root stress of the chapter 5 pair at the highest point of single-tooth contact, on a
-//! template as it is and refined in every direction, against what the refinements tend to. Templates are named by these errors.
+//! Accuracy of the three-dimensional mesh templates: root stress of the chapter 5 pair at the
+//! highest point of single-tooth contact, on each template and its uniform refinements, compared
+//! with the limit of the refinements. The documentation of the templates states these errors.
 //!
-//! `cargo bench -p calyx-gears --bench templates -- medium fineroot` does some of them.
+//! `cargo bench -p calyx-gears --bench templates -- medium fineroot` runs some of them.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -47,8 +48,8 @@ fn main() {
     }
 }
 
-/// What values tend to as meshes are refined, by the order at which they are seen to converge; where they are not seen to, the last
-/// one. Richardson's extrapolation through three meshes, of orders from 1 to 8.
+/// Limit of values under mesh refinement, from their observed order of convergence; the last value
+/// if they do not converge. Richardson extrapolation through three meshes, with orders from 1 to 8.
 fn limit(refinements: [f64; 3], values: [f64; 3]) -> f64 {
     let [a, b, c] = values;
     let size = refinements.map(|refinement| 1.0 / refinement);
@@ -57,7 +58,7 @@ fn limit(refinements: [f64; 3], values: [f64; 3]) -> f64 {
         (first - second) / (second - third)
     };
     let seen = (a - b) / (b - c);
-    // The ratio of the steps grows with the order.
+    // The ratio of the differences grows with the order.
     let [mut low, mut high] = [1.0, 8.0];
     if seen.is_nan() || seen < part(low) {
         return c;

@@ -1,4 +1,5 @@
-//! A gear without a mesh: its teeth as what closed forms take them for.
+//! Gears without a mesh: the dimensions of the teeth that the closed-form models use. Theory:
+//! `docs/theory/analytic-compliance.md`.
 
 use crate::fillet::{RootFillet, Side};
 use crate::flank::Flank;
@@ -16,18 +17,18 @@ use calyx_runtime::structure::solid::HalfSpaceBody;
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
 
-/// Inclination of the fillet's tangent against the middle of the tooth at which the tooth ends and its ring begins: 75 degrees, as Cornell (1981)
-/// recommends.
+/// Angle between the fillet's tangent and the tooth's centreline at which the tooth ends and the
+/// foundation ring begins: 75 degrees, as Cornell (1981) recommends.
 const FOOT: f64 = 75.0_f64.to_radians();
-/// The same where a tooth is stressed most, outside and inside: ISO 6336-3.
+/// The same angle at the critical section for external and internal gears: ISO 6336-3.
 const CRITICAL: [f64; 2] = [30.0_f64.to_radians(), 60.0_f64.to_radians()];
-/// Stations of the tooth's depth along a fillet and along a flank.
+/// Numbers of stations of the tooth's half-thickness along a fillet and along a flank.
 const STATIONS: [usize; 2] = [24, 24];
-/// Halvings of a fillet's length to find an inclination.
+/// Number of bisections of a fillet's length to find an inclination.
 const HALVINGS: usize = 50;
 
 impl GearPrototype {
-    /// Teeth and ring in closed forms.
+    /// Teeth and rim in closed form.
     ///
     /// # Errors
     /// E0623: the teeth are helical. E0677: the modified flanks do not fit.
@@ -40,7 +41,7 @@ impl GearPrototype {
         Ok(AnalyticStructure::new(surfaces, &shape, coupled, self.material, Plane::Strain))
     }
 
-    /// Flanks without compliance.
+    /// Rigid flanks, without compliance.
     ///
     /// # Errors
     /// As [`GearPrototype::analytic`].
@@ -51,7 +52,7 @@ impl GearPrototype {
         Ok(RigidStructure::new(surfaces.to_vec(), self.gear.teeth()))
     }
 
-    /// Slices in closed forms.
+    /// Closed-form model of the gear in slices.
     ///
     /// # Errors
     /// E0677: the modified flanks do not fit.
@@ -61,7 +62,7 @@ impl GearPrototype {
         Ok(AnalyticSolid::new(surfaces.to_vec(), &shape, face, self.coupled_teeth(), self.material))
     }
 
-    /// Flanks in space without compliance.
+    /// Rigid flanks in three dimensions, without compliance.
     ///
     /// # Errors
     /// As [`GearPrototype::analytic_solid`].
@@ -70,7 +71,8 @@ impl GearPrototype {
         Ok(HalfSpaceBody::rigid(surfaces.to_vec(), self.gear.teeth()))
     }
 
-    /// What the tooth of the plain gear is to closed forms: of helical teeth in the section at right angles to them, on the ring of the transverse one.
+    /// Dimensions of the tooth of the plain gear for the closed-form models. Helical teeth use the
+    /// normal section, on the ring of the transverse one.
     pub(crate) fn tooth_shape(&self, options: &StructureOptions) -> Result<ToothShape, EngineError> {
         let form = self.form();
         let sense = form.sense();
@@ -94,7 +96,8 @@ impl GearPrototype {
             CriticalSection {
                 at: sense * (x - root),
                 chord: 2.0 * lean * y,
-                // Of a curve that is shorter across by the factor.
+                // Radius of curvature of the fillet curve, compressed across the tooth by
+                // this factor.
                 notch_radius: across.hypot(lean * out).powi(3) / (lean * point.curvature.abs()),
                 s,
                 position: point.position,
@@ -106,13 +109,15 @@ impl GearPrototype {
     }
 }
 
-/// Angle of the fillet's tangent against the middle of the tooth; `sense` times the cosine of the helix angle, in the section at right angles to it.
+/// Angle between the fillet's tangent and the tooth's centreline. For helical teeth `sense`
+/// includes the cosine of the helix angle, which gives the angle in the normal section.
 fn inclination(fillet: &RootFillet, sense: f64, s: f64) -> f64 {
     let [x, y] = fillet.at(s).normal;
     math::atan2(sense * x, y)
 }
 
-/// Where on a fillet its tangent has an inclination: at one of its ends if it has none.
+/// Arc length on a fillet at which its tangent has an inclination; one of the ends if there is
+/// none.
 fn inclined(fillet: &RootFillet, sense: f64, angle: f64) -> f64 {
     let [mut low, mut high] = [0.0, fillet.fillet_length()];
     if inclination(fillet, sense, high) <= angle {
@@ -125,7 +130,8 @@ fn inclined(fillet: &RootFillet, sense: f64, angle: f64) -> f64 {
     high
 }
 
-/// Half depths of the tooth from its foot to where its tip edge begins, m by m from the root.
+/// Half-thicknesses of the tooth from its foot to the start of its tip edge, in m, over the
+/// distance from the root, in m.
 fn depths(fillet: &RootFillet, foot: f64, flank: &Flank, sense: f64, root: f64) -> Vec<[f64; 2]> {
     let [on_fillet, on_flank] = STATIONS;
     let part = |k: usize, of: usize| k as f64 / of as f64;

@@ -1,7 +1,7 @@
-//! Gears put together in a scene: bodies that carry them, and the meshes in which they meet.
+//! Assembly of gears in a scene: bodies that carry gears, and the meshes between them.
 //!
-//! These are the very functions behind `body` and `mesh` of the language's library, so a pair built in Rust and one described in
-//! Calyx are the same scene, bit for bit.
+//! The functions `body` and `mesh` of the language's library call these functions, so a pair built
+//! in Rust and one described in Calyx are the same scene, bit for bit.
 
 use crate::axes::{Axes, turns_about_e3};
 use crate::error::{GeometryError, Refusal, sentence};
@@ -20,8 +20,8 @@ use std::sync::Arc;
 /// Adds a body to a scene.
 ///
 /// # Errors
-/// E0610: it turns about another axis than e3, and not for a misalignment; E0671: the scene has a body of that name; E0710: its
-/// frame is not a number at time 0; E0723: nor is its load.
+/// E0610: its rotation axis is not e3 within the permitted misalignment. E0671: the scene has a
+/// body of that name. E0710: its frame is NaN or infinite at time 0. E0723: its load is.
 pub fn add_body(scene: &mut Scene, body: Body) -> Result<BodyId, Refusal> {
     turns_about_e3(body.motion.as_ref())?;
     if scene.bodies.iter().any(|other| other.name == body.name) {
@@ -36,31 +36,35 @@ pub fn add_body(scene: &mut Scene, body: Body) -> Result<BodyId, Refusal> {
     Ok(scene.add_body(body))
 }
 
-/// How two gears touch.
+/// Contact options of a gear mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshOptions {
-    /// Search for contact of the tip edges beyond the nominal path of contact.
+    /// Enables contact of the tip edges beyond the nominal path of contact.
     pub tip_corner_contact: bool,
-    /// M: a contact grid has 2M + 1 cells across; `None` takes what suits the fidelity.
+    /// M: a contact grid has 2M + 1 cells across the contact line; `None` selects a number that
+    /// suits the fidelity.
     pub half_cells: Option<usize>,
-    /// N: in space a contact grid has 2N + 1 slices along the face.
+    /// N: in three dimensions a contact grid has 2N + 1 slices along the face.
     pub half_slices: usize,
-    /// Width of a contact grid, m; `None` takes it from the Hertz half-width.
+    /// Width of a contact grid, m; `None` derives it from the Hertz half-width.
     pub grid_width: Option<f64>,
     /// Coefficient of friction.
     pub friction: f64,
-    /// Tilts the second gear.
+    /// Misalignment of the second gear.
     pub misalignment: Misalignment,
-    /// Search for contact on the back sides of the teeth too.
+    /// Enables contact of the back (coast) flanks as well.
     pub back_side_contact: bool,
 }
 
-/// How the second gear's axis stands off parallel to the first one's, by two angles (rad): about the middle of the common face.
+/// Misalignment of the second gear's axis relative to the first one's, given by two angles (rad)
+/// about the middle of the common face.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Misalignment {
-    /// In the plane of action; positive brings the flanks that drive together at the end of the face towards +e3.
+    /// Inclination in the plane of action; a positive angle brings the drive flanks together at the
+    /// end of the face towards +e3.
     pub in_action: f64,
-    /// In the plane at right angles to it, which hardly matters to contact; positive brings the axes together at that end.
+    /// Inclination in the plane perpendicular to it, which has little effect on contact; a positive
+    /// angle brings the axes together at that end.
     pub off_action: f64,
 }
 
@@ -79,24 +83,27 @@ impl Default for MeshOptions {
     }
 }
 
-/// Two gears in mesh.
+/// Mesh of two gears.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshResult {
-    /// Their pair of surfaces in the scene: what observables refer to. Its [`SurfacePair::mesh`] knows the cycle.
+    /// Surface pair of the mesh in the scene, for use by observables. Its [`SurfacePair::mesh`]
+    /// contains the mesh cycle.
     pub pair: PairId,
-    /// The pair of the back sides of their teeth, where those may touch too.
+    /// Surface pair of the back flanks, if they may touch as well.
     pub back: Option<PairId>,
-    /// Path of contact, contact ratio, backlash.
+    /// Geometry of the mesh: path of contact, contact ratio, backlash.
     pub geometry: MeshGeometry,
-    /// What an engineer should know of the pair.
+    /// Warnings about the pair.
     pub warnings: Vec<GeometryError>,
 }
 
-/// Lets two gear bodies of a scene touch: the flanks that the load presses together, the second gear phased so that they do; the first one
-/// if the second has a mesh already; neither if both have.
+/// Puts two gear bodies of a scene in mesh. The mesh consists of the flanks that the load presses
+/// together. The second gear is phased so that they touch; if it already has a mesh, the first gear
+/// is phased; if both have one, neither is.
 ///
-/// The first gear's moment about z at time 0 says which of its flanks drive; failing that the second one's, which it resists;
-/// failing that what an earlier mesh does to the one or the other, if it is free to turn; failing that the first one's speed.
+/// The drive flanks follow from the first gear's moment about z at time 0. If it is zero, they
+/// follow from the second gear's moment, which the first gear resists; otherwise from the effect of
+/// an earlier mesh on either gear that is free to rotate; otherwise from the first gear's speed.
 ///
 /// # Errors
 /// See [`Pairing::of`] and [`Pairing::mesh`].
@@ -109,23 +116,24 @@ pub fn mesh(
     Pairing::of(scene, [first, second])?.mesh(scene, options)
 }
 
-/// Two gear bodies that are to be in mesh: where they stand to each other.
+/// Two gear bodies that are to be meshed, with their relative position.
 #[derive(Clone, Debug)]
 pub struct Pairing {
     bodies: [BodyId; 2],
     axes: Axes,
-    /// Of the line of centres, rad/s.
+    /// Angular velocity of the line of centres, rad/s.
     orbit: f64,
-    /// Against it, rad/s.
+    /// Angular velocities relative to the line of centres, rad/s.
     speeds: [f64; 2],
 }
 
 impl Pairing {
-    /// Looks at two bodies of a scene.
+    /// Determines the relative position of two bodies of a scene.
     ///
     /// # Errors
-    /// E0648: their axes cross; E0652: they are one body, or in mesh already; E0653: one of them is not of the scene or carries no
-    /// gear; E0658: their axes approach; E0710: a frame is not a number.
+    /// E0648: their axes cross. E0652: they are one body, or already in mesh. E0653: one of them is
+    /// not in the scene or carries no gear. E0658: their axes approach each other. E0710: a frame
+    /// is NaN or infinite.
     pub fn of(scene: &Scene, bodies: [BodyId; 2]) -> Result<Pairing, Refusal> {
         let mut half_widths = [0.0; 2];
         for ((id, argument), half) in bodies.into_iter().zip(["first", "second"]).zip(&mut half_widths) {
@@ -148,13 +156,13 @@ impl Pairing {
         Ok(Pairing { bodies, axes, orbit, speeds: speeds.map(|speed| speed - orbit) })
     }
 
-    /// Between the two axes at the middle of the common face, m.
+    /// Distance of the two axes at the middle of the common face, m.
     pub fn center_distance(&self) -> f64 {
         let [first, second] = self.axes.sections.map(|section| section.origin);
         (second[0] - first[0]).hypot(second[1] - first[1])
     }
 
-    /// How the gears would touch, whether or not they can run; `None` where they cannot touch at all.
+    /// Geometry of the mesh, even if the pair cannot run; `None` if the gears cannot touch.
     pub fn geometry(&self, scene: &Scene) -> Option<MeshGeometry> {
         let [first, second] = self.bodies.map(|id| gear_of(scene, id));
         let (prototypes, distance) = ([first?, second?], self.center_distance());
@@ -167,12 +175,14 @@ impl Pairing {
         Some(geometry.ok()?.across(first, &wound))
     }
 
-    /// Puts the gears in mesh: phases the second one, or the first if the second has a mesh already, and adds the pair of surfaces.
+    /// Puts the gears in mesh: phases the second one, or the first if the second already has a
+    /// mesh, and adds the surface pair.
     ///
     /// # Errors
-    /// Everything that the two gears have against each other: E0630 to E0637; E0650 and E0651: their speeds make no mesh; E0653 as
-    /// for [`Pairing::of`]; E0723: a load is not a number at time 0; E0750: the mesh closes a loop whose teeth do not meet; E0751: one of
-    /// the gears has no room beside another one.
+    /// All errors of the pair: E0630 to E0637. E0650 and E0651: the speeds do not match the numbers
+    /// of teeth. E0653 as for [`Pairing::of`]. E0723: a load is NaN or infinite at time 0. E0750:
+    /// the mesh closes a loop whose teeth do not fit. E0751: one of the gears overlaps a
+    /// neighbouring one.
     pub fn mesh(&self, scene: &mut Scene, options: &MeshOptions) -> Result<MeshResult, Refusal> {
         let [first, second] = self.bodies;
         let (Some(driver), Some(mate)) = (gear_of(scene, first), gear_of(scene, second)) else {
@@ -183,7 +193,7 @@ impl Pairing {
         phase_check::clears_neighbours(scene, self.bodies).map_err(|error| vec![error])?;
         let gears = [driver.form(), mate.form()];
         let sense = drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?;
-        // Teeth are phased where they are at the middle of the common face.
+        // Teeth are phased by their positions at the middle of the common face.
         let twists = [driver.twist_per_length(), mate.twist_per_length()];
         let [first_section, second_section] = [0, 1].map(|member| {
             let section = self.axes.sections[member];
@@ -197,7 +207,7 @@ impl Pairing {
         };
         let mut phases = self.bodies.map(|body| scene.bodies[body.0].phase);
         let needed = center_offset(gears, &geometry, &mounted(phases[0]));
-        // Of the second gear, to the nearest of its teeth.
+        // Phase of the second gear, to the nearest of its teeth.
         let pitch = gears[1].pitch_angle();
         let off = (needed - phases[1]) - ((needed - phases[1]) / pitch).round() * pitch;
         let mut left = 0.0;
@@ -218,7 +228,7 @@ impl Pairing {
             mesh.map_err(|error| self.about_speeds(error))
         };
         let mut mesh = GearMesh { orbit: self.orbit, center_offset: left, ..placed(&mounting)? };
-        // Where the body's own angle is zero, rather than that of its section.
+        // Refers to the zero of the body's own angle instead of that of its section.
         let off_section = first_section.angle - self.axes.angles[0];
         mesh.roll_at_zero += sense * off_section;
         scene.bodies[first.0].phase = phases[0];
@@ -229,10 +239,10 @@ impl Pairing {
                 Arc::new(self.axes.misaligned(body.motion.clone(), &geometry, sense, options.misalignment));
         }
         let surface = if sense > 0.0 { 0 } else { 1 };
-        // A ring touches on the sides of its teeth that look the other way.
+        // On an internal gear the opposite sides of the teeth touch.
         let surfaces = [surface, if gears[1].internal { 1 - surface } else { surface }];
         let back = match options.back_side_contact {
-            // Back sides push the other way, and have a cycle of their own.
+            // Back flanks push the other way and have their own mesh cycle.
             true => {
                 let mesh = placed(&Mounting { sense: -sense, ..mounting })?;
                 Some(GearMesh { orbit: self.orbit, center_offset: left, ..mesh })
@@ -240,7 +250,7 @@ impl Pairing {
             false => None,
         };
         if back.is_some() {
-            // Teeth that fill the spaces press on both sides: a tight mesh.
+            // Teeth that fill the spaces carry load on both sides: a mesh without backlash.
             warnings.retain(|warning| warning.code != "E0635");
         }
         let grid = GridOptions {
@@ -267,7 +277,7 @@ impl Pairing {
         Ok(MeshResult { pair, back, geometry, warnings })
     }
 
-    /// What is wrong with speeds, in words that fit axes that move.
+    /// Rewords an error about speeds for axes that move.
     fn about_speeds(&self, error: GeometryError) -> Refusal {
         if self.orbit == 0.0 {
             return error.into();
@@ -279,7 +289,7 @@ impl Pairing {
     }
 }
 
-/// The mesh of two gears, if they can run.
+/// Checks that the two gears can run and returns their mesh geometry.
 fn check(
     driver: &GearPrototype,
     mate: &GearPrototype,
@@ -322,7 +332,8 @@ fn check(
     }
 }
 
-/// Teeth on parallel axes touch along their length only if both wind by the same angle along the line of action.
+/// Checks that teeth on parallel axes touch along their length, which requires equal base helix
+/// angles.
 fn check_helices(first: &GearPrototype, second: &GearPrototype) -> Result<(), GeometryError> {
     let [own, other] = [first, second].map(|gear| gear.helix.signed_angle());
     let internal = first.form().internal || second.form().internal;
@@ -350,16 +361,18 @@ fn check_helices(first: &GearPrototype, second: &GearPrototype) -> Result<(), Ge
     ))
 }
 
-/// Helix angles that differ by no more than this are equal, rad: a hundredth of the smallest tolerance.
+/// Largest difference of equal helix angles, rad: a hundredth of the smallest manufacturing
+/// tolerance.
 const SAME_HELIX: f64 = 1e-9;
 
-/// The gear that a body carries, if it does.
+/// Returns the gear that a body carries, if any.
 pub fn gear_of(scene: &Scene, body: BodyId) -> Option<&GearPrototype> {
     let prototype: &dyn Any = scene.bodies.get(body.0)?.prototype.as_ref();
     prototype.downcast_ref()
 }
 
-/// Two meshes of the same bodies would share one load in no determined way.
+/// Rejects a second mesh of the same bodies: the distribution of load between the two would be
+/// indeterminate.
 fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
     if ids[0] == ids[1] {
         return Err(EngineError::new(
@@ -381,8 +394,9 @@ fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
     Ok(())
 }
 
-/// Which way the first body pushes: as its moment turns it, else against the second one's moment, else so that it passes on what loads and earlier
-/// meshes do to the shaft of one of them, else as it moves. `sign` is -1 if the second gear is a ring.
+/// Direction in which the first body pushes: along its own moment; otherwise against the second
+/// body's moment; otherwise so that it transmits the loads and earlier meshes on the shaft of
+/// either gear; otherwise along its motion. `sign` is -1 if the second gear is internal.
 fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Result<f64, EngineError> {
     for (id, sign) in bodies.into_iter().zip([1.0, sign]) {
         let body = &scene.bodies[id.0];
@@ -395,8 +409,9 @@ fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Res
             )
             .about(Subject::Body(id.0)));
         }
-        // External gears turn against each other, so a moment on the second one asks for the same surfaces; a ring turns the same
-        // way, and what drives it drives the gear in it from the other side.
+        // External gears rotate in opposite directions, so a moment on the second one selects the
+        // same surfaces. An internal gear rotates in the same direction, and what drives it drives
+        // its mate from the other side.
         if moment != 0.0 {
             return Ok(sign * moment.signum());
         }
@@ -410,8 +425,8 @@ fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Res
     Ok(if speed == 0.0 { 1.0 } else { speed.signum() })
 }
 
-/// Which way loads and earlier meshes drive a gear that is free to turn, its shaft and all that is on it, as a sum of signs: what it has to
-/// pass on to the next one, as an idler or a planet.
+/// Direction in which loads and earlier meshes drive a freely rotating gear with its shaft and all
+/// gears on it, as a sum of signs. An idler or a planet transmits it to the next gear.
 fn driven(scene: &Scene, id: BodyId) -> f64 {
     let free = |id: &BodyId| scene.bodies[id.0].free[Component::ThetaZ as usize];
     let on_shaft: Vec<BodyId> = on_shaft(scene, id).into_iter().filter(free).collect();
@@ -429,7 +444,7 @@ fn driven(scene: &Scene, id: BodyId) -> f64 {
     driving.filter_map(torque).sum()
 }
 
-/// A body, and those that bearings which are stiff against turning join to it: what is on one shaft.
+/// A body and those that torsionally stiff bearings join to it: all bodies on one shaft.
 fn on_shaft(scene: &Scene, id: BodyId) -> Vec<BodyId> {
     let mut found = vec![id];
     let mut next = 0;

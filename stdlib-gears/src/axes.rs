@@ -1,7 +1,8 @@
-//! Axes of gears, which are parallel but for misalignment: how two of them stand to each other where their faces meet.
+//! Relative position of two gear axes, which are parallel except for misalignment.
 //!
-//! A mesh is made for parallel axes. Of two that are not quite, the nominal mesh is that of the sections of both gears by one plane: at
-//! right angles to the mean of the axes, at the middle of the face that the gears have in common.
+//! Meshes are modelled for parallel axes. For axes that deviate slightly, the nominal mesh is that
+//! of the sections of both gears by one plane: perpendicular to the mean of the axes, at the middle
+//! of the common face width.
 
 use crate::assembly::Misalignment;
 use crate::mesh_geometry::MeshGeometry;
@@ -13,34 +14,36 @@ use calyx_runtime::motion::{
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-/// How far a body's axis may lean from e3, rad.
+/// Largest inclination of a body's axis to e3, rad.
 const LARGEST_LEAN: f64 = 5.0 * DEGREE;
-/// How far the axes of two gears in mesh may be from parallel, rad: beyond, gears are made for crossed axes.
+/// Largest angle between the axes of two meshing gears, rad; larger angles require gears for
+/// crossed axes.
 const LARGEST_MISALIGNMENT: f64 = 3.0 * DEGREE;
 const DEGREE: f64 = PI / 180.0;
 
-/// The axes of two gears that are to be in mesh, at time 0.
+/// Axes of two meshing gears at time 0.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Axes {
-    /// Where the sections of both gears stand in their common plane, and how they are turned in it.
+    /// Positions and rotations of the sections of both gears in their common plane.
     pub sections: [PlanePose; 2],
-    /// From the middle of each gear's face to the section, along the gear's axis, m.
+    /// Distance from the middle of each gear's face to the section, along the gear's axis, m.
     pub along: [f64; 2],
-    /// Turn of each body about its own axis ([`Orientation::angle`]), rad.
+    /// Rotation of each body about its own axis ([`Orientation::angle`]), rad.
     pub angles: [f64; 2],
-    /// Width that both faces have in common, m; not positive if they pass each other.
+    /// Common face width, m; not positive if the faces do not overlap.
     pub common_width: f64,
-    /// Where the second axis meets the plane of the sections, in ground coordinates, m.
+    /// Intersection of the second axis with the plane of the sections, in ground coordinates, m.
     pivot: [f64; 3],
-    /// Directions of the plane of the sections, and the mean of the axes.
+    /// Direction vectors of the plane of the sections, and the mean of the axes.
     directions: [[f64; 3]; 3],
 }
 
 impl Axes {
-    /// Of two gears at poses, whose faces reach to both sides of the origin by half their width (m).
+    /// Computes the axes of two gears from their poses. The faces extend to both sides of the
+    /// origin by half their width (m).
     ///
     /// # Errors
-    /// E0648: they are not parallel, and not for a misalignment.
+    /// E0648: the axes are not parallel within the permitted misalignment.
     pub fn of(poses: &[Pose; 2], half_widths: [f64; 2]) -> Result<Axes, EngineError> {
         let stances = [0, 1].map(|member: usize| Orientation::of(&poses[member]));
         let [first, second] = stances.map(|stance| stance.axis());
@@ -65,7 +68,7 @@ impl Axes {
         let places = [0, 1].map(|member: usize| dot(poses[member].origin, normal));
         let low = (places[0] - half_widths[0]).max(places[1] - half_widths[1]);
         let high = (places[0] + half_widths[0]).min(places[1] + half_widths[1]);
-        // Faces of one width side by side have their middle where they are, to the bit.
+        // If the faces coincide, their middle is exact to the last bit.
         let middle = if places[0] == places[1] { places[0] } else { 0.5 * (low + high) };
         let along =
             [0, 1].map(|member: usize| (middle - places[member]) / dot(stances[member].axis(), normal));
@@ -75,7 +78,7 @@ impl Axes {
         });
         let sections = [0, 1].map(|member: usize| {
             let at = points[member];
-            // The turn about the mean of the axes.
+            // Rotation about the mean of the axes.
             let seen =
                 Pose { rotation: [x, y, normal].map(|row| seen_along(row, &poses[member])), ..poses[member] };
             PlanePose { origin: [dot(at, x), dot(at, y)], angle: Orientation::of(&seen).angle }
@@ -90,7 +93,8 @@ impl Axes {
         })
     }
 
-    /// The second gear's motion with its axis tilted, where the first one drives with a sense (+1 counter-clockwise).
+    /// Returns the second gear's motion with a misaligned axis, where the first gear drives with
+    /// this sense (+1 is counter-clockwise).
     pub fn misaligned(
         &self,
         motion: Arc<dyn Motion>,
@@ -100,10 +104,11 @@ impl Axes {
     ) -> RelocatedMotion {
         let [first, second] = self.sections.map(|section| section.origin);
         let centres = (second[1] - first[1]).atan2(second[0] - first[0]);
-        // Along the line of action, out of the first gear: a quarter turn on from where it touches the base circle, see `mounting`.
+        // Direction of the line of action out of the first gear: a right angle beyond its tangent
+        // point on the base circle, see `mounting`.
         let contact = if geometry.internal { centres + PI } else { centres };
         let action = contact + sense * (FRAC_PI_2 - geometry.operating_pressure_angle);
-        // At a right angle to it, towards the first axis.
+        // Perpendicular to the line of action, towards the first axis.
         let off = contact + PI - sense * geometry.operating_pressure_angle;
         let off = if geometry.internal { off + PI } else { off };
         let Misalignment { in_action, off_action } = misalignment;
@@ -111,12 +116,13 @@ impl Axes {
             let of = |angle: f64| [angle.cos(), angle.sin()][k];
             off_action * of(off) - in_action * of(action)
         });
-        // Where the axis goes for a unit of length along it, and the turn that takes it there.
+        // Displacement of the axis per unit of its length, and the rotation that causes it.
         let lean = x.hypot(y);
         let tip = [x, y].map(|part| if lean > 0.0 { part / lean * lean.sin() } else { 0.0 });
         let [swung_x, swung_y, swung_z] = tilted_axes([tip[0], tip[1], lean.cos()]);
         let d = self.directions;
-        // The same turn about ground axes: from the plane of the sections, swung, and back.
+        // The same rotation about ground axes: transform into the plane of the sections, rotate,
+        // and transform back.
         let rotation = [0, 1, 2].map(|row: usize| {
             [0, 1, 2].map(|column: usize| {
                 let swung = [swung_x, swung_y, swung_z];
@@ -127,14 +133,14 @@ impl Axes {
     }
 }
 
-/// Whether a body turns about e3, but for a misalignment.
+/// Checks that a body rotates about e3 except for a misalignment.
 ///
 /// # Errors
-/// E0610: it does not; E0710: its frame is not a number at time 0.
+/// E0610: it does not. E0710: its frame is NaN or infinite at time 0.
 pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
     let lean = Orientation::of(&pose_in_space(motion, 0.0)?).tilt();
     let [x, y, z] = angular_velocity(motion, 0.0);
-    // A frame that is upright at time 0 may fall over later.
+    // A frame that is upright at time 0 may tilt later.
     let falls = x.hypot(y).atan2(z.abs());
     if lean <= LARGEST_LEAN && falls <= LARGEST_LEAN {
         return Ok(());
@@ -150,12 +156,12 @@ pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
     .blame("frame"))
 }
 
-/// To three digits.
+/// Rounds a number to three digits for display.
 fn shown(number: f64) -> f64 {
     format!("{number:.2e}").parse().unwrap_or(number)
 }
 
-/// A row of the matrix that turns coordinates of a body into those along some direction.
+/// Row of the matrix that rotates coordinates of a body into those along a direction.
 fn seen_along(direction: [f64; 3], pose: &Pose) -> [f64; 3] {
     let [a, b, c] = pose.rotation;
     std::array::from_fn(|k| direction[0] * a[k] + direction[1] * b[k] + direction[2] * c[k])

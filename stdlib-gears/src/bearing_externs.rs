@@ -1,4 +1,4 @@
-//! Bearings as programs ask for them: the Rust side of `bearing` and of what can be observed of one in `gears.cx`.
+//! Bearings for programs: the Rust side of `bearing` and its observables in `gears.cx`.
 
 use crate::externs::{body, entry, host, refusal};
 use crate::observable_externs::observe;
@@ -8,7 +8,7 @@ use calyx_runtime::bearing::{Bearing, BearingMatrix, Stop, Support, axisymmetric
 use calyx_runtime::observables::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Direction};
 use calyx_runtime::scene::BearingId;
 
-/// The handle of ground, which is no body of the scene.
+/// Handle of ground, which is not a body of the scene.
 pub(crate) const GROUND: Handle = Handle(u64::MAX);
 
 calyx_abi::externs! {
@@ -33,7 +33,7 @@ calyx_abi::externs! {
                     "press the races together by `force`, or by `gap_clearances` below zero"));
             }
         }
-        // What has a clearance bears nothing within it.
+        // A bearing with clearance has no stiffness within it.
         let open = |clearance: f64, stiffness: f64| if clearance > 0.0 { 0.0 } else { stiffness };
         let mut stiffness = axisymmetric(
             open(radial_clearance, radial_stiffness),
@@ -94,7 +94,7 @@ fn bearing(context: &mut Context, bearing: Handle) -> Result<BearingId, RuntimeE
     Ok(BearingId(bearing.0 as usize))
 }
 
-/// Declared to be one of these.
+/// Direction by its declared name.
 fn direction(axis: &str) -> Direction {
     match axis {
         "axial" => Direction::Axial,
@@ -109,7 +109,7 @@ fn six([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> [f64; 6] {
     [a, b, c, d, e, f]
 }
 
-/// Adds a block of three rows, and its mirror image off the diagonal.
+/// Adds a block of three rows, and its transpose off the diagonal.
 fn add_block(
     matrix: &mut BearingMatrix,
     argument: &str,
@@ -132,7 +132,7 @@ fn add_block(
     Ok(())
 }
 
-/// Stops by the play from one side to the other: half of it lies on either side of the middle.
+/// Stops from the total clearance between both sides; half of it lies on either side of the middle.
 fn clearances([radial, axial]: [f64; 2], [radial_stiffness, axial_stiffness]: [f64; 2]) -> Vec<Stop> {
     let mut stops = Vec::new();
     if radial > 0.0 {

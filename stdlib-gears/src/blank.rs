@@ -1,6 +1,7 @@
-//! Everything said of one gear before it stands anywhere: its teeth, what carries them, what is taken off its flanks.
+//! Gear blanks: everything that describes one gear before mounting, namely its teeth, the body that
+//! carries them and its flank modifications.
 //!
-//! The library's `external` of the language is [`GearBlank::cut`] with arguments for fields.
+//! The library function `external` of the language is [`GearBlank::cut`] with arguments for fields.
 
 use crate::disc_web::DiscWeb;
 use crate::error::{GeometryError, Refusal, sentence};
@@ -14,51 +15,61 @@ use calyx_runtime::structure::{BoreSupport, SplineTeeth};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A ring under the teeth, or around those of an internal gear, held on its far side or by a web. Radii in m.
+/// Rim under the teeth, or around those of an internal gear, supported at its far side or by a web.
+/// Radii in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rim {
-    /// Where the toothed part ends and the ring begins.
+    /// Radius of the interface between the toothed ring and the rim.
     pub radius: f64,
-    /// Of the bore, or of the outside of an internal gear, where the body's frame holds it.
+    /// Radius of the supported surface: the bore, or the outside of an internal gear. The body's
+    /// frame supports it.
     pub fixed_radius: f64,
-    /// What stands between ring and bore, if the ring does not reach so far.
+    /// Web between rim and bore, if the rim does not reach the bore.
     pub web: Option<Web>,
-    /// How the body's frame holds it there.
+    /// Support of this surface by the body's frame.
     pub hold: BoreSupport,
 }
 
-/// Waves around of lugs' series that the mesh of any gear resolves for each of its teeth.
+/// Harmonics of the Fourier series of spline teeth that the mesh of any gear resolves per gear
+/// tooth.
 const SPLINE_HARMONICS_PER_TOOTH: u32 = 4;
 
-/// How lugs hold a rim: the teeth of a spline, or keys, evenly around, which bear both ways, without play unless they have clearance.
+/// Support of a rim by equally spaced spline teeth or keys. They carry load in both directions, and
+/// without play unless they have clearance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SplineSupport {
-    /// How many, three at least; they need not be commensurate with the teeth.
+    /// Number of spline teeth, at least three; it need not be commensurate with the number of gear
+    /// teeth.
     pub spline_teeth: u16,
-    /// Length of each along the bore, m; `None` for half of the distance from one to the next.
+    /// Length of each spline tooth along the bore circle, m; `None` selects half of their pitch.
     pub width: Option<f64>,
-    /// Angle of the middle of the first one from the middle of tooth 0, rad, counter-clockwise.
+    /// Angle from the middle of gear tooth 0 to the middle of the first spline tooth, rad,
+    /// counter-clockwise.
     pub first: f64,
-    /// Force around by displacement, for a unit of a lug's length along the axis, N/m²; `None` if rigid.
+    /// Circumferential stiffness per unit of axial length of a spline tooth, N/m²; `None` if rigid.
     pub stiffness: Option<f64>,
-    /// What else holds the bore from moving inwards and outwards at the lugs, if anything does: major-diameter fits.
+    /// Radial constraint of the bore at the spline teeth, as in major-diameter fits; `None` if
+    /// there is none.
     pub radial: Option<RadialFit>,
-    /// Degree of polynomials along the bore up to which lugs hold it: 0 holds their mean, 1 their leaning too.
+    /// Degree of the polynomials along the bore that the spline teeth constrain: 0 constrains the
+    /// mean, 1 also the tilt.
     pub axial_order: u8,
-    /// By how much the spaces that they stand in are wider, along the circle of the bore, m: half of it is at either flank of a lug in the
-    /// middle. With any, lugs are contact in the plane, and carry a body whose frame is free. 0 holds them without play.
+    /// Clearance: width of a space minus thickness of a spline tooth along the bore circle, m. A
+    /// centred tooth has half of it on either flank. With clearance, the spline teeth are contact
+    /// cells of a two-dimensional model and support a body whose frame is free. 0 constrains them
+    /// without play.
     pub clearance: f64,
 }
 
-/// How lugs hold a bore from moving inwards and outwards.
+/// Radial constraint of a bore by spline teeth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RadialFit {
-    /// Force by displacement, for a unit of a lug's length along the axis, N/m²; `None` if rigid.
+    /// Radial stiffness per unit of axial length of a spline tooth, N/m²; `None` if rigid.
     pub stiffness: Option<f64>,
 }
 
 impl SplineSupport {
-    /// Rigid lugs that hold a bore by their flanks.
+    /// Creates rigid spline teeth that support a bore by their flanks.
     pub fn new(spline_teeth: u16) -> SplineSupport {
         SplineSupport {
             spline_teeth,
@@ -71,7 +82,7 @@ impl SplineSupport {
         }
     }
 
-    /// The lugs at a radius, m.
+    /// Returns the spline teeth at a radius, m.
     fn at(&self, radius: f64) -> Result<SplineTeeth, GeometryError> {
         let wrong = |argument, message, help| GeometryError::error("E0655", argument, message, help);
         if self.spline_teeth < 3 {
@@ -130,31 +141,33 @@ impl SplineSupport {
     }
 }
 
-/// A disc thinner than the face that carries a ring. Lengths in m.
+/// Web: a disc, thinner than the face width, that carries a rim. Lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Web {
-    /// Where it begins on the ring's side without teeth.
+    /// Radius at which the web meets the rim.
     pub rim_radius: f64,
-    /// Along the axis.
+    /// Axial thickness.
     pub thickness: f64,
-    /// Of its middle from mid-face, along +z.
+    /// Offset of the web's midplane from mid-face, along +z.
     pub offset: f64,
-    /// What it is further in, if it has a mesh of its own: then the above is where it meets the ring.
+    /// Separately meshed disc further inside. If given, the dimensions above apply where it meets
+    /// the rim.
     pub disc: Option<DiscWeb>,
 }
 
 impl Web {
-    /// Its ends along the axis, m from mid-face.
+    /// Ends along the axis, m from mid-face.
     pub fn ends(&self) -> [f64; 2] {
         [self.offset - 0.5 * self.thickness, self.offset + 0.5 * self.thickness]
     }
 }
 
 impl Rim {
-    /// A ring by its two diameters, m. Whether it lies below the teeth is checked with the gear.
+    /// Creates a rim from its two diameters, m. Whether it lies below the teeth is checked with the
+    /// gear.
     ///
     /// # Errors
-    /// E0665: the inner diameter is not positive or not the smaller.
+    /// E0665: the inner diameter is not positive or not the smaller one.
     pub fn new(diameter: f64, inner_diameter: f64) -> Result<Rim, GeometryError> {
         if !(inner_diameter > 0.0 && inner_diameter < diameter) {
             return Err(GeometryError::error(
@@ -174,11 +187,12 @@ impl Rim {
         })
     }
 
-    /// The ring on a web that ends at a bore, where the body's frame holds it; m. Whether the web lies within the face is checked with
-    /// the gear.
+    /// Adds a web that extends to a bore, where the body's frame supports it; m. Whether the web
+    /// lies within the face is checked with the gear.
     ///
     /// # Errors
-    /// E0665: the ring's inner diameter does not lie between that of the bore and that of the teeth, or the web is not positively thick.
+    /// E0665: the rim's inner diameter does not lie between the bore and the teeth, or the
+    /// thickness of the web is not positive.
     pub fn on_web(self, thickness: f64, offset: f64, bore_diameter: f64) -> Result<Rim, GeometryError> {
         let rim_radius = self.fixed_radius;
         let fixed_radius = 0.5 * bore_diameter;
@@ -203,16 +217,17 @@ impl Rim {
         Ok(Rim { fixed_radius, web: Some(Web { rim_radius, thickness, offset, disc: None }), ..self })
     }
 
-    /// The ring held in another way at its bore, or its outside.
+    /// Returns the rim with another support at its bore, or at its outside.
     #[must_use]
     pub fn held(self, hold: BoreSupport) -> Rim {
         Rim { hold, ..self }
     }
 
-    /// The ring held by the lugs of a spline at its bore, or its outside.
+    /// Returns the rim with spline teeth as the support of its bore, or of its outside.
     ///
     /// # Errors
-    /// E0655: it is held in the mean there, or the lugs are none that can hold it. E0754: they cannot have such a clearance.
+    /// E0655: the rim already has a mean constraint there, or the spline teeth are not valid.
+    /// E0754: the spline teeth do not permit this clearance.
     pub fn splined(self, spline: &SplineSupport) -> Result<Rim, GeometryError> {
         if self.hold != BoreSupport::Rigid {
             return Err(GeometryError::error(
@@ -254,18 +269,19 @@ impl Rim {
         Ok(self.held(BoreSupport::SplineWithClearance { spline_teeth, clearance }))
     }
 
-    /// How a plane model is held: with a web, which it has no room for, rigidly where that begins.
+    /// Support of a plane model. A plane model cannot represent a web, so it is rigidly supported
+    /// at the radius where the web begins.
     pub(crate) fn support_in_plane(&self) -> BoreSupport {
         match (self.web, self.hold) {
             (Some(_), _) => BoreSupport::Rigid,
-            // There is one place along the axis.
+            // A plane model has a single position along the axis.
             (None, BoreSupport::Means { harmonics: waves, .. }) => {
                 BoreSupport::Means { harmonics: waves, degree: 0 }
             }
             (None, BoreSupport::SplineTeeth(spline_teeth)) => {
                 BoreSupport::SplineTeeth(SplineTeeth { degree: 0, ..spline_teeth })
             }
-            // Contact knows how they yield, and by how much they stand off.
+            // The contact problem contains the compliance and the clearance of these spline teeth.
             (None, BoreSupport::SplineWithClearance { spline_teeth, .. }) => {
                 BoreSupport::SplineWithClearance {
                     spline_teeth: SplineTeeth { degree: 0, tangential: 0.0, ..spline_teeth },
@@ -276,7 +292,7 @@ impl Rim {
         }
     }
 
-    /// Numbers that tell ways of being held apart.
+    /// Numbers that distinguish supports.
     pub(crate) fn support_numbers(hold: BoreSupport) -> Vec<f64> {
         match hold {
             BoreSupport::Rigid => vec![0.0; 3],
@@ -298,7 +314,8 @@ impl Rim {
         [&around[..], &outwards, &[f64::from(degree)]].concat()
     }
 
-    /// Whether there are teeth enough for the waves around by which it is held: each brings three nodes at least; eight where lugs hold it.
+    /// Checks that the gear has enough teeth to resolve the harmonics of the support: each tooth
+    /// contributes at least three nodes, or eight with spline teeth.
     pub(crate) fn check_support(&self, teeth: u32) -> Result<(), GeometryError> {
         self.check_joint(teeth)?;
         match self.ring_support().unwrap_or(BoreSupport::Rigid) {
@@ -331,12 +348,12 @@ impl Rim {
         }
     }
 
-    /// Where the ring ends on its side without teeth, m.
+    /// Radius at which the rim ends on its side without teeth, m.
     pub fn ring_radius(&self) -> f64 {
         self.web.map_or(self.fixed_radius, |web| web.rim_radius)
     }
 
-    /// Whether a web lies within the face.
+    /// Checks that the web lies within the face.
     pub(crate) fn check_web(&self, face_width: f64) -> Result<(), GeometryError> {
         let Some(web) = self.web else { return Ok(()) };
         let room = 0.5 * face_width * (1.0 + 1e-9);
@@ -355,10 +372,11 @@ impl Rim {
         ))
     }
 
-    /// A ring around the teeth of an internal gear by its two diameters, m. Whether it lies around the teeth is checked with the gear.
+    /// Creates a rim around the teeth of an internal gear from its two diameters, m. Whether it
+    /// surrounds the teeth is checked with the gear.
     ///
     /// # Errors
-    /// E0665: the diameter is not positive or not the smaller.
+    /// E0665: the diameter is not positive or not the smaller one.
     pub fn outer(diameter: f64, outer_diameter: f64) -> Result<Rim, GeometryError> {
         if !(diameter > 0.0 && outer_diameter > diameter && outer_diameter.is_finite()) {
             return Err(GeometryError::error(
@@ -377,50 +395,52 @@ impl Rim {
     }
 }
 
-/// How thick teeth are.
+/// Tooth thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Thickness {
-    /// Along the pitch circle, m: transverse, or in the normal section if the rack is given there.
+    /// Arc of the pitch circle, m: transverse, or in the normal plane if the rack is given there.
     Circular(f64),
-    /// By the profile shift coefficient, see [`Rack::thickness_of_shift`].
+    /// Profile shift coefficient, see [`Rack::thickness_of_shift`].
     ProfileShift(f64),
 }
 
-/// What is given of an external gear. Lengths in m.
+/// Input data of an external gear. Lengths in m.
 ///
 /// Every field may be set on its own; the methods that take `self` set the optional ones.
 #[derive(Clone, Debug)]
 pub struct GearBlank {
-    /// Number of teeth, 4 at least.
+    /// Number of teeth, at least 4.
     pub teeth: u32,
-    /// What generates the teeth.
+    /// Tool that generates the teeth.
     pub rack: Rack,
-    /// Of the circle through the tips; usually two modules more than the pitch diameter.
+    /// Tip diameter; usually the pitch diameter plus two modules.
     pub outer_diameter: f64,
-    /// Of the circle on which the spaces end; usually 2.5 modules less than the pitch diameter.
+    /// Root diameter; usually the pitch diameter minus 2.5 modules.
     pub root_diameter: f64,
-    /// Length of the teeth along the axis.
+    /// Face width: axial length of the teeth.
     pub face_width: f64,
-    /// How the teeth wind; straight ones by default.
+    /// Helix of the teeth; spur by default.
     pub helix: Helix,
-    /// What it is made of.
+    /// Material of the gear.
     pub material: Material,
-    /// What carries the teeth.
+    /// Rim that carries the teeth.
     pub rim: Rim,
-    /// How thick the teeth are.
+    /// Tooth thickness.
     pub thickness: Thickness,
-    /// Rounding of the tip edge; `None` for [`crate::external::DEFAULT_TIP_EDGE`] modules.
+    /// Radius of the rounded tip edge; `None` selects [`crate::external::DEFAULT_TIP_EDGE`]
+    /// modules.
     pub tip_edge_radius: Option<f64>,
-    /// What is taken off both flanks of every tooth.
+    /// Modifications of both flanks of every tooth.
     pub modifications: Vec<Modification>,
-    /// Error of position of each tooth along the pitch circle, from tooth 0 on, counter-clockwise; teeth beyond the list have
-    /// none.
+    /// Pitch deviation of each tooth along the pitch circle, from tooth 0, counter-clockwise. Teeth
+    /// beyond the list have none.
     pub pitch_errors: Vec<f64>,
 }
 
 impl GearBlank {
-    /// A spur gear of a standard tooth form: addendum one module, dedendum 1.25, no profile shift, of steel, ten modules wide, on a rim
-    /// of one and a half modules under the spaces. Everything is a field to be changed.
+    /// Creates a spur gear with standard proportions: addendum one module, dedendum 1.25, no
+    /// profile shift, steel, face width ten modules, rim thickness one and a half modules under the
+    /// tooth spaces. Every field can be changed.
     pub fn standard(teeth: u32, rack: Rack) -> GearBlank {
         let module = rack.module;
         let pitch_diameter = f64::from(teeth) * module;
@@ -446,53 +466,53 @@ impl GearBlank {
         }
     }
 
-    /// With another outer and root diameter, m.
+    /// Sets the tip and the root diameter, m.
     #[must_use]
     pub fn diameters(mut self, outer: f64, root: f64) -> GearBlank {
         (self.outer_diameter, self.root_diameter) = (outer, root);
         self
     }
 
-    /// With another face width, m.
+    /// Sets the face width, m.
     #[must_use]
     pub fn face_width(mut self, face_width: f64) -> GearBlank {
         self.face_width = face_width;
         self
     }
 
-    /// Of another material.
+    /// Sets the material.
     #[must_use]
     pub fn material(mut self, material: Material) -> GearBlank {
         self.material = material;
         self
     }
 
-    /// On another rim.
+    /// Sets the rim.
     #[must_use]
     pub fn rim(mut self, rim: Rim) -> GearBlank {
         self.rim = rim;
         self
     }
 
-    /// With another thickness of the teeth.
+    /// Sets the tooth thickness.
     #[must_use]
     pub fn thickness(mut self, thickness: Thickness) -> GearBlank {
         self.thickness = thickness;
         self
     }
 
-    /// With one modification of the flanks more.
+    /// Adds a modification of the flanks.
     #[must_use]
     pub fn modified(mut self, modification: Modification) -> GearBlank {
         self.modifications.push(modification);
         self
     }
 
-    /// The gear, checked. Warnings about it stand in its [`ExternalGear::warnings`].
+    /// Checks the blank and generates the gear. Its warnings are in [`ExternalGear::warnings`].
     ///
     /// # Errors
-    /// Everything that is wrong with the gear, as far as it can be told at once: E0604 to E0621, E0640 to E0642 (blaming
-    /// `modifications`), E0644, E0668.
+    /// All errors of the gear that can be detected together: E0604 to E0621, E0640 to E0642
+    /// (blaming `modifications`), E0644, E0668.
     pub fn cut(self) -> Result<Arc<GearPrototype>, Refusal> {
         check_face_width(self.face_width)?;
         let tooth_thickness = match self.thickness {
@@ -518,7 +538,7 @@ impl GearBlank {
     }
 }
 
-/// A face must have a width.
+/// Checks that the face width is positive.
 pub(crate) fn check_face_width(face_width: f64) -> Result<(), GeometryError> {
     if face_width > 0.0 && face_width.is_finite() {
         return Ok(());
@@ -531,7 +551,8 @@ pub(crate) fn check_face_width(face_width: f64) -> Result<(), GeometryError> {
     ))
 }
 
-/// Findings about a relief are known only where it meets its gear, whose argument for it is `modifications`.
+/// Attributes errors of a relief to the argument `modifications`, because they are only found
+/// together with the gear.
 pub(crate) fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
     errors.into_iter().map(|error| GeometryError { argument: "modifications", ..error }).collect()
 }

@@ -1,4 +1,5 @@
-//! Tools, rims and gears as programs make them: the Rust side of `rack`, `shaper`, `external` and `internal` of `gears.cx`.
+//! Tools, rims and gears for programs: the Rust side of `rack`, `shaper`, `external` and `internal`
+//! of `gears.cx`.
 
 use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport};
 use crate::disc_web::{DiscWeb, Hub};
@@ -194,10 +195,10 @@ calyx_abi::externs! {
     }
 }
 
-/// Where a call stands.
+/// Source location of a call.
 type Place = (u32, u32, u32);
 
-/// A tool's size, given in one of two ways.
+/// Module of a tool, given as the module or as the diametral pitch.
 fn module_of(tool: &str, module: f64, diametral_pitch: f64) -> Result<f64, RuntimeError> {
     match (module != 0.0, diametral_pitch != 0.0) {
         (true, false) => Ok(module),
@@ -229,7 +230,7 @@ fn whole_teeth(teeth: f64) -> Result<u32, RuntimeError> {
     ))
 }
 
-/// Orders of a series are whole.
+/// Checks that the orders of a series are integers.
 fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result<(), RuntimeError> {
     match names.into_iter().zip(orders).find(|(_, order)| order.fract() != 0.0) {
         None => Ok(()),
@@ -239,7 +240,7 @@ fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result<(), Runtim
     }
 }
 
-/// What a web is made of, by arguments of its own names.
+/// Material of a web, from arguments with names of their own.
 fn web_material(youngs_modulus: f64, poissons_ratio: f64) -> Result<Material, RuntimeError> {
     Material::new(youngs_modulus, poissons_ratio, 0.0).map_err(|error| {
         let argument = if error.code == "E0660" { "web_youngs_modulus" } else { "web_poissons_ratio" };
@@ -247,7 +248,8 @@ fn web_material(youngs_modulus: f64, poissons_ratio: f64) -> Result<Material, Ru
     })
 }
 
-/// How a rim is held: the orders, around and along, are those of what is held beside the motion as a whole.
+/// Support of a rim. The circumferential and axial orders are those of the constraint in addition
+/// to the rigid-body motion.
 fn bore_support(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<BoreSupport, RuntimeError> {
     whole_orders(names, orders)?;
     let [waves, degree] = orders;

@@ -1,5 +1,5 @@
-//! What follows from the data of a gear and of a mesh, by the terms and symbols of ISO 1122-1 and ISO 21771: for people
-//! who read a model, in the order in which they would ask.
+//! Quantities that follow from the data of a gear and of a mesh, with the terms and symbols of ISO
+//! 1122-1 and ISO 21771, in the usual reading order.
 //!
 //! Every value comes from the geometry that an analysis uses ([`Gear`], [`MeshGeometry`]).
 
@@ -12,40 +12,40 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use calyx_abi::math;
 
-/// Diameter in modules (those of the tool as given) of the pins or balls that the measurement over
-/// pins is given for (the usual 1.728 over diametral pitch).
+/// Diameter of the pins or balls for the dimension over pins, in modules of the tool as given (the
+/// usual 1.728 over diametral pitch).
 pub const PIN: f64 = 1.728;
 
-/// What a quantity measures.
+/// Physical kind of a quantity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Kind {
-    /// m
+    /// Length, m.
     Length,
-    /// 1/m
+    /// Curvature, 1/m.
     Curvature,
-    /// rad
+    /// Angle, rad.
     Angle,
-    /// Of no dimension.
+    /// Dimensionless number.
     #[default]
     Number,
 }
 
-/// A quantity that follows from what the model says.
+/// Quantity derived from the model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quantity {
-    /// By ISO 1122-1.
+    /// Name in ISO 1122-1.
     pub name: &'static str,
-    /// As in formulas: `d_b`, `epsilon_alpha`.
+    /// Symbol in formulas: `d_b`, `epsilon_alpha`.
     pub symbol: &'static str,
-    /// SI.
+    /// Value in SI.
     pub value: f64,
-    /// What it measures.
+    /// Physical kind.
     pub kind: Kind,
-    /// What it is given for, or what it is in modules; empty if the name says all.
+    /// Condition of the value, or its size in modules; empty if the name is sufficient.
     pub note: String,
-    /// Whether somebody who asks for few values wants this one.
+    /// True if a short list contains this quantity.
     pub essential: bool,
-    /// Of a quantity of a mesh: the member it belongs to, 0 for the first; `None` if to both.
+    /// Member to which a quantity of a mesh belongs, 0 for the first; `None` if it belongs to both.
     pub member: Option<usize>,
 }
 
@@ -66,7 +66,7 @@ impl Quantity {
         Self::new(name, symbol, Kind::Angle, value)
     }
 
-    /// One for those who want to know it all.
+    /// Marks the quantity as part of the full list only.
     fn further(self) -> Self {
         Quantity { essential: false, ..self }
     }
@@ -75,7 +75,7 @@ impl Quantity {
         Quantity { note: note.into(), ..self }
     }
 
-    /// With its size in modules of the tool as it was given.
+    /// Adds the size in modules of the tool as given.
     fn in_modules(self, form: &ToothForm) -> Self {
         let modules = self.value / form.tool_module;
         let unit = modules_of(form);
@@ -87,7 +87,7 @@ impl Quantity {
     }
 }
 
-/// Quantities of a gear.
+/// Returns the quantities of a gear.
 pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
     let form = prototype.form();
     let [flank, _] = prototype.flanks();
@@ -141,7 +141,7 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
     all
 }
 
-/// What the helix adds; nothing for straight teeth.
+/// Quantities of the helix; none for spur teeth.
 fn of_helix(helix: &Helix, form: &ToothForm) -> Vec<Quantity> {
     if helix.is_spur() {
         return Vec::new();
@@ -165,16 +165,16 @@ fn of_helix(helix: &Helix, form: &ToothForm) -> Vec<Quantity> {
     ]
 }
 
-/// What lengths of a gear are counted in.
+/// Unit in which lengths of a gear are counted.
 const MODULES: &str = "modules";
 
-/// The same of a gear: a rack that was given in the normal plane has a longer module in the
-/// transverse one.
+/// Unit in which lengths of this gear are counted. A rack from the normal plane has a larger module
+/// in the transverse plane.
 fn modules_of(form: &ToothForm) -> &'static str {
     if form.tool_module == form.module { MODULES } else { "normal modules" }
 }
 
-/// What a measurement is taken with: pins of spur gears, balls of helical ones.
+/// Measuring bodies: pins for spur gears, balls for helical gears.
 fn pins(base_helix: f64) -> &'static str {
     if base_helix == 0.0 { "pins" } else { "balls" }
 }
@@ -242,7 +242,8 @@ fn undercut_margin(gear: &ExternalGear) -> Quantity {
     })
 }
 
-/// Quantities of a pair of gears, the first of which, an external one, the roll angles of `mesh` belong to.
+/// Returns the quantities of a pair of gears. The roll angles of `mesh` belong to the first one,
+/// which is external.
 pub fn of_mesh(gears: [ToothForm; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
     let [first, second] = gears;
     let distance = mesh.center_distance;
@@ -270,7 +271,7 @@ pub fn of_mesh(gears: [ToothForm; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
         all.push(Quantity::length("centre distance without backlash", symbol, tight).further());
     }
     let points = mesh.first_roll;
-    // In the order of the path on each member, from its root to its tip.
+    // In the order of the path of contact on each member, from its root to its tip.
     let rolls = [
         [points.start_of_active_profile, points.lowest_single_tooth, points.highest_single_tooth],
         [points.end_of_active_profile, points.highest_single_tooth, points.lowest_single_tooth]
@@ -291,7 +292,7 @@ pub fn of_mesh(gears: [ToothForm; 2], mesh: &MeshGeometry) -> Vec<Quantity> {
             )
             .further(),
         ];
-        // Above two, there are always two pairs and more in contact.
+        // With a contact ratio above two, at least two pairs are always in contact.
         if (1.0..2.0).contains(&mesh.total_contact_ratio()) {
             own.push(Quantity::length(
                 "lowest single-tooth contact (LPSTC), diameter",

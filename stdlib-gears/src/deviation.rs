@@ -1,20 +1,21 @@
-//! Deviations of the flank that a program gives as a function: measured profiles, reliefs of shapes of its own.
+//! Flank deviations that a program gives as functions: measured profiles and custom relief shapes.
 //!
-//! Contact needs the curve with its tangent and curvature. A function is therefore sampled once for each gear, at
-//! [`SAMPLES`] equal steps of roll from the form circle to the tip circle, and an interpolating cubic spline with continuous second
-//! derivative stands for it: of a function with a bounded fourth derivative its amounts are right to
-//! `5/384 h⁴` of that (de Boor, A Practical Guide to Splines, chapter V), with `h` the step; a jump `J` of the second derivative
-//! costs about `J h²/30` near it.
+//! The contact solver needs the tangent and curvature of the flank. Each gear therefore samples the
+//! function once at [`SAMPLES`] equal steps of roll from the form circle to the tip circle and
+//! interpolates it by a cubic spline with continuous second derivative. For a function with a
+//! bounded fourth derivative, the error of the amounts is `5/384 h⁴` times that derivative, where
+//! `h` is the step (de Boor, A Practical Guide to Splines, chapter V). A jump `J` of the second
+//! derivative adds an error of about `J h²/30` near it.
 
 use crate::error::{GeometryError, sentence};
 use crate::gear::ToothForm;
 use std::fmt;
 use std::sync::Arc;
 
-/// Steps between samples of a deviation.
+/// Number of steps between samples of a deviation.
 pub const SAMPLES: usize = 512;
 
-/// Amount of material taken off a flank, as a function.
+/// Function that returns the amount of material removed from a flank.
 type Amount = dyn Fn(f64) -> f64 + Send + Sync;
 
 /// A deviation of both flanks of every tooth, given as a function of the roll angle.
@@ -39,26 +40,28 @@ pub struct Deviation {
 }
 
 impl Deviation {
-    /// A deviation by its name, for messages, and a function from the roll angle (rad) to the amount (m) normal to the involute:
-    /// positive takes material off.
+    /// Creates a deviation from a name for messages and a function from the roll angle (rad) to the
+    /// amount (m) normal to the involute. Positive amounts remove material.
     ///
-    /// The function is asked from the form circle to the tip circle. It should have a continuous slope; a continuous second derivative,
-    /// which contact sees as curvature, is better. What is finer than the samples is lost.
+    /// The function is evaluated from the form circle to the tip circle. Its slope should be
+    /// continuous. A continuous second derivative is better, because it is the curvature in the
+    /// contact problem. Details finer than the samples are lost.
     pub fn new(name: impl Into<Arc<str>>, amount: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Deviation {
         Deviation { name: name.into(), amount: Arc::new(amount) }
     }
 
-    /// What messages call it.
+    /// Name in messages.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Material taken off at a roll angle (rad), m.
+    /// Material removed at a roll angle (rad), m.
     pub fn amount(&self, roll: f64) -> f64 {
         (self.amount)(roll)
     }
 
-    /// Amounts on the flanks of a gear at equal steps of roll from the form circle to the tip circle, m.
+    /// Amounts on the flanks of a gear at equal steps of roll from the form circle to the tip
+    /// circle, m.
     pub(crate) fn samples(&self, gear: &ToothForm) -> Vec<f64> {
         let step = Self::step(gear);
         (0..=SAMPLES).map(|sample| self.amount((gear.form_roll + step * sample as f64).abs())).collect()
@@ -68,10 +71,11 @@ impl Deviation {
         (gear.tip_roll - gear.form_roll) / SAMPLES as f64
     }
 
-    /// The deviation of the flanks of a gear, if it leaves flanks; `None` if it is zero everywhere.
+    /// Samples the deviation on the flanks of a gear; `None` if it is zero everywhere.
     ///
     /// # Errors
-    /// E0642: it is not a number somewhere, as large as half the tooth is thick, or takes an involute beyond its evolute.
+    /// E0642: the amount is NaN or infinite at some point, reaches half of the tooth thickness, or
+    /// moves an involute beyond its evolute.
     pub(crate) fn sampled(&self, gear: &ToothForm) -> Result<Option<CubicSpline>, GeometryError> {
         let amounts = self.samples(gear);
         let step = Self::step(gear);
@@ -85,7 +89,7 @@ impl Deviation {
     }
 
     fn check(&self, gear: &ToothForm, roll: f64, amount: f64) -> Result<(), GeometryError> {
-        // Only where the flank is convex can an amount be too large for its curvature.
+        // Only on a convex flank can an amount exceed the radius of curvature.
         let radius_of_curvature = if gear.internal { f64::INFINITY } else { gear.base_radius * roll };
         let half_tooth = gear.half_angle_at_roll(roll) * gear.radius_at_roll(roll);
         let roll = roll.abs();
@@ -116,14 +120,14 @@ impl fmt::Debug for Deviation {
     }
 }
 
-/// The same function under the same name.
+/// Compares the identity of the function and the name.
 impl PartialEq for Deviation {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name && Arc::ptr_eq(&self.amount, &other.amount)
     }
 }
 
-/// A cubic spline through equidistant samples, its second derivative continuous.
+/// Cubic spline through equidistant samples with continuous second derivative.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CubicSpline {
     first: f64,
@@ -134,11 +138,12 @@ pub(crate) struct CubicSpline {
 }
 
 impl CubicSpline {
-    /// `values` at `first`, `first + step` and so on; four at least.
+    /// Interpolates `values` at `first`, `first + step` and so on; at least four values.
     pub fn new(first: f64, step: f64, values: Vec<f64>) -> Self {
         let last = values.len() - 1;
-        // Neighbouring bends obey b[i-1] + 4 b[i] + b[i+1] = 6 (second difference) / h². The first and the last two pieces are
-        // one cubic each, whose bend is straight: b[0] = 2 b[1] - b[2].
+        // Second derivatives of adjacent samples satisfy b[i-1] + 4 b[i] + b[i+1] = 6 (second
+        // difference) / h². The first two and the last two intervals share one cubic each
+        // (not-a-knot), whose second derivative is linear: b[0] = 2 b[1] - b[2].
         let wanted = |i: usize| 6.0 * (values[i - 1] - 2.0 * values[i] + values[i + 1]) / (step * step);
         let mut bends = vec![0.0; last + 1];
         let mut ratios = vec![0.0; last + 1];
@@ -158,7 +163,7 @@ impl CubicSpline {
         Self { first, step, values, bends }
     }
 
-    /// Value, first and second derivative. Beyond the samples the parabola goes on.
+    /// Value, first and second derivative. Beyond the samples the parabola continues.
     pub fn at(&self, x: f64) -> [f64; 3] {
         let last = self.values.len() - 1;
         let place = (x - self.first) / self.step;
@@ -197,7 +202,7 @@ mod tests {
                 assert!((found - known).abs() < 1e-10, "{x}: {found} {known}");
             }
         }
-        // Beyond, value and slope go on without a jump.
+        // Value and slope continue without a jump beyond the samples.
         let [inside, outside] = [0.3 - 1e-9, 0.3 + 1e-9].map(|x| spline.at(x));
         assert!((inside[0] - outside[0]).abs() < 1e-8 && (inside[2] - outside[2]).abs() < 1e-6);
     }

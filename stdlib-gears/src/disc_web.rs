@@ -1,7 +1,9 @@
-//! Webs with a mesh of their own: discs of any taper and dish, with a hub, joined to the ring by a series on the ring's bore.
+//! Webs with their own mesh: discs of any taper and dish, with a hub, joined to the rim by a
+//! Fourier series on the rim's bore.
 //!
-//! A web that is meshed with the teeth ([`Web`] alone) is as thick everywhere. This one is a body of revolution, known by
-//! its section, whatever teeth and helix stand above it.
+//! A web that is meshed with the teeth ([`Web`] alone) has a constant thickness. A disc web is a
+//! body of revolution given by its section, independent of the number of teeth and the helix of the
+//! gear.
 
 use crate::blank::{Rim, Web};
 use crate::error::{GeometryError, sentence};
@@ -9,34 +11,36 @@ use calyx_runtime::fe::{Section, Station};
 use calyx_runtime::material::Material;
 use calyx_runtime::structure::{BoreSupport, RevolvedWeb};
 
-/// Degree along up to which ring and web are joined where nobody says otherwise.
+/// Default degree of the axial polynomials in the joint of rim and web.
 const DEGREE: u8 = 2;
-/// Waves around, likewise, by the radius of the ring's inside over the ring's thickness: what a tooth does to the joint dies out by the exponential of
-/// the waves times that thickness over the radius. At least and at most so many.
+/// Default number of harmonics in the joint per ratio of the rim's inner radius to its thickness.
+/// The effect of a tooth on the joint decays exponentially with the harmonic times this thickness
+/// over the radius. The bounds are the smallest and the largest number.
 const WAVES: f64 = 2.5;
 const FEWEST_WAVES: f64 = 8.0;
 const MOST_WAVES: f64 = 50.0;
 
-/// What a [`Web`] with a mesh of its own is besides its end at the ring. Lengths in m, axial places from mid-face along +z.
+/// Additional dimensions of a [`Web`] with its own mesh, besides its end at the rim. Lengths in m,
+/// axial positions from mid-face along +z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiscWeb {
-    /// Thickness where it ends, at the hub or at the bore.
+    /// Thickness at its inner end, at the hub or at the bore.
     pub inner_thickness: f64,
-    /// Its middle there.
+    /// Axial position of its midplane there.
     pub inner_offset: f64,
-    /// What it stands on.
+    /// Hub at the inner end.
     pub hub: Option<Hub>,
-    /// What it is made of, if not of what the gear is.
+    /// Material, if it differs from that of the gear.
     pub material: Option<Material>,
-    /// Waves around up to which it is joined to the ring; `None` takes two and a half times the radius over the thickness
-    /// of the ring, 8 to 50, or as many as there are teeth.
+    /// Number of harmonics in the joint with the rim. `None` selects two and a half times the ratio
+    /// of radius to thickness of the rim, between 8 and 50, or at most the number of teeth.
     pub harmonics: Option<u16>,
-    /// Degree of polynomials along the axis up to which it is joined.
+    /// Degree of the axial polynomials in the joint.
     pub degree: u8,
 }
 
 impl DiscWeb {
-    /// As thick as at the ring, straight, without a hub.
+    /// Creates a straight disc of constant thickness without a hub.
     pub fn plain(thickness: f64, offset: f64) -> Self {
         Self {
             inner_thickness: thickness,
@@ -48,20 +52,20 @@ impl DiscWeb {
         }
     }
 
-    /// Its ends along the axis where it ends inside.
+    /// Axial ends at its inner end.
     fn inner_ends(&self) -> [f64; 2] {
         ends(self.inner_thickness, self.inner_offset)
     }
 }
 
-/// The part around the bore, wider than the web. Lengths in m.
+/// Hub: the part around the bore, wider than the web. Lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hub {
-    /// Of its outside.
+    /// Outer radius.
     pub radius: f64,
-    /// Along the axis.
+    /// Axial width.
     pub width: f64,
-    /// Of its middle from mid-face, along +z.
+    /// Offset of its middle from mid-face, along +z.
     pub offset: f64,
 }
 
@@ -70,8 +74,8 @@ fn ends(thickness: f64, offset: f64) -> [f64; 2] {
 }
 
 impl Rim {
-    /// The ring on a web with a mesh of its own that ends at a bore, m: as thick and as far from mid-face at the ring as given, further in as
-    /// `disc` has it.
+    /// Returns the rim on a separately meshed web that ends at a bore, m. `thickness` and `offset`
+    /// apply at the rim; `disc` describes the web further inside.
     ///
     /// # Errors
     /// As [`Self::on_web`]. E0696: the web or its hub has no width, or they do not meet.
@@ -120,7 +124,8 @@ impl Rim {
         Ok(Rim { web, ..rim })
     }
 
-    /// The web as the engine has it, if it has a mesh of its own; on a ring of so many teeth of a material.
+    /// Converts a separately meshed web to the engine's form, for a rim with this number of teeth
+    /// and this material.
     pub(crate) fn revolved_web(&self, teeth: u32, of_teeth: Material) -> Option<RevolvedWeb> {
         let web = self.web?;
         let disc = web.disc?;
@@ -151,7 +156,7 @@ impl Rim {
         waves.ceil().clamp(FEWEST_WAVES, MOST_WAVES) as u16
     }
 
-    /// Numbers that tell webs apart.
+    /// Numbers that distinguish webs.
     pub(crate) fn web_numbers(&self) -> Vec<f64> {
         let Some(web) = self.web else { return vec![0.0; 3] };
         let mut numbers = vec![web.rim_radius, web.thickness, web.offset];
@@ -167,7 +172,7 @@ impl Rim {
         numbers
     }
 
-    /// Whether there are teeth enough for the waves around by which a ring is joined to its web.
+    /// Checks that the gear has enough teeth for the harmonics of the joint of rim and web.
     pub(crate) fn check_joint(&self, teeth: u32) -> Result<(), GeometryError> {
         let Some(waves) = self.web.and_then(|web| web.disc).and_then(|disc| disc.harmonics) else {
             return Ok(());
@@ -186,7 +191,7 @@ impl Rim {
         ))
     }
 
-    /// How the ring itself is held: by what its web does, if that has a mesh of its own.
+    /// Support of the rim by its web, if the web has its own mesh.
     pub(crate) fn ring_support(&self) -> Option<BoreSupport> {
         match self.web {
             Some(Web { disc: Some(_), .. }) => None,

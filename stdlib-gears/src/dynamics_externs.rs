@@ -1,4 +1,4 @@
-//! Times and blows of dynamic analyses, as programs call them.
+//! Time ranges and impulses of dynamic analyses for programs.
 
 use crate::externs::{body, entry, host, refusal};
 use crate::host::{ModelHost, keep};
@@ -67,7 +67,7 @@ calyx_abi::externs! {
     }
 }
 
-/// A dynamic analysis as `analyze` asks for it.
+/// Dynamic analysis as requested by `analyze`.
 pub(crate) fn motion_in_time(
     host: &ModelHost,
     over: Handle,
@@ -99,7 +99,7 @@ pub(crate) fn motion_in_time(
     Ok(DynamicOptions { from, ranges, scheme, rayleigh, start })
 }
 
-/// Masses on a body's frame: kg, and kg m² about its axis.
+/// Lumped inertia on a body's frame: mass in kg, moment of inertia about its axis in kg m².
 pub(crate) fn lumped(mass: f64, inertia: f64) -> Result<Inertia, RuntimeError> {
     for (argument, given) in [("mass", mass), ("inertia", inertia)] {
         if !(given.is_finite() && given >= 0.0) {
@@ -114,7 +114,7 @@ pub(crate) fn lumped(mass: f64, inertia: f64) -> Result<Inertia, RuntimeError> {
     Ok(Inertia::axial(mass, inertia, 0.0))
 }
 
-/// Steps of a range, at most.
+/// Maximum number of steps of a range.
 const MOST_STEPS: f64 = 1e9;
 
 fn refused(error: EngineError) -> RuntimeError {

@@ -1,46 +1,47 @@
-//! What can be wrong with a gear or a pair of gears, as data: the front end places it on the argument to blame.
+//! Errors and warnings about gears and pairs, as data: the front end locates them at the argument
+//! to blame.
 
 use calyx_runtime::error::EngineError;
 use std::fmt;
 
-/// How bad a finding is.
+/// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
-    /// There is no such gear, or it cannot run.
+    /// The gear is impossible, or the pair cannot run.
     Error,
-    /// It can be made and run, but an engineer should know.
+    /// The gear can be made and run, but the user should know of the finding.
     Warning,
 }
 
-/// A piece of a sentence.
+/// Part of a sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Part {
-    /// As it stands.
+    /// Literal text.
     Text(&'static str),
-    /// Metres.
+    /// Length, m.
     Length(f64),
-    /// Radians.
+    /// Angle, rad.
     Angle(f64),
-    /// Of no dimension.
+    /// Dimensionless number.
     Number(f64),
-    /// A quantity that suffices as it is written: its digits are rounded up.
+    /// Lower bound: its digits are rounded up so that the printed value suffices.
     AtLeast(Box<Part>),
-    /// A quantity that is still allowed as it is written: its digits are rounded down.
+    /// Upper bound: its digits are rounded down so that the printed value is still permitted.
     AtMost(Box<Part>),
 }
 
-/// A sentence with quantities in it, which are written in the unit of whoever reads it.
+/// Sentence with quantities, which are printed in the reader's unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sentence(pub Vec<Part>);
 
 impl Sentence {
-    /// The sentence with lengths in a unit: its name, and what it is in metres.
+    /// Formats the sentence with lengths in a unit, given by its name and its size in metres.
     pub fn in_unit<'a>(&'a self, unit: &'a str, metres: f64) -> impl fmt::Display + 'a {
         Rendered { sentence: self, unit, metres }
     }
 }
 
-/// In millimetres and degrees.
+/// Formats lengths in millimetres and angles in degrees.
 impl fmt::Display for Sentence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.in_unit("mm", 1e-3).fmt(f)
@@ -81,7 +82,7 @@ enum Rounding {
     Down,
 }
 
-/// A number with five significant digits and no more zeros than needed.
+/// Formats a number with five significant digits, without trailing zeros.
 fn digits(value: f64, rounding: Rounding) -> String {
     if value == 0.0 || !value.is_finite() {
         return value.to_string();
@@ -106,18 +107,19 @@ fn digits(value: f64, rounding: Rounding) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A finding about a gear or a pair.
+/// Finding about a gear or a pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeometryError {
-    /// Stable: `E0601` and so on.
+    /// Stable code: `E0601` and so on.
     pub code: &'static str,
-    /// Whether it stops the model.
+    /// Severity, which decides whether it stops the model.
     pub severity: Severity,
-    /// Name of the argument to blame, as the library's `rack`, `external`, `tip_relief`, `simple_rim` or `mesh` call it.
+    /// Name of the argument to blame, as in the library's `rack`, `external`, `tip_relief`,
+    /// `simple_rim` or `mesh`.
     pub argument: &'static str,
-    /// What is the matter.
+    /// Statement of the problem.
     pub message: Sentence,
-    /// What to do about it.
+    /// Remedy.
     pub help: Sentence,
 }
 
@@ -149,12 +151,12 @@ impl GeometryError {
     }
 }
 
-/// Why a gear, a body or a mesh is refused.
+/// Reason for the rejection of a gear, a body or a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
-    /// Everything that is wrong with the geometry, as far as it can be told at once; not empty.
+    /// All errors of the geometry that can be detected together; not empty.
     Geometry(Vec<GeometryError>),
-    /// What the scene or the engine has against it.
+    /// Error of the scene or the engine.
     Engine(EngineError),
 }
 
@@ -192,7 +194,7 @@ impl From<EngineError> for Refusal {
     }
 }
 
-/// A [`Sentence`] from texts and quantities: `sentence!["the tip is ", length t, " thick"]`.
+/// Builds a [`Sentence`] from texts and quantities: `sentence!["the tip is ", length t, " thick"]`.
 macro_rules! sentence {
     (@ [$($part:expr,)*]) => {
         $crate::error::Sentence(vec![$($part),*])

@@ -1,4 +1,4 @@
-//! The library's functions as programs call them: the Rust side of `gears.cx` and `prelude.cx`.
+//! Library functions for programs: the Rust side of `gears.cx` and `prelude.cx`.
 
 use crate::assembly::{MeshOptions, Misalignment, Pairing, add_body};
 use crate::bearing_externs::GROUND;
@@ -85,7 +85,7 @@ calyx_abi::externs! {
             back_side_contact,
         };
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.rejected(refusal, place))?;
-        // What can touch has a geometry, also where it cannot run.
+        // A pair that can touch has a geometry even if it cannot run.
         if let Some(geometry) = pairing.geometry(&host.scene) {
             host.mesh_records.push(MeshRecord { bodies: ids.map(|id| id.0), geometry, place });
         }
@@ -154,7 +154,7 @@ calyx_abi::externs! {
         Ok(())
     }
 
-    /// A function of the scene, though it solves: checking plans the analysis, and stops there.
+    /// Function of the scene, although it solves: a check plans the analysis and stops there.
     Scene fn calyx_std_analyze(
         context, method: String, over: Handle, fidelity: String, face_elements: f64, displacement_order: f64,
         newmark: String, rayleigh_mass: f64, rayleigh_stiffness: f64, highest_frequency: f64, start: String,
@@ -200,7 +200,7 @@ calyx_abi::externs! {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
                 "leave `every` to quasi-static analyses; the model's `keep_every` says which steps results have"));
         }
-        // Who turns knobs from outside wants that setting and no other.
+        // A settings override of the searched setting disables the tolerance search.
         let searched = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
         host.asked = Some(AnalysisRequest {
             fidelity,
@@ -227,7 +227,7 @@ calyx_abi::externs! {
     }
 }
 
-/// A body as a model places it: what bodies with and without teeth have in common.
+/// Position of a body in a model: the properties that bodies with and without teeth share.
 struct BodyPlacement {
     name: String,
     frame: SymbolicTransform,
@@ -238,7 +238,7 @@ struct BodyPlacement {
 }
 
 impl BodyPlacement {
-    /// Adds the body to the scene; `gear` is its number if it carries one.
+    /// Adds the body to the scene; `gear` is the number of its gear, if it carries one.
     fn add(
         self,
         context: &mut Context,
@@ -280,10 +280,10 @@ impl BodyPlacement {
     }
 }
 
-/// Positions that a list may have: more would not fit a run's results.
+/// Maximum number of positions in a list; the results of more would not fit.
 const MOST_TIMES: f64 = 1e6;
 
-/// Plans and runs an analysis of the scene, and keeps its result.
+/// Plans and runs an analysis of the scene, and stores its result.
 fn analyze(
     host: &mut ModelHost,
     how: &AnalysisKind,
@@ -327,7 +327,7 @@ fn without_value(host: &ModelHost, request: &Request<'_>) -> Vec<Finding> {
     request.without_value().into_iter().map(warn).collect()
 }
 
-/// A whole number, or `None` for 0, which leaves it to the fidelity.
+/// Converts an integer; 0 gives `None`, which selects the default of the fidelity.
 fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, RuntimeError> {
     if count.fract() != 0.0 || count < 0.0 {
         return Err(refusal(
@@ -366,7 +366,8 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
         highest_frequency: host.asked.map_or(0.0, |asked| asked.highest_frequency),
     };
     let plan = request.plan(interrupt).or_else(|error| {
-        // Helical gears need not lie in the plane until the model says how they are analysed.
+        // Helical gears are only rejected by plane models, so the error waits until the model
+        // requests an analysis.
         let unasked = host.asked.is_none() && host.overrides.fidelity.is_none() && error.code == "E0623";
         let in_space = Request { fidelity: Fidelity::Solid(Template::Medium), ..request };
         if unasked { in_space.plan(interrupt).map_err(|_| error) } else { Err(error) }
@@ -377,7 +378,7 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
     Ok(plan)
 }
 
-/// Bodies that may move, and that neither mesh nor bearing holds: an analysis leaves them out.
+/// Reports movable bodies without a mesh or a bearing as a constraint: an analysis leaves them out.
 pub fn check_unrestrained(host: &mut ModelHost) {
     let meshed = |body: usize| host.scene.pairs.iter().any(|pair| pair.bodies.contains(&BodyId(body)));
     let borne = |body: usize| host.scene.bearings.iter().any(|b| b.bodies().any(|other| other.0 == body));
@@ -405,7 +406,8 @@ fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {
     })
 }
 
-/// The load on a body: what the model says, and what the program around it provides under a name, if it has one.
+/// Load on a body: the constant part from the model, and the part that the host program provides
+/// under a name, if any.
 fn load(host: &mut ModelHost, constant: Wrench, name: &str, place: (u32, u32, u32)) -> Arc<dyn Load> {
     if name.is_empty() {
         return Arc::new(constant);
@@ -422,14 +424,14 @@ fn load(host: &mut ModelHost, constant: Wrench, name: &str, place: (u32, u32, u3
     }
 }
 
-/// A compiled frame as a motion.
+/// Compiled frame as a motion.
 struct FrameMotion {
     value: Arc<SymbolicValue>,
     params: Vec<f64>,
 }
 
 impl FrameMotion {
-    /// Frame, rate and acceleration, 12 numbers each.
+    /// Frame, velocity and acceleration, 12 numbers each.
     fn eval(&self, time: f64) -> Vec<f64> {
         let mut outputs = self.value.evaluate(time, &self.params, &|_| f64::NAN).unwrap_or_default();
         outputs.resize(outputs.len().max(36), f64::NAN);
@@ -462,7 +464,7 @@ pub(crate) fn entry<T>(table: &[T], handle: Handle) -> Result<&T, RuntimeError> 
     table.get(handle.0 as usize).ok_or_else(|| defect("a handle refers to nothing"))
 }
 
-/// A body of the scene; ground is none.
+/// Body of the scene; ground is not one.
 pub(crate) fn body(context: &mut Context, argument: &str, body: Handle) -> Result<BodyId, RuntimeError> {
     if body == GROUND {
         let help = "ground carries bearings, as in `gears.bearing(..., to = gears.ground())`; give a body that `gears.body` made";
@@ -476,7 +478,7 @@ pub(crate) fn defect(message: &str) -> RuntimeError {
     RuntimeError::new("E0799", message, "this is a defect of Calyx; please report it with the model")
 }
 
-/// A tooth of a body's gear.
+/// Tooth of a body's gear.
 pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result<u32, RuntimeError> {
     let teeth = host.gear_on("body", body)?.gear.teeth();
     match tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth) {
@@ -490,7 +492,7 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
     }
 }
 
-/// Checks the number of a lug of a body's rim.
+/// Checks the number of a spline tooth of a body's rim.
 pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
     let lugs = match host.gear_on("body", body)?.rim.hold {
         BoreSupport::SplineTeeth(lugs) | BoreSupport::SplineWithClearance { spline_teeth: lugs, .. } => {

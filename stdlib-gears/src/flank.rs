@@ -1,10 +1,13 @@
-//! The true flank of a tooth, from the form circle over the tip edge: what contact sees.
+//! Flank of a tooth with its modifications, from the form circle over the tip edge, as the contact
+//! solver uses it.
 //!
-//! With `u(b)` and `v(b)` the radial and the counter-clockwise unit vectors at angle `b`, the involute of the base
-//! circle `r` at roll angle `g` is `r u + r g v`, where `b = (half angle at the base) - g`; its tangent is `u` and its
-//! outward normal `v`. A modification of amount `a(g)` moves the point by `-a v`, so that
-//! `dP/dg = (r g - a) u - a' v`: tangent, normal and curvature follow exactly. On an internal gear the roll angle is negative
-//! ([`ToothForm`]): `u` then points against the flank's direction, `v` out of the material as before.
+//! Let `u(b)` and `v(b)` be the radial and the counter-clockwise unit vectors at angle `b`. The
+//! involute of the base circle `r` at roll angle `g` is `r u + r g v` with
+//! `b = (half angle at the base) - g`; its tangent is `u` and its outward normal `v`. A
+//! modification of amount `a(g)` moves the point by `-a v`, so that `dP/dg = (r g - a) u - a' v`.
+//! Tangent, normal and curvature follow exactly. On an internal gear the roll angle is negative
+//! ([`ToothForm`]): `u` then points against the direction of the flank, and `v` still points out of
+//! the material.
 
 use crate::deviation::CubicSpline;
 use crate::error::GeometryError;
@@ -18,17 +21,19 @@ use calyx_runtime::profile::{Profile, ProfilePoint};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-/// Parts in which the length of a flank with deviations is measured.
+/// Number of parts into which a flank with deviations is divided to measure its length.
 const DEVIATED_PARTS: usize = 16;
 
-/// One flank of a tooth in tooth coordinates (gear centre at the origin, tooth centreline along +x), metres.
+/// Flank of a tooth in tooth coordinates (gear centre at the origin, tooth centreline along +x),
+/// metres.
 ///
-/// Arc length runs from the form circle to the tip circle. Below the form circle the profile goes on straight along
-/// its tangent, beyond the edge along the tip circle.
+/// The arc length increases from the form circle to the tip circle. Below the form circle the
+/// profile continues straight along its tangent; beyond the tip edge it continues along the tip
+/// circle.
 #[derive(Clone, Debug)]
 pub struct Flank {
     side: Side,
-    /// +1, or -1 of an internal gear.
+    /// +1, or -1 for an internal gear.
     sense: f64,
     base_radius: f64,
     half_base_angle: f64,
@@ -36,17 +41,18 @@ pub struct Flank {
     tip_roll: f64,
     reliefs: Vec<Relief>,
     deviations: Vec<Arc<CubicSpline>>,
-    /// Material taken off per roll angle from the form circle.
+    /// Profile slope deviation: material removed per roll angle from the form circle.
     slope: f64,
-    /// Parts of the flank with smooth curvature, ascending; the first starts at the form circle.
+    /// Parts of the flank with smooth curvature, in ascending order; the first starts at the form
+    /// circle.
     parts: Vec<Part>,
     edge: Edge,
     breaks: Vec<f64>,
-    /// Points and weights for arc lengths of modified parts.
+    /// Quadrature points and weights for the arc length of modified parts.
     quadrature: Vec<(f64, f64)>,
 }
 
-/// A relief of the tip, or of the root as that of the tip of the flank turned round.
+/// Tip relief, or a root relief expressed as the tip relief of the reversed flank.
 #[derive(Clone, Copy, Debug)]
 struct Relief {
     relief: TipRelief,
@@ -77,7 +83,7 @@ impl Relief {
     }
 }
 
-/// The rounded tip edge: an arc tangent to the flank and to the tip circle.
+/// Rounded tip edge: an arc tangent to the flank and to the tip circle.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     centre: [f64; 2],
@@ -86,13 +92,14 @@ struct Edge {
     start_roll: f64,
     start_s: f64,
     end_s: f64,
-    /// Direction of the normal at the start; it turns clockwise, on an internal gear counter-clockwise.
+    /// Angle of the normal at the start. The normal rotates clockwise, on an internal gear
+    /// counter-clockwise.
     start_angle: f64,
-    /// Polar angle at which it meets the tip circle.
+    /// Polar angle at which the arc meets the tip circle.
     end_polar: f64,
 }
 
-/// A unit vector at an angle, and the one a right angle farther.
+/// Unit vector at an angle, and the unit vector a right angle further.
 fn directions(angle: f64) -> ([f64; 2], [f64; 2]) {
     let (sine, cosine) = math::sincos(angle);
     ([cosine, sine], [-sine, cosine])
@@ -103,7 +110,8 @@ fn combine(a: f64, u: [f64; 2], b: f64, v: [f64; 2]) -> [f64; 2] {
 }
 
 impl Flank {
-    /// A flank of a gear. Lead crowns are not seen in the plane; reliefs must lie on the flank.
+    /// Creates a flank of a gear. It ignores lead crowning, which a plane model cannot represent.
+    /// Reliefs must lie on the flank.
     pub fn new(
         gear: impl Into<ToothForm>,
         modifications: &[Modification],
@@ -167,12 +175,12 @@ impl Flank {
         Ok(flank)
     }
 
-    /// Which side of the tooth this is.
+    /// Side of the tooth.
     pub fn side(&self) -> Side {
         self.side
     }
 
-    /// Finds the roll angle at which the edge's arc leaves the flank, and the arc's centre.
+    /// Computes the roll angle at which the edge's arc leaves the flank, and the centre of the arc.
     fn place_edge(&mut self) {
         let radius = self.edge.radius;
         let centre_at = |roll: f64| {
@@ -184,7 +192,8 @@ impl Flank {
             let [x, y] = centre_at(roll);
             self.sense * (x.hypot(y) - tip_centres)
         };
-        // A relieved flank meets the tip circle a little later than the involute does. An internal one may not reach its base circle.
+        // A relieved flank meets the tip circle slightly later than the involute. An internal flank
+        // may not reach its base circle.
         let last = self.tip_roll + (0.5 * (self.tip_roll - self.form_roll)).min(0.9 * self.tip_roll.abs());
         let start_roll = solve_bracketed(beyond, self.form_roll, last);
         let centre = centre_at(start_roll);
@@ -195,7 +204,8 @@ impl Flank {
         self.edge.end_polar = math::atan2(centre[1], centre[0]);
     }
 
-    /// Splits the flank where its curvature jumps, and a deviated one finely enough to measure its parts.
+    /// Splits the flank where its curvature is discontinuous, and a flank with deviations finely
+    /// enough to measure its parts.
     fn divide(&mut self) {
         let end = self.edge.start_roll;
         let jumps = self.reliefs.iter().flat_map(|relief| relief.breaks(self.form_roll, self.tip_roll));
@@ -227,13 +237,14 @@ impl Flank {
         self.edge.start_s = s;
         let turned = match self.sense > 0.0 {
             true => self.edge.start_angle - self.edge.end_polar,
-            // The normal ends against the radial direction.
+            // At the end the normal points against the radial direction.
             false => (self.edge.end_polar + PI - self.edge.start_angle).rem_euclid(TAU),
         };
         self.edge.end_s = s + self.edge.radius * turned;
     }
 
-    /// Material taken off at a roll angle (m), and its first and second derivatives by roll.
+    /// Material removed at a roll angle (m), and its first and second derivatives by the roll
+    /// angle.
     fn amount(&self, roll: f64) -> [f64; 3] {
         let reliefs = self.reliefs.iter().map(|relief| relief.amount(roll, self.form_roll, self.tip_roll));
         let mut total = [self.slope * (roll - self.form_roll), self.slope, 0.0];
@@ -245,13 +256,14 @@ impl Flank {
         total
     }
 
-    /// The modified involute at a roll angle, on the counter-clockwise side.
+    /// Point of the modified involute at a roll angle, on the counter-clockwise side.
     fn on_curve(&self, roll: f64) -> ProfilePoint {
         let [amount, slope, bend] = self.amount(roll);
         let (u, v) = directions(self.half_base_angle - roll);
         let (along, across) = (self.base_radius * roll - amount, -slope);
         let speed = along.hypot(across);
-        // Rates of `along` and `across` by roll give the turn of the tangent against `u`, which itself turns by -1.
+        // The derivatives of `along` and `across` by roll give the rotation of the tangent relative
+        // to `u`, which itself rotates by -1.
         let turn = (along * -bend - across * (self.base_radius - slope)) / (speed * speed);
         ProfilePoint {
             position: combine(self.base_radius, u, along, v),
@@ -261,7 +273,7 @@ impl Flank {
         }
     }
 
-    /// Length of the modified involute per unit of roll, m.
+    /// Arc length of the modified involute per unit of roll, m.
     fn speed(&self, roll: f64) -> f64 {
         let [amount, slope, _] = self.amount(roll);
         (self.base_radius * roll - amount).hypot(slope)
@@ -279,14 +291,16 @@ impl Flank {
         part.start_s + half * integral
     }
 
-    /// Arc length at a roll angle between the form circle and the edge, m; the nearer end outside.
+    /// Arc length at a roll angle between the form circle and the edge, m. Roll angles outside this
+    /// range are clamped.
     pub fn s_at_roll(&self, roll: f64) -> f64 {
         let roll = roll.clamp(self.form_roll, self.edge.start_roll);
         let index = self.parts.partition_point(|part| part.start_roll <= roll).max(1) - 1;
         self.s_in_part(self.parts[index], roll)
     }
 
-    /// Roll angle at an arc length, rad. On the edge and beyond, that of the involute at the same radius.
+    /// Roll angle at an arc length, rad. On and beyond the edge, the roll angle of the involute at
+    /// the same radius.
     pub fn roll_at(&self, s: f64) -> f64 {
         if s > self.edge.start_s {
             return self.sense * crate::involute::roll_at_radius(self.base_radius, self.radius_at(s));
@@ -302,7 +316,7 @@ impl Flank {
             return unmodified;
         }
         let mut roll = unmodified;
-        // Newton's method: reliefs are small against the flank, so that few steps are needed.
+        // Newton's method needs few steps because reliefs are small compared with the flank.
         for _ in 0..20 {
             let step = (self.s_in_part(part, roll) - s) / self.speed(roll);
             roll -= step;
@@ -319,33 +333,34 @@ impl Flank {
         x.hypot(y)
     }
 
-    /// The point at a roll angle between the form circle and the edge, as [`Profile::at`] gives it at an arc length, and the length of
-    /// the flank per unit of roll there, m.
+    /// Point at a roll angle between the form circle and the edge, as [`Profile::at`] returns it at
+    /// an arc length, and the arc length of the flank per unit of roll there, m.
     pub(crate) fn at_roll(&self, roll: f64) -> (ProfilePoint, f64) {
         (self.side.place(self.on_curve(roll)), self.speed(roll))
     }
 
-    /// Radius of the circle whose involute the flank is, m.
+    /// Base radius of the flank's involute, m.
     pub(crate) fn base_radius(&self) -> f64 {
         self.base_radius
     }
 
-    /// Material taken off at an arc length, normal to the involute, m. (On the edge, that of the relief alone.)
+    /// Material removed at an arc length, normal to the involute, m. On the edge, that of the
+    /// relief alone.
     pub fn relief_at(&self, s: f64) -> f64 {
         self.amount(self.roll_at(s))[0]
     }
 
-    /// Whether anything is taken off this flank.
+    /// Returns whether this flank is modified.
     pub fn is_modified(&self) -> bool {
         !self.reliefs.is_empty() || self.has_deviations()
     }
 
-    /// Whether anything is taken off that may reach all over the flank.
+    /// Returns whether the flank has deviations that may extend over its whole length.
     fn has_deviations(&self) -> bool {
         !self.deviations.is_empty() || self.slope != 0.0
     }
 
-    /// The largest amount taken off or put on between form and tip circle, m.
+    /// Largest amount removed or added between form and tip circle, m.
     pub(crate) fn deepest(&self) -> f64 {
         const STEPS: usize = 64;
         let range = self.tip_roll - self.form_roll;
@@ -358,7 +373,7 @@ impl Flank {
         self.form_roll
     }
 
-    /// Roll angle below which nothing is taken off, rad.
+    /// Roll angle below which the flank is unmodified, rad.
     pub(crate) fn first_modified_roll(&self) -> f64 {
         let modified = self.parts.iter().find(|part| part.modified);
         modified.map_or(self.edge.start_roll, |part| part.start_roll)
@@ -390,7 +405,8 @@ impl Profile for Flank {
         } else {
             let on_edge = s.min(edge.end_s) - edge.start_s;
             let beyond = (s - edge.end_s).max(0.0) / edge.tip_circle_radius;
-            // Beyond, the tip circle, whose normal is radial: outwards, or inwards on an internal gear.
+            // The tip circle follows. Its normal is radial: outwards, or inwards on an internal
+            // gear.
             if beyond > 0.0 {
                 let (radial, left) = directions(edge.end_polar - beyond);
                 ProfilePoint {

@@ -1,7 +1,9 @@
-//! Strain gauges as engineers place them: in a fillet at a radius or where its tangent leans by an angle, along the face, in a direction.
+//! Strain gauges in tooth fillets. A gauge has a radius or a tangent angle on the fillet, an axial
+//! position and a direction.
 //!
-//! The tangent angle is that between the fillet and the tooth's centre line: critical sections of external teeth are sought at 30 degrees, of
-//! internal ones at 60 (ISO 6336-3).
+//! The tangent angle is the angle between the fillet's tangent and the tooth's centreline. The
+//! critical section is at 30 degrees for external teeth and at 60 degrees for internal teeth (ISO
+//! 6336-3).
 
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::externs::{self, entry, host, tooth_number};
@@ -14,30 +16,31 @@ use calyx_abi::externs::Handle;
 use calyx_runtime::observables::{FilletSide, Gauge, GaugeReading, Reading};
 use calyx_runtime::profile::Profile;
 
-/// What a gauge is at, along a fillet.
+/// Position of a gauge along a fillet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FilletLocation {
-    /// m
+    /// Radius, m.
     Radius(f64),
-    /// Between the tangent and the tooth's centre line, rad.
+    /// Angle between the tangent and the tooth's centreline, rad.
     TangentAngle(f64),
 }
 
-/// A gauge as it is asked for.
+/// Requested strain gauge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaugePlacement {
-    /// Where its middle is along the fillet.
+    /// Position of its middle along the fillet.
     pub along: FilletLocation,
-    /// And along the axis from mid-face, m.
+    /// Axial position of its middle from mid-face, m.
     pub axial: f64,
-    /// From the profile, rootwards, towards the positive axis, rad.
+    /// Direction, from the profile (towards the root) to the positive axis, rad.
     pub direction: f64,
-    /// Over which it averages, m; 0 for a point.
+    /// Gauge length over which the strain is averaged, m; 0 for a point.
     pub length: f64,
 }
 
 impl GaugePlacement {
-    /// The middle on the fillet of a gear: along the profile from the form circle, and along the axis, m.
+    /// Middle of the gauge on the fillet of a gear: arc length along the profile from the form
+    /// circle, and axial position, m.
     ///
     /// # Errors
     /// E0689: the gauge is not within the fillet.
@@ -46,7 +49,7 @@ impl GaugePlacement {
         let s = on_fillet(&gear.gear, &fillet, self.along)?;
         let point = fillet.at(s);
         let ([x, y], [tx, ty]) = (point.position, point.tangent);
-        // A helix leans against the axis both along the profile and across it.
+        // The axial line of a helical fillet is inclined to the axis both along the profile and across it.
         let twist = gear.twist_per_length();
         let (leans, bulges) = (twist * (x * ty - y * tx), twist * (x * tx + y * ty));
         let across = 1.0_f64.hypot(bulges);
@@ -94,7 +97,7 @@ fn on_fillet(gear: &Gear, fillet: &RootFillet, along: FilletLocation) -> Result<
     };
     let end = fillet.fillet_length();
     let found = match along {
-        // Outside of a gear radii fall towards the root.
+        // On an external gear the radius decreases towards the root.
         FilletLocation::Radius(wanted) => {
             crossing(|s| form.sense() * (wanted - radius(s)), [0.0, end], 1e-9 * form.pitch_radius)
         }
@@ -116,7 +119,8 @@ fn on_fillet(gear: &Gear, fillet: &RootFillet, along: FilletLocation) -> Result<
     })
 }
 
-/// Where a function that grows is zero between two ends, at which it may be off by a tolerance.
+/// Zero of an increasing function between two ends; a zero outside of the ends by at most a
+/// tolerance counts as well.
 fn crossing(value: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], tolerance: f64) -> Option<f64> {
     if !(value(low) <= tolerance && value(high) >= -tolerance) {
         return None;
@@ -128,8 +132,8 @@ fn crossing(value: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], tolerance
     Some(0.5 * (low + high))
 }
 
-/// A side of teeth as it is declared. Seen against e3 with the tip up, the counter-clockwise flank, which is number 0, is on the left of a tooth that points
-/// outwards.
+/// Side of the teeth by its declared name. Seen against e3 with the tip up, the counter-clockwise
+/// flank, number 0, is on the left of an external tooth.
 fn side_named(side: &str, internal: bool) -> FilletSide {
     match side {
         "loaded" => FilletSide::Loaded,

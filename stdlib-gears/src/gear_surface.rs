@@ -1,14 +1,17 @@
-//! The true flank of a tooth in space: the transverse profile of [`Flank`] swept along the axis, turned by the helix.
+//! Three-dimensional flank of a tooth: the transverse profile of [`Flank`] swept along the axis and
+//! rotated by the helix.
 //!
-//! Sections across the axis carry profile modifications exactly as the plane flank does, with its tip edge. A modification along the
-//! face that does not depend on the profile takes an amount `h(v)` off an involute, measured in the transverse section like all
-//! amounts: that is the same involute turned by `h / (base radius)`, and tip edges turn with it. So with `F(u)` the modified profile
-//! and `T(angle)` a turn about the axis, the surface is
+//! Transverse sections contain profile modifications exactly as the plane flank does, including the
+//! tip edge. A lead modification removes an amount `h(v)` from the involute that does not depend on
+//! the profile, measured in the transverse section like all amounts. The result is the same
+//! involute rotated by `h / (base radius)`, and tip edges rotate with it. With `F(u)` the modified
+//! profile and `T(angle)` a rotation about the axis, the surface is
 //!
 //! `Q(u, v) = T(k v - side h(v) / r) F(u) + v e_z`,
 //!
-//! with tangents and normal in closed form. A topography is an offset along the section's normal from there. `u` is the arc length of the *plain* profile: places on the surface are places of
-//! the body without modifications, whose mesh serves all of them.
+//! with tangents and normal in closed form. A topography is an additional offset along the
+//! section's normal. `u` is the arc length of the *plain* profile: coordinates on the surface are
+//! those of the body without modifications, whose mesh serves all modifications.
 
 use crate::fillet::Side;
 use crate::flank::Flank;
@@ -18,32 +21,35 @@ use calyx_runtime::profile::{Profile, ProfilePoint};
 use calyx_runtime::surface::{Surface, SurfacePoint};
 use std::sync::Arc;
 
-/// Part of the flank's range of roll over which the tip edge of the modified profile is brought onto the plain one's.
+/// Fraction of the flank's roll range over which the tip edge of the modified profile is mapped to
+/// the plain one's.
 const STRETCHED: f64 = 0.15;
 
-/// The flank of tooth 0 in the gear's frame: `u` is arc length along its plain transverse profile from the form circle over the
-/// rounded tip edge, m; `v` the distance from mid-face along +z, m.
+/// Flank of tooth 0 in the gear's frame. `u` is the arc length along its plain transverse profile
+/// from the form circle over the rounded tip edge, m; `v` the distance from mid-face along +z, m.
 #[derive(Clone, Debug)]
 pub struct GearSurface {
     plain: Arc<Flank>,
     modified: Arc<Flank>,
     face_width: f64,
-    /// Counter-clockwise turn of sections per length along the axis, rad/m.
+    /// Counter-clockwise rotation of sections per length along the axis, rad/m.
     twist: f64,
     lead: LeadModification,
     topographies: Vec<Arc<Topography>>,
     breaks: Vec<f64>,
 }
 
-/// A point of the transverse profile, and the length of the profile there per length of the plain one.
+/// Point of the transverse profile, and the derivative of its arc length by that of the plain
+/// profile.
 struct Section {
     point: ProfilePoint,
     stretch: f64,
 }
 
 impl GearSurface {
-    /// A flank by its profile without and with modifications, equal in everything else. `twist` is the counter-clockwise turn of
-    /// sections per length along +z, rad/m: positive for a right-hand helix.
+    /// Creates a flank from its profiles without and with modifications, which agree in everything
+    /// else. `twist` is the counter-clockwise rotation of sections per length along +z, rad/m:
+    /// positive for a right-hand helix.
     pub fn new(
         plain: Arc<Flank>,
         modified: Arc<Flank>,
@@ -52,21 +58,23 @@ impl GearSurface {
         lead: LeadModification,
     ) -> GearSurface {
         let (topographies, breaks) = (Vec::new(), Vec::new());
-        // An error of the helix is one of the twist.
+        // A helix slope deviation changes the twist.
         let twist = twist + lead.helix_slope / (face_width * plain.base_radius());
         let mut surface = GearSurface { plain, modified, face_width, twist, lead, topographies, breaks };
         surface.breaks = surface.modified.breaks().iter().map(|&s| surface.plain_length(s)).collect();
         surface
     }
 
-    /// The surface less what these take off beyond what they do in mid-face, which the modified profile has.
+    /// Returns the surface minus the part of the topographies that exceeds their mid-face profile.
+    /// The modified profile already contains the mid-face part.
     #[must_use]
     pub fn with_topographies(self, topographies: Vec<Arc<Topography>>) -> GearSurface {
         GearSurface { topographies, ..self }
     }
 
-    /// What topographies take off at a place, m, and its derivatives by `u` and `v`. On the tip edge and below the form circle the roll angle goes on
-    /// in proportion to the length.
+    /// Amount that the topographies remove at a point, m, and its derivatives by `u` and `v`. On
+    /// the tip edge and below the form circle the roll angle is extrapolated in proportion to the
+    /// length.
     fn off(&self, u: f64, v: f64) -> [f64; 3] {
         if self.topographies.is_empty() {
             return [0.0; 3];
@@ -82,8 +90,8 @@ impl GearSurface {
         })
     }
 
-    /// What the roll angle of the modified profile is ahead of the plain one's at the tip edge, and from which plain roll angle on it
-    /// gets ahead.
+    /// Difference of the roll angles of the modified and the plain profile at the tip edge, and the
+    /// plain roll angle from which on they differ.
     fn shift(&self) -> (f64, f64) {
         let (plain, modified) = (self.plain.edge_roll(), self.modified.edge_roll());
         (modified - plain, plain - STRETCHED * (plain - self.plain.form_roll()))
@@ -97,14 +105,15 @@ impl GearSurface {
         [plain + ahead * part * part, 1.0 + 2.0 * ahead * part / range]
     }
 
-    /// Arc length of the plain profile that stands for one of the modified profile up to its tip edge.
+    /// Arc length of the plain profile that corresponds to one of the modified profile up to its
+    /// tip edge.
     fn plain_length(&self, s: f64) -> f64 {
         if s >= self.modified.edge_range()[0] {
             return self.plain.edge_range()[0];
         }
         let roll = self.modified.roll_at(s);
         let mut plain = roll;
-        // Newton's method: the map differs from identity by less than a hundredth.
+        // Newton's method: the map differs from the identity by less than a hundredth.
         for _ in 0..8 {
             let [at, slope] = self.modified_roll(plain);
             plain -= (at - roll) / slope;
@@ -132,7 +141,7 @@ impl GearSurface {
         }
     }
 
-    /// Turn of the section at a place along the face, and its derivative.
+    /// Rotation of the section at an axial position, and its derivative.
     fn turn(&self, v: f64) -> [f64; 2] {
         let [amount, slope] = self.lead.amount(v, self.face_width);
         let inwards = match self.plain.side() {
@@ -155,7 +164,7 @@ impl Surface for GearSurface {
         let [angle, rate] = self.turn(v);
         let (sine, cosine) = math::sincos(angle);
         let turned = |[x, y]: [f64; 2], z: f64| [cosine * x - sine * y, sine * x + cosine * y, z];
-        // In the section: the point and the tangents along the profile and along the face.
+        // In the section: the point, and the tangents along the profile and along the face.
         let [x, y] = [0, 1].map(|axis| position[axis] - off * normal[axis]);
         let along = stretch * (1.0 - off * curvature);
         let along_profile = [0, 1].map(|axis| along * tangent[axis] - off_by_u * normal[axis]);

@@ -1,23 +1,24 @@
-//! The helix of the teeth: how their transverse section turns along the axis.
+//! Helix of the teeth: rotation of the transverse section along the axis.
 //!
-//! Teeth are the transverse section swept along z and turned in proportion to it; the section in the middle of the face (z = 0) stands
-//! as the plane one does. A right-handed helix turns counter-clockwise, seen against z, as z grows.
+//! Teeth are the transverse section swept along z and rotated in proportion to z. The section at
+//! mid-face (z = 0) coincides with the plane one. A right-hand helix rotates counter-clockwise,
+//! seen against z, as z increases.
 
 use crate::error::{GeometryError, sentence};
 use calyx_abi::math;
 use std::f64::consts::{PI, TAU};
 
-/// Which way the teeth wind.
+/// Hand of a helix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hand {
-    /// Like a right-handed screw.
+    /// Right-hand, like a right-hand screw thread.
     Right,
-    /// Its mirror image.
+    /// Left-hand.
     Left,
 }
 
 impl Hand {
-    /// `"left"` or `"right"`.
+    /// Returns the hand called `"left"` or `"right"`.
     pub fn named(name: &str) -> Option<Hand> {
         match name {
             "left" => Some(Hand::Left),
@@ -26,7 +27,7 @@ impl Hand {
         }
     }
 
-    /// What [`Hand::named`] takes.
+    /// Name that [`Hand::named`] accepts.
     pub fn name(self) -> &'static str {
         match self {
             Hand::Left => "left",
@@ -34,7 +35,7 @@ impl Hand {
         }
     }
 
-    /// The other one.
+    /// The opposite hand.
     #[must_use]
     pub fn mirrored(self) -> Hand {
         match self {
@@ -44,24 +45,25 @@ impl Hand {
     }
 }
 
-/// How teeth wind about their axis. The angle is that at the reference (pitch) circle, as everywhere in gear data.
+/// Helix of the teeth. Its angle is the helix angle at the reference (pitch) circle, as usual for
+/// gear data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Helix {
     angle: f64,
     hand: Hand,
 }
 
-/// Steepest helix of which a gear on parallel axes is made, rad.
+/// Largest helix angle of a gear on parallel axes, rad.
 const STEEPEST: f64 = PI / 3.0;
 
 impl Helix {
-    /// Straight teeth.
+    /// Spur teeth.
     pub const SPUR: Helix = Helix { angle: 0.0, hand: Hand::Right };
 
-    /// A helix by its angle at the reference circle (rad) and its hand.
+    /// Creates a helix from its helix angle at the reference circle (rad) and its hand.
     ///
     /// # Errors
-    /// E0622: the angle is negative, or above 60 deg.
+    /// E0622: the angle is negative or above 60 deg.
     pub fn new(angle: f64, hand: Hand) -> Result<Helix, GeometryError> {
         if !(0.0..=STEEPEST).contains(&angle) {
             return Err(GeometryError::error(
@@ -76,22 +78,22 @@ impl Helix {
         Ok(Helix { angle, hand })
     }
 
-    /// At the reference circle, rad, never negative.
+    /// Helix angle at the reference circle, rad, never negative.
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// Which way the teeth wind. Says nothing of straight teeth.
+    /// Hand of the helix. It has no meaning for spur teeth.
     pub fn hand(&self) -> Hand {
         self.hand
     }
 
-    /// Whether the teeth are straight.
+    /// Returns whether the teeth are spur teeth.
     pub fn is_spur(&self) -> bool {
         self.angle == 0.0
     }
 
-    /// The angle with its sign: positive for a right-handed helix, rad.
+    /// Signed helix angle: positive for a right-hand helix, rad.
     pub fn signed_angle(&self) -> f64 {
         match self.hand {
             Hand::Right => self.angle,
@@ -99,18 +101,19 @@ impl Helix {
         }
     }
 
-    /// Angle by which the transverse section turns counter-clockwise per length along z, rad/m, on a gear of this reference
-    /// radius (m).
+    /// Counter-clockwise rotation of the transverse section per length along z, rad/m, for a gear
+    /// of this reference radius (m).
     pub fn twist_per_length(&self, reference_radius: f64) -> f64 {
         math::tan(self.signed_angle()) / reference_radius
     }
 
-    /// Length along the axis of one turn, m; infinite for straight teeth. The same at every radius.
+    /// Lead: axial advance of one revolution, m; infinite for spur teeth. It is the same at every
+    /// radius.
     pub fn lead(&self, reference_radius: f64) -> f64 {
         TAU / self.twist_per_length(reference_radius).abs()
     }
 
-    /// Helix angle of the teeth at another radius, `tan(beta) radius / reference radius`, rad.
+    /// Helix angle at another radius, `tan(beta) radius / reference radius`, rad.
     pub fn angle_at(&self, radius: f64, reference_radius: f64) -> f64 {
         math::atan(math::tan(self.angle) * radius / reference_radius)
     }

@@ -1,4 +1,5 @@
-//! What the library keeps for a running model: every gear, rack and material the program made, and the scene.
+//! State of the library for a running model: all gears, racks and materials that the program has
+//! created, and the scene.
 
 use crate::blank::Rim;
 use crate::deviation::Deviation;
@@ -27,17 +28,17 @@ use calyx_runtime::validate::Method;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// The unit in which messages to the model's author give lengths.
+/// Unit of lengths in diagnostics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthUnit {
-    /// As messages write it.
+    /// Name in diagnostics.
     pub name: &'static str,
-    /// Its size.
+    /// Size in metres.
     pub metres: f64,
 }
 
 impl LengthUnit {
-    /// Millimetres, but for models that results print in inches.
+    /// Millimetres, or inches for models whose results are printed in inches.
     pub fn of_system(system: &str) -> LengthUnit {
         match system {
             "inch_lbf_s" => LengthUnit { name: "inch", metres: 0.0254 },
@@ -52,27 +53,27 @@ impl Default for LengthUnit {
     }
 }
 
-/// What the program that runs a model provides, by the names the model asks for it.
+/// Inputs that the host program provides, by the names under which the model requests them.
 #[derive(Clone, Default)]
 pub struct Provided {
-    /// For `gears.body(..., host_load = "name")`.
+    /// Loads for `gears.body(..., host_load = "name")`.
     pub loads: BTreeMap<String, Arc<dyn Load>>,
-    /// For `gears.host_modification("name")`.
+    /// Deviations for `gears.host_modification("name")`.
     pub modifications: BTreeMap<String, Deviation>,
 }
 
-/// The state behind a model's handles.
+/// State behind a model's handles.
 #[derive(Default)]
 pub struct ModelHost {
-    /// What the program around the model provides.
+    /// Inputs that the host program provides.
     pub provided: Provided,
-    /// For messages.
+    /// Unit of lengths in diagnostics.
     pub length_unit: LengthUnit,
-    /// By handle, like all tables here.
+    /// Materials, by handle like all tables here.
     pub materials: Vec<Material>,
     /// Racks.
     pub racks: Vec<Rack>,
-    /// Shapers.
+    /// Shaper cutters.
     pub shapers: Vec<Shaper>,
     /// Rims.
     pub rims: Vec<Rim>,
@@ -80,72 +81,73 @@ pub struct ModelHost {
     pub modifications: Vec<Modification>,
     /// Gears.
     pub gears: Vec<Arc<GearPrototype>>,
-    /// Places of the calls that made each gear.
+    /// Source locations of the calls that created each gear.
     pub gear_places: Vec<(u32, u32, u32)>,
-    /// The gear of each body of the scene, in order; `None` of a body without teeth.
+    /// Gear of each body of the scene, in order; `None` for a body without teeth.
     pub body_gears: Vec<Option<usize>>,
-    /// Places of the calls that made each body.
+    /// Source locations of the calls that created each body.
     pub body_places: Vec<(u32, u32, u32)>,
-    /// Bodies whose load the program around the model provides, or may.
+    /// Bodies whose load the host program provides, or may provide.
     pub host_loaded: BTreeSet<usize>,
-    /// Places of the calls that made each bearing.
+    /// Source locations of the calls that created each bearing.
     pub bearing_places: Vec<(u32, u32, u32)>,
-    /// Places of the calls that made each output.
+    /// Source locations of the calls that created each output.
     pub output_places: Vec<(u32, u32, u32)>,
-    /// Pairs of gears that were to mesh, those refused among them.
+    /// Requested gear meshes, including rejected ones.
     pub mesh_records: Vec<MeshRecord>,
-    /// Tables that were read.
+    /// Tables that have been read.
     pub tables: Vec<Table>,
     /// Lists of positions to analyse.
     pub positions: Vec<Vec<Position>>,
     /// Ranges of time.
     pub time_ranges: Vec<TimeRange>,
-    /// Of those positions that stand in ranges of time, by their handle: when these begin (s), and which they are.
+    /// Lists of positions within ranges of time, by their handle: the start of the ranges (s), and
+    /// the ranges.
     pub histories: BTreeMap<u64, (f64, Vec<TimeRange>)>,
     /// Strain gauges.
     pub gauges: Vec<Gauge>,
-    /// Bodies of lumped models.
+    /// Bodies of lumped-parameter models.
     pub lumped_members: Vec<LumpedMember>,
-    /// Free vibrations, a list for each system.
+    /// Modes of free vibration, one list per system.
     pub modes: Vec<Vec<Mode>>,
-    /// Bodies, pairs and observables.
+    /// Bodies, surface pairs and observables.
     pub scene: Scene,
-    /// What the model wants to know.
+    /// Requested outputs.
     pub outputs: Vec<OutputRequest>,
-    /// What it wants to know of outputs in the frequency domain.
+    /// Requested signals: outputs in the frequency domain.
     pub asked_signals: Vec<RequestedSignal>,
-    /// The answers, once the analysis is done.
+    /// Results of these requests, after the analysis.
     pub signals: Vec<Signal>,
-    /// Findings beside the one that stopped the model, if any did.
+    /// Findings in addition to the one that stopped the model, if any.
     pub findings: Vec<Finding>,
-    /// Watches the analysis; without one it runs unobserved.
+    /// Observer of the analysis, if any.
     pub observer: Option<Box<dyn Observer + Send>>,
-    /// How an analysis is done, but for what the program says of it.
+    /// Options of an analysis, except those that the program sets.
     pub analysis: AnalysisOptions,
-    /// What counts more than what the program says of it.
+    /// Settings that override those of the program.
     pub overrides: Override,
-    /// The model is checked: an analysis is asked for, and not done.
+    /// True if the model is only checked: it requests an analysis, which is not run.
     pub checking: bool,
-    /// How the program wants the scene to be modelled, if it has asked for an analysis.
+    /// Model of the scene that the program requests, if it has requested an analysis.
     pub asked: Option<AnalysisRequest>,
     /// Positions or ranges of time of that analysis, while the model is checked.
     pub requested: Option<AnalysisKind>,
-    /// What the last analysis yielded.
+    /// Result of the last analysis.
     pub result: Option<AnalysisResult>,
-    /// Analyses that ended with an error, which the program may have caught.
+    /// Number of analyses that ended with an error, which the program may have caught.
     pub failed_analyses: usize,
 }
 
 impl ModelHost {
-    /// The state of a model whose results print in this unit system.
+    /// Creates the state of a model whose results are printed in this unit system.
     pub fn new(system: &str) -> ModelHost {
         ModelHost { length_unit: LengthUnit::of_system(system), ..ModelHost::default() }
     }
 
-    /// The gear that a body carries which is given as an argument.
+    /// Returns the gear of the body that is given as an argument.
     ///
     /// # Errors
-    /// E0659: it carries none.
+    /// E0659: it carries no gear.
     pub(crate) fn gear_on(&self, argument: &str, body: BodyId) -> Result<&Arc<GearPrototype>, RuntimeError> {
         let gear = self.body_gears.get(body.0).copied().flatten();
         gear.and_then(|gear| self.gears.get(gear)).ok_or_else(|| {
@@ -159,7 +161,7 @@ impl ModelHost {
         })
     }
 
-    /// A failure of the engine, placed at the call that made what it is about.
+    /// Converts an error of the engine, located at the call that created the object in question.
     pub fn engine_error(&self, error: EngineError) -> RuntimeError {
         let place = match error.subject {
             Some(Subject::Body(body)) => self.body_places.get(body),
@@ -179,7 +181,7 @@ impl ModelHost {
         }
     }
 
-    /// Tells the model's author that something was asked for by a name of which the program around the model provides nothing.
+    /// Reports a name for which the host program provides nothing.
     pub(crate) fn note_unprovided(
         &mut self,
         argument: &str,
@@ -200,7 +202,8 @@ impl ModelHost {
         }
     }
 
-    /// A refusal in words for the model's author; of several findings the first stops the model, the others are kept.
+    /// Converts a refusal to a diagnostic. The first of several findings stops the model; the
+    /// others are stored.
     pub(crate) fn rejected(&mut self, refusal: Refusal, place: (u32, u32, u32)) -> RuntimeError {
         match refusal {
             Refusal::Engine(error) => {
@@ -211,7 +214,7 @@ impl ModelHost {
         }
     }
 
-    /// A finding about a gear or a pair in words for the model's author, who finds it at the call in `place`.
+    /// Converts a finding about a gear or a pair to a diagnostic at the call in `place`.
     pub(crate) fn runtime_error(&self, error: &GeometryError, place: (u32, u32, u32)) -> RuntimeError {
         let LengthUnit { name, metres } = self.length_unit;
         let [message, help] =
@@ -220,11 +223,11 @@ impl ModelHost {
         RuntimeError { place: Some(place), ..told }
     }
 
-    /// Keeps findings that do not stop the model.
+    /// Stores findings that do not stop the model.
     pub(crate) fn note(&mut self, errors: &[GeometryError], place: (u32, u32, u32)) {
         for error in errors {
             let finding = Finding { severity: error.severity, error: self.runtime_error(error, place) };
-            // Both flanks of a tooth often have the same to say.
+            // Both flanks of a tooth often cause the same finding.
             if !self.findings.contains(&finding) {
                 self.findings.push(finding);
             }
@@ -247,47 +250,47 @@ impl ModelHost {
     }
 }
 
-/// A request for a signal, with the place of its call.
+/// Requested signal with the location of its call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RequestedSignal {
-    /// What is asked.
+    /// The request.
     pub request: SignalRequest,
-    /// Place of the call.
+    /// Source location of the call.
     pub place: (u32, u32, u32),
 }
 
-/// How an analysis models bodies.
+/// Requested analysis: its model of the bodies and its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnalysisRequest {
-    /// By kind.
+    /// Fidelity level.
     pub fidelity: Fidelity,
-    /// How finely.
+    /// Discretization of the structures.
     pub structure: StructureOptions,
-    /// Whether with inertia and damping.
+    /// True if the analysis includes inertia and damping.
     pub in_time: bool,
-    /// Contact problems that it solves one after the other: positions, or steps in time.
+    /// Number of contact problems solved in sequence: positions, or time steps.
     pub problems: usize,
-    /// Natural frequency up to which bodies have modes, Hz.
+    /// Highest natural frequency of the modes of bodies, Hz.
     pub highest_frequency: f64,
-    /// Which errors it estimates.
+    /// Requested error estimates.
     pub estimates: Estimates,
-    /// The tolerance that the setting is searched for, if it is.
+    /// Tolerance of the tolerance search, if requested.
     pub tolerance: Option<f64>,
-    /// Place of the call.
+    /// Source location of the call.
     pub place: (u32, u32, u32),
 }
 
 /// Method of an analysis, with its positions or ranges of time.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnalysisKind {
-    /// Equilibrium at these positions.
+    /// Quasi-static equilibrium at these positions.
     QuasiStatic(Vec<Position>),
     /// Motion in time.
     Dynamic(DynamicOptions),
 }
 
 impl AnalysisKind {
-    /// The same as the engine takes it.
+    /// Converts it to the engine's method.
     pub fn method(&self) -> Method<'_> {
         match self {
             AnalysisKind::QuasiStatic(positions) => Method::QuasiStatic(positions),
@@ -296,27 +299,27 @@ impl AnalysisKind {
     }
 }
 
-/// Two bodies whose gears meet.
+/// Two bodies whose gears mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshRecord {
     /// Indices in the scene.
     pub bodies: [usize; 2],
-    /// How the gears touch.
+    /// Geometry of the mesh.
     pub geometry: MeshGeometry,
-    /// Place of the call.
+    /// Source location of the call.
     pub place: (u32, u32, u32),
 }
 
-/// Something an engineer should know, with the place of the call it arose in and the argument to blame.
+/// Finding with the source location of the call and the argument to blame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// Whether it stopped the model.
+    /// Severity, which decides whether it stops the model.
     pub severity: Severity,
-    /// What was found, and where.
+    /// The finding and its location.
     pub error: RuntimeError,
 }
 
-/// Puts a thing into its table and hands out its handle.
+/// Stores an object in its table and returns its handle.
 pub fn keep<T>(table: &mut Vec<T>, thing: T) -> Handle {
     table.push(thing);
     Handle((table.len() - 1) as u64)

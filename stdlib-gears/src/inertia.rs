@@ -1,7 +1,8 @@
-//! What a gear weighs: its section times the width of its face, and the web and hub that stand under it as bodies of revolution.
+//! Mass and moments of inertia of gears: the section times the face width, plus web and hub as
+//! bodies of revolution.
 //!
-//! The section is the meshed one, teeth and ring. A plane model shows nothing else, but what carries the ring is there all the same,
-//! as a rigid part of the body.
+//! The section is the meshed one, with teeth and rim. A plane model contains nothing else, but web
+//! and hub have mass too; they are a rigid part of the body.
 
 use crate::prototype::GearPrototype;
 use calyx_runtime::fe::{Section, Station};
@@ -10,7 +11,8 @@ use calyx_runtime::material::Material;
 use calyx_runtime::scene::StructureOptions;
 
 impl GearPrototype {
-    /// The whole gear; nothing if it cannot be meshed, which is said when its structure is built.
+    /// Inertia of the whole gear; `None` if it cannot be meshed, which the construction of its
+    /// structure reports.
     pub(crate) fn whole_inertia(&self) -> Option<Inertia> {
         let mesh = self.plane_mesh(&StructureOptions::default()).ok()?;
         let sectors = f64::from(self.gear.teeth());
@@ -23,7 +25,7 @@ impl GearPrototype {
         Some(toothed + carried.unwrap_or_default())
     }
 
-    /// What stands between ring and bore.
+    /// Bodies between rim and bore.
     fn carrying(&self) -> Option<(Section, Material)> {
         if let Some(web) = self.rim.revolved_web(self.gear.teeth(), self.material) {
             return Some((web.section, web.material));
@@ -60,7 +62,7 @@ mod tests {
         GearBlank::standard(TEETH, rack).face_width(5.0 * MODULE)
     }
 
-    /// A ring: mass, polar moment, moment across about its own middle.
+    /// Annulus: mass, polar moment, and transverse moment about its own middle.
     fn ring([inner, outer]: [f64; 2], width: f64) -> [f64; 3] {
         let mass = DENSITY * PI * (outer * outer - inner * inner) * width;
         let squares = inner * inner + outer * outer;
@@ -84,7 +86,8 @@ mod tests {
 
     #[test]
     fn a_cone_weighs_what_a_cone_does() {
-        // From the axis, nearly, to nothing: a double cone of height h to either side has mass 2/3 pi rho R² h and moment 3/10 m R².
+        // A disc that tapers from a small bore to zero thickness is nearly a double cone of height
+        // h on either side, with mass 2/3 pi rho R² h and polar moment 3/10 m R².
         let (radius, height) = (0.1, 0.02);
         let station = |radius: f64, height: f64| Station { radius, ends: [-height, height] };
         let section = Section::new(vec![station(1e-9, height), station(radius, 1e-12)]).expect("a section");
@@ -92,12 +95,13 @@ mod tests {
         let mass = 2.0 / 3.0 * PI * DENSITY * radius * radius * height;
         assert!((found.mass / mass - 1.0).abs() < 1e-6);
         assert!((found.polar() / (0.3 * mass * radius * radius) - 1.0).abs() < 1e-6);
-        // Across: 3/20 m R² + m h²/10.
+        // Transverse moment: 3/20 m R² + m h²/10.
         let across = mass * (0.15 * radius * radius + 0.1 * height * height);
         assert!((found.about[0][0] / across - 1.0).abs() < 1e-6);
     }
 
-    /// Area and polar moment of the outline of a gear, by a polygon of the true curves, less its bore.
+    /// Area and polar moment of the outline of a gear minus its bore, from a polygon on the true
+    /// curves.
     fn outline(blank: &GearBlank) -> [f64; 2] {
         let gear = blank.clone().cut().expect("a gear");
         let fillet = gear.gear.root_fillet(Side::CounterClockwise);
@@ -110,7 +114,8 @@ mod tests {
                 (0..=points).map(|k| curve.at(curve.length() * f64::from(k) / f64::from(points)).position),
             );
         }
-        // By polar angle from the middle of the space to that of the tooth; circles bound it beyond both.
+        // Ordered by polar angle from the middle of the space to that of the tooth; circles
+        // continue the outline on both sides.
         half.sort_by(|a, b| a[1].atan2(a[0]).abs().total_cmp(&b[1].atan2(b[0]).abs()));
         let angle = |p: &[f64; 2]| p[1].atan2(p[0]).abs();
         let radius = |p: &[f64; 2]| p[0].hypot(p[1]);
@@ -118,7 +123,7 @@ mod tests {
         let pitch = PI / f64::from(TEETH);
         let mut sums = [0.0; 2];
         let mut add = |from: f64, to: f64, r: [f64; 2]| {
-            // Of a narrow sector of varying radius.
+            // Integrals over a narrow sector of varying radius.
             let [square, fourth] = [2, 4].map(|power| 0.5 * (r[0].powi(power) + r[1].powi(power)));
             sums[0] += 0.5 * square * (to - from);
             sums[1] += 0.25 * fourth * (to - from);
@@ -166,7 +171,7 @@ mod tests {
         assert!(is_near(webbed.polar() - without.polar(), polar));
         assert!(is_near(webbed.moment[2], offset * mass));
         assert!(is_near(webbed.about[0][0] - without.about[0][0], across + mass * offset * offset));
-        // A hub as wide as the face, and a web of another density.
+        // A hub of the full face width, and a web of another density.
         let light = Material { density: 0.5 * DENSITY, ..Material::STEEL };
         let hub = Hub { radius: 8e-3, width, offset: 0.0 };
         let disc = DiscWeb { hub: Some(hub), material: Some(light), ..DiscWeb::plain(0.25 * width, 0.0) };

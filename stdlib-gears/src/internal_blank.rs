@@ -1,6 +1,7 @@
-//! Everything said of one internal gear before it stands anywhere.
+//! Blanks of internal gears: everything that describes one internal gear before mounting.
 //!
-//! The library's `internal` of the language is [`InternalBlank::cut`] with arguments for fields.
+//! The library function `internal` of the language is [`InternalBlank::cut`] with arguments for
+//! fields.
 
 use crate::blank::{Rim, Thickness, check_face_width, of_modifications};
 use crate::error::Refusal;
@@ -13,39 +14,41 @@ use calyx_runtime::material::Material;
 use calyx_runtime::structure::BoreSupport;
 use std::sync::Arc;
 
-/// What is given of an internal gear. Lengths in m.
+/// Input data of an internal gear. Lengths in m.
 #[derive(Clone, Debug)]
 pub struct InternalBlank {
-    /// Number of teeth, more than the shaper's.
+    /// Number of teeth, more than the shaper cutter has.
     pub teeth: u32,
-    /// What generates the teeth.
+    /// Tool that generates the teeth.
     pub shaper: Shaper,
-    /// Of the circle through the tips; usually 1.5 to 2 modules less than the pitch diameter.
+    /// Tip (minor) diameter; usually the pitch diameter minus 1.5 to 2 modules.
     pub minor_diameter: f64,
-    /// Of the circle on which the spaces end; usually 2.5 modules more than the pitch diameter.
+    /// Root diameter; usually the pitch diameter plus 2.5 modules.
     pub root_diameter: f64,
-    /// Length of the teeth along the axis.
+    /// Face width: axial length of the teeth.
     pub face_width: f64,
-    /// How the teeth wind; straight ones by default.
+    /// Helix of the teeth; spur by default.
     pub helix: Helix,
-    /// What it is made of.
+    /// Material of the gear.
     pub material: Material,
-    /// What carries the teeth: a ring around them, see [`Rim::outer`].
+    /// Rim that surrounds the teeth, see [`Rim::outer`].
     pub rim: Rim,
-    /// How thick the teeth are.
+    /// Tooth thickness.
     pub thickness: Thickness,
-    /// Rounding of the tip edge; `None` for [`crate::external::DEFAULT_TIP_EDGE`] modules.
+    /// Radius of the rounded tip edge; `None` selects [`crate::external::DEFAULT_TIP_EDGE`]
+    /// modules.
     pub tip_edge_radius: Option<f64>,
-    /// What is taken off both flanks of every tooth.
+    /// Modifications of both flanks of every tooth.
     pub modifications: Vec<Modification>,
-    /// Error of position of each tooth along the pitch circle, from tooth 0 on, counter-clockwise; teeth beyond the list have
-    /// none.
+    /// Pitch deviation of each tooth along the pitch circle, from tooth 0, counter-clockwise. Teeth
+    /// beyond the list have none.
     pub pitch_errors: Vec<f64>,
 }
 
 impl InternalBlank {
-    /// A ring of a standard tooth form: addendum 0.8 modules, dedendum 1.25, no profile shift, of steel, ten modules wide, in a rim of two
-    /// modules around the spaces. Everything is a field to be changed.
+    /// Creates an internal gear with standard proportions: addendum 0.8 modules, dedendum 1.25, no
+    /// profile shift, steel, face width ten modules, rim thickness two modules around the tooth
+    /// spaces. Every field can be changed.
     pub fn standard(teeth: u32, shaper: Shaper) -> InternalBlank {
         let module = shaper.module;
         let pitch_diameter = f64::from(teeth) * module;
@@ -71,11 +74,11 @@ impl InternalBlank {
         }
     }
 
-    /// The gear, checked. Warnings about it stand in its [`InternalGear::warnings`].
+    /// Checks the blank and generates the gear. Its warnings are in [`InternalGear::warnings`].
     ///
     /// # Errors
-    /// Everything that is wrong with the gear, as far as it can be told at once: those of [`InternalGear::new`], E0620, E0621, E0640 to E0642
-    /// (blaming `modifications`), E0668.
+    /// All errors of the gear that can be detected together: those of [`InternalGear::new`], E0620,
+    /// E0621, E0640 to E0642 (blaming `modifications`), E0668.
     pub fn cut(self) -> Result<Arc<GearPrototype>, Refusal> {
         check_face_width(self.face_width)?;
         let tooth_thickness = match self.thickness {

@@ -1,23 +1,25 @@
-//! The involute of a circle: the involute function and its inverse, and the curve by roll angle.
+//! The involute of a circle: the involute function with its inverse, and the curve in terms of the
+//! roll angle.
 //!
-//! The roll angle of a point is the tangent of its pressure angle: the length of the tangent from the point to the
-//! base circle, divided by the base radius. All angles in radians.
+//! The roll angle of a point is the tangent of its pressure angle: the length of the tangent from
+//! the point to the base circle divided by the base radius. All angles are in radians.
 
 use calyx_abi::math;
 
-/// Roll angle below which the involute function is computed by its series.
+/// Roll angle below which a series evaluates the involute function.
 const SERIES_UP_TO: f64 = 0.25;
 
-/// `inv(pressure angle) = tan - angle`.
+/// Involute function, `inv(alpha) = tan(alpha) - alpha`.
 pub fn involute(pressure_angle: f64) -> f64 {
     involute_of_roll(math::tan(pressure_angle))
 }
 
-/// The involute function by roll angle, `roll - atan(roll)`: the angle at the gear's centre from the involute's
-/// origin on the base circle to the point.
+/// Involute function of a roll angle, `roll - atan(roll)`: the polar angle between the involute's
+/// origin on the base circle and the point.
 pub fn involute_of_roll(roll: f64) -> f64 {
     if roll.abs() < SERIES_UP_TO {
-        // The difference would lose digits: its series, whose next term is below 1e-17 of the first.
+        // The difference would cancel digits; the first omitted term of the series is below 1e-17
+        // of the first.
         let square = roll * roll;
         let mut sum = 0.0;
         for power in (1..=14).rev() {
@@ -29,13 +31,14 @@ pub fn involute_of_roll(roll: f64) -> f64 {
     roll - math::atan(roll)
 }
 
-/// Roll angle at which the involute function has a value, by Newton's method. Negative values give negative rolls.
+/// Solves the involute function for the roll angle by Newton's method. Negative values give
+/// negative roll angles.
 pub fn roll_of_involute(value: f64) -> f64 {
     if value == 0.0 {
         return 0.0;
     }
     let target = value.abs();
-    // roll^3 / 3 for small ones; for large ones the arc tangent nears a right angle.
+    // Initial guess: roll^3 / 3 for small values; for large ones the arc tangent approaches pi/2.
     let small = math::pow(3.0 * target, 1.0 / 3.0);
     let mut roll = if small < 1.5 { small * (1.0 + 0.2 * small * small) } else { target + 1.3 };
     for _ in 0..50 {
@@ -49,7 +52,7 @@ pub fn roll_of_involute(value: f64) -> f64 {
     roll.copysign(value)
 }
 
-/// Pressure angle at which the involute function has a value.
+/// Pressure angle whose involute function has this value.
 pub fn inverse_involute(value: f64) -> f64 {
     math::atan(roll_of_involute(value))
 }
@@ -61,7 +64,7 @@ pub fn radius_at_roll(base_radius: f64, roll: f64) -> f64 {
 
 /// Roll angle at a radius; 0 below the base circle.
 pub fn roll_at_radius(base_radius: f64, radius: f64) -> f64 {
-    // Factored, so that no digits are lost near the base circle.
+    // The factored form loses no digits near the base circle.
     ((radius - base_radius) * (radius + base_radius)).max(0.0).sqrt() / base_radius
 }
 
@@ -77,7 +80,7 @@ mod tests {
             assert!((back - angle).abs() < 1e-15 * angle.max(0.4) / 0.4, "{angle}: {back}");
             assert_eq!(roll_of_involute(-involute(angle)), -roll_of_involute(involute(angle)));
         }
-        // inv 20 deg to the digits of gear tables.
+        // inv(20 deg) to the digits of gear tables.
         assert!((involute(20.0_f64.to_radians()) - 0.014904383867336446).abs() < 1e-17);
     }
 

@@ -1,26 +1,27 @@
-//! Involute gears for the engine, in Rust: geometry, meshes of teeth, and gear pairs put into a scene. Under it also lies the
-//! gear library of the Calyx language, whose functions are thin coats over the ones here.
+//! Involute gears for the engine, in Rust: geometry, tooth meshes, and gear pairs in a scene. The
+//! gear library of the Calyx language is part of this crate; its functions wrap those of the crate.
 //!
-//! # The way from a rack to a stress
+//! # From the rack to the stress
 //!
-//! | step | by |
+//! | step | item |
 //! |---|---|
-//! | the tool | [`rack::Rack`], for internal gears [`shaper::Shaper`] |
-//! | what is said of a gear | [`blank::GearBlank`]: teeth, diameters, [`blank::Rim`], [`modification::Modification`]s, pitch errors |
-//! | what is said of an internal one | [`internal_blank::InternalBlank`] |
-//! | the gear, checked | [`blank::GearBlank::cut`] gives a [`prototype::GearPrototype`], which a body of the engine's [`Scene`] is made of |
+//! | tool | [`rack::Rack`], for internal gears [`shaper::Shaper`] |
+//! | gear blank | [`blank::GearBlank`]: teeth, diameters, [`blank::Rim`], [`modification::Modification`]s, pitch deviations |
+//! | blank of an internal gear | [`internal_blank::InternalBlank`] |
+//! | checked gear | [`blank::GearBlank::cut`] returns a [`prototype::GearPrototype`], from which a body of the engine's [`Scene`] is made |
 //! | bodies on their frames | [`assembly::add_body`] |
-//! | the mesh | [`assembly::mesh`]: which flanks drive, the phase, the cycle |
+//! | mesh | [`assembly::mesh`]: drive flanks, phase, mesh cycle |
 //! | positions | [`mesh_cycle`] |
-//! | the analysis | [`Steps`], or [`quasi_static`] with an observer |
+//! | analysis | [`Steps`], or [`quasi_static`] with an observer |
 //!
-//! All quantities are SI: m, rad, N, N m, Pa. What is wrong with a gear or a pair comes back as data
+//! All quantities are SI: m, rad, N, N m, Pa. Errors of a gear or a pair are data
 //! ([`error::Refusal`]): a stable code, the argument to blame, a reason and a remedy.
 //!
-//! # A spur pair
+//! # Example: a spur pair
 //!
-//! 20 and 40 teeth of diametral pitch 10, the pair of the report's chapter 5, with a quadratic tip relief. It is the model
-//! `examples/spur_pair.cx` of the language, and gives the same numbers to the last bit.
+//! Gears of 20 and 40 teeth with diametral pitch 10 and a quadratic tip relief, the pair of the
+//! design report's chapter 5. It is the model `examples/spur_pair.cx` of the language, with results
+//! that are equal to the last bit.
 //!
 //! ```
 //! use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -54,7 +55,8 @@
 //! let pinion = gear(20, [2.18, 1.76], [1.40, 1.20], 27.25)?;
 //! let wheel = gear(40, [4.18, 3.78], [3.40, 2.40], 19.60)?;
 //!
-//! // The pinion turns at 3 rpm, is free about its axis, and 1000 lbf inch drive it; the wheel is held on its frame.
+//! // The pinion rotates at 3 rpm, is free about its axis and driven by 1000 lbf inch; the wheel is
+//! // fixed to its frame.
 //! let speed = 3.0 * TAU / 60.0;
 //! let torque = 1000.0 * 4.4482216152605 * INCH;
 //! let mut scene = Scene::default();
@@ -79,7 +81,7 @@
 //! let positions = mesh_cycle(cycle, 4);
 //! let result = quasi_static(&scene, &positions, &outputs, &AnalysisOptions::default(), &mut ())?;
 //!
-//! // Every position is in equilibrium, and says how well.
+//! // The certificate contains the equilibrium residuals of all positions.
 //! assert!(result.certificate.largest() < 1e-12);
 //! let [error, stress] = [&result.summaries[0], &result.summaries[1]];
 //! println!("transmission error {:.1} µrad peak to peak", error.peak_to_peak * 1e6);
@@ -88,14 +90,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # Further
+//! # Further reading
 //!
-//! * Loads and flanks of your own: [`calyx_runtime::load::Load`] is a constant or a closure of time,
-//!   [`deviation::Deviation`] a closure of the roll angle.
-//! * Geometry without an analysis: [`external::ExternalGear`], [`internal::InternalGear`], [`mesh_geometry::MeshGeometry`], and [`derived_quantities`] for what follows from
-//!   both in the terms of ISO 21771.
-//! * What the engine makes of a scene: [`calyx_runtime`].
-//! * The language's library: [`library`] (its source), [`externs`] (its functions), [`host`] (what a running model keeps), [`tables`].
+//! * User-defined loads and flanks: [`calyx_runtime::load::Load`] is a constant or a closure of
+//!   time, [`deviation::Deviation`] a closure of the roll angle.
+//! * Geometry without an analysis: [`external::ExternalGear`], [`internal::InternalGear`],
+//!   [`mesh_geometry::MeshGeometry`], and [`derived_quantities`] with the quantities of ISO 21771
+//!   that follow from them.
+//! * Models and solvers for a scene: [`calyx_runtime`].
+//! * The language's library: [`library`] (its source), [`externs`] (its functions), [`host`] (the
+//!   state of a running model), [`tables`].
 //!
 //! [`Scene`]: calyx_runtime::scene::Scene
 //! [`mesh_cycle`]: calyx_runtime::analysis::mesh_cycle

@@ -1,27 +1,28 @@
-//! The library's Calyx source, and the table of the functions behind it.
+//! Calyx source of the library, and the table of its functions.
 
 use calyx_abi::{Extern, Fingerprint, standard};
 use std::sync::LazyLock;
 
-/// A library module: its import path, the name it is shown by, its text.
+/// Library module: its import path, display name and text.
 pub struct LibraryModule {
-    /// As `import` names it.
+    /// Path in `import`.
     pub path: &'static str,
-    /// As messages show it.
+    /// Name in diagnostics.
     pub file: &'static str,
-    /// The source.
+    /// Source text.
     pub text: &'static str,
 }
 
-/// Names every model sees.
+/// Module whose names every model sees.
 pub const PRELUDE: LibraryModule =
     LibraryModule { path: "std", file: "<library>/prelude.cx", text: include_str!("../calyx/prelude.cx") };
 
-/// Modules to import.
+/// Modules for import.
 pub const MODULES: &[LibraryModule] =
     &[LibraryModule { path: "gears", file: "<library>/gears.cx", text: include_str!("../calyx/gears.cx") }];
 
-/// The tables of functions that programs may call: the library's, and those of the language itself.
+/// Tables of the functions that programs may call: those of the library, and those of the language
+/// itself.
 const TABLES: &[&[Extern]] = &[
     crate::externs::EXTERNS,
     crate::bearing_externs::EXTERNS,
@@ -37,10 +38,11 @@ const TABLES: &[&[Extern]] = &[
     standard::EXTERNS,
 ];
 
-/// What code must have been compiled against to run with this engine.
+/// Fingerprint of the function tables. Compiled code only runs with an engine of the same
+/// fingerprint.
 pub const FINGERPRINT: Fingerprint = Fingerprint::of(TABLES);
 
-/// Every function that programs may call.
+/// All functions that programs may call.
 pub fn externs() -> &'static [Extern] {
     static ALL: LazyLock<Vec<Extern>> = LazyLock::new(|| TABLES.concat());
     &ALL

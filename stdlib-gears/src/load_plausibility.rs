@@ -1,5 +1,5 @@
-//! Plausibility of the loads of a scene: that they reach its teeth, and that its teeth can carry
-//! them. A check and a run report it before anything is solved.
+//! Plausibility of the loads of a scene: whether they reach its teeth, and whether the teeth can
+//! carry them. Checks and runs report it before they solve anything.
 
 use crate::error::Severity;
 use crate::host::{AnalysisKind, Finding, ModelHost};
@@ -10,18 +10,19 @@ use calyx_runtime::scene::{BodyId, DOF_NAMES, Fidelity, Scene};
 
 /// Times at which variable loads are sampled.
 const SAMPLES: usize = 8;
-/// Mesh stiffness of a tooth pair by face width and Young's modulus: 14 N/(mm um) of steel teeth
-/// (ISO 6336-1) over 206 GPa.
+/// Mesh stiffness of a tooth pair divided by face width and Young's modulus: 14 N/(mm um) for steel
+/// teeth (ISO 6336-1) over 206 GPa.
 const STIFFNESS: f64 = 14e9 / 206e9;
 /// Deflection in modules above which teeth of any material are overloaded.
 const OVERLOADED: f64 = 0.25;
 /// Deflection in modules above which teeth leave the mesh.
 const CRUSHED: f64 = 1.0;
 
-/// Checks how the bodies of a scene are loaded for an analysis: warnings join the findings.
+/// Checks the loads of the bodies of a scene for an analysis, and adds warnings to the findings.
 ///
 /// # Errors
-/// E0800: a load reaches no tooth. E0806: an output observes a gear in no mesh. E0807: the load would bend the teeth out of mesh.
+/// E0800: a load reaches no tooth. E0806: an output observes a gear that is in no mesh. E0807: the
+/// load would deflect the teeth out of mesh.
 pub(crate) fn check_loads(
     host: &mut ModelHost,
     how: &AnalysisKind,
@@ -63,7 +64,7 @@ fn times(how: &AnalysisKind) -> Vec<f64> {
     }
 }
 
-/// Bodies that meshes and bearings connect, one list for each connected part that has a mesh.
+/// Bodies that meshes and bearings connect: one list for each connected component with a mesh.
 fn groups(scene: &Scene) -> Vec<Vec<usize>> {
     let mut left: Vec<bool> = vec![true; scene.bodies.len()];
     let mut groups = Vec::new();
@@ -90,12 +91,12 @@ fn groups(scene: &Scene) -> Vec<Vec<usize>> {
 
 /// Loads on a connected group of bodies.
 struct LoadGroups {
-    /// Whether a body is free at all.
+    /// True if any body is free to move.
     free: bool,
-    /// Whether something acts along a free component, or may: loads that another program provides,
-    /// bearings with a load of their own, impulses.
+    /// True if a load acts, or may act, along a free component: a load from the host program, a
+    /// bearing with a load of its own, or an impulse.
     on_free: bool,
-    /// A body with a load along components that are all held.
+    /// A body whose load acts along fully constrained components only.
     on_held: Option<(usize, &'static str)>,
 }
 
@@ -112,7 +113,7 @@ impl LoadGroups {
             let body = &scene.bodies[index];
             loads.free |= body.free.contains(&true);
             loads.on_free |= !body.impulses.is_empty();
-            // A load that another program provides is asked for at positions alone.
+            // Loads from the host program are only evaluated at positions.
             if host.host_loaded.contains(&index) {
                 loads.on_free = true;
                 continue;
@@ -128,7 +129,7 @@ impl LoadGroups {
                 }
             }
         }
-        // In motion in time inertia loads teeth too, if anything moves.
+        // In a dynamic analysis inertia loads the teeth too if anything moves.
         loads.on_free |= matches!(how, AnalysisKind::Dynamic(_)) && loads.free;
         loads
     }
@@ -172,7 +173,7 @@ impl LoadGroups {
     }
 }
 
-/// Gears in no mesh.
+/// Warns of gears in no mesh.
 fn unmeshed(host: &ModelHost) -> Result<Vec<Finding>, RuntimeError> {
     let scene = &host.scene;
     let meshed = |body: BodyId| scene.pairs.iter().any(|pair| pair.bodies.contains(&body));
@@ -192,7 +193,7 @@ fn unmeshed(host: &ModelHost) -> Result<Vec<Finding>, RuntimeError> {
     }
     let gears =
         host.body_gears.iter().enumerate().filter(|(index, gear)| gear.is_some() && !meshed(BodyId(*index)));
-    // A free one that nothing holds is told of already.
+    // Free gears without constraints are reported elsewhere.
     let held = gears.filter(|(index, _)| !scene.bodies[*index].free.contains(&true));
     let warn = |(index, _): (usize, _)| {
         let message =
@@ -203,8 +204,8 @@ fn unmeshed(host: &ModelHost) -> Result<Vec<Finding>, RuntimeError> {
     Ok(held.map(warn).collect())
 }
 
-/// Meshes whose load is out of proportion to their teeth, by a mesh stiffness that is right to a
-/// factor of two.
+/// Finds meshes whose load is out of proportion to their teeth, using a mesh stiffness that is
+/// accurate to a factor of two.
 fn overloaded(host: &ModelHost, times: &[f64]) -> Result<Vec<Finding>, RuntimeError> {
     let scene = &host.scene;
     let mut found = Vec::new();
@@ -248,7 +249,7 @@ fn overloaded(host: &ModelHost, times: &[f64]) -> Result<Vec<Finding>, RuntimeEr
     Ok(found)
 }
 
-/// To two digits.
+/// Rounds a number to two digits for display.
 fn shown(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }

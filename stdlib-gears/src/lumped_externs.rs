@@ -1,4 +1,5 @@
-//! What programs can ask of a planetary gear set as rigid bodies on springs: the Rust side of the lumped model in `gears.cx`.
+//! Functions of the lumped-parameter model of planetary gear sets for programs: the Rust side of
+//! the model in `gears.cx`.
 
 use crate::externs::{entry, host, refusal};
 use crate::host::keep;
@@ -6,7 +7,7 @@ use crate::lumped_planetary::{LumpedError, LumpedMember, LumpedMesh, LumpedPlane
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 
-/// Freedoms of a member, by the names that bodies have for theirs.
+/// Degrees of freedom of a member, with the names that bodies use for theirs.
 const DOF_NAMES: [&str; 3] = ["u_x", "u_y", "theta_z"];
 
 calyx_abi::externs! {
@@ -70,7 +71,7 @@ calyx_abi::externs! {
     }
 }
 
-/// A number that cannot be, on the argument it came by.
+/// Reports an invalid number at the argument that contains it.
 fn impossible(error: &LumpedError) -> RuntimeError {
     let argument = match (error.what, error.member) {
         ("bearing stiffness", _) => "planet_bearing_stiffness",
@@ -88,7 +89,7 @@ fn impossible(error: &LumpedError) -> RuntimeError {
 
 fn mode(context: &mut Context, modes: Handle, mode: f64) -> Result<Mode, RuntimeError> {
     let modes = entry(&host(context)?.modes, modes)?;
-    // Of what is no whole number in range no index is made.
+    // A mode number that is not an integer in range selects no mode.
     let found = modes.iter().enumerate().find(|(index, _)| *index as f64 == mode);
     found.map(|(_, mode)| mode.clone()).ok_or_else(|| {
         refusal(

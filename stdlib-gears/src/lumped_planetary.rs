@@ -1,107 +1,114 @@
-//! A planetary gear set as rigid bodies on springs, and its natural frequencies.
+//! Lumped-parameter model of a planetary gear set, and its natural frequencies.
 //!
-//! J. Lin and R. G. Parker, *Analytical characterization of the unique properties of planetary gear free vibration*, J. Vib. Acoust. 121(3),
-//! 1999: carrier, ring, sun and planets move in their plane, meshes are springs along their lines of action, bearings springs in both
-//! directions. No gyroscopic terms: frequencies are those of a carrier that stands still. What such a model shows is how a gear set is built:
-//! with equal planets equally spaced every mode turns the central members, or moves them sideways (in pairs of one frequency), or
-//! leaves them at rest.
+//! J. Lin and R. G. Parker, *Analytical characterization of the unique properties of planetary gear
+//! free vibration*, J. Vib. Acoust. 121(3), 1999. Carrier, ring, sun and planets are rigid bodies
+//! with plane motion; meshes are springs along their lines of action, bearings are springs in both
+//! directions. There are no gyroscopic terms: the frequencies are those of a carrier at rest. With
+//! equal, equally spaced planets every mode is a rotational mode, a translational mode (in pairs of
+//! equal frequency), or a planet mode with the central members at rest.
 //!
-//! The model is a list of springs, each a linear form of the freedoms. Of the forms, divided by the roots of mass and multiplied by those of
-//! stiffness, the singular values are the circular frequencies: to rounding of the largest one, which a stiffness matrix, where frequencies
-//! stand squared, gives the lowest ones with half as many digits.
+//! The model is a list of springs, each a linear form of the degrees of freedom. The circular
+//! frequencies are the singular values of these forms, scaled by the square roots of the stiffness
+//! and the inverse square roots of the masses. They are accurate to rounding errors of the largest
+//! one. The eigenvalues of a stiffness matrix are squared frequencies, which would halve the number
+//! of correct digits of the lowest ones.
 
 use calyx_runtime::observables::ModeKind;
 use nalgebra::{DMatrix, SVD};
 use std::f64::consts::TAU;
 
-/// A body that moves in its plane: along x, along y, and about its axis.
+/// Rigid body with plane motion: along x, along y, and about its axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LumpedMember {
-    /// kg.
+    /// Mass, kg.
     pub mass: f64,
-    /// About its axis, kg m2.
+    /// Moment of inertia about its axis, kg m2.
     pub inertia: f64,
-    /// Of the base circle; of a carrier the radius at which its pins stand, m.
+    /// Base radius; for a carrier the radius of its pins, m.
     pub radius: f64,
-    /// To ground in any direction, N/m. Not of planets, which the carrier bears.
+    /// Translational stiffness to ground in any direction, N/m. Not used for planets, which the
+    /// carrier supports.
     pub support_stiffness: f64,
-    /// To ground about the axis, N m/rad.
+    /// Torsional stiffness to ground about the axis, N m/rad.
     pub torsional_stiffness: f64,
-    /// Which of its freedoms do not move.
+    /// Flags of the constrained degrees of freedom.
     pub held: [bool; 3],
 }
 
-/// The springs between a central gear and each planet.
+/// Springs between a central gear and each planet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LumpedMesh {
-    /// Along the line of action, N/m.
+    /// Stiffness along the line of action, N/m.
     pub stiffness: f64,
-    /// At the operating pitch circles, rad.
+    /// Operating pressure angle, rad.
     pub pressure_angle: f64,
 }
 
-/// See the module.
+/// Lumped-parameter model, see the module.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LumpedPlanetary {
-    /// Bears the planets.
+    /// Carrier of the planets.
     pub carrier: LumpedMember,
-    /// The gear around the planets.
+    /// Ring gear around the planets.
     pub ring: LumpedMember,
-    /// The gear between them.
+    /// Sun gear between the planets.
     pub sun: LumpedMember,
-    /// Each of them. Its x axis points outwards, its y axis the way that the carrier turns.
+    /// One planet; all are equal. Its x axis points outwards, its y axis in the direction of the
+    /// carrier's rotation.
     pub planet: LumpedMember,
-    /// Of the planets' bearings, in any direction, N/m.
+    /// Stiffness of the planets' bearings in any direction, N/m.
     pub planet_bearing_stiffness: f64,
-    /// Where planets stand on the carrier, rad.
+    /// Angular positions of the planets on the carrier, rad.
     pub planet_angles: Vec<f64>,
-    /// Sun and planets.
+    /// Mesh of sun and planets.
     pub sun_mesh: LumpedMesh,
-    /// Ring and planets.
+    /// Mesh of ring and planets.
     pub ring_mesh: LumpedMesh,
 }
 
-/// A free vibration.
+/// Mode of free vibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    /// Hz.
+    /// Natural frequency, Hz.
     pub frequency: f64,
-    /// By what the central members do.
+    /// Mode type, from the motion of the central members.
     pub kind: ModeKind,
-    /// Motions (m, m, rad) of carrier, ring, sun and the planets in their order, 0 where held. The sum of masses and inertias times squares is
-    /// 1 kg m2, so modes of one frequency are orthogonal too.
+    /// Motions (m, m, rad) of carrier, ring, sun and the planets in their order, 0 if constrained.
+    /// The sum of masses and inertias times squared motions is 1 kg m2. Modes of equal frequency
+    /// are orthogonal too.
     pub shape: Vec<[f64; 3]>,
-    /// How much of the kinetic energy each of them has.
+    /// Fraction of the kinetic energy in each member.
     pub shares: Vec<f64>,
 }
 
-/// Central members that have less of a mode's energy than this rest.
+/// Fraction of a mode's energy below which central members count as at rest.
 const AT_REST: f64 = 1e-12;
 
-/// A number of the model that cannot be, by the name of its field.
+/// Invalid number of the model, with the name of its field.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{what} of the {member} is {value}, and must be {needed}")]
 pub struct LumpedError {
-    /// "carrier", "ring", "sun", "planet" or "mesh".
+    /// Member: "carrier", "ring", "sun", "planet" or "mesh".
     pub member: &'static str,
-    /// Which number.
+    /// Name of the number.
     pub what: &'static str,
-    /// What it is, in SI.
+    /// Its value in SI.
     pub value: f64,
-    /// What it has to be.
+    /// Condition that it violates.
     pub needed: &'static str,
 }
 
-/// Angles of planets equally spaced, rad.
+/// Angles of equally spaced planets, rad.
 pub fn equally_spaced(planets: usize) -> Vec<f64> {
     (0..planets).map(|planet| TAU * planet as f64 / planets as f64).collect()
 }
 
 impl LumpedPlanetary {
-    /// Every mode, from the lowest frequency up. Where nothing holds the set against turning the first has none.
+    /// Computes all modes in order of ascending frequency. If the set is free to rotate, the first
+    /// one has frequency zero.
     ///
     /// # Errors
-    /// If a mass, inertia or radius is not positive, or a stiffness negative.
+    /// A mass, inertia or radius is not positive, or a stiffness is negative.
     pub fn modes(&self) -> Result<Vec<Mode>, LumpedError> {
         self.check()?;
         let members = self.members();
@@ -114,7 +121,7 @@ impl LumpedPlanetary {
             if dof < 2 { mass.sqrt() } else { inertia.sqrt() }
         };
         let springs = self.springs();
-        // As many rows as columns at least: rows of nothing are no springs.
+        // At least as many rows as columns; zero rows are no springs.
         let mut forms = DMatrix::zeros(springs.len().max(free.len()), free.len());
         for (row, spring) in springs.iter().enumerate() {
             for (column, &dof) in free.iter().enumerate() {
@@ -176,7 +183,8 @@ impl LumpedPlanetary {
                 ],
             ];
             springs.extend(bearing.map(|form| Spring { stiffness: self.planet_bearing_stiffness, form }));
-            // Lines of action lean one way at the sun, the other at the ring, and press against opposite flanks of the planet.
+            // Lines of action are inclined in opposite senses at sun and ring, and load opposite
+            // flanks of the planet.
             let meshes = [(SUN, self.sun, self.sun_mesh, -1.0), (RING, self.ring, self.ring_mesh, 1.0)];
             for (member, of, mesh, way) in meshes {
                 let (lean_sine, lean_cosine) = mesh.pressure_angle.sin_cos();
@@ -225,7 +233,7 @@ fn positive_or_none(member: &'static str, what: &'static str, value: f64) -> Res
     Err(LumpedError { member, what, value, needed: "0 or greater" })
 }
 
-/// A spring, and how freedoms (member, freedom) lengthen it.
+/// Spring, and its elongation per degree of freedom (member, DOF).
 struct Spring {
     stiffness: f64,
     form: Vec<([usize; 2], f64)>,

@@ -1,5 +1,5 @@
-//! A planetary set of a scene as rigid bodies on springs: the model of Lin and Parker with the masses and bearings that the scene has, and with the
-//! stiffness that its meshes have at a solved position.
+//! Lumped-parameter model of a planetary set of a scene: the model of Lin and Parker with the
+//! masses and bearings of the scene, and with the mesh stiffnesses at a solved position.
 
 use crate::lumped_planetary::{LumpedMember, LumpedMesh, LumpedPlanetary};
 use calyx_runtime::bearing::Support;
@@ -7,26 +7,27 @@ use calyx_runtime::observables::{Equilibrium, MeshStiffness, Observable, Quantit
 use calyx_runtime::results::Observed;
 use calyx_runtime::scene::{BodyId, Component, PairId, Scene};
 
-/// The members of a set. Planets are alike, and so are their meshes, of which the mean stiffness counts.
+/// Members of a planetary set. All planets are equal, and so are their meshes, whose mean stiffness
+/// is used.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LumpedSet {
-    /// In the middle.
+    /// Sun gear.
     pub sun: BodyId,
-    /// Around the planets.
+    /// Ring gear.
     pub ring: BodyId,
-    /// Bears the planets.
+    /// Carrier of the planets.
     pub carrier: BodyId,
-    /// In the order of their meshes.
+    /// Planets in the order of their meshes.
     pub planets: Vec<BodyId>,
-    /// Of the sun with each planet, the sun first.
+    /// Meshes of the sun with each planet, the sun first.
     pub sun_meshes: Vec<PairId>,
-    /// Of each planet with the ring, the planet first.
+    /// Meshes of each planet with the ring, the planet first.
     pub ring_meshes: Vec<PairId>,
 }
 
 impl LumpedSet {
-    /// Number of modes of the model: the free degrees of freedom in the plane of all members.
-    /// Planets are alike, so the first stands for all.
+    /// Number of modes of the model: the free degrees of freedom of plane motion of all members.
+    /// Planets are equal, so the first one stands for all.
     pub fn mode_count(&self, scene: &Scene) -> usize {
         let free = |body: BodyId| {
             let of = scene.bodies.get(body.0);
@@ -36,7 +37,8 @@ impl LumpedSet {
         free(self.sun) + free(self.ring) + free(self.carrier) + planets
     }
 
-    /// The model at a solved position; `None` if a pair is no gear mesh, or there is no planet.
+    /// Returns the model at a solved position; `None` if a pair is not a gear mesh, or there is no
+    /// planet.
     pub fn at(&self, at: &Equilibrium<'_>) -> Option<LumpedPlanetary> {
         let scene = at.scene();
         let stiffness = |pairs: &[PairId]| {
@@ -58,7 +60,7 @@ impl LumpedSet {
             Some(LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, held })
         };
         let member_without_mass = |body: BodyId, radius: f64| {
-            // What is held altogether may weigh nothing.
+            // Fully constrained members may have zero mass.
             let member = member(body, radius)?;
             let some = |value: f64| if member.held == [true; 3] && value == 0.0 { 1.0 } else { value };
             Some(LumpedMember { mass: some(member.mass), inertia: some(member.inertia), ..member })
@@ -86,10 +88,11 @@ impl LumpedSet {
     }
 }
 
-/// DOFs of a member.
+/// Degrees of freedom of a member.
 const PLANE_FREEDOMS: [Component; 3] = [Component::Ux, Component::Uy, Component::ThetaZ];
 
-/// Radial (N/m) and torsional (N m/rad) stiffness of the bearings of a body, on ground or on another one.
+/// Radial (N/m) and torsional (N m/rad) stiffness of the bearings of a body, to ground or to
+/// another body.
 fn springs(at: &Equilibrium<'_>, body: BodyId, on: Option<BodyId>) -> [f64; 2] {
     let on = on.map_or(Support::Ground, Support::Body);
     let own = at.scene().bearings.iter().filter(|bearing| bearing.body == body && bearing.to == on);
@@ -99,12 +102,12 @@ fn springs(at: &Equilibrium<'_>, body: BodyId, on: Option<BodyId>) -> [f64; 2] {
     })
 }
 
-/// A natural frequency of the set as rigid bodies on springs, Hz.
+/// Natural frequency of the lumped-parameter model of a planetary set, Hz.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LumpedFrequency {
-    /// From the lowest up, from 0.
+    /// Index of the mode in order of ascending frequency, from 0.
     pub mode: usize,
-    /// Whose.
+    /// The planetary set.
     pub set: LumpedSet,
 }
 

@@ -1,4 +1,4 @@
-//! What programs can ask of two gears in mesh before anything is loaded: the Rust side of the geometry of meshes in `gears.cx`.
+//! Geometry of unloaded meshes for programs: the Rust side of the mesh geometry in `gears.cx`.
 
 use crate::externs::{defect, entry, host};
 use crate::mesh_geometry::MeshGeometry;
@@ -35,7 +35,7 @@ calyx_abi::externs! {
     }
 }
 
-/// How the gears of a mesh stand to each other.
+/// Geometry of a mesh.
 fn geometry(context: &mut Context, mesh: Handle) -> Result<MeshGeometry, RuntimeError> {
     let host = host(context)?;
     let bodies = entry(&host.scene.pairs, mesh)?.bodies.map(|body| body.0);

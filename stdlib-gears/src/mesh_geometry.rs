@@ -1,4 +1,5 @@
-//! Two gears in mesh: operating pressure angle, path of contact, backlash; and what makes a pair impossible.
+//! Geometry of two gears in mesh: operating pressure angle, path of contact, backlash, and the
+//! checks that reject impossible pairs. Theory: `docs/theory/gear-geometry.md`.
 
 use crate::error::{GeometryError, sentence};
 use crate::external::ExternalGear;
@@ -9,28 +10,31 @@ use crate::involute::{involute, radius_at_roll, roll_of_involute};
 use calyx_abi::math;
 use std::f64::consts::PI;
 
-/// Negative backlash and clearance up to this part of the pitch or module are put down to the rounding of data: half
-/// a pitch of 0.15708 is a thickness too large by 3e-6 of it.
+/// Negative backlash and tip clearance up to this fraction of the pitch or module are attributed to
+/// rounded input data. For example, half a pitch given as 0.15708 makes a tooth too thick by 3e-6
+/// of the pitch.
 const ROUNDING_OF_DATA: f64 = 1e-4;
 
-/// The characteristic points of the path of contact, in its order on the first member (from its root to its tip).
+/// Characteristic points of the path of contact as roll angles of the first member, ordered from
+/// its root to its tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathOfContact {
-    /// SAP: the tip of the second member comes into contact, or the involute of an undercut first member begins.
+    /// SAP, start of active profile (point A): the tip of the second member enters contact, or the
+    /// involute of an undercut first member begins.
     pub start_of_active_profile: f64,
-    /// LPSTC: the pair before leaves contact.
+    /// LPSTC, lowest point of single-tooth contact (point B): the preceding pair leaves contact.
     pub lowest_single_tooth: f64,
-    /// Where the line of action crosses the line of centres.
+    /// Pitch point C, where the line of action intersects the line of centres.
     pub pitch_point: f64,
-    /// HPSTC: the pair after comes into contact.
+    /// HPSTC, highest point of single-tooth contact (point D): the following pair enters contact.
     pub highest_single_tooth: f64,
-    /// EAP: the tip of the first member leaves contact.
+    /// EAP, end of active profile (point E): the tip of the first member leaves contact.
     pub end_of_active_profile: f64,
 }
 
 impl PathOfContact {
-    /// The points in order: SAP, LPSTC, pitch point, HPSTC, EAP. (With a contact ratio above two, the lowest
-    /// point of single-tooth contact lies below the start of the profile.)
+    /// Returns the points in order: SAP, LPSTC, pitch point, HPSTC, EAP. With a contact ratio above
+    /// two, the lowest point of single-tooth contact lies below the start of the profile.
     pub fn points(&self) -> [f64; 5] {
         [
             self.start_of_active_profile,
@@ -42,49 +46,52 @@ impl PathOfContact {
     }
 }
 
-/// How teeth wind over the face that two gears have in common.
+/// Helical teeth over the common face width of two gears.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HelicalTeeth {
     /// Helix of the first gear.
     pub first: Helix,
-    /// m
+    /// Common face width, m.
     pub width: f64,
 }
 
-/// A pair at a centre distance. SI units; angles in rad.
+/// Geometry of a pair at a centre distance. SI units; angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshGeometry {
-    /// Between the axes.
+    /// Centre distance, between the axes.
     pub center_distance: f64,
-    /// Between the line of action and the normal to the line of centres.
+    /// Operating pressure angle, between the line of action and the normal to the line of centres.
     pub operating_pressure_angle: f64,
-    /// Of both members.
+    /// Base pitch of both members.
     pub base_pitch: f64,
-    /// Length of the path of contact between the outer circles.
+    /// Length of the path of contact between the tip circles.
     pub line_of_action_length: f64,
-    /// Length of the path of contact in base pitches.
+    /// Transverse contact ratio: length of the path of contact in base pitches.
     pub contact_ratio: f64,
-    /// How many pitches the teeth wind over the common width of the faces ([`MeshGeometry::across`]); 0 of straight ones.
+    /// Overlap ratio: common face width in axial pitches ([`MeshGeometry::across`]); 0 for spur
+    /// teeth.
     pub overlap_ratio: f64,
     /// Base radii of the first and the second member.
     pub base_radius: [f64; 2],
-    /// Roll angles of the first member.
+    /// Path of contact in roll angles of the first member.
     pub first_roll: PathOfContact,
-    /// Distance between the points where the line of action touches the base circles: on external pairs the sum of
-    /// both members' tangents to a point of contact, on internal pairs their difference.
+    /// Distance of the tangent points of the line of action on the base circles. For external pairs
+    /// it is the sum of both members' tangents to a point of contact, for internal pairs their
+    /// difference.
     pub tangent_distance: f64,
-    /// Whether the second member is a ring with internal teeth.
+    /// True if the second member is an internal gear.
     pub internal: bool,
-    /// Along the operating pitch circles.
+    /// Circumferential backlash along the operating pitch circles.
     pub backlash: f64,
-    /// Along the line of action.
+    /// Normal backlash, along the line of action.
     pub normal_backlash: f64,
-    /// Centre distance at which there is no backlash; `None` if there always is some.
+    /// Centre distance with zero backlash; `None` if the pair always has backlash.
     pub zero_backlash_center_distance: Option<f64>,
 }
 
 impl MeshGeometry {
-    /// An external pair, with no judgement except that it can touch at all: see [`MeshGeometry::check_external`].
+    /// Computes the geometry of an external pair. It only checks that the pair can touch; see
+    /// [`MeshGeometry::check_external`] for the other checks.
     pub fn external(
         first: &ExternalGear,
         second: &ExternalGear,
@@ -127,8 +134,9 @@ impl MeshGeometry {
         }
         let tangent_distance = ((center_distance - base_sum) * (center_distance + base_sum)).sqrt();
         let angle = math::atan2(tangent_distance, base_sum);
-        // Each tooth touches from where its mate's tip comes to its own tip; an undercut one not below its form circle,
-        // where the rack has cut away what the mate's tip would reach.
+        // Each tooth is in contact from the point that its mate's tip reaches up to its own tip. An
+        // undercut tooth is not in contact below its form circle, where the rack has removed the
+        // flank.
         let undercut_start =
             |gear: &ExternalGear| if gear.undercut { gear.form_roll } else { f64::NEG_INFINITY };
         let start = base_radius[0] * undercut_start(first);
@@ -158,8 +166,8 @@ impl MeshGeometry {
         })
     }
 
-    /// An external pinion in an internal gear, with no judgement except that it can touch at all: see
-    /// [`MeshGeometry::check_internal`].
+    /// Computes the geometry of an external pinion in an internal gear. It only checks that the
+    /// pair can touch; see [`MeshGeometry::check_internal`] for the other checks.
     ///
     /// # Errors
     /// E0630 to E0632.
@@ -203,7 +211,7 @@ impl MeshGeometry {
             ));
         }
         let angle = math::atan2(tangent_distance, difference);
-        // The pinion's tooth in the gear's space, on the operating pitch circles.
+        // The pinion's tooth in the gear's tooth space, on the operating pitch circles.
         let teeth = [f64::from(first.teeth), f64::from(second.teeth)];
         let zero_involute = (teeth[1] * second.half_base_angle_of_space - teeth[0] * first.half_base_angle)
             / (teeth[1] - teeth[0]);
@@ -218,7 +226,7 @@ impl MeshGeometry {
         })
     }
 
-    /// From the first member's tangents (m) to the ends of the path of contact.
+    /// Converts tangent lengths of the first member (m) to the path of contact.
     fn from_path(
         base_radius: [f64; 2],
         base_pitch: f64,
@@ -250,7 +258,7 @@ impl MeshGeometry {
         }
     }
 
-    /// The pair with teeth that wind along a helix.
+    /// Returns the geometry of the pair with helical teeth.
     #[must_use]
     pub fn across(self, first: &ExternalGear, wound: &HelicalTeeth) -> Self {
         let twisted = wound.first.twist_per_length(first.pitch_radius).abs() * wound.width;
@@ -262,7 +270,7 @@ impl MeshGeometry {
         self.contact_ratio + self.overlap_ratio
     }
 
-    /// Roll angle of the second member where the first has the given one.
+    /// Roll angle of the second member at the contact point with this roll angle of the first.
     pub fn second_roll(&self, first_roll: f64) -> f64 {
         let first_tangent = self.base_radius[0] * first_roll;
         let second_tangent = if self.internal {
@@ -278,7 +286,8 @@ impl MeshGeometry {
         radius_at_roll(self.base_radius[0], first_roll)
     }
 
-    /// Distance between the root circle of one member and the tip circle of its mate, where they are nearest, m.
+    /// Tip clearance: smallest distance of the root circle of one member to the tip circle of its
+    /// mate, m.
     pub fn clearance(&self, gear: impl Into<ToothForm>, mate: impl Into<ToothForm>) -> f64 {
         let (gear, mate): (ToothForm, ToothForm) = (gear.into(), mate.into());
         if gear.internal {
@@ -290,7 +299,7 @@ impl MeshGeometry {
         }
     }
 
-    /// An external pair that can run: its geometry and warnings, or all that is wrong with it.
+    /// Checks an external pair and returns its geometry with warnings, or all of its errors.
     ///
     /// # Errors
     /// E0630 to E0634, E0636.
@@ -307,7 +316,8 @@ impl MeshGeometry {
         if errors.is_empty() { Ok((mesh, warnings)) } else { Err(errors) }
     }
 
-    /// A pair of an external and an internal gear that can run: its geometry and warnings, or all that is wrong with it.
+    /// Checks a pair of an external and an internal gear and returns its geometry with warnings, or
+    /// all of its errors.
     ///
     /// # Errors
     /// E0630 to E0634, E0636, E0638.
@@ -342,8 +352,8 @@ impl MeshGeometry {
         if errors.is_empty() { Ok((mesh, warnings)) } else { Err(errors) }
     }
 
-    /// What two gears have against each other, and what an engineer should know of the pair. An undercut gear ends the path of contact
-    /// at its form circle, so that its mate's tips run free below.
+    /// Finds the errors and warnings of a pair. An undercut gear ends the path of contact at its
+    /// form circle, so the tips of its mate do not touch below it.
     fn judge(&self, gears: [ToothForm; 2], undercut: [bool; 2]) -> (Vec<GeometryError>, Vec<GeometryError>) {
         let (mut errors, mut warnings) = (Vec::new(), Vec::new());
         if self.total_contact_ratio() < 1.0 {
@@ -424,7 +434,7 @@ impl MeshGeometry {
 }
 
 fn check_same_involutes(module: [f64; 2], pressure_angle: [f64; 2]) -> Result<(), GeometryError> {
-    // Only the base pitch must agree for conjugate action.
+    // Conjugate action requires only equal base pitches.
     let base_pitch = [0, 1].map(|member| PI * module[member] * math::cos(pressure_angle[member]));
     if (base_pitch[0] - base_pitch[1]).abs() <= 1e-9 * base_pitch[0] {
         return Ok(());

@@ -1,9 +1,11 @@
-//! What flanks differ by from involutes wound along a helix: modifications that are wanted, deviations that are not.
+//! Flank modifications (intended) and flank deviations (unintended) from the involute helicoid (ISO
+//! 21771, ISO 1328-1).
 //!
-//! All are one thing: an amount of material taken off, `a(roll, z)`, measured along the normal of the involute in the transverse
-//! section, with `z` from mid-face. A *profile* part is the same all along the face: the plane flank ([`crate::flank::Flank`]) has it in full. A *lead*
-//! part ([`LeadModification`]) is the same at all heights: it turns sections about the axis. What depends on both ([`Topography`]) is
-//! split into the profile that it is in mid-face and the rest.
+//! Both are an amount of removed material `a(roll, z)` along the normal of the involute in the
+//! transverse plane, with `z` from mid-face. A *profile* part is constant along the face; the plane
+//! flank ([`crate::flank::Flank`]) includes it completely. A *lead* part ([`LeadModification`]) is
+//! constant along the profile and rotates sections about the axis. A *topography* ([`Topography`])
+//! depends on both; it is split into its profile at mid-face and the remainder.
 
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, sentence};
@@ -11,52 +13,53 @@ use crate::gear::ToothForm;
 use crate::table_splines::{NaturalSpline, TensorSpline};
 use std::sync::Arc;
 
-/// How relief grows from its start to the tip circle.
+/// Growth of a tip relief from its start to the tip circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReliefShape {
-    /// In proportion to the roll angle, with the corner at the start rounded over [`LINEAR_BLEND`] of its length to
-    /// both sides, as no tool leaves a sharp one.
+    /// Proportional to the roll angle. The corner at the start is rounded over [`LINEAR_BLEND`] of
+    /// its length to both sides, because no tool leaves a sharp corner.
     Linear,
-    /// With the square of the roll angle.
+    /// Proportional to the square of the roll angle.
     Quadratic,
 }
 
-/// Half-width of the rounding of the start of a linear relief, as a part of the relief's range of roll.
+/// Half-width of the rounding at the start of a linear relief, as a fraction of the relief's roll
+/// range.
 pub const LINEAR_BLEND: f64 = 0.05;
 
-/// Material taken off near the tip. As a root relief, near the form circle: "tip" then stands for that.
+/// Tip relief. As a root relief, "tip" stands for the form circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TipRelief {
-    /// At the tip circle, m.
+    /// Amount at the tip circle, m.
     pub depth: f64,
-    /// Roll angle at which it begins, rad.
+    /// Roll angle at the start, rad.
     pub start_roll: f64,
-    /// How it grows.
+    /// Shape of the relief.
     pub shape: ReliefShape,
 }
 
-/// A deviation of the flank.
+/// Modification or deviation of the flank.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Modification {
-    /// Material taken off near the tip.
+    /// Tip relief.
     TipRelief(TipRelief),
-    /// Material taken off near the root, deepest at the form circle.
+    /// Root relief, largest at the form circle.
     RootRelief(TipRelief),
-    /// What a function of the program says.
+    /// Deviation given by a function of the program.
     Deviation(Deviation),
-    /// Error of the slope of the profile: material that stands out at the tip circle, in proportion to the roll angle from none at the form
-    /// circle, m; negative where it is missing.
+    /// Profile slope deviation: excess material at the tip circle, proportional to the roll angle
+    /// from zero at the form circle, m; negative where material is missing.
     ProfileSlope(f64),
-    /// Error of the helix: distance along the base tangent by which the teeth lean too far over the face width, m; positive towards a right-handed
-    /// helix.
+    /// Helix slope deviation over the face width, measured along the base tangent, m; positive
+    /// towards a right-hand helix.
     HelixSlope(f64),
-    /// Amounts by the distance from mid-face (m), the same at all heights.
+    /// Table of amounts over the distance from mid-face (m), constant along the profile.
     LeadTable(Arc<NaturalSpline>),
-    /// Amounts by roll angle and distance from mid-face.
+    /// Table of amounts over the roll angle and the distance from mid-face.
     Topography(Arc<Topography>),
-    /// A parabola along the face with this depth at both ends, m. A plane model cannot see it.
+    /// Crowning: a parabola along the face with this amount at both ends. Plane models ignore it.
     LeadCrown {
-        /// m
+        /// Amount at both ends of the face, m.
         depth: f64,
     },
 }
@@ -74,10 +77,10 @@ impl From<Deviation> for Modification {
 }
 
 impl Modification {
-    /// A crown by its depth at both ends of the face, m.
+    /// Creates a crowning with this amount at both ends of the face.
     ///
     /// # Errors
-    /// E0666: the depth is negative.
+    /// E0666: the amount is negative.
     pub fn lead_crown(depth: f64) -> Result<Modification, GeometryError> {
         if depth.is_nan() || depth < 0.0 {
             return Err(GeometryError::error(
@@ -90,27 +93,30 @@ impl Modification {
         Ok(Modification::LeadCrown { depth })
     }
 
-    /// Amounts in a table by the roll angle, ascending (rad, m): a spline passes through them, which goes on straight beyond its ends.
+    /// Creates a profile modification from a table of amounts (m) over ascending roll angles (rad).
+    /// A spline interpolates them and continues straight beyond both ends.
     ///
     /// # Errors
-    /// E0643: this is no table.
+    /// E0643: the table is not valid.
     pub fn profile_table(rolls: Vec<f64>, depths: Vec<f64>) -> Result<Modification, GeometryError> {
         let spline = NaturalSpline::new("rolls", rolls, depths)?;
         Ok(Deviation::new("a profile table", move |roll| spline.at(roll)[0]).into())
     }
 
-    /// Amounts in a table by the distance from mid-face, ascending (m, m): a spline passes through them.
+    /// Creates a lead modification from a table of amounts (m) over ascending distances from
+    /// mid-face (m), interpolated by a spline.
     ///
     /// # Errors
-    /// E0643: this is no table.
+    /// E0643: the table is not valid.
     pub fn lead_table(places: Vec<f64>, depths: Vec<f64>) -> Result<Modification, GeometryError> {
         Ok(Modification::LeadTable(Arc::new(NaturalSpline::new("places", places, depths)?)))
     }
 
-    /// Amounts in a table by roll angle (rad) and distance from mid-face (m): for each roll angle one row along the face.
+    /// Creates a topography from a table of amounts over the roll angle (rad) and the distance from
+    /// mid-face (m). Each roll angle has one row along the face.
     ///
     /// # Errors
-    /// E0643: this is no table.
+    /// E0643: the table is not valid.
     pub fn topography(
         rolls: Vec<f64>,
         places: Vec<f64>,
@@ -120,7 +126,8 @@ impl Modification {
         Ok(Modification::Topography(Arc::new(Topography { amounts })))
     }
 
-    /// What this is in the middle of the face as a function of the roll angle, if it depends on both.
+    /// Profile at mid-face as a function of the roll angle, if the modification depends on both
+    /// coordinates.
     pub(crate) fn at_mid_face(&self) -> Option<Deviation> {
         match self {
             Modification::Topography(topography) => Some(topography.at_mid_face()),
@@ -128,7 +135,8 @@ impl Modification {
         }
     }
 
-    /// Whether a plane model, which has no direction along the face, leaves it out, wholly or in part.
+    /// Returns whether a plane model, which has no face-width direction, ignores all or part of the
+    /// modification.
     pub(crate) fn varies_along_face(&self) -> Option<&'static str> {
         match self {
             Modification::LeadCrown { depth } if *depth > 0.0 => Some("lead_crown"),
@@ -139,7 +147,7 @@ impl Modification {
         }
     }
 
-    /// Everything about it that a structure of these teeth may depend on.
+    /// All values on which a structure of these teeth may depend.
     pub(crate) fn numbers(&self, form: &ToothForm) -> Vec<f64> {
         match self {
             Modification::TipRelief(relief) | Modification::RootRelief(relief) => {
@@ -150,54 +158,54 @@ impl Modification {
             Modification::Deviation(deviation) => deviation.samples(form),
             Modification::ProfileSlope(slope) => vec![*slope],
             Modification::Topography(topography) => topography.at_mid_face().samples(form),
-            // Along the face, which a plane structure does not have.
+            // These vary along the face, which a plane structure does not represent.
             Modification::LeadCrown { .. } | Modification::HelixSlope(_) | Modification::LeadTable(_) => {
                 Vec::new()
             }
         }
     }
 
-    /// A tip relief by its depth at the tip circle (m), the roll angle at which it begins (rad) and its shape. Whether it lies on the
-    /// flank is checked with the gear.
+    /// Creates a tip relief from its amount at the tip circle (m), the roll angle at its start
+    /// (rad) and its shape. Whether it lies on the flank is checked with the gear.
     pub fn tip_relief(depth: f64, start_roll: f64, shape: ReliefShape) -> Modification {
         Modification::TipRelief(TipRelief { depth, start_roll, shape })
     }
 }
 
-/// Amounts that depend on the roll angle and on the place along the face.
+/// Modification that depends on the roll angle and on the position along the face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topography {
     amounts: TensorSpline,
 }
 
 impl Topography {
-    /// Material taken off at a roll angle (rad, positive) and a distance from mid-face (m) *beyond* what is in mid-face, m, and its
-    /// derivatives by both.
+    /// Material removed at a roll angle (rad, positive) and a distance from mid-face (m) *minus*
+    /// that at mid-face, m, and its derivatives by both.
     pub fn beyond_mid_face(&self, roll: f64, z: f64) -> [f64; 3] {
         let (here, middle) = (self.amounts.at(roll, z), self.amounts.at(roll, 0.0));
         [here[0] - middle[0], here[1] - middle[1], here[2]]
     }
 
-    /// The profile that it is in mid-face.
+    /// Profile at mid-face.
     fn at_mid_face(&self) -> Deviation {
         let middle = self.amounts.along_first(0.0);
         Deviation::new("a topography", move |roll| middle.at(roll)[0])
     }
 }
 
-/// What is taken off along the face alike at all heights of the flank.
+/// Modification along the face that is constant along the profile.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LeadModification {
-    /// A parabola that is zero in mid-face: its depth at both ends of the face, m.
+    /// Crowning: parabola that is zero at mid-face; its amount at both ends of the face, m.
     pub crown: f64,
     /// [`Modification::HelixSlope`], m.
     pub helix_slope: f64,
-    /// Amounts by the distance from mid-face.
+    /// Tables of amounts over the distance from mid-face.
     pub tables: Vec<Arc<NaturalSpline>>,
 }
 
 impl LeadModification {
-    /// The lead parts of modifications together.
+    /// Sums the lead parts of modifications.
     pub fn of(modifications: &[Modification]) -> LeadModification {
         let mut lead = LeadModification::default();
         for modification in modifications {
@@ -211,8 +219,8 @@ impl LeadModification {
         lead
     }
 
-    /// Amount (m) on both flanks at a distance from mid-face (m), and its derivative; `face_width` in m. Without the slope, which is of
-    /// opposite sense on the two.
+    /// Amount (m) on both flanks at a distance from mid-face (m), and its derivative; `face_width`
+    /// in m. It excludes the helix slope deviation, whose sense is opposite on the two flanks.
     pub fn amount(&self, z: f64, face_width: f64) -> [f64; 2] {
         let part = 2.0 * z / face_width;
         let crown = [self.crown * part * part, 4.0 * self.crown * part / face_width];
@@ -224,12 +232,13 @@ impl LeadModification {
 }
 
 impl TipRelief {
-    /// The relief of one end of the flank as the other end's of the flank turned round, where roll angles have the other sign.
+    /// Relief of one end of the flank expressed for the other end of the reversed flank, where roll
+    /// angles change sign.
     pub(crate) fn turned(self) -> TipRelief {
         TipRelief { start_roll: -self.start_roll, ..self }
     }
 
-    /// Checks the relief against the teeth it is for, at their tip or their root.
+    /// Checks the relief against the tip or the root of the teeth.
     pub fn check(&self, form: &ToothForm, at_root: bool) -> Result<(), GeometryError> {
         let end = if at_root { "root" } else { "tip" };
         let (form_roll, tip_roll, tip_thickness) = (form.form_roll, form.tip_roll, form.tip_thickness());
@@ -262,7 +271,8 @@ impl TipRelief {
         Ok(())
     }
 
-    /// Half-width in roll of the rounding of the start; it never reaches below the form circle.
+    /// Half-width of the rounding at the start in roll angle; it never extends below the form
+    /// circle.
     fn blend(&self, form_roll: f64, tip_roll: f64) -> f64 {
         match self.shape {
             ReliefShape::Linear => {
@@ -272,7 +282,7 @@ impl TipRelief {
         }
     }
 
-    /// Roll angles at which the second derivative of the amount jumps, ascending.
+    /// Roll angles at which the second derivative of the amount is discontinuous, ascending.
     pub fn breaks(&self, form_roll: f64, tip_roll: f64) -> Vec<f64> {
         let blend = self.blend(form_roll, tip_roll);
         if blend > 0.0 {
@@ -282,7 +292,7 @@ impl TipRelief {
         }
     }
 
-    /// Amount (m) at a roll angle, and its first and second derivatives by roll.
+    /// Amount (m) at a roll angle, and its first and second derivatives by the roll angle.
     pub fn amount(&self, roll: f64, form_roll: f64, tip_roll: f64) -> [f64; 3] {
         let range = tip_roll - self.start_roll;
         let from_start = roll - self.start_roll;
@@ -304,7 +314,7 @@ impl TipRelief {
                 if from_start <= -blend {
                     [0.0; 3]
                 } else if from_start < blend {
-                    // The parabola tangent to both straight parts.
+                    // Parabola tangent to both straight parts.
                     let into = from_start + blend;
                     [slope * into * into / (4.0 * blend), slope * into / (2.0 * blend), slope / (2.0 * blend)]
                 } else {

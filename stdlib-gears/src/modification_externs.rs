@@ -1,4 +1,5 @@
-//! Modifications and deviations of flanks as programs make them: the Rust side of `tip_relief`, `lead_crown` and their like in `gears.cx`.
+//! Flank modifications and deviations for programs: the Rust side of `tip_relief`, `lead_crown` and
+//! similar functions in `gears.cx`.
 
 use crate::deviation::Deviation;
 use crate::error::GeometryError;

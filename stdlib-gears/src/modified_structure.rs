@@ -1,32 +1,35 @@
 //! Modified flanks on the structure of the gear without modifications.
 //!
-//! A relief takes micrometres off flanks that are millimetres long. Contact sees it in full: the profiles given here are the true,
-//! modified curves, pressed along their own normals. The body behind them hardly changes, so mesh and condensed operators are those of the
-//! unmodified gear and serve all its reliefs.
+//! A relief removes micrometres from flanks that are millimetres long. The contact problem includes
+//! it in full: these profiles are the exact modified curves, loaded along their own normals. The
+//! body hardly changes, so the mesh and the condensed operators of the unmodified gear serve all of
+//! its reliefs.
 
 use crate::deviation::CubicSpline;
 use crate::flank::Flank;
 use calyx_runtime::structure::ModifiedSurface;
 use std::sync::Arc;
 
-/// How arc lengths of a modified flank map to those of the flank without modifications: a point stands for the one at the same
-/// roll angle, with the tip edge on the tip edge, as compliance near it goes by the logarithm of the distance.
+/// Map from arc lengths of a modified flank to those of the unmodified flank. A point maps to the
+/// one at the same roll angle, and the tip edge maps to the tip edge, because the compliance near
+/// it varies with the logarithm of the distance.
 struct ArcLengthMap {
-    /// Where the tip edge begins and ends, on either flank.
+    /// Start and end of the tip edge on either flank.
     edge: [f64; 2],
     plain_edge: [f64; 2],
-    /// From here to the tip edge the flank is modified.
+    /// Arc length from which the flank is modified, up to the tip edge.
     from: f64,
-    /// How much farther along the unmodified flank a point of the modified part stands.
+    /// Difference of arc length of the corresponding point on the unmodified flank, over the
+    /// modified part.
     shift: CubicSpline,
 }
 
-/// Part of the flank's range of roll over which the places of the tip edges are brought together.
+/// Fraction of the flank's roll range over which the positions of the tip edges are matched.
 const STRETCHED: f64 = 0.15;
 /// Steps between samples of the shift along a flank, which is smooth and small.
 const SHIFTS: usize = 128;
 
-/// The modified flank in place of the plain one.
+/// Replaces the plain flank by the modified one.
 pub(crate) fn modified_structure(modified: &Arc<Flank>, plain: &Flank) -> ModifiedSurface {
     let onto = ArcLengthMap::new(modified, plain);
     ModifiedSurface { profile: modified.clone(), onto: Arc::new(move |s| onto.at(s)) }
@@ -38,7 +41,8 @@ impl ArcLengthMap {
         let (edge, plain_edge) = (modified.edge_range(), plain.edge_range());
         let from = modified.s_at_roll(from_roll);
         let step = (edge[0] - from) / SHIFTS as f64;
-        // By roll angle, stretched a little before the tip edges so that they begin together.
+        // Matches points by roll angle, stretched slightly before the tip edges so that both edges
+        // begin together.
         let (end, plain_end) = (modified.edge_roll(), plain.edge_roll());
         let stretched_from = from_roll.max(end - STRETCHED * (end - modified.form_roll()));
         let stretch = (plain_end - stretched_from) / (end - stretched_from);
@@ -51,7 +55,7 @@ impl ArcLengthMap {
         Self { edge, plain_edge, from, shift }
     }
 
-    /// The arc length of the unmodified flank that stands for one of the modified flank.
+    /// Arc length of the unmodified flank that corresponds to one of the modified flank.
     fn at(&self, s: f64) -> f64 {
         let ([edge, end], [plain_edge, plain_end]) = (self.edge, self.plain_edge);
         if s <= self.from {

@@ -1,16 +1,19 @@
-//! Mounting two gears so that they touch: the second one's phase, and the cycle of their mesh.
+//! Mounting of two gears so that their teeth touch: the phase of the second gear, and the mesh
+//! cycle.
 //!
-//! With `sense` = +1 the first gear pushes counter-clockwise (its surface 0 touches), with -1 clockwise (surface 1).
-//! A flank of tooth `k` of a gear turned by `theta` has its base tangent point at `theta + 2 pi k / N + sense (h - g)`,
-//! where `g` is the roll angle of contact and `h` half the base angle of the tooth; on the line of action that is the
-//! angle `c - sense a` for the first gear and `c - sense a + pi` for the second, where `c` is the direction of the line of
+//! With `sense` = +1 the first gear pushes counter-clockwise (its surface 0 touches), with -1
+//! clockwise (surface 1). A flank of tooth `k` of a gear rotated by `theta` has its base tangent
+//! point at `theta + 2 pi k / N + sense (h - g)`, where `g` is the roll angle of contact and `h`
+//! half the base angle of the tooth. On the line of action this is the angle `c - sense a` for the
+//! first gear and `c - sense a + pi` for the second, where `c` is the direction of the line of
 //! centres and `a` the operating pressure angle.
 //!
-//! Axes may move, as those of planets do: all of this is seen from the line of centres, whose direction `c` is that of time 0 and against which
-//! speeds are counted.
+//! Axes may move, as those of planets do. All angles are relative to the line of centres, whose
+//! direction `c` is that of time 0; speeds are relative to it as well.
 //!
-//! Inside a ring both base tangent points lie in the direction `c - sense a + pi`, and the flank of the ring that touches is the one on the other
-//! side of the tooth, at `theta + 2 pi k / N - sense (h - g)` with the ring's negative roll angle.
+//! In an internal gear both base tangent points lie in the direction `c - sense a + pi`. The flank
+//! of the internal gear that touches is the one on the other side of the tooth, at
+//! `theta + 2 pi k / N - sense (h - g)` with the negative roll angle of the internal gear.
 
 use crate::error::{GeometryError, sentence};
 use crate::gear::ToothForm;
@@ -19,23 +22,24 @@ use calyx_runtime::motion::PlanePose;
 use calyx_runtime::scene::{CharacteristicPoint, GearMesh};
 use std::f64::consts::{PI, TAU};
 
-/// How two gears stand to each other at time 0.
+/// Relative position of two gears at time 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Mounting {
-    /// Of the first gear's frame, with its phase.
+    /// Pose of the first gear's frame, including its phase.
     pub first: PlanePose,
-    /// Of the second gear's frame, without a phase.
+    /// Pose of the second gear's frame, without a phase.
     pub second: PlanePose,
-    /// Against the line of centres, rad/s, counter-clockwise.
+    /// Angular velocities relative to the line of centres, rad/s, counter-clockwise.
     pub angular_velocity: [f64; 2],
     /// +1 if the first gear pushes counter-clockwise.
     pub sense: f64,
 }
 
-/// The second gear's phase (rad, added to its angle) and the mesh of an external gear with another gear, which may be internal.
+/// Returns the second gear's phase (rad, added to its angle) and the mesh of an external gear with
+/// another gear, which may be internal.
 ///
 /// # Errors
-/// The motions do not fit the numbers of teeth, or there is no motion.
+/// The motions do not match the numbers of teeth, or there is no motion.
 pub fn mount(
     gears: [ToothForm; 2],
     geometry: &MeshGeometry,
@@ -45,15 +49,15 @@ pub fn mount(
     Ok((phase, Sides { gears, geometry, mounting }.mesh(phase)?))
 }
 
-/// How far the second gear has to turn for rigid teeth to touch, rad: the nearest way.
+/// Smallest rotation of the second gear that brings rigid teeth into contact, rad.
 pub fn center_offset(gears: [ToothForm; 2], geometry: &MeshGeometry, mounting: &Mounting) -> f64 {
     let sides = Sides { gears, geometry, mounting };
-    // Angle of the second gear's tooth that touches the first one's tooth 0, were that in contact.
+    // Angle of the second gear's tooth that would mate with tooth 0 of the first gear.
     let opposite = sides.second_tooth_at(sides.roll_of_zero());
     nearest_to_zero(opposite - mounting.second.angle, gears[1].pitch_angle())
 }
 
-/// The mesh of two gears where they stand, with the second one's phase (rad).
+/// Returns the mesh of two gears in their given positions, with the phase of the second one (rad).
 ///
 /// # Errors
 /// As [`mount`].
@@ -66,7 +70,7 @@ pub fn mesh_as_placed(
     Sides { gears, geometry, mounting }.mesh(phase)
 }
 
-/// The sides of teeth with which the first gear pushes in the mounting's sense.
+/// Sides of the teeth with which the first gear pushes.
 struct Sides<'a> {
     gears: [ToothForm; 2],
     geometry: &'a MeshGeometry,
@@ -74,25 +78,26 @@ struct Sides<'a> {
 }
 
 impl Sides<'_> {
-    /// Direction in which the first gear touches: towards the other's axis, or away from it inside of a ring.
+    /// Direction of contact of the first gear: towards the other axis, or away from it in an
+    /// internal gear.
     fn contact(&self) -> f64 {
         let [first, second] = [self.mounting.first.origin, self.mounting.second.origin];
         let line_of_centres = (second[1] - first[1]).atan2(second[0] - first[0]);
         if self.gears[1].internal { line_of_centres + PI } else { line_of_centres }
     }
 
-    /// Roll angle of the first gear's tooth 0, were it in contact with the gear's angle at zero.
+    /// Roll angle of contact of tooth 0 of the first gear with the gear's angle at zero.
     fn roll_at_zero(&self) -> f64 {
         let pressure_angle = self.geometry.operating_pressure_angle;
         self.gears[0].half_base_angle + pressure_angle - self.mounting.sense * self.contact()
     }
 
-    /// The same at time 0.
+    /// The same roll angle at time 0.
     fn roll_of_zero(&self) -> f64 {
         self.roll_at_zero() + self.mounting.sense * self.mounting.first.angle
     }
 
-    /// Angle of the second gear's tooth that touches where the first one does at a roll angle.
+    /// Angle of the second gear's tooth that touches the first gear at a roll angle.
     fn second_tooth_at(&self, first_roll: f64) -> f64 {
         let (second, sense) = (self.gears[1], self.mounting.sense);
         let pressure_angle = self.geometry.operating_pressure_angle;
@@ -111,19 +116,20 @@ impl Sides<'_> {
         let speed = check_speeds([first.teeth, second.teeth], second.sense(), mounting.angular_velocity)?;
         let roll_of_zero = self.roll_of_zero();
         let points = geometry.first_roll;
-        // The first gear moves as it pushes, or it is driven back while it pushes.
+        // The first gear moves in the direction of its push, or it is driven backwards while it
+        // pushes.
         let forward = sense * speed > 0.0;
         let step = if forward { pitch } else { -pitch };
         let enters = if forward { points.start_of_active_profile } else { points.end_of_active_profile };
         let period = pitch / speed.abs();
         let rate = sense * speed;
-        // The first tooth to enter at or after time 0.
+        // First tooth that enters contact at or after time 0.
         let start = ((enters - roll_of_zero) / rate).rem_euclid(period);
         let tooth = (sense * (enters - rate * start - roll_of_zero) / pitch).round();
         let second_angle = mounting.second.angle + phase + mounting.angular_velocity[1] * start;
         let second_tooth = ((self.second_tooth_at(enters) - second_angle) / second_pitch).round();
 
-        // Ends of helical teeth come into contact before mid-face does, and leave it after.
+        // One end of a helical tooth enters contact before mid-face, and the other leaves it after.
         let early = 0.5 * geometry.overlap_ratio * pitch;
         let leaves = geometry.contact_ratio.fract() * period;
         let names = if forward { ["SAP", "EAP", "LPSTC", "HPSTC"] } else { ["EAP", "SAP", "HPSTC", "LPSTC"] };
@@ -151,7 +157,8 @@ impl Sides<'_> {
     }
 }
 
-/// The first gear's speed, if both speeds fit the numbers of teeth; `sign` is -1 if the second gear is a ring.
+/// Returns the first gear's speed if both speeds match the numbers of teeth; `sign` is -1 if the
+/// second gear is internal.
 fn check_speeds(teeth: [u32; 2], sign: f64, speeds: [f64; 2]) -> Result<f64, GeometryError> {
     let [first, second] = speeds;
     let teeth = teeth.map(f64::from);
@@ -187,12 +194,12 @@ fn check_speeds(teeth: [u32; 2], sign: f64, speeds: [f64; 2]) -> Result<f64, Geo
     Ok(first)
 }
 
-/// The tooth a whole, possibly negative, number of pitches on.
+/// Index of the tooth that is an integer number of pitches away, which may be negative.
 fn index(tooth: f64, teeth: u32) -> u32 {
     tooth.rem_euclid(f64::from(teeth)) as u32
 }
 
-/// `angle` less whole multiples of `pitch`, as near to zero as can be.
+/// `angle` minus the multiple of `pitch` that brings it closest to zero.
 fn nearest_to_zero(angle: f64, pitch: f64) -> f64 {
     let turned = angle.rem_euclid(TAU);
     turned - (turned / pitch).round() * pitch

@@ -1,4 +1,4 @@
-//! What programs can ask of bodies and meshes at each position: the Rust side of the observables of `gears.cx`.
+//! Observables of bodies and meshes for programs: the Rust side of the observables of `gears.cx`.
 
 use crate::externs::{self, host, refusal, spline_tooth_number, tooth_number};
 use crate::lumped_scene::{LumpedFrequency, LumpedSet};
@@ -260,7 +260,7 @@ fn planet_set(
     Ok(PlanetSet { around, planets })
 }
 
-/// A mode's number, which counts from 1.
+/// Mode number, counted from 1.
 fn mode_number(mode: f64) -> Result<usize, RuntimeError> {
     match mode.fract() == 0.0 && (1.0..1e6).contains(&mode) {
         true => Ok(mode as usize - 1),
@@ -273,14 +273,14 @@ fn mode_number(mode: f64) -> Result<usize, RuntimeError> {
     }
 }
 
-/// A body that carries a gear.
+/// Body that carries a gear.
 fn gear_body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
     let body = self::body(context, body)?;
     host(context)?.gear_on("body", body)?;
     Ok(body)
 }
 
-/// Declared to be one of these.
+/// Axis by its declared name.
 fn axis_number(axis: &str) -> usize {
     ["x", "y", "z"].iter().position(|known| *known == axis).unwrap_or_default()
 }

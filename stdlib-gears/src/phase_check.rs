@@ -1,9 +1,11 @@
-//! Gears in loops, such as sun, planet and ring: which of two gears may still be turned so that their teeth mesh, and what is to be said where
-//! neither may.
+//! Phase check of gears in loops, such as sun, planet and ring: selects the gear that can still be
+//! rotated into mesh, and checks the assembly condition if neither can.
 //!
-//! The first mesh of a gear phases it. A mesh of two gears that have meshes already closes a loop, and whether teeth meet spaces
-//! there is the assembly condition: between planets on one carrier that mesh with two coaxial gears stand whole multiples of `2 pi / Z`, where `Z` is
-//! the sum of the teeth of sun and ring. What is a little off has its reason, a pin out of its place or teeth too thin, and is left to contact.
+//! The first mesh of a gear determines its phase. A mesh of two gears that both have meshes closes
+//! a loop, and the assembly condition decides whether teeth meet tooth spaces there. For planets on
+//! one carrier that mesh with two coaxial gears, the angle between planets must be a multiple of
+//! `2 pi / Z`, where `Z` is the sum of the teeth of sun and ring. Small deviations have physical
+//! causes, such as a misplaced pin or thin teeth, and are left to the contact problem.
 
 use crate::assembly::gear_of;
 use crate::error::{GeometryError, sentence};
@@ -14,21 +16,24 @@ use calyx_runtime::motion::{axle, pose_in_space};
 use calyx_runtime::scene::{BodyId, Scene};
 use std::f64::consts::TAU;
 
-/// Beyond the backlash, the part of a module by which teeth of a loop may stand off: a hundred times what pins are out of place, and half of
-/// what the wrong spacing of as many as nine planets makes.
+/// Largest misplacement of teeth in a loop beyond the backlash, in modules. It is a hundred times
+/// the usual position error of pins, and half of the misplacement that a wrong spacing of up to
+/// nine planets causes.
 const OUT_OF_PLACE: f64 = 0.1;
-/// The part of a module from which on it is told: pins and teeth are made to less.
+/// Misplacement in modules above which a warning is issued; pins and teeth are made more
+/// accurately.
 const TELLING: f64 = 0.05;
-/// Axes nearer to each other than this part of the distance to a planet are one.
+/// Largest distance of coaxial axes, relative to the distance to a planet.
 const COAXIAL: f64 = 1e-2;
 
-/// Which of two bodies has no mesh yet and may be turned: 1 for the second, 0 for the first; `None` if both have one.
+/// Index of the body that has no mesh yet and may be rotated: 1 for the second, 0 for the first;
+/// `None` if both have one.
 pub(crate) fn may_rotate(scene: &Scene, bodies: [BodyId; 2]) -> Option<usize> {
     [1, 0].into_iter().find(|&side: &usize| partners(scene, bodies[side]).next().is_none())
 }
 
-/// Where a gear's teeth may stand that would have to turn by an angle (rad) to touch those of its mate: nothing to say, a warning, or that it
-/// cannot be put together.
+/// Judges a gear that would have to rotate by an angle (rad) for its teeth to touch those of its
+/// mate. Returns nothing, a warning, or an error if the gears cannot be assembled.
 ///
 /// # Errors
 /// E0750.
@@ -44,7 +49,7 @@ pub(crate) fn judge(
         return Ok(None);
     }
     let spacing = PlanetSpacing::of(scene, bodies);
-    // The gear that is blamed is the planet, wherever it stands in the call.
+    // The planet is to blame, whatever its position in the call.
     let argument = match &spacing {
         Some(spacing) if spacing.planet == bodies[1] => "second",
         _ => "first",
@@ -78,7 +83,7 @@ pub(crate) fn judge(
     }
 }
 
-/// Whether a gear that is to be in mesh has room beside the others that mesh with its mate.
+/// Checks that a gear does not overlap the other gears in mesh with its mate.
 ///
 /// # Errors
 /// E0751: their tip circles overlap.
@@ -104,7 +109,8 @@ pub(crate) fn clears_neighbours(scene: &Scene, bodies: [BodyId; 2]) -> Result<()
     Ok(())
 }
 
-/// By how much the tip circles of two external gears overlap whose faces do, m; negative where they are apart.
+/// Overlap of the tip circles of two external gears whose faces overlap, m; negative if the circles
+/// are apart.
 fn overlap(scene: &Scene, bodies: [BodyId; 2]) -> Option<f64> {
     let [one, other] = bodies.map(|body| gear_of(scene, body));
     let gears = [one?, other?];
@@ -117,19 +123,20 @@ fn overlap(scene: &Scene, bodies: [BodyId; 2]) -> Option<f64> {
     Some(tips - (first[0] - second[0]).hypot(first[1] - second[1]))
 }
 
-/// Where a planet stands from another one that is in mesh with the same two coaxial gears, and where it might.
+/// Angular position of a planet relative to another planet in mesh with the same two coaxial gears,
+/// and the nearest feasible one.
 struct PlanetSpacing {
     planet: BodyId,
-    /// rad
+    /// Given angle, rad.
     given: f64,
-    /// The nearest angle at which teeth meet spaces, rad.
+    /// Nearest angle at which teeth meet spaces, rad.
     feasible: f64,
-    /// Those of both coaxial gears, counted as they turn planets.
+    /// Numbers of teeth of both coaxial gears, signed by the sense in which they rotate planets.
     teeth: f64,
 }
 
 impl PlanetSpacing {
-    /// Of the planet among two bodies that close a loop; `None` where the loop is another one.
+    /// Spacing of the planet among two bodies that close a loop; `None` for other kinds of loop.
     fn of(scene: &Scene, bodies: [BodyId; 2]) -> Option<PlanetSpacing> {
         let [first, second] = bodies;
         [(first, second), (second, first)].into_iter().find_map(|(planet, centre)| {
@@ -169,16 +176,16 @@ pub(crate) fn partners(scene: &Scene, body: BodyId) -> impl Iterator<Item = Body
     })
 }
 
-/// Where a body's axle is at time 0, m.
+/// Position of a body's axis at time 0, m.
 fn axis(scene: &Scene, body: BodyId) -> Option<[f64; 3]> {
     let motion = scene.bodies.get(body.0)?.motion.as_ref();
     Some(pose_in_space(motion, 0.0).ok()?.point(axle(motion)))
 }
 
-/// How the line from one axle to another moves at time 0: its direction's rate, rad/s.
+/// Angular velocity of the line between two axes at time 0, rad/s.
 ///
 /// # Errors
-/// E0658: the axles approach or part; E0710: a frame is not a number.
+/// E0658: the axes approach each other or separate. E0710: a frame is NaN or infinite.
 pub(crate) fn orbit(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Result<f64, EngineError> {
     let at = |body: BodyId| {
         let motion = scene.bodies[body.0].motion.as_ref();
@@ -203,9 +210,9 @@ pub(crate) fn orbit(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Res
         )
         .blame("second"));
     }
-    // What is left by rounding of axes that rest.
+    // Rounding errors of fixed axes count as zero.
     Ok(if turning.abs() > 1e-3 * STEADY * fastest { turning } else { 0.0 })
 }
 
-/// What of a speed may be off.
+/// Relative tolerance of speeds.
 const STEADY: f64 = 1e-9;

@@ -1,9 +1,9 @@
-//! Data that a gear may have and that nobody gives on purpose: mostly quantities in a unit that is
-//! a thousand times too small or too large.
+//! Plausibility checks of gear data. They detect values that are possible but probably unintended,
+//! mostly quantities in a unit that is a thousand times too small or too large.
 //!
-//! What cannot be meant is an error; what is only unusual is a warning. Both name the value that
-//! was probably meant. The limits lie far outside of what is made: materials from elastomers to
-//! tungsten carbide, gears from watches to mills.
+//! Values that cannot be intended are errors; unusual values are warnings. Both suggest the value
+//! that was probably meant. The limits lie far outside of actual products: materials from
+//! elastomers to tungsten carbide, gears from watches to mills.
 
 use crate::blank::{Rim, Thickness};
 use crate::error::{GeometryError, Severity, sentence};
@@ -14,38 +14,38 @@ use calyx_abi::RuntimeError;
 use calyx_runtime::material::Material;
 use std::ops::RangeInclusive;
 
-/// Young's modulus of materials that gears are made of, Pa: from soft polyurethane to tungsten
-/// carbide.
+/// Plausible Young's moduli of gear materials, Pa: from soft polyurethane to tungsten carbide.
 const YOUNGS_MODULI: RangeInclusive<f64> = 1e9..=1e12;
-/// The same of what a warning suggests.
+/// Young's moduli that a warning suggests, Pa.
 const USUAL_YOUNGS_MODULI: RangeInclusive<f64> = 1e9..=800e9;
-/// Poisson's ratio, where it is not zero: from cork to rubber.
+/// Plausible Poisson's ratios other than zero: from cork to rubber.
 const POISSONS_RATIOS: RangeInclusive<f64> = 0.1..=0.5;
-/// Density, kg/m³: from foamed plastic to tungsten; zero leaves inertia out.
+/// Plausible densities, kg/m³: from foamed plastic to tungsten; zero disables inertia.
 const DENSITIES: RangeInclusive<f64> = 500.0..=25e3;
-/// Face width in modules: beyond the first range it is unusual, beyond the second a slip.
+/// Face width in modules: values outside the first range are unusual, outside the second they are
+/// mistakes.
 const FACE_WIDTHS: RangeInclusive<f64> = 0.2..=150.0;
 const POSSIBLE_FACE_WIDTHS: RangeInclusive<f64> = 0.02..=2000.0;
-/// The same of what a message suggests.
+/// Face widths that a message suggests, in modules.
 const USUAL_FACE_WIDTHS: RangeInclusive<f64> = 2.0..=50.0;
-/// Thinnest metal between the spaces and where the gear is held, and thinnest ring that a rim adds,
-/// in modules.
+/// Smallest thickness between the tooth spaces and the supported surface, and of the rim alone, in
+/// modules.
 const THINNEST_METAL: f64 = 0.4;
 const THINNEST_RING: f64 = 0.1;
-/// Thickness in modules up to which a profile shift and a tooth thickness are the same: more than
-/// the rounding of a drawing.
+/// Largest difference, in modules, of tooth thicknesses from a profile shift and a given thickness
+/// that count as equal: more than the rounding of a drawing.
 const SAME_THICKNESS: f64 = 1e-3;
-/// Fastest pitch line, m/s: beyond the speed of sound in air no gear runs.
+/// Largest pitch line velocity, m/s. No gear runs near the speed of sound in air.
 const FASTEST: f64 = 300.0;
-/// Factors of slips of units, the commonest first.
+/// Factors of unit mistakes, the most frequent first.
 const SLIPS: [f64; 6] = [1e3, 1e-3, 1e6, 1e-6, 25.4, 1.0 / 25.4];
 
-/// What a value would be in the unit that was probably meant.
+/// Value in the unit that was probably meant.
 fn meant(value: f64, usual: &RangeInclusive<f64>) -> Option<f64> {
     SLIPS.into_iter().map(|factor| factor * value).find(|value| usual.contains(value))
 }
 
-/// To three digits.
+/// Rounds a number to three digits for display.
 fn shown(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }
@@ -87,8 +87,8 @@ pub(crate) fn of_material(material: &Material, place: (u32, u32, u32)) -> Vec<Fi
     found
 }
 
-/// What is wrong or unusual about the face and the rim of a gear that has been cut. The module is
-/// that of the tool as it was given.
+/// Errors and warnings about the face width and the rim of a generated gear. `module` is the tool's
+/// module as given.
 pub(crate) fn of_gear(gear: &GearPrototype, module: f64) -> Vec<GeometryError> {
     let found = [face_width(gear.face_width, module), thin_rim(&gear.form(), &gear.rim, module)];
     found.into_iter().flatten().collect()
@@ -114,7 +114,8 @@ fn face_width(face_width: f64, module: f64) -> Option<GeometryError> {
     })
 }
 
-/// A rim under or around the teeth that leaves hardly any metal there, or is hardly there itself.
+/// Detects a rim that leaves hardly any material under or around the teeth, or that is itself very
+/// thin.
 fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
     let metal = (form.root_radius - rim.ring_radius()).abs();
     let ring = (rim.radius - rim.ring_radius()).abs();
@@ -147,12 +148,12 @@ fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
     })
 }
 
-/// The thickness that a tooth thickness and a profile shift coefficient give together, one of which
-/// may be zero and then counts as left out. `of_shift` gives the thickness of a shift, and `module`
-/// is that of the tool.
+/// Tooth thickness from a given tooth thickness and a profile shift coefficient. Either may be
+/// zero, which counts as not given. `of_shift` returns the thickness of a shift; `module` is that
+/// of the tool.
 ///
 /// # Errors
-/// E0605: the thickness is negative. E0805: they contradict each other.
+/// E0605: the thickness is negative. E0805: the values contradict each other.
 pub(crate) fn thickness(
     tooth_thickness: f64,
     profile_shift: f64,
@@ -182,7 +183,7 @@ pub(crate) fn thickness(
     ))
 }
 
-/// Warns of a speed that no gear runs at: rad/s on a pitch radius in m.
+/// Warns of an implausible pitch line velocity, from rad/s and the pitch radius in m.
 pub(crate) fn pitch_line(speed: f64, pitch_radius: f64) -> Option<GeometryError> {
     let velocity = (speed * pitch_radius).abs();
     (velocity > FASTEST).then(|| {
@@ -197,13 +198,14 @@ pub(crate) fn pitch_line(speed: f64, pitch_radius: f64) -> Option<GeometryError>
     })
 }
 
-/// Warns of planets that cannot be evenly spaced; `teeth` are those of sun and ring together (the
-/// assembly condition, see [`crate::phase_check`]).
+/// Warns of planets that cannot be equally spaced; `teeth` is the sum of the teeth of sun and ring
+/// (the assembly condition, see [`crate::phase_check`]).
 pub(crate) fn unequal_planet_spacing(planets: f64, teeth: f64) -> Option<GeometryError> {
     if planets < 2.0 || teeth % planets == 0.0 {
         return None;
     }
-    // The nearest sum that planets divide; one tooth more on the ring keeps the module.
+    // Nearest sum that is a multiple of the number of planets; a change of the ring's number of
+    // teeth preserves the module.
     let fitting = (teeth / planets).round() * planets;
     Some(GeometryError::warning(
         "E0808",

@@ -1,4 +1,5 @@
-//! A gear as the engine's prototype of a body: its data, and the elastic structure made of them when the plan says so.
+//! Gears as prototypes of the engine's bodies: their data, and the elastic structures built from
+//! them as the plan requires.
 
 use crate::blank::Rim;
 use crate::error::GeometryError;
@@ -27,56 +28,65 @@ use calyx_runtime::structure::{
 use calyx_runtime::surface::Surface;
 use std::sync::{Arc, Mutex};
 
-/// Of this library's source: what is kept of gears is kept for those that this very source meshes.
+/// Hash of this library's source. It is part of every key, so cached gear structures are only used
+/// by the version that meshed them.
 const SOURCE: &str = env!("CALYX_SOURCE");
-/// Loaded teeth this far apart feel each other's load through the rim; more distant ones hardly do.
+/// Largest distance, in pitches, of loaded teeth that are coupled through the rim; the coupling of
+/// more distant teeth is negligible.
 const COUPLED_TEETH: u32 = 3;
-/// Places of recovered stress on each element edge along a fillet.
+/// Sampling points of recovered stress per element edge along a fillet.
 pub(crate) const STRESS_POINTS_PER_EDGE: usize = 4;
-/// Modifications up to this depth in modules do without a mesh of their own, so that structures are shared by all of them. Against a
-/// mesh that follows the flank, on the chapter 5 pair at this depth, it moves transmission error by 0.2, mesh stiffness by 0.7 and root
-/// stress by 0.6 thousandths (`tests/pair/sharing.rs`). For root stress that is below what a finer mesh moves it by, for the other two a few
-/// times above.
+/// Largest depth, in modules, of modifications that the mesh does not follow, so that gears with
+/// different modifications share one structure. For the chapter 5 pair at this depth, compared with
+/// a mesh that follows the flank, this changes the transmission error by 0.2, the mesh stiffness by
+/// 0.7 and the root stress by 0.6 thousandths (`tests/pair/sharing.rs`). For the root stress the
+/// change is smaller than that of a finer mesh; for the other two it is a few times larger.
 pub const DEEPEST_SHARED: f64 = 0.02;
-/// Rounding in modules that stands for a sharp tip edge where contact is confined to the nominal path.
+/// Edge radius, in modules, that represents a sharp tip edge where contact is confined to the
+/// nominal path.
 const SHARP_EDGE: f64 = 1e-6;
-/// Largest rounding in modules of such an edge in the mesh, which cannot do without.
+/// Largest edge radius, in modules, of such an edge in the mesh, which requires one.
 const SHARP_EDGE_IN_MESH: f64 = 5e-3;
-/// Largest length of cubic elements per distance from the tip edge.
+/// Largest ratio of the length of cubic elements to the distance from the tip edge.
 const COARSEST_TIP_GROWTH: f64 = 0.4;
 
-/// Poisson's ratio up to which elements below cubic ones recover stress, to about a hundredth. Volume strains that they leave over are stress by
-/// Lamé's first constant, which grows without bound towards a half: at 0.4999 a root stress is off by more than itself.
+/// Largest Poisson's ratio for which elements of order below three recover stress to about one
+/// percent. Errors of the volumetric strain enter the stress multiplied by Lamé's first constant,
+/// which is unbounded towards a ratio of one half (volumetric locking): at 0.4999 the error of a
+/// root stress exceeds the stress.
 const MOST_LATERAL_STRAIN: f64 = 0.45;
 
-/// A gear on its rim.
+/// Gear with its rim.
 pub struct GearPrototype {
-    /// Its teeth.
+    /// Geometry of the teeth.
     pub gear: Gear,
-    /// How they wind: [`Self::gear`] is their transverse section.
+    /// Helix of the teeth; [`Self::gear`] is their transverse section.
     pub helix: Helix,
-    /// What is taken off its flanks.
+    /// Modifications of the flanks.
     pub modifications: Vec<Modification>,
-    /// What it is made of.
+    /// Material of the gear.
     pub material: Material,
-    /// What carries the teeth.
+    /// Rim that carries the teeth.
     pub rim: Rim,
-    /// m.
+    /// Face width, m.
     pub face_width: f64,
-    /// Angle by which each tooth stands off its place, rad; teeth beyond the list stand right.
+    /// Pitch deviation of each tooth as an angle, rad; teeth beyond the list have none.
     pub pitch_errors: Vec<f64>,
     flanks: [Arc<Flank>; 2],
-    /// Options, and whether in three dimensions, that [`Prototype::check`] has accepted: meshing a
-    /// section takes a good part of a check.
+    /// Options accepted by [`Prototype::check`], each with a flag for three dimensions. They are
+    /// stored because meshing a section takes a large part of a check.
     accepted: Mutex<Vec<(StructureOptions, bool)>>,
 }
 
-/// Meshes with less than this part of the usual elements along every direction, such as error estimates compare with, have wide matching
-/// depths, and few samples of a flank's compliance tell as much of them.
+/// Fraction of the usual element number per direction below which a mesh is coarse. Error estimates
+/// compare with such meshes. Their matching depths are wide, so a few samples of a flank's
+/// compliance suffice.
 const COARSE: f64 = 0.5;
 const FEW_SAMPLES: usize = 32;
 
 impl GearPrototype {
+    /// Creates a spur gear on its rim.
+    ///
     /// # Errors
     /// The modifications do not fit the flanks.
     pub fn new(
@@ -104,18 +114,18 @@ impl GearPrototype {
         })
     }
 
-    /// The gear with its teeth along a helix.
+    /// Returns the gear with its teeth along a helix.
     #[must_use]
     pub fn along(self, helix: Helix) -> Self {
         GearPrototype { helix, accepted: Mutex::default(), ..self }
     }
 
-    /// Angle by which the transverse section turns counter-clockwise per length along z, rad/m.
+    /// Counter-clockwise rotation of the transverse section per length along z, rad/m.
     pub fn twist_per_length(&self) -> f64 {
         self.helix.twist_per_length(self.form().pitch_radius)
     }
 
-    /// A key that has all of the gear's own data in it, with what it is of.
+    /// Starts a key that contains all data of the gear and the name of the keyed quantity.
     pub(crate) fn teeth_and_tool(&self, what: &str) -> KeyWriter {
         let key = Key::of(what).text(SOURCE);
         match &self.gear {
@@ -136,17 +146,17 @@ impl GearPrototype {
         }
     }
 
-    /// What its teeth are in the transverse section.
+    /// Transverse section of the teeth.
     pub fn form(&self) -> ToothForm {
         self.gear.form()
     }
 
-    /// The flanks contact sees: counter-clockwise and clockwise.
+    /// Flanks in the contact problem: counter-clockwise and clockwise.
     pub fn flanks(&self) -> &[Arc<Flank>; 2] {
         &self.flanks
     }
 
-    /// Roundings of the tip edge in m: of the curves that contact sees, and of the mesh.
+    /// Radii of the rounded tip edge in m: of the contact curves, and of the mesh.
     pub(crate) fn roundings(&self, options: &StructureOptions) -> [f64; 2] {
         let ToothForm { module, tip_edge_radius: own, .. } = self.form();
         if options.sharp_edges {
@@ -156,7 +166,7 @@ impl GearPrototype {
         }
     }
 
-    /// Flanks with a rounding of the tip edge, m.
+    /// Flanks with a given radius of the tip edge, m.
     pub(crate) fn flanks_with(
         &self,
         tip_edge_radius: f64,
@@ -166,18 +176,19 @@ impl GearPrototype {
             .map_err(|_| EngineError::new("E0677", "the flanks cannot run up to the tip circle", ""))
     }
 
-    /// The modifications that the mesh follows: none if they are shallow enough for the mesh of the plain gear.
+    /// Modifications that the mesh follows; none if they are shallow enough for the mesh of the
+    /// plain gear.
     fn meshed_modifications(&self) -> &[Modification] {
         let deepest = self.flanks.iter().map(|flank| flank.deepest()).fold(0.0, f64::max);
         if deepest <= DEEPEST_SHARED * self.form().module { &[] } else { &self.modifications }
     }
 
-    /// How far apart teeth have tables of what they do to each other.
+    /// Largest distance, in pitches, of teeth with tabulated coupling.
     pub(crate) fn coupled_teeth(&self) -> u32 {
         COUPLED_TEETH.min(self.gear.teeth() / 2)
     }
 
-    /// The mesh of tooth 0 with its sector of the rim, in the plane.
+    /// Two-dimensional mesh of tooth 0 with its sector of the rim.
     pub(crate) fn plane_mesh(&self, options: &StructureOptions) -> Result<PlaneMesh, EngineError> {
         let refinement = refined(Refinement::MEDIUM, options.refinement, options.order);
         let [_, tip] = self.roundings(options);
@@ -185,8 +196,10 @@ impl GearPrototype {
         sector_mesh(&self.gear, flanks, self.rim.ring_radius(), &refinement).map_err(unmeshable)
     }
 
+    /// Rejects helical teeth, which a plane model cannot represent.
+    ///
     /// # Errors
-    /// E0623: the teeth are helical, for which the plane has no room.
+    /// E0623: the teeth are helical.
     pub(crate) fn refuse_helix(&self) -> Result<(), EngineError> {
         if self.helix.is_spur() {
             return Ok(());
@@ -199,10 +212,10 @@ impl GearPrototype {
         .blame("helix_angle"))
     }
 
-    /// Whether the elements of its mesh recover the stress of its material.
+    /// Checks that the elements of the mesh can recover the stress of the material.
     ///
     /// # Errors
-    /// E0661 where stress is to be recovered that these elements do not know.
+    /// E0661: stress recovery is requested and these elements do not provide it.
     pub(crate) fn check_recovery(&self, options: &StructureOptions) -> Result<(), EngineError> {
         let ratio = self.material.poissons_ratio;
         if !options.stresses || options.order > 2 || ratio <= MOST_LATERAL_STRAIN {
@@ -254,8 +267,8 @@ impl GearPrototype {
         Ok(PlaneSector { model, surfaces, ring, split })
     }
 
-    /// All that [`Prototype::build`] reads. Neither the width of the face, which forces are per unit of, nor pitch errors, which
-    /// move teeth without deforming them.
+    /// Key of all inputs that [`Prototype::build`] reads. It excludes the face width, because
+    /// forces are per unit of it, and pitch deviations, which move teeth without deforming them.
     fn plane_content(&self, what: &str, options: &StructureOptions) -> KeyWriter {
         let key = self
             .teeth_and_tool(what)
@@ -271,14 +284,14 @@ impl GearPrototype {
         self.meshed_modifications().iter().fold(key, with_modification)
     }
 
-    /// The curves of the flanks that [`Prototype::build`] lets contact see.
+    /// Flank curves of the contact problem for [`Prototype::build`].
     fn meshed_profiles(&self, options: &StructureOptions) -> Option<[Arc<dyn Profile>; 2]> {
         let [tip, _] = self.roundings(options);
         let flanks = self.flanks_with(tip, self.meshed_modifications()).ok()?;
         Some(flanks.map(|flank| flank as Arc<dyn Profile>))
     }
 
-    /// The modified flanks, where [`Prototype::build`] has left the modifications out.
+    /// Modified flanks, if [`Prototype::build`] leaves the modifications out of the mesh.
     fn own_surfaces(&self, options: &StructureOptions) -> Result<Option<Vec<ModifiedSurface>>, EngineError> {
         if !self.is_modified() || !self.meshed_modifications().is_empty() {
             return Ok(None);
@@ -302,7 +315,7 @@ impl GearPrototype {
         }
     }
 
-    /// Inputs that are not looked at.
+    /// Lists inputs that the analysis ignores.
     fn idle(&self, inputs: &[&str], reason: &str) -> Vec<Ignored> {
         inputs.iter().map(|&input| Ignored { input: input.into(), reason: reason.into() }).collect()
     }
@@ -312,7 +325,7 @@ impl GearPrototype {
     }
 }
 
-/// A tooth with its sector of the rim in the plane, and how sectors are joined.
+/// Two-dimensional tooth with its sector of the rim, and the coupling of the sectors.
 struct PlaneSector {
     model: PlaneModel,
     surfaces: Vec<SurfaceSource>,
@@ -329,7 +342,7 @@ fn flanks(form: ToothForm, modifications: &[Modification]) -> Result<[Arc<Flank>
     Ok([flank(Side::CounterClockwise)?, flank(Side::Clockwise)?])
 }
 
-/// A mesh `factor` times as fine in every direction, with elements of another order.
+/// Mesh that is `factor` times as fine in every direction, with elements of another order.
 pub(crate) fn refined(base: Refinement, factor: f64, order: usize) -> Refinement {
     let times = |count: usize| ((count as f64 * factor).round() as usize).max(1);
     Refinement {
@@ -341,14 +354,15 @@ pub(crate) fn refined(base: Refinement, factor: f64, order: usize) -> Refinement
             TipEdge::Rounded(elements) => TipEdge::Rounded(times(elements)),
             TipEdge::Corner(last) => TipEdge::Corner(last / factor),
         },
-        // Matching depths count nodes, and must stay well below the distance from the tip edge.
+        // Matching depths are counted in nodes and must stay well below the distance from the tip
+        // edge.
         tip_growth: (base.tip_growth / factor).min(COARSEST_TIP_GROWTH) * order as f64 / 3.0,
         rim_growth: base.rim_growth.powf(1.0 / factor),
         order: ElementOrder::full(order as u8),
     }
 }
 
-/// A mesh folds on itself.
+/// Error for a mesh that folds over itself.
 pub(crate) fn unmeshable(error: impl std::error::Error) -> EngineError {
     EngineError::new(
         "E0676",
@@ -441,13 +455,13 @@ impl Prototype for GearPrototype {
         shared.with_modified_surfaces(surfaces).map(Arc::new).ok_or_else(misshapen)
     }
 
-    /// The modified flanks on the body without modifications, where [`Self::build`] has left them out.
+    /// Modified flanks on the body without modifications, where [`Self::build`] leaves them out.
     fn shape(
         &self,
         shared: Arc<dyn Structure>,
         options: &StructureOptions,
     ) -> Result<Arc<dyn Structure>, EngineError> {
-        // What has no mesh has the modified flanks already.
+        // Bodies without a mesh already have the modified flanks.
         if options.model != BodyModel::Elements {
             return Ok(shared);
         }
@@ -479,7 +493,7 @@ impl Prototype for GearPrototype {
         Ok(VisualizationMesh::Mesh(Arc::new(mesh)))
     }
 
-    /// In space surfaces of either shape have the same coordinates.
+    /// In three dimensions modified and plain surfaces have the same coordinates.
     fn shape_meshed(
         &self,
         shared: Arc<MeshedBody>,
@@ -490,7 +504,7 @@ impl Prototype for GearPrototype {
         Ok(surfaces.map_or(shared.clone(), |surfaces| Arc::new(shared.with_modified_surfaces(surfaces))))
     }
 
-    /// What has no mesh is built faster than looked up.
+    /// Bodies without a mesh have no key, because building them is faster than a cache lookup.
     fn key(&self, options: &StructureOptions) -> Option<Key> {
         (options.model == BodyModel::Elements).then(|| self.plane_content("gear on a rim", options).finish())
     }
@@ -541,7 +555,7 @@ impl Prototype for GearPrototype {
     }
 
     fn enclosing_radius(&self) -> f64 {
-        // A ring is enclosed by what holds it.
+        // The support of an internal gear's rim encloses the gear.
         self.form().tip_radius.max(self.rim.fixed_radius)
     }
 

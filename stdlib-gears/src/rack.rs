@@ -1,22 +1,22 @@
-//! The basic rack, whose teeth cut the gear's spaces by rolling on its pitch circle.
+//! The basic rack (ISO 53), which generates the gear's tooth spaces by rolling on its pitch circle.
 
 use crate::error::{GeometryError, sentence};
 use crate::helix::Helix;
 use calyx_abi::math;
 use std::f64::consts::PI;
 
-/// The section in which a tool's numbers are given.
+/// Plane in which the dimensions of a tool are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Plane {
-    /// Across the gear's axis.
+    /// Perpendicular to the gear's axis.
     #[default]
     Transverse,
-    /// Across the teeth at the pitch circle.
+    /// Perpendicular to the teeth at the pitch circle.
     Normal,
 }
 
 impl Plane {
-    /// `"transverse"` or `"normal"`.
+    /// Returns the plane called `"transverse"` or `"normal"`.
     pub fn named(name: &str) -> Option<Plane> {
         match name {
             "transverse" => Some(Plane::Transverse),
@@ -26,24 +26,27 @@ impl Plane {
     }
 }
 
-/// A basic rack with straight flanks and rounded tooth tips. SI units.
+/// Basic rack with straight flanks and rounded tooth tips. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rack {
-    /// Pitch divided by pi: in the transverse plane the pitch diameter divided by number of teeth, m.
+    /// Pitch divided by pi, m. In the transverse plane, this is the pitch diameter divided by the
+    /// number of teeth.
     pub module: f64,
-    /// Inclination of the flanks, rad.
+    /// Pressure angle: inclination of the flanks, rad.
     pub pressure_angle: f64,
-    /// Rounding of the tooth tip, m. Zero is a sharp corner.
+    /// Tip radius of the tool, m. Zero is a sharp corner.
     pub tip_radius: f64,
-    /// The section all this is given in.
+    /// Plane of these dimensions.
     pub plane: Plane,
-    /// How many times longer the rounding is along the pitch line than [`Self::tip_radius`], which it is across: above 1 in the
-    /// transverse section of a rack that is round in its normal section, an ellipse there.
+    /// Ratio of the tip rounding's half-axis along the pitch line to [`Self::tip_radius`], the
+    /// half-axis across it. It exceeds 1 in the transverse plane of a rack whose tip is round in
+    /// the normal plane: the rounding is an ellipse there.
     pub tip_stretch: f64,
 }
 
 impl Rack {
-    /// A rack in the transverse plane, if its numbers make sense. (Whether the rounding fits depends on the gear that is cut.)
+    /// Creates a rack in the transverse plane. Whether the tip rounding fits depends on the gear
+    /// and is checked with it.
     ///
     /// # Errors
     /// E0601 to E0603.
@@ -52,14 +55,14 @@ impl Rack {
         Ok(Self { module, pressure_angle, tip_radius, plane: Plane::Transverse, tip_stretch: 1.0 })
     }
 
-    /// The rack with its numbers taken as those of another section.
+    /// Returns the rack with its dimensions assigned to another plane.
     #[must_use]
     pub fn in_plane(self, plane: Plane) -> Rack {
         Rack { plane, ..self }
     }
 
-    /// The rack as the transverse section of a gear with this helix sees it: exactly, the tip's rounding being an ellipse there if it
-    /// is a circle in the normal section.
+    /// Returns the transverse section of the rack for a gear with this helix. The section is exact:
+    /// a tip that is a circle in the normal plane becomes an ellipse.
     #[must_use]
     pub fn transverse(&self, helix: &Helix) -> Rack {
         let cosine = match self.plane {
@@ -75,14 +78,14 @@ impl Rack {
         }
     }
 
-    /// The module in the plane that the rack was given in: of a rack that was given in the normal
-    /// plane and is seen in the transverse one, the normal module, as the tip is stretched by `1 /
-    /// cos(helix angle)` there. Profile shift coefficients count these modules.
+    /// Module in the plane in which the rack was given. For the transverse section of a rack from
+    /// the normal plane this is the normal module, because the tip is stretched by
+    /// `1 / cos(helix angle)`. Profile shift coefficients count these modules.
     pub fn own_module(&self) -> f64 {
         self.module / self.tip_stretch
     }
 
-    /// A thickness given in the rack's plane as it is in the transverse section, m.
+    /// Converts a tooth thickness from the rack's plane to the transverse plane, m.
     pub fn transverse_thickness(&self, thickness: f64, helix: &Helix) -> f64 {
         match self.plane {
             Plane::Transverse => thickness,
@@ -90,23 +93,24 @@ impl Rack {
         }
     }
 
-    /// Pitch, from one tooth to the next, m.
+    /// Pitch, the distance of adjacent teeth, m.
     pub fn pitch(&self) -> f64 {
         PI * self.module
     }
 
-    /// Thickness at the pitch circle of a gear cut with a profile shift, `m (pi/2 + 2 x tan(alpha))`, m.
+    /// Tooth thickness at the pitch circle of a gear with this profile shift coefficient,
+    /// `m (pi/2 + 2 x tan(alpha))`, m.
     pub fn thickness_of_shift(&self, profile_shift: f64) -> f64 {
         self.module * (0.5 * PI + 2.0 * profile_shift * math::tan(self.pressure_angle))
     }
 
-    /// The inverse of [`Rack::thickness_of_shift`].
+    /// Profile shift coefficient of a tooth thickness; the inverse of [`Rack::thickness_of_shift`].
     pub fn shift_of_thickness(&self, tooth_thickness: f64) -> f64 {
         (tooth_thickness / self.module - 0.5 * PI) / (2.0 * math::tan(self.pressure_angle))
     }
 
-    /// Distance from the centre of the tip's rounding to its tangent whose normal is inclined by `inclination` to the pitch
-    /// line, m.
+    /// Support function of the tip rounding: distance from its centre to the tangent whose normal
+    /// is inclined by `inclination` to the pitch line, m.
     pub(crate) fn tip_support(&self, inclination: f64) -> f64 {
         let (sine, cosine) = math::sincos(inclination);
         if self.tip_stretch == 1.0 {
@@ -115,7 +119,7 @@ impl Rack {
         self.tip_radius * (self.tip_stretch * cosine).hypot(sine)
     }
 
-    /// Depth below that centre of the point where this tangent touches the rounding, m.
+    /// Depth of the tangent point of this tangent below the centre of the rounding, m.
     pub(crate) fn tip_touch_depth(&self, inclination: f64) -> f64 {
         let (sine, cosine) = math::sincos(inclination);
         if self.tip_stretch == 1.0 {
@@ -125,7 +129,7 @@ impl Rack {
     }
 }
 
-/// What racks and shapers have in common.
+/// Checks the dimensions that racks and shapers have in common.
 pub(crate) fn check_tool(
     tool: &'static str,
     module: f64,

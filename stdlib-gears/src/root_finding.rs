@@ -1,16 +1,16 @@
-//! Roots of scalar functions known to change sign between two places.
+//! Roots of scalar functions with a known bracket.
 
-/// The place where `f` changes sign between `a` and `b`, to the last bits.
+/// Finds the sign change of `f` between `a` and `b`, to the last bits.
 ///
-/// Bisection on the sign, sped up by false position in its Illinois form; where both ends have the same sign, the
-/// end nearer to zero.
+/// Bisection accelerated by false position (Illinois variant). If `f` has the same sign at both
+/// ends, the result is the end with the smaller magnitude of `f`.
 pub(crate) fn solve_bracketed(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     let (mut fa, mut fb) = (f(a), f(b));
     if fa * fb > 0.0 {
         return if fa.abs() < fb.abs() { a } else { b };
     }
     for iteration in 0..200 {
-        // Every third step halves the bracket: false position alone may creep.
+        // Every third step halves the bracket, because false position alone may converge slowly.
         let middle = 0.5 * (a + b);
         let secant = b - fb * (b - a) / (fb - fa);
         let next = if iteration % 3 == 2 || !secant.is_finite() { middle } else { secant };

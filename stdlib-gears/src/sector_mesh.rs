@@ -1,9 +1,11 @@
-//! The plane mesh of one tooth with its sector of the rim, from the middle of one tooth space to the next.
+//! Two-dimensional mesh of one tooth with its sector of the rim, from the middle of one tooth space
+//! to the next.
 //!
-//! A strip of elements follows the boundary from the root centre over fillet, flank, tip edge and tip: it carries the
-//! fine grading that loads and fillet stresses need. Inside it lie the core of the tooth and, below, the rim: one
-//! part under the tooth, one under the space. One half is laid out, with the tooth's centreline along +x; the other is its
-//! mirror image, so that the two cuts carry the same nodes.
+//! A strip of elements follows the boundary from the root centre over fillet, flank, tip edge and
+//! tip. It is graded as finely as loads and fillet stresses require. Inside it are the core of the
+//! tooth and, below, the rim in two parts: one under the tooth, one under the space. The layout
+//! covers one half, with the tooth's centreline along +x. The other half is its mirror image, so
+//! that the two cuts have the same nodes (cyclic symmetry).
 //!
 //! ```text
 //!            space : C ______                 C root centre      K middle of the fillet
@@ -15,8 +17,8 @@
 //!              under tooth    D-------------T'-T   centreline
 //! ```
 //!
-//! An internal gear has the same parts, the bore being its outside: radii go the other way, and blocks that would be left-handed are
-//! turned over.
+//! An internal gear has the same parts, with its outside as the bore. Radii are reversed, and
+//! blocks that would be left-handed are mirrored.
 
 mod boundary;
 mod divisions;
@@ -33,39 +35,40 @@ use calyx_runtime::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, Plan
 use calyx_runtime::profile::Profile;
 use std::sync::Arc;
 
-/// How fine a sector mesh is.
+/// Refinement of a sector mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refinement {
-    /// Elements through the strip along the boundary.
+    /// Number of elements through the strip along the boundary.
     pub layers: usize,
-    /// Elements from the strip to the tooth's centreline.
+    /// Number of elements from the strip to the tooth's centreline.
     pub across: usize,
     /// Largest length of an element along the flank, in modules.
     pub flank: f64,
-    /// Elements along the fillet.
+    /// Number of elements along the fillet.
     pub fillet: usize,
-    /// How the tip edge is meshed.
+    /// Mesh of the tip edge.
     pub edge: TipEdge,
-    /// Length of elements along the flank per distance from the tip edge.
+    /// Ratio of the length of elements along the flank to the distance from the tip edge.
     pub tip_growth: f64,
     /// Ratio of successive element depths into the rim.
     pub rim_growth: f64,
-    /// Of displacements and coordinates.
+    /// Order of displacements and coordinates.
     pub order: ElementOrder,
 }
 
-/// The mesh at the tip edge.
+/// Mesh of the tip edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TipEdge {
-    /// It follows the rounding, with so many elements over either half of the arc.
+    /// The mesh follows the rounding, with this number of elements over either half of the arc.
     Rounded(usize),
-    /// It ends where the rounding begins, in a corner: the chips that the rounding leaves standing are no part of it. Beside the
-    /// corner, elements along the flank have this length, in modules.
+    /// The mesh ends in a corner where the rounding begins, and omits the material between the
+    /// corner and the rounding. Elements along the flank have this length next to the corner, in
+    /// modules.
     Corner(f64),
 }
 
 impl TipEdge {
-    /// Elements over either half of the arc.
+    /// Number of elements over either half of the arc.
     fn elements(self) -> usize {
         match self {
             TipEdge::Rounded(elements) => elements,
@@ -75,7 +78,7 @@ impl TipEdge {
 }
 
 impl Refinement {
-    /// For a first look.
+    /// For first estimates.
     pub const COARSE: Self = Self {
         layers: 3,
         across: 3,
@@ -86,7 +89,7 @@ impl Refinement {
         rim_growth: 1.8,
         order: ElementOrder::CUBIC,
     };
-    /// Fillet stresses and compliances to about one part in a thousand.
+    /// Fillet stresses and compliances accurate to about one part in a thousand.
     pub const MEDIUM: Self = Self {
         layers: 5,
         across: 5,
@@ -109,7 +112,7 @@ impl Refinement {
         order: ElementOrder::CUBIC,
     };
 
-    /// `"coarse"`, `"medium"` or `"fine"`.
+    /// Returns the refinement called `"coarse"`, `"medium"` or `"fine"`.
     pub fn named(name: &str) -> Option<Self> {
         match name {
             "coarse" => Some(Self::COARSE),
@@ -120,33 +123,36 @@ impl Refinement {
     }
 }
 
-/// Thinnest material between root circle and bore that can be meshed, in modules.
+/// Smallest thickness between root circle and bore that can be meshed, in modules.
 pub const THINNEST_RIM: f64 = 0.25;
 
 /// Largest thickness of the strip, in modules.
 const STRIP_DEPTH: f64 = 0.25;
-/// Depth of the outermost layer of the strip over the length of the flank's elements above it.
+/// Ratio of the depth of the strip's outermost layer to the length of the flank's elements above
+/// it.
 const OUTERMOST_LAYER: f64 = 0.4;
-/// Growth of the length of elements per distance from the fillet.
+/// Growth of the element length per distance from the fillet.
 const FILLET_GROWTH: f64 = 0.4;
-/// Length of the last element of the flank over that of the edge's.
+/// Ratio of the length of the flank's last element to that of the edge's elements.
 const FLANK_BESIDE_EDGE: f64 = 0.25;
-/// Depth of the elements of a web over the width of a sector, and the most of them.
+/// Ratio of the depth of the web's elements to the width of a sector; the other constant is their
+/// maximum number.
 const WEB_DEPTH: f64 = 1.5;
 const DEEPEST_WEB: f64 = 6.0;
-/// Length of the first element of the tip land over that of the edge's.
+/// Ratio of the length of the tip land's first element to that of the edge's elements.
 const LAND_GROWTH: f64 = 1.5;
 
-/// The mesh of tooth 0 and its sector. `flanks` are the counter-clockwise and the clockwise flank; `bore_radius` (m)
-/// is at least [`THINNEST_RIM`] modules below the root radius, or above that of an internal gear.
+/// Creates the mesh of tooth 0 and its sector. `flanks` are the counter-clockwise and the clockwise
+/// flank; `bore_radius` (m) is at least [`THINNEST_RIM`] modules below the root radius, or above
+/// that of an internal gear.
 ///
-/// Chains: `flank_0`, `flank_1` on the flank's profile from the form circle to the tip edge, `edge_0`, `edge_1` on it
-/// over the rounded edge, if the mesh has it; `fillet_0`, `fillet_1` on the
-/// profile of [`Gear::root_fillet`] from the form circle to the root centre; `tip`, `bore`; `cut_left` at
-/// half a pitch counter-clockwise and `cut_right` at half a pitch clockwise.
+/// Chains: `flank_0`, `flank_1` on the flank's profile from the form circle to the tip edge;
+/// `edge_0`, `edge_1` on it over the rounded edge, if the mesh has one; `fillet_0`, `fillet_1` on
+/// the profile of [`Gear::root_fillet`] from the form circle to the root centre; `tip`, `bore`;
+/// `cut_left` at half a pitch counter-clockwise and `cut_right` at half a pitch clockwise.
 ///
 /// # Errors
-/// A fold, if the tooth is of a shape this layout cannot follow.
+/// The mesh folds over itself because the block layout does not suit the shape of the tooth.
 pub fn sector_mesh(
     gear: &Gear,
     flanks: [Arc<Flank>; 2],
@@ -156,8 +162,9 @@ pub fn sector_mesh(
     webbed_sector_mesh(gear, flanks, [bore_radius, bore_radius], refinement)
 }
 
-/// The same with a web: a rim down to the first radius, from there on a web to the second one (m), where then the chain `bore` is. Without
-/// a web, both are equal. Elements of the web are those beyond the first radius.
+/// Creates the same mesh with a web: a rim down to the first radius and a web from there to the
+/// second one (m), where the chain `bore` then lies. Without a web, both radii are equal. The
+/// elements of the web are those beyond the first radius.
 ///
 /// # Errors
 /// As [`sector_mesh`].
@@ -168,7 +175,7 @@ pub fn webbed_sector_mesh(
     refinement: &Refinement,
 ) -> Result<PlaneMesh, MeshError> {
     let mut builder = MeshBuilder::new();
-    // Both halves are laid out on the counter-clockwise side: of the clockwise flank, the mirror image.
+    // Both halves are laid out on the counter-clockwise side; the clockwise flank is mirrored.
     for (side, flank) in [ToothSide::CounterClockwise, ToothSide::Clockwise].into_iter().zip(flanks) {
         let web_radius = (bore_radius != rim_radius).then_some(bore_radius);
         let layout = Layout { web_radius, ..Layout::new(gear, flank, rim_radius, refinement) };
@@ -181,18 +188,18 @@ pub fn webbed_sector_mesh(
 
 type Mapping = Arc<dyn Fn(f64, f64) -> [f64; 2] + Send + Sync>;
 
-/// A block of the counter-clockwise half.
+/// Block of the counter-clockwise half.
 struct HalfBlock {
-    /// Bottom, right, top, left as in [`Block::new`].
+    /// Bottom, right, top and left side as in [`Block::new`].
     sides: [Curve; 4],
     u: Vec<f64>,
     v: Vec<f64>,
-    /// Replaces the blending of the sides.
+    /// Mapping that replaces the transfinite interpolation of the sides.
     mapping: Option<Mapping>,
     names: Vec<(Side, Name, Option<[f64; 2]>)>,
 }
 
-/// Names of chains, before the half is known.
+/// Chain names before the half is chosen.
 #[derive(Clone, Copy)]
 enum Name {
     Flank,
@@ -200,7 +207,7 @@ enum Name {
     Fillet,
     Tip,
     Bore,
-    /// The inside of a rim that has a web.
+    /// Inner boundary of a rim with a web.
     Rim,
     Cut,
 }
@@ -224,7 +231,8 @@ impl Name {
 }
 
 impl HalfBlock {
-    /// The block, or its mirror image on the clockwise side; right-handed, for which left and right are exchanged where need be.
+    /// Returns the block, or its mirror image on the clockwise side. Left and right are exchanged
+    /// where necessary to keep it right-handed.
     fn on(self, side: ToothSide, internal: bool) -> Block {
         let mirrored = side == ToothSide::Clockwise;
         let turned = mirrored != internal;
@@ -257,38 +265,38 @@ impl HalfBlock {
     }
 }
 
-/// Everything needed to lay out the blocks of the counter-clockwise half.
+/// Data for the layout of the blocks of the counter-clockwise half.
 #[derive(Clone)]
 struct Layout {
     boundary: Arc<Boundary>,
     refinement: Refinement,
     module: f64,
-    /// Length of elements on the fillet, on the tip edge's arc, and of the flank's last one, m.
+    /// Element lengths on the fillet, on the tip edge's arc, and of the last flank element, m.
     fillet_size: f64,
     edge_size: f64,
     last_size: f64,
-    /// Divisions of the boundary by `p`: the ends of its parts, and the elements' ends in each.
+    /// Divisions of the boundary in `p`: the element boundaries in each part, including its ends.
     parts: Vec<(Part, Vec<f64>)>,
     tip_radius: f64,
     /// Polar angle at which the tip edge's arc meets the tip circle.
     tip_angle: f64,
     bore_radius: f64,
-    /// Where the web ends that is below the rim, m.
+    /// Radius at which the web below the rim ends, m.
     web_radius: Option<f64>,
     cut_angle: f64,
-    /// +1, or -1 of an internal gear.
+    /// +1, or -1 for an internal gear.
     sense: f64,
 }
 
 /// Parts of the boundary, with `p` ascending.
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
-    /// Below the middle of the fillet, with the root circle.
+    /// From the middle of the fillet downwards, including the root circle.
     Root,
-    /// Above it.
+    /// From the middle of the fillet upwards.
     Fillet,
     Flank,
-    /// The first half of the tip edge's arc.
+    /// First half of the tip edge's arc.
     Edge,
 }
 
@@ -321,7 +329,7 @@ impl Layout {
         let rim = sense * (teeth.root_radius - bore_radius);
         boundary.place_strip(module, rim);
 
-        // A tiny root circle is not worth elements of its own: it joins the fillet.
+        // A very short arc of the root circle has no elements of its own: it joins the fillet.
         let root_circle = boundary.fillet_from;
         let fillet_size = boundary.fillet.fillet_length() / refinement.fillet as f64;
         let mut root = Vec::new();
@@ -379,8 +387,8 @@ impl Layout {
         Curve::new(move |t| boundary.outer((1.0 - t) * from + t * to).position)
     }
 
-    /// Ends of the layers through the strip at `p`, as parts of the way from its inner side: finest at the boundary,
-    /// growing geometrically.
+    /// Boundaries of the layers through the strip at `p`, as fractions of the distance from its
+    /// inner side. Layers are thinnest at the boundary and grow geometrically.
     fn layers_at(&self, p: f64) -> Vec<f64> {
         let boundary = &self.boundary;
         let [from, to] = [boundary.inner(p), boundary.outer(p).position];
@@ -391,7 +399,7 @@ impl Layout {
         graded(layers, math::pow(growth, 1.0 - layers as f64))
     }
 
-    /// Wished length of elements along the boundary, m.
+    /// Target length of elements along the boundary, m.
     fn size(&self, p: f64) -> f64 {
         let boundary = &self.boundary;
         if p > boundary.edge {
@@ -410,7 +418,7 @@ impl Layout {
         blocks
     }
 
-    /// The strip from the root centre to the middle of the tip edge's arc.
+    /// Strip from the root centre to the middle of the tip edge's arc.
     fn strip(&self) -> Vec<HalfBlock> {
         let boundary = &self.boundary;
         let layers = uniform(self.refinement.layers);
@@ -451,12 +459,13 @@ impl Layout {
         blocks
     }
 
-    /// Elements from the strip to the centreline and over half the tip edge's arc.
+    /// Number of elements from the strip to the centreline and over half of the tip edge's arc.
     fn across(&self) -> usize {
         self.refinement.edge.elements() + self.refinement.across
     }
 
-    /// Corners of the inner side of the tip's strip: below the tip edge, below its end, and on the centreline.
+    /// Corners of the inner side of the tip's strip: below the tip edge, below its end, and on the
+    /// centreline.
     fn tip_corners(&self) -> [[f64; 2]; 3] {
         let corner = self.boundary.inner(self.boundary.tip_end);
         // As deep below the middle of the tip as at its edge.
@@ -466,7 +475,7 @@ impl Layout {
         [corner, between, centre]
     }
 
-    /// The strip over the second half of the arc, if the mesh has it, and along the tip circle.
+    /// Strip over the second half of the arc, if the mesh has one, and along the tip circle.
     fn tip(&self) -> Vec<HalfBlock> {
         let boundary = &self.boundary;
         let [corner, between, centre] = self.tip_corners();
@@ -475,7 +484,7 @@ impl Layout {
             let (sine, cosine) = math::sincos(self.tip_angle);
             [self.tip_radius * cosine, self.tip_radius * sine]
         };
-        // From the edge's elements to the middle of the land.
+        // From the edge's elements to the middle of the tip land.
         let on_land = Curve::arc([0.0; 2], self.tip_radius, self.tip_angle, 0.0);
         let across = self.refinement.across;
         let smallest = LAND_GROWTH * self.edge_size / (self.tip_radius * self.tip_angle);
@@ -512,7 +521,7 @@ impl Layout {
         blocks
     }
 
-    /// The core of the tooth, the two parts of the rim, and those of the web if there is one.
+    /// Core of the tooth, the two parts of the rim, and those of the web if there is one.
     fn inside(&self) -> Vec<HalfBlock> {
         let boundary = &self.boundary;
         let [corner, _, tip] = self.tip_corners();
@@ -577,7 +586,7 @@ impl Layout {
         blocks
     }
 
-    /// The two parts of the web beneath those of the rim.
+    /// The two parts of the web below those of the rim.
     fn web(&self, web_radius: f64, foot_angle: f64) -> [HalfBlock; 2] {
         let (rim_radius, cut_angle) = (self.bore_radius, self.cut_angle);
         let part = |from: f64, to: f64, u: Vec<f64>, cut: bool| {
@@ -587,7 +596,8 @@ impl Layout {
             };
             let ray = |angle: f64| Curve::line(at(rim_radius, angle), at(web_radius, angle));
             let arc = |radius: f64| Curve::arc([0.0; 2], radius, from, to);
-            // Of an even shape: as deep as a part of the sector is wide, but no more than bends a web.
+            // For a good aspect ratio, elements are as deep as a part of the sector is wide. Their
+            // number is limited to what the bending of a web requires.
             let depth = math::log(rim_radius / web_radius).abs();
             let count = (depth / (WEB_DEPTH * 2.0 * cut_angle)).ceil().clamp(1.0, DEEPEST_WEB);
             let mut names = vec![(Side::Top, Name::Bore, None)];
@@ -608,14 +618,14 @@ impl Layout {
         ]
     }
 
-    /// Divisions of the blocks under the space, from the knee to the cut.
+    /// Divisions of the blocks under the tooth space, from the fillet's middle (K') to the cut.
     fn root_divisions(&self) -> Vec<f64> {
         let knee_p = self.parts[1].1[0];
         normalised(&self.parts[0].1.iter().rev().map(|p| knee_p - p).collect::<Vec<_>>())
     }
 
-    /// The centreline of the core, divided like the inner side of the strip above it, so that elements of a thin tooth
-    /// stay upright.
+    /// Centreline of the core, divided like the inner side of the strip above it, so that the
+    /// elements of a thin tooth are not sheared.
     fn centreline(&self, from_x: f64, to_x: f64, from: f64) -> Curve {
         let boundary = Arc::clone(&self.boundary);
         let to = boundary.tip_end;

@@ -1,34 +1,34 @@
-//! The shaper: a cutter with the teeth of a pinion, whose spaces' counterpart are the spaces of an internal gear.
+//! The shaper cutter, a pinion-shaped tool that generates the tooth spaces of internal gears.
 
 use crate::error::{GeometryError, sentence};
 use crate::rack::check_tool;
 use calyx_abi::math;
 use std::f64::consts::PI;
 
-/// A pinion-shaped cutter with involute flanks and rounded tooth tips. SI units. How thick its teeth are follows from the gear it
-/// cuts: that is what sharpening it changes.
+/// Shaper cutter with involute flanks and rounded tooth tips. SI units. The thickness of its teeth
+/// follows from the gear that it generates, because sharpening changes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaper {
     /// Number of teeth.
     pub teeth: u32,
-    /// Transverse, m.
+    /// Transverse module, m.
     pub module: f64,
-    /// Transverse, at the reference circle, rad.
+    /// Transverse pressure angle at the reference circle, rad.
     pub pressure_angle: f64,
-    /// From the cutter's reference circle to its tips, m.
+    /// Addendum of the cutter: distance from its reference circle to its tips, m.
     pub addendum: f64,
-    /// Rounding of its tooth tips in the transverse section, m. Zero is a sharp corner.
+    /// Tip radius in the transverse plane, m. Zero is a sharp corner.
     pub tip_radius: f64,
 }
 
 impl Shaper {
-    /// Addendum of a shaper of which nothing is said, in modules.
+    /// Default addendum of a shaper cutter, in modules.
     pub const USUAL_ADDENDUM: f64 = 1.25;
 
-    /// A shaper, if its numbers make sense. (Whether it fits depends on the gear that is cut.)
+    /// Creates a shaper cutter. Whether it fits depends on the gear and is checked with it.
     ///
     /// # Errors
-    /// E0601 to E0603: as for a rack; E0624: too few teeth, or an addendum that is not positive.
+    /// E0601 to E0603, as for a rack. E0624: too few teeth, or an addendum that is not positive.
     pub fn new(
         teeth: u32,
         module: f64,
@@ -63,28 +63,30 @@ impl Shaper {
         PI * self.module
     }
 
-    /// Of the reference circle, m.
+    /// Reference radius, m.
     pub fn reference_radius(&self) -> f64 {
         0.5 * f64::from(self.teeth) * self.module
     }
 
-    /// Of the circle whose involutes its flanks are, m.
+    /// Base radius, m.
     pub fn base_radius(&self) -> f64 {
         self.reference_radius() * math::cos(self.pressure_angle)
     }
 
-    /// Of the circle through its tips, m.
+    /// Tip radius of the cutter, m.
     pub fn outer_radius(&self) -> f64 {
         self.reference_radius() + self.addendum
     }
 
-    /// Thickness of an internal gear's teeth at the pitch circle for a profile shift, `m (pi/2 - 2 x tan(alpha))`: as on an external
-    /// gear, a positive shift moves the teeth outwards, m.
+    /// Tooth thickness of an internal gear at the pitch circle with this profile shift coefficient,
+    /// `m (pi/2 - 2 x tan(alpha))`, m. As for an external gear, a positive shift moves the teeth
+    /// outwards.
     pub fn thickness_of_shift(&self, profile_shift: f64) -> f64 {
         self.module * (0.5 * PI - 2.0 * profile_shift * math::tan(self.pressure_angle))
     }
 
-    /// The inverse of [`Shaper::thickness_of_shift`].
+    /// Profile shift coefficient of a tooth thickness; the inverse of
+    /// [`Shaper::thickness_of_shift`].
     pub fn shift_of_thickness(&self, tooth_thickness: f64) -> f64 {
         (0.5 * PI - tooth_thickness / self.module) / (2.0 * math::tan(self.pressure_angle))
     }

@@ -1,4 +1,5 @@
-//! What programs ask of outputs in the frequency domain: spectra, spectrograms, order maps, transfer functions.
+//! Outputs in the frequency domain for programs: spectra, spectrograms, order maps, transfer
+//! functions.
 
 use crate::bearing_externs::GROUND;
 use crate::error::Severity;
@@ -97,10 +98,10 @@ fn ask(
     Ok(())
 }
 
-/// Whether all signals are of outputs that there are.
+/// Checks that all requested signals refer to existing outputs.
 ///
 /// # Errors
-/// E0775: one is not.
+/// E0775: one does not.
 pub fn check(host: &ModelHost) -> Result<(), RuntimeError> {
     for RequestedSignal { request, place } in &host.asked_signals {
         let ahead = match &request.kind {
@@ -128,8 +129,8 @@ fn output(host: &ModelHost, name: &str) -> Option<usize> {
     host.outputs.iter().position(|output| output.name == name)
 }
 
-/// Answers all requests from the rows of the analysis that is done. What the rows cannot show is told (E0776, E0777), and takes nothing else of the
-/// results away.
+/// Computes all requested signals from the rows of a completed analysis. Requests that the rows
+/// cannot answer are reported (E0776, E0777); the other results remain valid.
 pub(crate) fn answer(host: &mut ModelHost) {
     let Some(result) = &host.result else { return };
     let mut answers: Vec<Signal> = Vec::with_capacity(host.asked_signals.len());

@@ -1,4 +1,4 @@
-//! How large the equations of a gear's structure are: counted off its mesh, for whoever wants to know before it is condensed.
+//! Problem size of a gear's structure, counted from its mesh before condensation.
 
 use crate::prototype::{GearPrototype, STRESS_POINTS_PER_EDGE};
 use crate::solid_prototype::{split_options, stress_points};
@@ -7,11 +7,11 @@ use calyx_runtime::scene::StructureOptions;
 use calyx_runtime::structure::{BoreSupport, StructureSize};
 use std::collections::BTreeSet;
 
-/// Flanks of a tooth, each with a fillet.
+/// Number of flanks of a tooth, each with a fillet.
 const FLANKS: usize = 2;
 
 impl GearPrototype {
-    /// Of the model in the plane.
+    /// Size of the two-dimensional model.
     pub(crate) fn size_in_plane(&self, options: &StructureOptions) -> Option<StructureSize> {
         let mesh = self.plane_mesh(options).ok()?;
         let nodes = |chain: &str| Some(mesh.chain_nodes(mesh.chain(chain)?));
@@ -42,7 +42,7 @@ impl GearPrototype {
         })
     }
 
-    /// Of the model in space.
+    /// Size of the three-dimensional model.
     pub(crate) fn size_in_space(&self, options: &StructureOptions) -> Option<StructureSize> {
         let mesh = self.solid_mesh(options).ok()?;
         let nodes = |faces: &str| Some(mesh.nodes_on(mesh.face_set(faces)?));

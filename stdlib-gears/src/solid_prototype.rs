@@ -1,7 +1,9 @@
-//! A gear in space: its template's section swept along the helix, and the surfaces that contact sees.
+//! Three-dimensional gears: the mesh of the section swept along the helix, and the contact
+//! surfaces.
 //!
-//! The mesh is that of the gear without modifications. They take off thousandths of a millimetre, which contact sees in full
-//! ([`GearSurface`]) and the body behind the flanks does not notice: one structure serves all of them.
+//! The mesh is that of the gear without modifications. Modifications remove a few thousandths of a
+//! millimetre. The contact problem includes them in full ([`GearSurface`]), and their effect on the
+//! body is negligible, so one structure serves all of them.
 
 use crate::blank::Rim;
 use crate::gear_surface::GearSurface;
@@ -23,17 +25,22 @@ use calyx_runtime::structure::{RevolvedWeb, RingSource};
 use calyx_runtime::surface::Surface;
 use std::sync::Arc;
 
-/// Places of recovered stress along a fillet and along the face, at least: root stress is the largest at any of them.
+/// Minimum number of sampling points of recovered stress along a fillet and along the face. The
+/// root stress is the largest value of all points.
 const STRESS_POINTS: [usize; 2] = [24, 12];
-/// Of them on each element's edge along a fillet, at least: recovered stress is not the same polynomial across elements.
+/// Minimum number of these points on each element edge along a fillet: recovered stress is not one
+/// polynomial across elements.
 const STRESS_POINTS_PER_EDGE: usize = 3;
 
-/// Thinnest layer of elements beside a web over the face width; what is thinner counts as the web's.
+/// Smallest ratio of a layer of elements next to a web to the face width; a thinner layer is
+/// counted as part of the web.
 const THINNEST_LAYER: f64 = 0.01;
-/// By so much of a layer those on either side of a web's ends may be longer together than they would be without the web.
+/// Fraction of a regular element by which a part of the face width between web ends may exceed a
+/// whole number of elements without receiving one more.
 const LONGER_LAYER: f64 = 0.25;
 
-/// Places of recovered stress on each element's edge along a fillet and on each layer of elements.
+/// Sampling points of recovered stress on each element edge along a fillet and on each layer of
+/// elements.
 pub(crate) fn stress_points(mesh: &SolidMesh, options: &StructureOptions) -> [usize; 2] {
     let fillet_elements = refined(section(options.template), options.refinement, options.order).fillet;
     let face_elements = mesh.swept.as_ref().map_or(1, |swept| swept.stations.len() - 1);
@@ -45,7 +52,8 @@ pub(crate) fn split_options(options: &StructureOptions) -> SolidSplitOptions {
     SolidSplitOptions { matching_depth: options.matching_depth, ..SolidSplitOptions::default() }
 }
 
-/// A tooth with its sector of the rim in space, how sectors are joined, and the web that they stand on if it has a mesh of its own.
+/// Three-dimensional tooth with its sector of the rim, the coupling of the sectors, and the web
+/// that carries them if it has its own mesh.
 pub(crate) struct SolidSector {
     pub model: SolidModel,
     pub ring: RingSource<'static>,
@@ -53,7 +61,7 @@ pub(crate) struct SolidSector {
 }
 
 impl GearPrototype {
-    /// The flanks in space, counter-clockwise and clockwise, with these modifications.
+    /// Three-dimensional flanks with these modifications, counter-clockwise and clockwise.
     fn surfaces_with(
         &self,
         options: &StructureOptions,
@@ -81,7 +89,7 @@ impl GearPrototype {
         Ok([surface(0), surface(1)])
     }
 
-    /// The flanks that contact sees in space, counter-clockwise and clockwise.
+    /// Contact surfaces of the flanks in three dimensions, counter-clockwise and clockwise.
     ///
     /// # Errors
     /// The flanks do not reach the tip circle.
@@ -89,7 +97,7 @@ impl GearPrototype {
         self.surfaces_with(options, &self.modifications)
     }
 
-    /// The flanks without modifications: those of the mesh.
+    /// Flanks without modifications, as in the mesh.
     ///
     /// # Errors
     /// The flanks do not reach the tip circle.
@@ -97,12 +105,13 @@ impl GearPrototype {
         self.surfaces_with(options, &[])
     }
 
-    /// Axial ends of the elements, m from mid-face: equal ones, but for a web, which ends between elements.
+    /// Axial boundaries of the elements, m from mid-face. The elements are equal, except that the
+    /// ends of a web are element boundaries.
     fn stations(&self, elements: usize) -> Vec<f64> {
         let half = 0.5 * self.face_width;
         let mut ends = vec![-half, half];
         if let Some(web) = self.rim.web {
-            // A sliver beside the web would be an element.
+            // A sliver next to the web would become an element of its own.
             let apart = THINNEST_LAYER * self.face_width;
             ends.splice(1..1, web.ends().into_iter().filter(|end| end.abs() < half - apart));
         }
@@ -118,39 +127,39 @@ impl GearPrototype {
         stations
     }
 
-    /// Elements along the face, and the order of displacements in them.
+    /// Number of elements along the face, and their order.
     fn along_face(options: &StructureOptions) -> [usize; 2] {
         let [elements, order] = along_face(options.template);
         let refined = ((elements as f64 * options.refinement).round() as usize).max(1);
         [options.face_elements.unwrap_or(refined), options.axial_order.unwrap_or(order)]
     }
 
-    /// The section that the mesh in three dimensions is swept from.
+    /// Plane mesh of the section that is swept into the three-dimensional mesh.
     fn section_mesh(&self, options: &StructureOptions) -> Result<PlaneMesh, EngineError> {
         options.check()?;
         let refinement = refined(section(options.template), options.refinement, options.order);
         let [tip, _] = self.roundings(options);
         let plain = self.flanks_with(tip, &[])?;
-        // A web with a mesh of its own is no part of the teeth's.
+        // A separately meshed web is not part of the mesh of the teeth.
         let own = self.rim.ring_support().is_some();
         let inside = if own { self.rim.fixed_radius } else { self.rim.ring_radius() };
         webbed_sector_mesh(&self.gear, plain, [self.rim.ring_radius(), inside], &refinement)
             .map_err(unmeshable)
     }
 
-    /// Whether there is such a section.
+    /// Checks that this section can be meshed.
     ///
     /// # Errors
-    /// E0675, E0676, E0691: the options or the gear allow none.
+    /// E0675, E0676, E0691: the options or the gear do not permit it.
     pub(crate) fn check_section_mesh(&self, options: &StructureOptions) -> Result<(), EngineError> {
         self.section_mesh(options).map(|_| ())
     }
 
-    /// The mesh of tooth 0 with its sector of the rim, mid-face at z = 0. Named sets of faces are
-    /// the chains of [`webbed_sector_mesh`].
+    /// Three-dimensional mesh of tooth 0 with its sector of the rim, with mid-face at z = 0. Its
+    /// named face sets are the chains of [`webbed_sector_mesh`].
     ///
     /// # Errors
-    /// E0675, E0676, E0691: the options or the gear allow none.
+    /// E0675, E0676, E0691: the options or the gear do not permit it.
     pub fn solid_mesh(&self, options: &StructureOptions) -> Result<SolidMesh, EngineError> {
         let plane = self.section_mesh(options)?;
         let own = self.rim.ring_support().is_some();
@@ -163,7 +172,7 @@ impl GearPrototype {
         };
         let mesh = SolidMesh::swept(&plane, &stations, axial_order, &place).map_err(unmeshable)?;
         let Some(web) = self.rim.web.filter(|_| own) else { return Ok(mesh) };
-        // Beside the web, its elements have no material.
+        // Elements next to the web are removed.
         let of_web = |element: usize| {
             let [x, y] = plane.position(ElementPoint { element, xi: 0.0, eta: 0.0 });
             let beyond = x.hypot(y) - web.rim_radius;
@@ -181,7 +190,7 @@ impl GearPrototype {
         Ok(mesh.without(|element| beside[element / of_web.len()] && of_web[element % of_web.len()]))
     }
 
-    /// A sector in space of the gear without modifications, and how sectors are joined.
+    /// Three-dimensional sector of the gear without modifications, and the coupling of the sectors.
     pub(crate) fn solid_sector(
         &self,
         options: &StructureOptions,
@@ -201,7 +210,7 @@ impl GearPrototype {
         Ok(SolidSector { model: SolidModel::new(mesh, self.material), ring, web })
     }
 
-    /// The structure in space of the gear without modifications.
+    /// Three-dimensional structure of the gear without modifications.
     pub(crate) fn condensed_solid(
         &self,
         options: &StructureOptions,
@@ -227,7 +236,7 @@ impl GearPrototype {
         })
     }
 
-    /// The modified flanks on the body without modifications.
+    /// Modified flanks on the body without modifications.
     pub(crate) fn modified_solid(
         &self,
         shared: Arc<dyn SolidStructure>,
@@ -240,10 +249,11 @@ impl GearPrototype {
         Ok(Arc::new(ModifiedStructure::new(shared, surfaces.to_vec())))
     }
 
-    /// All that the structure in space depends on: neither modifications nor pitch errors.
+    /// Key of all inputs of the three-dimensional structure. It excludes modifications and pitch
+    /// deviations.
     pub(crate) fn solid_content(&self, options: &StructureOptions) -> Key {
         let [elements, axial_order] = Self::along_face(options);
-        // Straight teeth of either hand are one gear: no zero is negative.
+        // Spur teeth of either hand are the same gear, so the sum removes a negative zero.
         let twist = self.twist_per_length() + 0.0;
         self.teeth_and_tool("solid gear on a rim")
             .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.fixed_radius])

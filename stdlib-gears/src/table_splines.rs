@@ -1,24 +1,25 @@
-//! Smooth functions through tables: natural cubic splines of one variable and of two.
+//! Interpolation of tables by natural cubic splines of one and of two variables.
 //!
-//! A table of measured amounts is met exactly, with continuous second derivatives between its places; beyond its ends the function goes
-//! on straight (de Boor, A Practical Guide to Splines, chapter IV; a natural spline has no bend at its ends).
+//! The spline interpolates the measured values exactly, with continuous second derivatives between
+//! the points. Beyond its ends it continues straight (de Boor, A Practical Guide to Splines,
+//! chapter IV; the second derivative of a natural spline vanishes at its ends).
 
 use crate::error::{GeometryError, sentence};
 
-/// Most places of a table along one variable.
+/// Maximum number of points of a table along one variable.
 const MOST_PLACES: usize = 10_000;
 
-/// A natural cubic spline through ascending places.
+/// Natural cubic spline through ascending points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NaturalSpline {
     places: Vec<f64>,
     values: Vec<f64>,
-    /// Second derivatives at the places.
+    /// Second derivatives at the points.
     bends: Vec<f64>,
 }
 
-/// What the values and the second derivatives at both ends of a piece count in the value, the first and the second derivative of a
-/// natural spline.
+/// Weights of the values and the second derivatives at both ends of an interval in the value, the
+/// first and the second derivative of a natural spline.
 struct Weights {
     piece: usize,
     values: [[f64; 2]; 3],
@@ -26,10 +27,10 @@ struct Weights {
 }
 
 impl NaturalSpline {
-    /// The spline through a table; `argument` is to blame for the places.
+    /// Creates the spline through a table; errors about the points blame `argument`.
     ///
     /// # Errors
-    /// E0643: fewer than two places, not as many values, or places that do not ascend.
+    /// E0643: fewer than two points, a different number of values, or points that do not ascend.
     pub fn new(argument: &'static str, places: Vec<f64>, values: Vec<f64>) -> Result<Self, GeometryError> {
         check_places(argument, &places)?;
         check_count("depths", values.len(), places.len())?;
@@ -52,17 +53,18 @@ impl NaturalSpline {
     }
 }
 
-/// A function of two variables through a table: natural splines in both, multiplied.
+/// Function of two variables from a table: tensor product of natural splines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TensorSpline {
     places: [Vec<f64>; 2],
-    /// By first place, then second: values, their second derivatives by the first variable, by the second, and by both.
+    /// Values, their second derivatives by the first variable, by the second, and by both, ordered
+    /// by the first point, then the second.
     tables: [Vec<f64>; 4],
 }
 
 impl TensorSpline {
-    /// The function through `values`, one row of `places[1]` after the other for each of `places[0]`. `arguments` are to blame for the
-    /// places.
+    /// Creates the function through `values`, which contains one row over `places[1]` for each of
+    /// `places[0]`. Errors about the points blame `arguments`.
     ///
     /// # Errors
     /// E0643, as for [`NaturalSpline::new`].
@@ -95,7 +97,7 @@ impl TensorSpline {
         Ok(Self { places, tables: [values, by_first, by_second, by_both] })
     }
 
-    /// Value and derivatives by the first and by the second variable.
+    /// Value, and derivatives by the first and the second variable.
     pub fn at(&self, first: f64, second: f64) -> [f64; 3] {
         let [rows, columns] = [weights(&self.places[0], first), weights(&self.places[1], second)];
         let width = self.places[1].len();
@@ -116,7 +118,7 @@ impl TensorSpline {
         [sum([0, 0]), sum([1, 0]), sum([0, 1])]
     }
 
-    /// The function of the first variable that it is at one place of the second.
+    /// Restriction to one value of the second variable, as a function of the first.
     pub fn along_first(&self, second: f64) -> NaturalSpline {
         let values: Vec<f64> = self.places[0].iter().map(|&first| self.at(first, second)[0]).collect();
         let bends = bends(&self.places[0], &values);
@@ -167,8 +169,8 @@ fn check_values(values: &[f64]) -> Result<(), GeometryError> {
     ))
 }
 
-/// Second derivatives at the places, zero at the ends: neighbouring ones obey
-/// `h[i-1] b[i-1] + 2 (h[i-1] + h[i]) b[i] + h[i] b[i+1] = 6 (difference of slopes)`.
+/// Second derivatives at the points, zero at the ends. Adjacent ones satisfy `h[i-1] b[i-1] + 2
+/// (h[i-1] + h[i]) b[i] + h[i] b[i+1] = 6 (difference of slopes)`.
 fn bends(places: &[f64], values: &[f64]) -> Vec<f64> {
     let last = places.len() - 1;
     let mut bends = vec![0.0; last + 1];
@@ -211,7 +213,8 @@ fn weights(places: &[f64], x: f64) -> Weights {
 mod tests {
     use super::*;
 
-    /// Uneven places and the values of a natural spline of its own: a cubic in each of two pieces.
+    /// Unequal intervals and the values of a known natural spline: one cubic in each of two
+    /// intervals.
     #[test]
     fn tables_are_met_smoothly_and_continue_straight() {
         let places = vec![-1.0, -0.2, 0.5, 0.6, 2.0];

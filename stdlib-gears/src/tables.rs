@@ -1,7 +1,8 @@
-//! Tables from CSV files: read once, below the model's directory or where the user allows it, their
-//! columns taken in the dimension asked for.
+//! Tables from CSV files. Each file is read once, from below the model's directory or a location
+//! that the user allows. Columns are converted to SI in the requested dimension.
 //!
-//! The prelude (`calyx/prelude.cx`) makes of these what programs call: it knows dimensions, which are gone here.
+//! The prelude (`calyx/prelude.cx`) wraps these functions for programs. It contains the dimensions,
+//! which are erased here.
 
 use crate::host::ModelHost;
 use calyx_abi::description::{Exponents, UnitDescription};
@@ -14,35 +15,34 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-/// Bytes of the largest file that is read: a table, not a measurement of hours.
+/// Size limit of a file, bytes. The limit suits tables, not hours of measured data.
 const LARGEST: u64 = 100 << 20;
 
-/// A table as it stands in its file.
+/// Parsed table of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// As the model names it.
+    /// Path as the model gives it.
     pub name: String,
-    /// Of the whole file.
+    /// Text of the whole file.
     pub text: String,
     columns: Vec<Column>,
-    /// Line of each row in the file.
+    /// Line number of each row in the file.
     lines: Vec<u64>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 struct Column {
     name: String,
-    /// The text in brackets after the name.
+    /// Unit in brackets after the name.
     unit: Option<String>,
     cells: Cells,
 }
 
-/// The cells of a column. One text for all takes a fraction of the memory that a text for each
-/// does.
+/// Cells of a column. One string for all cells takes a fraction of the memory of separate strings.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Cells {
     text: String,
-    /// End of each cell in the text.
+    /// End offset of each cell in the text.
     ends: Vec<usize>,
 }
 
@@ -58,8 +58,8 @@ impl Cells {
     }
 }
 
-/// Bytes of memory that a table of so much text takes at most while it is read: the text, the texts
-/// of its cells, and the end of each cell. Vectors that grow take twice their length.
+/// Upper bound of the memory that reading a table of this text takes, bytes: the text, the texts of
+/// its cells, and the end offset of each cell. Growing vectors take twice their length.
 fn memory_of(text: &str) -> u64 {
     let cells = text.bytes().filter(|byte| matches!(byte, b',' | b'\n')).count() as u64 + 1;
     3 * text.len() as u64 + 2 * size_of::<usize>() as u64 * 2 * cells
@@ -114,11 +114,11 @@ fn unreadable(path: &str, message: &str, help: &str) -> RuntimeError {
     RuntimeError::new("E0730", format!("`{path}` cannot be read: {message}"), help).of_argument("path")
 }
 
-/// Why a file cannot be read, and what to do.
+/// Reason why a file cannot be read, with the help text.
 pub type Unreadable = (String, &'static str);
 
-/// The text of a table: one that travels with the program, or that of a file. Its memory is asked
-/// for before it is read.
+/// Text of a table, either embedded in the program or read from a file. Its memory is reserved
+/// before it is read.
 fn text_of(context: &Context, path: &str) -> Result<String, RuntimeError> {
     if let Some(table) = context.tables.iter().flat_map(|all| all.iter()).find(|table| table.name == path) {
         request_memory(context, table.text.len() as u64)?;
@@ -133,13 +133,13 @@ fn text_of(context: &Context, path: &str) -> Result<String, RuntimeError> {
     read(&file, size, "a table is a text file in UTF-8").map_err(refused)
 }
 
-/// Text of a file that a model names: a module that it imports. `allowed` are files and directories
-/// outside of
-/// `directory`, as absolute paths without links. `text` is the help where the file is no text.
+/// Reads the text of a file that a model names, such as a module that it imports. `allowed` are
+/// files and directories outside of `directory`, as absolute paths without links. `text` is the
+/// help if the file is not valid text.
 ///
 /// # Errors
-/// The file is not a regular file below `directory` or `allowed`, whatever links lead there, or it
-/// cannot be read.
+/// The file is not a regular file below `directory` or `allowed` after all links are resolved, or
+/// it cannot be read.
 pub fn read_below(
     directory: Option<&Path>,
     allowed: &[PathBuf],
@@ -150,7 +150,8 @@ pub fn read_below(
     read(&file, size, text)
 }
 
-/// Reads at most so many bytes, and one more: a file may grow after its size was asked for.
+/// Reads at most this number of bytes plus one, because a file may grow after its size was
+/// determined.
 fn read(file: &Path, size: u64, text: &'static str) -> Result<String, Unreadable> {
     let mut content = Vec::new();
     let taken = File::open(file).and_then(|file| file.take(size.saturating_add(1)).read_to_end(&mut content));
@@ -161,8 +162,8 @@ fn read(file: &Path, size: u64, text: &'static str) -> Result<String, Unreadable
     }
 }
 
-/// The file that a path names and its size in bytes. The file must lie below the directory or below
-/// one of those that are allowed, whatever links lead there.
+/// Resolves a path to its file and the size in bytes. After all links are resolved, the file must
+/// lie below the directory or below one of the allowed paths.
 fn locate(directory: Option<&Path>, allowed: &[PathBuf], path: &str) -> Result<(PathBuf, u64), Unreadable> {
     let below = "files are read from the model's directory and those in it; give a path relative to the model, or \
                  allow others with `--allow-path PATH`";
@@ -172,7 +173,7 @@ fn locate(directory: Option<&Path>, allowed: &[PathBuf], path: &str) -> Result<(
     let (relative, named) = (Path::new(path), directory.join(path));
     let is_allowed = |path: &Path| allowed.iter().any(|place| path.starts_with(place));
     if !relative.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
-        // An error does not say which files exist elsewhere.
+        // The error does not reveal which files exist elsewhere.
         let parent = named.parent().and_then(|parent| parent.canonicalize().ok());
         let file = named.canonicalize().ok();
         if !parent.as_deref().is_some_and(is_allowed) && !file.as_deref().is_some_and(is_allowed) {
@@ -204,7 +205,8 @@ fn not_in(directory: &Path, error: &io::Error) -> String {
     }
 }
 
-/// A table from its text: a line of names, then rows of as many cells. `#` begins a comment line.
+/// Parses a table: a line of names, then rows with the same number of cells. `#` begins a comment
+/// line.
 fn parse(name: &str, whole: String) -> Result<Table, RuntimeError> {
     let malformed = |line: Option<u64>, message: String, help: &str| {
         let place = line.map(|line| format!(", line {line}")).unwrap_or_default();
@@ -261,8 +263,8 @@ fn parse(name: &str, whole: String) -> Result<Table, RuntimeError> {
     Ok(Table { name: name.into(), text: whole, columns, lines })
 }
 
-/// The numbers of a column in SI. `wanted` is one of what the column is to hold: its dimension, and the unit of a column
-/// that names none.
+/// Numbers of a column in SI. `wanted` is a sample value of the column: its dimension, and the unit
+/// of a column without one.
 fn column(
     table: &Table,
     name: &str,
@@ -295,7 +297,7 @@ fn column(
     numbers.collect()
 }
 
-/// SI value of the unit that a column's header names.
+/// SI value of the unit in a column's header.
 fn header_factor(
     table: &Table,
     column: &Column,
@@ -384,7 +386,7 @@ mod tests {
         assert!(tried("link.csv").unwrap_err().contains("leads out"));
         assert!(tried("data").unwrap_err().contains("not a file") && tried("none.csv").is_err());
         assert!(locate(None, &[], "data/inside.csv").is_err());
-        // A directory or a file that is allowed, whatever way leads there.
+        // An allowed directory or file is accepted, whichever path leads there.
         let real = root.canonicalize().unwrap();
         for allowed in [real.join("outside.csv"), real.clone()] {
             let allowed = [allowed];

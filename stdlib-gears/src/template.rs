@@ -1,21 +1,25 @@
-//! Meshes for three dimensions: sections across the axis that are much coarser than those of a plane model, swept along the face.
+//! Mesh templates for three dimensions: transverse sections, much coarser than those of a plane
+//! model, swept along the face.
 //!
-//! They are named by what they reach. With four elements of order three along the face, root stresses are off their own limit under
-//! refinement by at most 3 % (`medium`), 1 % (`fineroot`) and 0.3 % (`finest`); `thinrim` is as fine as
-//! `medium` on the teeth, and finer through a rim that bends. Pressure does not come from the mesh: contact sees the true
-//! flanks, and the mesh only gives what bodies add to the deformation of a half-space, which is smooth. So the tip edge is a corner,
-//! and elements grow away from it.
+//! Templates are classified by their accuracy. With four elements of order three along the face,
+//! the error of root stresses, relative to their limit under refinement, is at most 3 % (`medium`),
+//! 1 % (`fineroot`) and 0.3 % (`finest`). `thinrim` equals `medium` on the teeth and is finer
+//! through a rim that bends. The contact pressure does not depend on the mesh: the contact problem
+//! uses the exact flanks, and the mesh only contributes the smooth difference between the
+//! deformation of the body and that of a half-space. The tip edge is therefore a corner, and
+//! elements grow away from it.
 
 use crate::sector_mesh::{Refinement, TipEdge};
 use calyx_runtime::fe::ElementOrder;
 use calyx_runtime::scene::Template;
 
-/// What a solid mesh has at every tip edge: the corner's element (modules), and growth away from it. Matching depths count nodes and
-/// must stay well below the distance from the corner, so neither depends on the template.
+/// Tip edge of all solid meshes: length of the element at the corner (modules) and growth away from
+/// it. Matching depths are counted in nodes and must stay well below the distance from the corner,
+/// so neither depends on the template.
 const CORNER: TipEdge = TipEdge::Corner(0.05);
 const TIP_GROWTH: f64 = 0.4;
 
-/// The section of a gear's mesh across the axis.
+/// Refinement of the transverse section of a gear's mesh.
 pub fn section(template: Template) -> Refinement {
     let medium = Refinement {
         layers: 2,
@@ -37,7 +41,7 @@ pub fn section(template: Template) -> Refinement {
     }
 }
 
-/// Elements along the face, and the order of displacements in them, where nothing else is asked.
+/// Default number of elements along the face, and their order.
 pub fn along_face(_template: Template) -> [usize; 2] {
     [4, 3]
 }

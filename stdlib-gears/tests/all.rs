@@ -1,4 +1,5 @@
-//! All tests of gears, as one program: it is linked once, and what takes long in one file goes beside what does in another.
+//! All tests of gears in one program: it is linked once, and slow tests of different files run in
+//! parallel.
 
 mod analysis;
 mod backlash;

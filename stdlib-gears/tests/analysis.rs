@@ -1,5 +1,6 @@
-//! An analysis as its users see it: positions one by one, ended at any checkpoint, gone on with after an earlier run, on any
-//! number of threads, with structures made for it or taken from a cache. Whatever is done, a result has the same bits.
+//! Reproducibility of analyses: positions one by one, interruption at any checkpoint, continuation
+//! of an earlier run, any number of threads, new or cached structures. In all cases a result has
+//! the same bits.
 
 use crate::common::pair::{PLAIN, PairOptions, RELIEVED, TORQUE, pair};
 use calyx_gears::external::ExternalGear;
@@ -22,7 +23,7 @@ use calyx_runtime::system::System;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
 
-/// As small as a mesh of a gear can be.
+/// Smallest possible mesh of a gear.
 const SMALLEST: StructureOptions = StructureOptions {
     refinement: 0.5,
     order: 1,
@@ -35,7 +36,7 @@ const SMALLEST: StructureOptions = StructureOptions {
     sharp_edges: false,
 };
 
-/// A pair of gears, where it is analysed, and everything observed as an output.
+/// Pair of gears, its positions, and all observables as outputs.
 struct Case {
     scene: Scene,
     positions: Vec<Position>,
@@ -62,7 +63,7 @@ impl Case {
     }
 }
 
-/// With and without contact on tip edges, with tip relief, and without any load.
+/// Cases with and without contact on tip edges, with tip relief, and without any load.
 fn cases() -> Vec<Case> {
     let plain = PairOptions::chapter_5(&PLAIN);
     let edges = PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) };
@@ -70,10 +71,10 @@ fn cases() -> Vec<Case> {
     [plain, edges, unloaded].iter().map(Case::new).collect()
 }
 
-/// Everything a result says, to the last bit.
+/// All values of a result, to the last bit.
 fn bits(steps: Steps<'_>) -> Result<String, EngineError> {
     let result = steps.finish()?;
-    // Debug prints the shortest decimals that read back as the same number.
+    // Debug prints the shortest decimals that parse to the same number.
     Ok(format!("{:?}\n{:?}\n{:?}", result.rows, result.summaries, result.certificate))
 }
 
@@ -81,7 +82,8 @@ fn options(resources: Resources) -> AnalysisOptions {
     AnalysisOptions { structure: SMALLEST, resources, ..AnalysisOptions::default() }
 }
 
-/// Says no at its `last` checkpoint and ever after; counts them all.
+/// Interrupt that ends a run at its `last` checkpoint and at all later ones, and a counter of the
+/// checkpoints.
 fn stopping_at(last: usize) -> (Interrupt, Arc<AtomicUsize>) {
     let asked = Arc::new(AtomicUsize::new(0));
     let counter = asked.clone();
@@ -106,30 +108,30 @@ fn it_ends_at_whichever_checkpoint_says_so_and_leaves_nothing_half_done() {
     let whole = Resources { interrupt, pool: Some(pool.clone()), cache: None };
     let expected = EDGES.bits(&options(whole));
     let checkpoints = asked.load(Ordering::Relaxed);
-    // Structures, positions and the solver's iterations all have theirs.
+    // Structures, positions and the iterations of the solver all have checkpoints.
     assert!(checkpoints > 300, "{checkpoints}");
 
     let cache = Arc::new(OperatorCache::new(usize::MAX));
     let mut complete = [0; 3];
-    // The first and the last ones, and a sample in between that hits every stage.
+    // The first and the last ones, and a sample in between that covers every stage.
     let sample =
         (1..6).chain((6..checkpoints).step_by(checkpoints / 20)).chain(checkpoints - 3..=checkpoints);
     for last in sample {
         let (interrupt, asked) = stopping_at(last);
-        // Every other time without what earlier runs have left.
+        // Every second run has no cache from earlier runs.
         let kept = (last % 2 == 0).then(|| cache.clone());
         let resources = Resources { interrupt, cache: kept.clone(), pool: Some(pool.clone()) };
         let ended = EDGES.steps(&options(resources)).and_then(bits);
         if asked.load(Ordering::Relaxed) >= last {
             assert_eq!(ended, Err(enough()), "checkpoint {last} of {checkpoints}");
         } else {
-            // With structures from the cache there are fewer.
+            // Structures from the cache have fewer checkpoints.
             assert!(kept.is_some());
             assert_eq!(ended.as_ref(), Ok(&expected));
         }
         complete[cache.counts().structures] += 1;
     }
-    // Interrupted builds were not kept, complete ones were.
+    // The cache contains no interrupted structures, only complete ones.
     assert!(complete[0] > 0 && complete[2] > 0, "{complete:?}");
     let resources = Resources { cache: Some(cache.clone()), ..Resources::default() };
     assert_eq!(EDGES.bits(&options(resources)), expected);
@@ -154,7 +156,7 @@ fn an_interrupt_ends_the_iterator_and_what_was_solved_remains() {
     assert_eq!(steps.next(), Some(Err(enough())));
     assert_eq!((steps.next(), steps.size_hint()), (None, (0, Some(0))));
     assert_eq!(steps.solved(), [first]);
-    // Having failed it stays so, although nobody would interrupt it any more.
+    // A failed run stays failed, even if nothing interrupts it any more.
     *stop.lock().expect("no panic") = false;
     assert_eq!(steps.finish().err(), Some(enough()));
 }
@@ -169,7 +171,7 @@ fn the_number_of_threads_changes_no_bit() {
     assert_eq!(one, eight);
 }
 
-/// With estimates of errors, on some threads and with what an earlier run solved.
+/// Options with error estimates, a number of threads, and positions solved by an earlier run.
 fn estimating(threads: usize, solved: Vec<Solved>, resources: Resources) -> AnalysisOptions {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let resources = Resources { pool: Some(Arc::new(pool)), ..resources };
@@ -178,7 +180,8 @@ fn estimating(threads: usize, solved: Vec<Solved>, resources: Resources) -> Anal
 
 #[test]
 fn neither_threads_nor_a_resume_change_a_bit_of_estimates() {
-    // Structures have the same bits however they are made, as is tested by themselves.
+    // All runs may share a cache, because a separate test verifies that structures have the same
+    // bits however they are made.
     let cache = Arc::new(OperatorCache::new(usize::MAX));
     let kept = || Resources { cache: Some(cache.clone()), ..Resources::default() };
     let of = |threads, solved| EDGES.bits(&estimating(threads, solved, kept()));
@@ -191,7 +194,8 @@ fn neither_threads_nor_a_resume_change_a_bit_of_estimates() {
     assert_eq!(of(2, vec![first]), one);
 }
 
-/// Whoever ends a run while errors are estimated gets their own error, not a result that says less.
+/// An interrupt during the error estimates ends the run with the interrupt's own error, not with an
+/// incomplete result.
 #[test]
 fn an_interrupt_ends_estimates() {
     let cache = Arc::new(OperatorCache::new(usize::MAX));
@@ -216,7 +220,8 @@ fn an_interrupt_ends_estimates() {
     assert_eq!(EDGES.bits(&estimating(1, Vec::new(), with(Interrupt::never()))), expected);
 }
 
-/// Structures made on any number of threads, or taken from disk, and positions solved on as many.
+/// Structures built on any number of threads or read from disk, and positions solved on as many
+/// threads.
 #[test]
 fn the_number_of_threads_changes_no_bit_in_space() {
     let folder = tempfile::tempdir().expect("a directory");
@@ -254,7 +259,7 @@ fn memory_is_asked_for_before_it_is_taken() {
         let interrupt = Interrupt::counting(move |wanted| {
             if wanted.bytes + wanted.promised <= limit { Ok(()) } else { Err(refused()) }
         });
-        // What threads hold side by side depends on which is faster.
+        // The memory that several threads use at the same time would depend on their speed.
         let pool = Some(Arc::new(rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread")));
         let options = options(Resources { interrupt: interrupt.clone(), pool, ..Resources::default() });
         let ended = EDGES.steps(&options).and_then(Steps::finish);
@@ -302,7 +307,7 @@ fn going_on_behind_an_earlier_run_gives_the_result_of_one_that_was_not_interrupt
             assert_eq!(steps.by_ref().count(), solved.len() - count);
             assert_eq!(bits(steps).expect("it is solved"), expected, "behind {count} positions");
         }
-        // As a journal on disk keeps them.
+        // In the format of a journal on disk.
         let journal = serde_json::to_string(&solved).expect("plain data");
         assert_eq!(serde_json::from_str::<Vec<Solved>>(&journal).ok(), Some(solved.clone()));
 
@@ -313,7 +318,8 @@ fn going_on_behind_an_earlier_run_gives_the_result_of_one_that_was_not_interrupt
     }
 }
 
-/// Another process, which a cache of its own stands for, takes structures from disk, in the plane and in space.
+/// Another process, represented by a separate cache, reads structures from disk, in two and in
+/// three dimensions.
 #[test]
 fn structures_from_disk_have_the_bits_of_those_made_anew() {
     let folder = tempfile::tempdir().expect("a directory");
@@ -332,7 +338,7 @@ fn structures_from_disk_have_the_bits_of_those_made_anew() {
             assert_eq!(bits(steps).expect("it can be solved"), expected);
         }
     }
-    // Bytes that are something else, though sound as bytes, are no structure.
+    // Intact bytes of another kind are not a structure.
     let prototype = &PLAIN[0].prototype;
     assert!(prototype.restore(&SMALLEST, b"something else").is_none());
     assert!(prototype.restore_solid(&SMALLEST, b"something else").is_none());

@@ -1,5 +1,6 @@
-//! A load that reverses, in time: the gear lets go of one side of its teeth, flies through the backlash, strikes the other side and comes back, again
-//! and again where nothing damps it. What statics says of springs and of backlash accounts for all of its energy.
+//! Load reversal in time: the gear loses contact on one side of its teeth, crosses the backlash,
+//! hits the other side and returns, again and again without damping. The static stiffness and the
+//! backlash account for all of its energy.
 
 use crate::common::pair::{COARSE, FIRST, PLAIN, TORQUE, system};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -14,16 +15,17 @@ use calyx_runtime::observables::{MeshForce, Rotation};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, Component, PairId, Scene};
 
-/// m; the teeth fill their spaces at 3 inches.
+/// Centre distance, m; the teeth fill their spaces at 3 inches.
 const DISTANCE: f64 = 3.005 * crate::common::INCH;
 const STANDARD: f64 = 3.0 * crate::common::INCH;
-/// What the load reverses to, by what it was.
+/// Ratio of the reversed load to the initial one.
 const REVERSED: f64 = -0.25;
-/// s
+/// Time step, s.
 const STEP: f64 = 2e-6;
 const STEPS: usize = 3000;
 
-/// The pair, which hardly turns. Its load rises over the second before time 0, where it reverses.
+/// The pair at a very low speed. Its load rises during the second before time 0, at which it
+/// reverses.
 pub fn reversing() -> (Scene, [PairId; 2]) {
     let mut scene = Scene::default();
     let load = |time: f64| match time <= 0.0 {
@@ -49,7 +51,7 @@ pub fn reversing() -> (Scene, [PairId; 2]) {
     (scene, [meshed.pair, meshed.back.expect("back sides")])
 }
 
-/// What the teeth hold under the load at time 0, J: the work of the load as it rises.
+/// Strain energy of the teeth under the load at time 0, J: the work of the load as it rises.
 fn strain_energy(scene: &Scene) -> f64 {
     let system = system(scene);
     let turn = |part: f64| {
@@ -86,7 +88,7 @@ fn a_load_that_reverses_sends_the_gear_to_and_fro_without_loss() {
         states.push([turn, history.state().velocity[0], front, back]);
     }
 
-    // Free flight, and the energy that there is in it, less the load's work on the way.
+    // Free flight, and the energy in it minus the work of the load on the way.
     let begun = states[0][0];
     let flying: Vec<&[f64; 4]> = states.iter().filter(|[_, _, front, back]| front + back == 0.0).collect();
     let energy =
@@ -98,12 +100,12 @@ fn a_load_that_reverses_sends_the_gear_to_and_fro_without_loss() {
     let least = off.iter().copied().fold(f64::INFINITY, f64::min);
     assert!(most < 1e-3 && least > -1e-3, "gained {most:e}, lost {:e} of {kinetic:e} J", -least);
 
-    // It strikes both sides, time after time.
+    // The gear hits both sides, time after time.
     let strikes =
         |side: usize| states.windows(2).filter(|pair| pair[0][side] == 0.0 && pair[1][side] > 0.0).count();
     assert!(strikes(2) >= 3 && strikes(3) >= 3, "{} {}", strikes(2), strikes(3));
 
-    // What lies between is the backlash, on the base circle.
+    // The distance between the impacts is the backlash, on the base circle.
     let involute = |angle: f64| angle.tan() - angle;
     let radii: f64 = PLAIN.iter().map(|member| member.gear().base_radius).sum();
     let angle = |distance: f64| (radii / distance).acos();

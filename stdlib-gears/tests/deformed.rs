@@ -1,4 +1,4 @@
-//! Meshes of gears in pictures: their stresses in fillets are those that the run reports.
+//! Meshes of gears in VTU files: their stresses in fillets are those that the run reports.
 
 use crate::common::pair::{PairOptions, RELIEVED, pair};
 use crate::common::resources;
@@ -9,7 +9,7 @@ use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{ObservableId, Prototype, Scene};
 use std::sync::Arc;
 
-/// The fields of the last position.
+/// Fields of the last position.
 #[derive(Default)]
 struct Told(Option<Fields>);
 
@@ -22,7 +22,7 @@ impl Observer for Told {
     }
 }
 
-/// The scene of a pair whose bodies are gears and nothing else.
+/// Scene of a pair whose bodies are the gears alone.
 fn scene(options: &PairOptions) -> (Scene, calyx_runtime::scene::GearMesh) {
     let (mut scene, mesh) = pair(options);
     for (body, member) in scene.bodies.iter_mut().zip(&options.gears) {
@@ -39,8 +39,8 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Stresses along the profile at the nodes of a picture that lie on a fillet: in the picture, and as the fillet has them between its
-/// places. Pa.
+/// Stresses along the profile at the nodes of a VTU file that lie on a fillet: the value in the
+/// file, and the value interpolated on the fillet. Pa.
 fn on_fillet(sector: &SectorField, fillet: &FilletField) -> Vec<[f64; 2]> {
     let mut found = Vec::new();
     let [places] = &fillet.sections[..] else { return found };
@@ -83,7 +83,7 @@ fn stresses_in_the_fillets_of_pictures_are_root_stresses() {
         let found = on_fillet(&body.sectors[fillet.tooth as usize], fillet);
         assert!(found.len() > 8, "{} nodes on a fillet", found.len());
         let most = found.iter().fold(0.0_f64, |most, [_, reported]| most.max(reported.abs()));
-        // Of teeth that feel little there is nothing to compare.
+        // Lightly stressed teeth are not compared.
         if most < 3e7 {
             continue;
         }

@@ -1,4 +1,5 @@
-//! What is told of gears and meshes, against the published geometry, closed forms, and the gears themselves.
+//! Derived quantities of gears and meshes, compared with the published geometry, closed forms, and
+//! the gears themselves.
 
 use calyx_gears::blank::Rim;
 use calyx_gears::derived_quantities::{Quantity, of_gear, of_mesh};
@@ -25,7 +26,7 @@ fn prototype(data: ExternalGearData, modifications: Vec<Modification>) -> GearPr
     GearPrototype::new(gear, modifications, steel, rim, 0.01, Vec::new()).expect("a sound gear")
 }
 
-/// Addendum 1, dedendum 1.25, tip radius 0.38 modules.
+/// Gear data with addendum 1, dedendum 1.25 and tip radius 0.38 modules.
 fn standard(teeth: u32, module: f64, shift: f64) -> ExternalGearData {
     let rack = Rack::new(module, ALPHA, 0.38 * module).expect("a sound rack");
     let pitch_radius = 0.5 * f64::from(teeth) * module;
@@ -55,7 +56,7 @@ fn number(object: &Value, key: &str) -> f64 {
     object[key].as_f64().unwrap_or_else(|| panic!("no number {key}"))
 }
 
-/// A gear of the reference data, in its unit of length.
+/// Gear of the reference data, in its unit of length.
 fn published(object: &Value) -> GearPrototype {
     let teeth = number(object, "N");
     let data = ExternalGearData {
@@ -160,7 +161,7 @@ fn where_two_pairs_always_touch_there_is_no_single_tooth_contact() {
 
 #[test]
 fn spans_are_those_of_the_tables() {
-    // W_k / m of uncorrected gears of 20 degrees.
+    // W_k / m of gears without profile shift and with a pressure angle of 20 degrees.
     for (teeth, over, span) in [(20, 3, 7.6604), (40, 5, 13.8448), (17, 2, 4.6663), (100, 12, 35.3501)] {
         let told = of_gear(&prototype(standard(teeth, 1.0, 0.0), Vec::new()));
         let told = find(&told, "W_k", None);

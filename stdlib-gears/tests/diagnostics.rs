@@ -1,4 +1,5 @@
-//! What is wrong with a gear or a pair: the code, the argument to blame and the sentence, one row a mistake.
+//! Diagnostics of a gear or a pair: the code, the argument to blame and the message, one row per
+//! mistake.
 
 use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::blank::Rim;
@@ -106,7 +107,7 @@ fn impossible_gears_are_refused() {
             Err(errors) => expect(row, &errors, code, argument, says),
         }
     }
-    // Mistakes that do not depend on each other are told together.
+    // Independent mistakes are reported together.
     let errors = ExternalGear::new(ExternalGearData { teeth: 2, root_radius: 0.0, ..sound })
         .expect_err("two mistakes");
     let codes: Vec<_> = errors.iter().map(|error| error.code).collect();
@@ -159,7 +160,7 @@ fn impossible_pairs_are_refused() {
     let round = [20, 40].map(|teeth| gear(chapter_5_data(teeth, 0.045, 0.13)));
     let other = gear(standard_data(30, 0.0, 0.3));
     let high = gear(ExternalGearData { outer_radius: 2.13 * INCH, ..chapter_5_data(40, 0.02, 0.15708) });
-    /// What it is, the pair, centre distance in inches, code, argument, words of the message.
+    /// Description, pair, centre distance in inches, code, argument, words of the message.
     type Row<'a> = (&'a str, [&'a ExternalGear; 2], f64, &'a str, &'a str, &'a str);
     let rows: [Row<'_>; 7] = [
         ("other module", [&first, &other], 3.0, "E0630", "second", "different base pitches, 0.29521 inch"),
@@ -196,20 +197,23 @@ fn impossible_pairs_are_refused() {
             .expect_err(row);
         expect(row, &errors, code, argument, says);
     }
-    // The thin pair runs without backlash errors a little closer than standard, with a warning about its clearance.
+    // The thin pair runs without backlash errors at a slightly reduced distance, with a warning
+    // about its tip clearance.
     let (mesh, warnings) =
         MeshGeometry::check_external(&thin[0], &thin[1], 2.983 * INCH, &HelicalTeeth::default())
             .expect("a pair");
     assert!(mesh.backlash > 0.0);
-    // Tips in the pinion's root by 0.013 inches (a warning starts at 0.005), in the gear's by 0.003.
+    // Tips in the pinion's root by 0.013 inches (a warning starts at 0.005), in the gear's by
+    // 0.003.
     let found: Vec<_> = warnings.iter().map(|warning| (warning.code, warning.argument)).collect();
     assert_eq!(found, [("E0637", "second")]);
-    // A pair without backlash runs on its driving flanks, with a warning.
+    // A pair without backlash runs on its drive flanks, with a warning.
     let (_, warnings) = MeshGeometry::check_external(&first, &second, 2.995 * INCH, &HelicalTeeth::default())
         .expect("a pair");
     let tight = warnings.iter().find(|warning| warning.code == "E0635").expect("a warning");
     assert!(tight.to_string().contains("backlash is negative"), "{tight}");
-    // An undercut pinion touches from its form circle on; its mate's tips pass where the rack has cut.
+    // An undercut pinion is in contact from its form circle on; its mate's tips pass the part that
+    // the rack has removed.
     let [small, large] = [12, 30].map(|teeth| gear(standard_data(teeth, 0.0, 0.3)));
     let (mesh, _) =
         MeshGeometry::check_external(&small, &large, 21e-3, &HelicalTeeth::default()).expect("a pair");
@@ -217,14 +221,14 @@ fn impossible_pairs_are_refused() {
     assert!(small.undercut && nominal < small.form_roll, "{nominal} {}", small.form_roll);
     assert!((mesh.first_roll.start_of_active_profile - small.form_roll).abs() < 1e-12);
     assert!((1.0..1.6).contains(&mesh.contact_ratio), "{}", mesh.contact_ratio);
-    // The pair of the report has a clearance of 0.03 and 0.02 inches: no findings.
+    // The pair of the report has tip clearances of 0.03 and 0.02 inches: no findings.
     assert!(
         MeshGeometry::check_external(&first, &second, 3.0 * INCH, &HelicalTeeth::default())
             .is_ok_and(|(_, warnings)| warnings.is_empty())
     );
 }
 
-/// Options that models do not set, but users of the engine's API do.
+/// Options that only the engine's API can set.
 #[test]
 fn a_mesh_of_unknown_order_is_refused() {
     let rim = Rim { radius: 0.70 * INCH, fixed_radius: 0.60 * INCH, web: None, hold: BoreSupport::Rigid };

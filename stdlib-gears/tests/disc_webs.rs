@@ -1,4 +1,5 @@
-//! Webs with a mesh of their own under gears: against the same web in the mesh of the teeth, and what only they can be.
+//! Webs with their own mesh, compared with the same web in the mesh of the teeth, and their
+//! additional features.
 
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::disc_web::{DiscWeb, Hub};
@@ -36,7 +37,7 @@ fn plain() -> DiscWeb {
     DiscWeb::plain(THICKNESS, OFFSET)
 }
 
-/// As coarse along the face as the question allows.
+/// Options with a mesh as coarse along the face as the test permits.
 fn options() -> StructureOptions {
     StructureOptions { face_elements: Some(2), ..StructureOptions::default() }
 }
@@ -45,8 +46,9 @@ fn built(rim: Rim) -> Arc<dyn SolidStructure> {
     gear(rim).build_solid(&options(), &Interrupt::never()).expect("a structure")
 }
 
-/// What loads on one tooth do to it and to its neighbour, at mid-face and at both ends of the face, without the half-space's part, m/N; and
-/// the largest root stress beside it under a load high on the flank at one end of the face, Pa/N.
+/// Displacements of a tooth and its neighbour by loads on the tooth, at mid-face and at both ends
+/// of the face, without the half-space's part, m/N; and the largest root stress next to a load high
+/// on the flank at one end of the face, Pa/N.
 struct Answers {
     own: Vec<f64>,
     next: Vec<f64>,
@@ -81,7 +83,7 @@ fn apart(one: &[f64], other: &[f64]) -> f64 {
     largest(&apart)
 }
 
-/// One web, two ways: with every term more the joint says what the common mesh says.
+/// A web in either form. With more terms the joint converges to the common mesh.
 #[test]
 fn a_joined_web_becomes_the_web_of_the_common_mesh() {
     let common = answers(built(ring().on_web(THICKNESS, OFFSET, BORE).expect("a web")).as_ref());
@@ -102,13 +104,13 @@ fn a_joined_web_becomes_the_web_of_the_common_mesh() {
     for pair in off.windows(2) {
         assert!(pair[1][0] < 0.7 * pair[0][0] && pair[1][1] < pair[0][1], "{pair:?}");
     }
-    // What the ring and its web would take by themselves, and more do not change any more.
+    // The default number of terms of rim and web; further terms change nothing.
     let usual = off[3];
     assert!(usual[0] < 5e-3 && usual[1] < 3e-3 && usual[2] < 3e-3, "{usual:?}");
 }
 
-/// A web that does not give way holds what it is joined by and nothing else: as wide as the face, it is a bore held by the terms of a
-/// series.
+/// A rigid web only constrains what the joint contains. With the width of the face, it equals a
+/// bore constrained by the terms of a series.
 #[test]
 fn a_stiff_web_is_a_bore_held_by_its_series() {
     let stiff = Material { youngs_modulus: 1e8 * Material::STEEL.youngs_modulus, ..Material::STEEL };
@@ -121,8 +123,9 @@ fn a_stiff_web_is_a_bore_held_by_its_series() {
     assert!((joined.stress / held.stress - 1.0).abs() < 1e-6);
 }
 
-/// Dish, taper, hub and material are seen in what a tooth does; a hub stiffens its web, and everything is in the key of what is kept. What was
-/// kept gives the same bits, in the tables of near teeth and beyond them.
+/// Dish, taper, hub and material change the compliance of a tooth; a hub stiffens its web, and the
+/// cache key contains all of them. Cached structures have the same bits, in the tables of adjacent
+/// teeth and beyond them.
 #[test]
 fn webs_differ_and_are_kept_whole() {
     let hub = Hub { radius: 20e-3, width: 24e-3, offset: 0.0 };

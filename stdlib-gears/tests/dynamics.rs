@@ -1,5 +1,5 @@
-//! Motion in time: against closed forms, against statics where nothing is fast, and against the reduced model of a pair with one degree of
-//! freedom.
+//! Dynamic analyses, compared with closed forms, with statics for slow motion, and with the reduced
+//! model of a pair with one degree of freedom.
 
 use crate::common::built;
 use crate::common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
@@ -25,7 +25,7 @@ use std::sync::Arc;
 fn at_speed(speed: f64, gears: &[crate::common::pair::Member; 2]) -> (Scene, GearMesh) {
     let (mut scene, mesh) = pair(&PairOptions { speed, ..PairOptions::chapter_5(gears) });
     scene.pairs[0].grid.half_cells = Some(8);
-    // Statics fits grids to its forces, steps in time do not.
+    // Quasi-static analyses fit grids to the forces, dynamic ones do not.
     scene.pairs[0].grid.width = Some(8e-4);
     scene.observables.clear();
     (scene, mesh)
@@ -45,12 +45,12 @@ fn moving(ranges: Vec<TimeRange>) -> DynamicOptions {
     }
 }
 
-/// Rows of values of the scene's observables, of bodies that vibrate as rigid ones.
+/// Rows of the scene's observables, with rigid bodies.
 fn rows(scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
     rows_up_to(0.0, scene, dynamics)
 }
 
-/// The same with the modes of the bodies up to a natural frequency, Hz.
+/// The same rows with the modes of the bodies up to a natural frequency, Hz.
 fn rows_up_to(highest_frequency: f64, scene: &Scene, dynamics: &DynamicOptions) -> Vec<(f64, Vec<f64>)> {
     rows_by(&AnalysisOptions { highest_frequency, ..options() }, scene, dynamics)
 }
@@ -72,7 +72,7 @@ fn requests(scene: &Scene) -> Vec<OutputRequest> {
     (0..scene.observables.len()).map(observable).collect()
 }
 
-/// A rigid body on a bearing beside a pair that is at rest.
+/// Adds a rigid body on a bearing, next to a pair at rest.
 fn with_rigid(body: Body, bearing: Option<Bearing>) -> (Scene, BodyId) {
     let (mut scene, _) = at_speed(1e-3, &PLAIN);
     let id = scene.add_body(body);
@@ -96,7 +96,7 @@ fn a_torque_on_a_free_body_turns_it_as_newton_says() {
     let body = rigid(&[Component::ThetaZ], SteadyRotation::at_rest([0.5, 0.0]))
         .with_added(Inertia::axial(1.0, inertia, 0.0))
         .loaded(Wrench::of_moment([0.0, 0.0, torque]));
-    // It holds what is held anyhow: what nothing holds takes no part.
+    // The bearing supports a fixed body, because unsupported bodies take no part.
     let bearing = Bearing::new("journal", BodyId(0), 0.0, axisymmetric(1e6, 0.0, 0.0, 0.0));
     let (scene, _) = with_rigid(body, Some(bearing));
     let dynamics = DynamicOptions { start: Start::Frames, ..moving(vec![TimeRange::steady(1e-3, 20)]) };
@@ -106,7 +106,8 @@ fn a_torque_on_a_free_body_turns_it_as_newton_says() {
     }
 }
 
-/// An unbalanced rotor on a bearing that is stiffer along y: undamped and from rest, x = A (cos wt - cos px t) with A = u w² / (kx - m w²).
+/// An unbalanced rotor on a bearing that is stiffer along y, undamped and from rest:
+/// `x = A (cos wt - cos px t)` with `A = u w² / (kx - m w²)`.
 #[test]
 fn an_unbalance_shakes_a_rotor_in_a_bearing_at_its_own_speed() {
     let (mass, unbalance, speed) = (2.0, 1e-4, 150.0);
@@ -136,15 +137,16 @@ fn an_unbalance_shakes_a_rotor_in_a_bearing_at_its_own_speed() {
     }
 }
 
-/// Where nothing is fast, motion in time is statics: with bodies that vibrate as rigid ones, and with modes, whose static part and the residual
-/// flexibility make up the whole.
+/// A slow motion agrees with statics: with rigid bodies, and with modes, whose static part and
+/// residual flexibility together make up the whole compliance.
 #[test]
 fn slow_motion_is_statics() {
-    // A turn in half an hour; steps of minutes, by a scheme that damps what they cannot follow.
+    // One rotation in half an hour, in steps of minutes, by a scheme that damps what they cannot
+    // resolve.
     let (mut scene, mesh) = at_speed(TAU / 2000.0, &RELIEVED);
     scene.add_observable(TransmissionError(MESH));
     scene.add_observable(SupportMoment(SECOND, 2));
-    // What teeth are stressed by: the one that carries most, and one beside the mesh.
+    // Root stress of the tooth that carries most, and of a tooth next to the mesh.
     scene.add_observable(MaxRootStress(FIRST));
     let gauge = Gauge {
         body: FIRST,
@@ -172,7 +174,8 @@ fn slow_motion_is_statics() {
             system.value(&step, &MaxRootStress(FIRST)).value,
             system.value(&step, &GaugeReading(gauge, Reading::Strain)).value,
         ];
-        // Statics lays contact out where frames are meant to be, a step in time where the bodies are.
+        // Quasi-static analyses build the contact layout at the nominal positions of the frames,
+        // dynamic ones at those of the bodies.
         let near = |k: usize, by: f64| (rigid[k] - statics[k]).abs() <= by * statics[k].abs();
         assert!(
             near(0, 1e-3) && near(1, 1e-4) && near(2, 2e-3) && near(3, 2e-3),
@@ -183,7 +186,8 @@ fn slow_motion_is_statics() {
     }
 }
 
-/// By closed forms as well: what begins in its equilibrium stays there, and what is slow is statics.
+/// The same for closed-form models: a motion that begins in equilibrium stays there, and a slow one
+/// agrees with statics.
 #[test]
 fn slow_motion_without_meshes_is_statics() {
     let (mut scene, mesh) = at_speed(TAU / 2000.0, &RELIEVED);
@@ -210,8 +214,9 @@ fn slow_motion_without_meshes_is_statics() {
     }
 }
 
-/// One gear that turns on its teeth: at every level the square of its natural frequency is their stiffness on its lever by its inertia; so closed forms are
-/// off by half of what their stiffness is off.
+/// One gear that rotates on its teeth: at every fidelity level the square of its natural frequency
+/// is the stiffness of the teeth at their lever arm divided by its inertia. The relative error of
+/// closed-form frequencies is therefore half of that of the stiffness.
 #[test]
 fn frequencies_without_meshes_go_by_the_stiffness_of_the_teeth() {
     let (scene, mesh) = at_speed(1.0, &PLAIN);
@@ -228,7 +233,8 @@ fn frequencies_without_meshes_go_by_the_stiffness_of_the_teeth() {
     assert!((given / meshed - 1.0).abs() < 0.01, "{given} {meshed}");
 }
 
-/// The reduced model: J theta'' + c theta' = T - k(t) rb² (theta - theta_s(t)), with stiffness and deflection from statics.
+/// The reduced model: J theta'' + c theta' = T - k(t) rb² (theta - theta_s(t)), with stiffness and
+/// deflection from statics.
 #[test]
 fn a_pair_vibrates_as_its_reduced_model_says() {
     let speed = 300.0;
@@ -243,7 +249,7 @@ fn a_pair_vibrates_as_its_reduced_model_says() {
         ..moving(vec![TimeRange::steady(cycles * mesh.period, steps)])
     };
     let found: Vec<f64> = rows(&scene, &dynamics).into_iter().map(|(_, values)| values[0]).collect();
-    // Statics at every step, and its stiffness against turning.
+    // Static solution at every step, and its torsional stiffness.
     let system = system(&scene);
     let statics: Vec<[f64; 2]> = (0..=steps)
         .map(|k| {
@@ -254,7 +260,7 @@ fn a_pair_vibrates_as_its_reduced_model_says() {
             [turn, stiffness * lever * lever]
         })
         .collect();
-    // The same integrator, on one equation.
+    // The same time integration for a single equation.
     let h = cycles * mesh.period / steps as f64;
     let (mut x, mut v, mut a) = (statics[0][0], 0.0, 0.0);
     let mut worst = 0.0f64;
@@ -276,7 +282,7 @@ fn a_pair_vibrates_as_its_reduced_model_says() {
     assert!(worst < 0.03 * size, "{worst:e} of {size:e}");
 }
 
-/// What was kept of an earlier run is gone on with to the bit.
+/// Continues from the stored state of an earlier run with the same bits.
 #[test]
 fn a_history_goes_on_where_it_was_left() {
     let (mut scene, mesh) = at_speed(200.0, &PLAIN);
@@ -313,7 +319,8 @@ fn what_has_no_mass_cannot_move_in_time() {
     assert_eq!(none.err().map(|error| error.code), Some("E0764"));
 }
 
-/// Two gears that turn on their mesh, the second on a spring besides: a two-by-two problem with the mesh stiffness that statics says.
+/// Two gears on their mesh, the second with an additional spring: a two-by-two eigenvalue problem
+/// with the static mesh stiffness.
 #[test]
 fn natural_frequencies_are_those_of_the_closed_form() {
     let (mut scene, mesh) = at_speed(1.0, &PLAIN);
@@ -335,12 +342,14 @@ fn natural_frequencies_are_those_of_the_closed_form() {
             assert!((squares[(i, j)] - square).abs() < 1e-11 * found.frequencies[2].powi(2));
         }
     }
-    // By hand: the stiffness of the teeth along the line of action, both gears' levers, and the direction of the line.
+    // By hand: the stiffness of the teeth along the line of action, the lever arms of both gears,
+    // and the direction of the line.
     let [one, two] = [FIRST, SECOND].map(|id| scene.bodies[id.0].inertia());
     let [r1, r2] = mesh.base_radii;
     let alone = stiffness[(0, 0)] / (r1 * r1);
     let cosine = (r1 + r2) / (3.0 * 0.0254);
-    // In the order of the freedoms: the first one's turn, the second one's shift and turn.
+    // In the order of the degrees of freedom: the first gear's rotation, the second one's
+    // displacement and rotation.
     let along = [r1, (1.0 - cosine * cosine).sqrt(), r2];
     let by_hand = nalgebra::Matrix3::from_fn(|i, j| {
         let masses = [one.polar(), two.mass, two.polar()];
@@ -360,7 +369,8 @@ fn natural_frequencies_are_those_of_the_closed_form() {
     assert!((lowest * TAU / found.frequencies[0] - 1.0).abs() < 1e-14);
 }
 
-/// What modes and inertia leave of a step's problem is not the stiffness of the teeth.
+/// The stiffness matrix that modes and inertia leave in a time step is not the stiffness of the
+/// teeth.
 #[test]
 fn the_stiffness_of_a_mesh_in_time_is_that_of_statics() {
     let (mut scene, mesh) = at_speed(100.0, &PLAIN);
@@ -372,8 +382,9 @@ fn the_stiffness_of_a_mesh_in_time_is_that_of_statics() {
     }
 }
 
-/// Modes of the bodies leave statics as it is, to the bit, and its stiffness: with all they answer at rest it is that of rigid ones. Frequencies
-/// change a little, by more modes hardly more, and bodies have their part of the energy.
+/// Modes of the bodies leave statics and its stiffness unchanged to the bit: with their complete
+/// static response they equal rigid bodies. Natural frequencies change slightly, more modes hardly
+/// change them further, and the bodies contain part of the energy.
 #[test]
 fn modes_of_bodies_change_natural_frequencies_and_leave_statics_as_it_is() {
     let (mut scene, mesh) = at_speed(1.0, &PLAIN);
@@ -394,7 +405,7 @@ fn modes_of_bodies_change_natural_frequencies_and_leave_statics_as_it_is() {
         let found = Equilibrium::new(&elastic, &again).vibrations().expect("they vibrate");
         let count = found.frequencies.len();
         assert!(count > 3, "{count}");
-        // What is left of the stiffness where modal coordinates give way.
+        // Static condensation of the modal coordinates.
         let block = |i: usize, j: usize, rows: usize, columns: usize| {
             found.stiffness.view((i, j), (rows, columns)).into_owned()
         };
@@ -402,7 +413,7 @@ fn modes_of_bodies_change_natural_frequencies_and_leave_statics_as_it_is() {
         let left = block(0, 0, 3, 3) - block(0, 3, 3, count - 3) * modal.solve(&block(3, 0, count - 3, 3));
         let error = (&left - &plain.stiffness).amax() / plain.stiffness.amax();
         assert!(error < 1e-9, "{error:e}");
-        // The lowest ones, which are far below those of the bodies alone.
+        // The lowest frequencies, which are far below those of the bodies alone.
         for (mode, last) in last.iter_mut().enumerate() {
             let changed = (found.frequencies[mode] / plain.frequencies[mode] - 1.0).abs();
             assert!(changed > 1e-6 && changed < 0.05, "{mode}: {changed:e}");

@@ -1,5 +1,7 @@
-//! Error estimates against true errors: the effectivity, estimate over true error against a much finer run, over a suite of models, levels and
-//! outputs. Errors below a thousandth of an output count as none: there sums of errors of either sign decide.
+//! Error estimates compared with true errors. The effectivity is the ratio of the estimate to the
+//! true error, which is the difference to a much finer run. The suite covers models, fidelity
+//! levels and outputs. Errors below a thousandth of an output count as zero: at that size,
+//! cancellation of errors of opposite sign dominates.
 
 mod costs;
 mod in_space;
@@ -15,7 +17,7 @@ use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{Fidelity, GearMesh, Scene, StructureOptions};
 use calyx_runtime::tolerance;
 
-/// How a pair is analysed.
+/// Settings of an analysis of a pair.
 #[derive(Clone, Copy)]
 struct Setting {
     fidelity: &'static str,
@@ -71,20 +73,21 @@ const PLANE: Setting = Setting {
     steps: 12,
     estimates: Estimates::Cheap,
 };
-/// What is estimated of a setting, against a finer run.
+/// Setting whose errors are estimated, with a finer run.
 struct Case {
     name: &'static str,
     setting: Setting,
-    /// What the finer run knows better.
+    /// Error parts that the finer run reduces.
     parts: &'static [Part],
 }
 
-/// Errors below this part of the largest magnitude count as none.
+/// Errors below this fraction of the largest magnitude count as zero.
 const FLOOR: f64 = 1e-3;
 const OUTPUTS: [&str; 9] =
     ["te", "stiffness", "pressure", "pinion", "wheel", "force", "turn", "front", "back"];
 
-/// Every statistic of every output of a setting against those of a finer one: those whose effectivity is out of range.
+/// Compares every statistic of every output of a setting with that of a finer one, and returns
+/// those whose effectivity is out of range.
 fn wrong(pair: &Pair, finer: &Setting, cases: &[Case]) -> Vec<String> {
     let exact = analyse(pair, finer);
     let wrong = |case: &Case| {
@@ -94,7 +97,7 @@ fn wrong(pair: &Pair, finer: &Setting, cases: &[Case]) -> Vec<String> {
     cases.iter().flat_map(wrong).collect()
 }
 
-/// The same of one run.
+/// The same for one run.
 fn effectivities(
     name: &str,
     parts: &[Part],
@@ -103,7 +106,7 @@ fn effectivities(
 ) -> Vec<String> {
     let mut wrong = Vec::new();
     for ((output, own), exact) in names.iter().zip(&own.summaries).zip(&exact.summaries) {
-        // Some levels have no value.
+        // Some fidelity levels do not provide every output.
         if !OUTPUTS.contains(&output.as_str()) || own.max.is_nan() {
             continue;
         }
@@ -151,9 +154,9 @@ const ANALYTIC: Setting =
 const RIGID: Setting = Setting { fidelity: "rigid", ..ANALYTIC };
 const RELIEVED: Pair = Pair { crown: 0.0, ..CHAPTER_5 };
 
-/// What a finer run of the same level at the same positions knows better.
+/// Error parts that a finer run of the same level at the same positions reduces.
 const OF_SOLVING: &[Part] = &[Part::Discretization, Part::ContactGrid];
-/// The same of the level above.
+/// Error parts that a run of the next level reduces.
 const OF_LEVEL: &[Part] = &[Part::Discretization, Part::ContactGrid, Part::Level];
 
 fn case(name: &'static str, setting: Setting) -> Case {
@@ -188,7 +191,8 @@ fn of_a_pair_under_little_load() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// What lies between few positions, against many of the same mesh: of maxima that are smooth, and of those where pairs of teeth take up load.
+/// The error of few positions, compared with many on the same mesh: for smooth maxima, and for
+/// maxima where tooth pairs take up load.
 #[test]
 fn of_few_positions() {
     let mesh = StructureOptions { refinement: 0.5, order: 2, ..MESH };
@@ -223,7 +227,8 @@ fn what_is_not_estimated_is_listed_with_its_reason() {
     assert_eq!(left_out, [Part::Level]);
 }
 
-/// Rigid teeth without modifications pass on motion evenly: what they do not is rounding, and what elastic ones do besides is no part of it.
+/// Rigid teeth without modifications have no transmission error: the computed one is rounding error.
+/// The difference to elastic teeth is an error of the fidelity level, not a rounding error.
 #[test]
 fn rounding_is_told_from_values() {
     let of = |estimates| {

@@ -1,4 +1,5 @@
-//! What an engineer asks of a pair on the first day, in three dimensions: the same questions, answered from cells on surfaces.
+//! Basic outputs of a pair in three dimensions: the outputs of the plane model, computed from cells
+//! on surfaces.
 
 use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -22,7 +23,8 @@ const FACE: f64 = 30e-3;
 pub const MESH: PairId = PairId(0);
 pub const BODIES: [BodyId; 2] = [BodyId(0), BodyId(1)];
 
-/// Twice 20 teeth of transverse module 4 mm, of both hands if they are helical; the first is free to turn and drives.
+/// Two gears of 20 teeth with transverse module 4 mm, of opposite hands if they are helical; the
+/// first is free to rotate and drives.
 pub fn scene(helix_angle: f64) -> Scene {
     let module = 4e-3;
     let rack = Rack::new(module, 20.0_f64.to_radians(), 0.3 * module).expect("a rack");
@@ -72,7 +74,8 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
             let value = |observable: &dyn Observable| seen(observable).value;
             let at = Equilibrium::new(&system, &step);
 
-            // The normal force leans over by the base helix: its transverse part turns the gears.
+            // The normal force is inclined by the base helix angle; its transverse part transmits
+            // the torque.
             let base_radius = cycle.base_radii[0];
             let base_helix = (helix_angle.tan() * base_radius / 40e-3).atan();
             let normal: f64 = (-2..=2).map(|pair| value(&PairLoad(MESH, pair))).sum();
@@ -86,7 +89,7 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
             assert!(value(&SupportMoment(BODIES[0], 2)).abs() < 1e-9 * TORQUE);
             assert!(close(value(&SupportMoment(BODIES[1], 2)).abs(), TORQUE, 1e-9));
 
-            // Slices of a patch carry its force, and cells are pressed by it.
+            // The slices of a patch carry its force, and the force loads its cells.
             let mean = at.contacts(MESH).map(|contact| {
                 let slices = contact.slices();
                 let force: f64 = slices.iter().map(|slice| slice.force).sum();
@@ -100,7 +103,7 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
             let loaded = value(&LoadedFace(MESH));
             assert!(loaded > 0.5 && loaded <= 1.0, "{loaded}");
 
-            // Places on the face; what a gauge there measures, `gauges.rs` tells.
+            // Positions on the face; `gauges.rs` tests the readings of gauges there.
             let pressed = seen(&MaxContactPressure(MESH)).place.expect("something is pressed");
             assert!(pressed.axial.is_some_and(|axial| axial.abs() <= 0.5 * FACE), "{pressed:?}");
             for body in BODIES {
@@ -118,28 +121,31 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
             let observed = BODIES.map(|body| value(&MaxRootStress(body)));
             assert_eq!(largest, observed[0].max(observed[1]));
 
-            // Unmodified teeth touch without transmission error before they are loaded.
+            // Unmodified teeth have no transmission error without load.
             let unloaded = value(&UnloadedTransmissionError(MESH));
             let moved = value(&TransmissionError(MESH)) - unloaded;
             assert!(unloaded.abs() < 1e-9 && moved > 1e-5, "{unloaded} {moved}");
             let secant = value(&SecantStiffness(MESH));
             assert!(close(secant, TORQUE / base_radius / (moved * cycle.base_radii[1]), 1e-9));
-            // Lines of contact grow wider under load: a little more force meets more than the mean resistance.
+            // The contact width grows with the load, so the stiffness against additional force
+            // exceeds the secant stiffness.
             let tangent = value(&MeshStiffness(MESH)) / secant;
             assert!((1.0..1.1).contains(&tangent), "{tangent}");
-            // Sliding is at most that at the ends of the path, and takes its part of the power.
+            // The sliding velocity is at most that at the ends of the path, and dissipates its part
+            // of the power.
             let ends =
                 cycle.path.map(|roll| (roll - 20.0_f64.to_radians().tan()).abs() * base_radius * 2.0 * SPEED);
             let fastest = value(&MaxSlidingVelocity(MESH));
             assert!(fastest > 0.0 && fastest <= 1.001 * ends[0].max(ends[1]), "{fastest} {ends:?}");
             let loss = value(&FrictionLoss(MESH, 0.05));
-            // Each cell takes its part; with one pair of spur teeth all of it slides as fast.
+            // Each cell dissipates its part; with one pair of spur teeth all cells slide at the
+            // same velocity.
             let pairs = value(&PairsInContact(MESH));
             match helix_angle == 0.0 && pairs == 1.0 {
                 true => assert!(close(loss, 0.05 * normal * fastest, 1e-3), "{loss} {fastest}"),
                 false => assert!(loss > 0.0 && loss < 0.05 * normal * fastest, "{loss} {fastest}"),
             }
-            // Spur teeth of a contact ratio below two carry load in pairs or alone.
+            // In spur gears of a contact ratio below two, one or two tooth pairs carry the load.
             assert!(helix_angle > 0.0 || pairs == if part < 0.5 { 2.0 } else { 1.0 }, "{part}: {pairs}");
             assert!(close(value(&Efficiency(MESH, 0.05)), 1.0 - loss / (TORQUE * SPEED), 1e-9));
         }

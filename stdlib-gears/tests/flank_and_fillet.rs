@@ -1,4 +1,5 @@
-//! The true curves: consistent differential geometry, conjugate action, and the fillet as the rack's envelope.
+//! Profile curves: consistent differential geometry, conjugate action, and the fillet as the
+//! envelope of the rack.
 
 use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::external::ExternalGear;
@@ -21,7 +22,7 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// Derivative of order eight in the step.
+/// Eighth-order finite difference.
 fn derivative(f: impl Fn(f64) -> [f64; 2], at: f64, step: f64) -> [f64; 2] {
     let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     let mut sum = [0.0; 2];
@@ -33,7 +34,7 @@ fn derivative(f: impl Fn(f64) -> [f64; 2], at: f64, step: f64) -> [f64; 2] {
     sum
 }
 
-/// Tangent and curvature against differences, well inside the smooth parts.
+/// Compares tangent and curvature with finite differences, well inside the smooth parts.
 fn check_profile(name: &str, profile: &dyn Profile, curvature_scale: f64) {
     let mut bounds = vec![0.0];
     bounds.extend_from_slice(profile.breaks());
@@ -61,7 +62,7 @@ fn check_profile(name: &str, profile: &dyn Profile, curvature_scale: f64) {
     }
 }
 
-/// Position and normal agree where two parts meet.
+/// Position and normal are continuous where two parts meet.
 fn check_joins(name: &str, a: &ProfilePoint, b: &ProfilePoint, size: f64) {
     for axis in 0..2 {
         let gap = (a.position[axis] - b.position[axis]).abs();
@@ -90,7 +91,7 @@ fn flanks_and_fillets_have_consistent_geometry() {
                 let step = 1e-15 * gear.outer_radius;
                 check_joins(name, &flank.at(s - step), &flank.at(s + step), gear.outer_radius);
             }
-            // The edge ends on the tip circle, with its normal radial.
+            // The edge ends on the tip circle with a radial normal.
             let end = flank.at(edge_end);
             assert!((end.position[0].hypot(end.position[1]) - gear.outer_radius).abs() < 1e-15 * INCH);
             assert!((dot(end.position, end.normal) - gear.outer_radius).abs() < 1e-15);
@@ -148,7 +149,7 @@ fn relief_is_measured_normal_to_the_involute() {
     }
 }
 
-/// Turns a point of a tooth into the place where the tooth stands.
+/// Rotates a point from tooth coordinates to the position of the tooth.
 fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();
     [cosine * x - sine * y, sine * x + cosine * y]
@@ -156,7 +157,8 @@ fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 
 #[test]
 fn involutes_are_conjugate_through_the_path_of_contact() {
-    // The first gear pushes counter-clockwise with its surface 0; also at a spread centre distance.
+    // The first gear pushes counter-clockwise with its surface 0; also at an increased centre
+    // distance.
     let (first, second) = (chapter_5(20), chapter_5(40));
     let flank = Flank::new(&first, &[], Side::CounterClockwise).expect("a flank");
     let mate = Flank::new(&second, &[], Side::CounterClockwise).expect("a flank");
@@ -164,7 +166,7 @@ fn involutes_are_conjugate_through_the_path_of_contact() {
         let distance = (3.0 + spread) * INCH;
         let mesh = MeshGeometry::external(&first, &second, distance).expect("a mesh");
         let path = mesh.first_roll;
-        // Within the rounded edges.
+        // Between the rounded edges.
         let (start, end) =
             (path.start_of_active_profile + 0.02, flank.edge_roll().min(path.end_of_active_profile));
         for k in 0..=50 {
@@ -172,8 +174,9 @@ fn involutes_are_conjugate_through_the_path_of_contact() {
             let second_roll = mesh.second_roll(roll);
             let on_first = flank.at(flank.s_at_roll(roll));
             let on_second = mate.at(mate.s_at_roll(second_roll));
-            // The normals lie along the line of action: at -a from the line of centres' normal on the first gear,
-            // and opposite on the second, whose centre is at (distance, 0).
+            // The normals lie along the line of action: at -a from the normal of the line of
+            // centres on the first gear, and opposite on the second, whose centre is at (distance,
+            // 0).
             let turn =
                 |point: &ProfilePoint, direction: f64| direction - point.normal[1].atan2(point.normal[0]);
             let action = 0.5 * PI - mesh.operating_pressure_angle;
@@ -182,7 +185,8 @@ fn involutes_are_conjugate_through_the_path_of_contact() {
             let b = turned(on_second.position, second_turn);
             let gap = minus([b[0] + distance, b[1]], a);
             assert!(gap[0].hypot(gap[1]) < 1e-15 + 1e-13 * first.rack.module, "{k}: {gap:?}");
-            // The angles of the teeth keep the ratio: both follow from the rolls.
+            // The angles of the teeth keep the transmission ratio: both follow from the roll
+            // angles.
             let first_expected = roll - first.half_base_angle - mesh.operating_pressure_angle;
             assert!(
                 (first_turn - first_expected).rem_euclid(2.0 * PI).min(1.0).abs() < 1e-13
@@ -192,15 +196,16 @@ fn involutes_are_conjugate_through_the_path_of_contact() {
     }
 }
 
-/// Signed distance of a point from the rack's tooth of sharp flanks and rounded corners: negative inside.
-/// Rack coordinates: `x` along the pitch line from the middle of the tooth, `y` into the gear.
+/// Signed distance of a point from the rack's tooth with sharp flanks and rounded corners, negative
+/// inside. Rack coordinates: `x` along the pitch line from the middle of the tooth, `y` into the
+/// gear.
 fn distance_to_rack(gear: &ExternalGear, [x, y]: [f64; 2]) -> f64 {
     let rack = &gear.rack;
     let (sine, cosine) = rack.pressure_angle.sin_cos();
     let dedendum = gear.pitch_radius - gear.root_radius;
     let half = 0.5 * (rack.pitch() - gear.tooth_thickness);
     let x = x.abs();
-    // Outward distances from flank and tip line; the corner's circle touches both.
+    // Outward distances from flank and tip line; the corner's circle is tangent to both.
     let flank = (x - half) * cosine + y * sine;
     let tip = y - dedendum;
     let centre_y = dedendum - rack.tip_radius;
@@ -228,12 +233,13 @@ fn the_rack_touches_every_point_of_the_root_and_enters_none() {
         let points = (0..=20).map(|k| fillet.at(fillet.length() * f64::from(k) / 20.0).position);
         let on_involute = (0..=10).map(|k| flank.at(flank.edge_range()[0] * f64::from(k) / 10.0).position);
         for point in points.chain(on_involute) {
-            // The tooth's centreline is half a pitch from the space's middle; the gear turns by `roll`.
+            // The tooth's centreline is half a pitch from the middle of the space; the gear rotates
+            // by `roll`.
             let distance = |roll: f64| {
                 let [x, y] = turned(point, -PI / f64::from(gear.teeth) - roll);
                 distance_to_rack(gear, [y + gear.pitch_radius * roll, gear.pitch_radius - x])
             };
-            // Brute force, then a golden-section search around the best.
+            // Exhaustive search, then a golden-section search around the best value.
             let (count, range) = (4000, 1.5 * PI / f64::from(gear.teeth) + 0.4);
             let place = |k: i32| range * f64::from(k) / f64::from(count);
             let best = (-count..=count)
@@ -264,7 +270,7 @@ fn undercut_shortens_the_involute() {
     for axis in 0..2 {
         assert!((form.position[axis] - start.position[axis]).abs() < 1e-16, "they cross at the form circle");
     }
-    // With the shift that the message proposes the undercut just ends.
+    // The profile shift that the message proposes is the limit of undercut.
     let shift =
         (1.25 - 0.3 * (1.0 - 20.0_f64.to_radians().sin())) - 4.5 * 20.0_f64.to_radians().sin().powi(2);
     for (more, undercut) in [(-1e-6, true), (1e-6, false)] {

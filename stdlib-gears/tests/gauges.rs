@@ -1,4 +1,5 @@
-//! Strain gauges in fillets: where they are, against the plane, against what stress is recovered beside them, and mirrored.
+//! Strain gauges in fillets: their positions, comparison with the plane model and with recovered
+//! stress nearby, and mirror symmetry.
 
 use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -24,7 +25,7 @@ const BODIES: [BodyId; 2] = [BodyId(0), BodyId(1)];
 const MIDDLE: GaugePlacement =
     GaugePlacement { along: FilletLocation::TangentAngle(0.6), axial: 0.0, direction: 0.0, length: 0.0 };
 
-/// A gear of 20 teeth of transverse module 4 mm.
+/// Gear of 20 teeth with transverse module 4 mm.
 fn gear(helix_angle: f64, hand: Hand, poissons_ratio: f64) -> Arc<GearPrototype> {
     let module = 4e-3;
     let rack = Rack::new(module, 20.0_f64.to_radians(), 0.3 * module).expect("a rack");
@@ -39,7 +40,7 @@ fn gear(helix_angle: f64, hand: Hand, poissons_ratio: f64) -> Arc<GearPrototype>
         .expect("a gear")
 }
 
-/// Two of them; the first is free to turn and driven.
+/// Pair of two such gears; the first is free to rotate and driven.
 fn with_pair(
     gears: [Arc<GearPrototype>; 2],
     moment: f64,
@@ -84,7 +85,8 @@ fn gauges_are_placed_by_radius_or_tangent_angle() {
                 .on(&gear)
                 .expect("a place");
         let point = fillet.at(s);
-        // Towards the root a fillet of the counter-clockwise side leans away from the centre line.
+        // Towards the root, the tangent of a counter-clockwise fillet inclines away from the
+        // centreline.
         let [x, y] = point.tangent;
         assert!(
             ((-x).atan2(y) - (FRAC_PI_2 - degrees.to_radians())).abs() < 1e-9,
@@ -123,13 +125,14 @@ fn gauges_are_placed_by_radius_or_tangent_angle() {
     let along = GaugePlacement { length: 2.0 * fillet.length(), ..MIDDLE };
     assert_eq!(refused(along), "length");
     assert_eq!(refused(GaugePlacement { length: -1e-3, ..MIDDLE }), "length");
-    // Turned to the face it fits, but not near its end.
+    // Rotated into the face direction the gauge fits, but not near the end of the face.
     let across = GaugePlacement { direction: FRAC_PI_2, length: 0.2 * FACE, ..MIDDLE };
     assert!(GaugePlacement { axial: 0.39 * FACE, ..across }.on(&gear).is_ok());
     assert_eq!(refused(GaugePlacement { axial: 0.41 * FACE, ..across }), "axial");
 }
 
-/// Without transverse contraction every section of a spur gear is in plane strain, and nothing is strained along the face.
+/// With Poisson's ratio zero every section of a spur gear is in plane strain, and the strain along
+/// the face vanishes.
 #[test]
 fn without_transverse_contraction_gauges_read_what_the_plane_says() {
     let gears = || [Hand::Right, Hand::Left].map(|hand| gear(0.0, hand, 0.0));
@@ -154,7 +157,7 @@ fn without_transverse_contraction_gauges_read_what_the_plane_says() {
     with_pair(gears(), 200.0, Fidelity::Solid(Template::FineRoot), |value| {
         for (index, (space, plane)) in read(value).chunks(4).zip(plane.chunks(4)).enumerate() {
             for (direction, (found, expected)) in space.iter().zip(plane).enumerate() {
-                // As much as sections differ.
+                // Agreement to within the difference of the meshed sections.
                 assert!(
                     (found - expected).abs() < 0.012 * plane[0],
                     "{index} {direction}: {space:?} {plane:?}"
@@ -182,7 +185,8 @@ fn gauges_read_the_stress_that_is_recovered_and_its_mirror_image() {
                 };
                 let found = read(largest, Reading::LargestPrincipal);
                 assert!((found / stress.value - 1.0).abs() < 1e-4, "{found} {}", stress.value);
-                // Of gauges in all directions one reads it, none reads more, and two at right angles read the same sum.
+                // Among gauges in all directions one reads the principal strain, none reads more,
+                // and the sum of two perpendicular gauges is invariant.
                 let smallest = read(largest, Reading::SmallestPrincipal);
                 let around: Vec<f64> = (0..36)
                     .map(|fives| {
@@ -207,7 +211,8 @@ fn gauges_read_the_stress_that_is_recovered_and_its_mirror_image() {
                     readings.push(read(placing, Reading::Strain));
                 }
             }
-            // The hands of a pair exchanged: all is mirrored in mid-face. Right there two elements meet, of which one is asked.
+            // Exchanging the hands of a pair mirrors everything at mid-face. Two elements meet
+            // exactly there, and the gauge reads one of them.
             match sign > 0.0 {
                 true => of_right = readings,
                 false => {

@@ -1,4 +1,5 @@
-//! Flanks in space: derivatives and normals of modified, twisted surfaces, and where two of them touch.
+//! Three-dimensional flanks: derivatives and normals of modified, twisted surfaces, and the contact
+//! of two of them.
 
 use crate::common::{INCH, chapter_5};
 use calyx_gears::external::ExternalGear;
@@ -47,7 +48,7 @@ fn tangents_are_derivatives_and_the_normal_stands_on_them() {
             let surface = surface(&gear, &modifications, side, 14.0, crown);
             let [[_, end], _] = surface.range();
             let edge = surface.edge_from().expect("a tip edge");
-            // Within a step of a break, differences see both sides of it.
+            // Within a step of a break, finite differences straddle it.
             for u in [-2e-5, 1e-5, 0.3 * edge, 0.6 * edge, 0.8 * edge, 0.99 * edge, 0.5 * (edge + end)] {
                 for v in [-0.6 * FACE, -0.2 * FACE, 0.0, 0.45 * FACE] {
                     let point = surface.at(u, v);
@@ -64,7 +65,7 @@ fn tangents_are_derivatives_and_the_normal_stands_on_them() {
                     assert!((size(point.normal) - 1.0).abs() < 1e-14);
                 }
             }
-            // Normals do not jump where the flank goes over into its tip edge, though curvature does.
+            // Normals are continuous where the flank meets its tip edge, although curvature is not.
             let [below, above] = [edge - 1e-12, edge + 1e-12].map(|u| surface.at(u, 0.3 * FACE));
             assert!(size(minus(below.normal, above.normal)) < 1e-6);
             assert!(size(minus(below.position, above.position)) < 1e-11);
@@ -96,7 +97,8 @@ fn material_is_taken_off_by_the_amounts_of_relief_and_crown() {
 
 #[test]
 fn the_normal_of_a_plain_helicoid_does_not_change_along_its_generators() {
-    // Sections turn by the twist; where the roll angle grows by as much the normal's direction in the section stays.
+    // Sections rotate by the twist. If the roll angle increases by the same angle, the direction of
+    // the normal in the section is constant.
     let gear = chapter_5(40);
     let twist = 9.0;
     let surface = surface(&gear, &[], Side::CounterClockwise, twist, 0.0);
@@ -122,7 +124,7 @@ fn aligned_helical_flanks_touch_along_a_straight_line() {
     let gears = [chapter_5(20), chapter_5(40)];
     let [base, other_base] = [0, 1].map(|k: usize| gears[k].base_radius);
     let distance = 3.02 * INCH;
-    // Twists of opposite hands, one helix angle on the base cylinders.
+    // Twists of opposite hands with one helix angle on the base cylinders.
     let lean = 0.2;
     let twists = [lean / base, -lean / other_base];
     let surfaces = [0, 1].map(|k: usize| surface(&gears[k], &[], Side::CounterClockwise, twists[k], 0.0));
@@ -132,7 +134,7 @@ fn aligned_helical_flanks_touch_along_a_straight_line() {
         let first = 0.38 + twists[0] * v;
         [first, (distance * pressure_angle.sin() - base * first) / other_base]
     };
-    // Turns that bring the normals at mid-face onto the line of action.
+    // Rotations that align the normals at mid-face with the line of action.
     let turn = |k: usize, direction: f64| direction - gears[k].half_base_angle + rolls_at(0.0)[k];
     let turns = [turn(0, -pressure_angle), turn(1, std::f64::consts::PI - pressure_angle)];
     let placed = |k: usize, [x, y, z]: [f64; 3], shift: f64| {

@@ -1,5 +1,6 @@
-//! A small blow on a loaded pair whose shafts run in bearings: the transfer function that the response shows has its peaks where the natural frequencies
-//! about the equilibrium are, which the eigenvalue problem knows without any motion in time.
+//! Response of a loaded pair on bearings to a small impulse. The peaks of its transfer function are
+//! at the natural frequencies about the equilibrium, which the eigenvalue problem gives without
+//! time integration.
 
 use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 use calyx_runtime::analysis::AnalysisOptions;
@@ -13,17 +14,19 @@ use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Component, Scene};
 use calyx_runtime::signal::{Shape, Uniform, peaks, transfer_function};
 
-/// s
+/// Time step, s.
 const STEP: f64 = 5e-6;
 const STEPS: usize = 8192;
-/// N m s: the teeth keep together, and the same cells carry.
+/// Angular impulse, N m s. It is so small that teeth stay in contact and the active set does not
+/// change.
 const BLOW: f64 = 1e-6;
-/// Steps that the blow takes.
+/// Duration of the impulse in steps.
 const TAKES: f64 = 4.0;
-/// How many modes a pair has whose gears move in the plane.
+/// Number of modes of a pair whose gears have plane motion.
 const MODES: usize = 6;
 
-/// A pair that hardly turns, each gear on a bearing of its own, the second one on a spring against turning.
+/// Pair at a very low speed, each gear on a bearing of its own, the second one with a torsional
+/// spring.
 fn on_bearings() -> Scene {
     let (mut scene, _) = pair(&PairOptions { speed: 1e-6, ..PairOptions::chapter_5(&PLAIN) });
     scene.pairs[0].grid.half_cells = Some(3);
@@ -34,7 +37,7 @@ fn on_bearings() -> Scene {
         scene.bodies[body.0] = free.with_added(Inertia::axial(2.0, 2e-3, 0.0));
         let [radial, torsional] = stiffness;
         let mut matrix = axisymmetric(radial, 0.0, 0.0, torsional);
-        // Of housings that are stiffer on one side: no two modes are alike.
+        // Housings that are stiffer in one direction separate the natural frequencies.
         matrix[1][1] *= 1.7;
         scene.add_bearing(Bearing::new(format!("bearing {}", body.0), body, 0.0, matrix)).expect("a bearing");
     }
@@ -73,7 +76,7 @@ fn peaks_of_the_transfer_function_are_the_natural_frequencies() {
         from: 0.0,
         ranges: vec![TimeRange::steady(duration, STEPS)],
         scheme: Scheme::AVERAGE,
-        // It has died down at the end.
+        // The response has decayed at the end.
         rayleigh: [10.0 / duration, 0.0],
         start: Start::Equilibrium,
     };
@@ -93,7 +96,7 @@ fn peaks_of_the_transfer_function_are_the_natural_frequencies() {
             let frequency = peak.line * transfer.resolution;
             let mode = natural.iter().position(|natural| (frequency - natural).abs() < transfer.resolution);
             mode.into_iter().for_each(|mode| seen[mode] = true);
-            // Small ones stand somewhat off, for they stand on the slopes of larger ones.
+            // Small peaks are shifted slightly, because they lie on the slopes of larger ones.
             let large = peak.amplitude > 0.4 * found[0].amplitude;
             assert!(mode.is_some() || !large, "output {output}: {frequency} Hz is none of {natural:?}");
         }

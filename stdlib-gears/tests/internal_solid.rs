@@ -1,4 +1,5 @@
-//! A pinion in a ring in three dimensions, straight and helical: the same exact ratios as in the plane.
+//! A pinion in an internal gear in three dimensions, spur and helical: the same exact ratios as in
+//! the plane.
 
 use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -23,7 +24,8 @@ const TORQUE: f64 = 200.0;
 const FIRST: BodyId = BodyId(0);
 const SECOND: BodyId = BodyId(1);
 
-/// 20 teeth in 60 of module 4 mm, 30 mm wide; the pinion is free to turn and pushed counter-clockwise or clockwise.
+/// 20 teeth in 60 of module 4 mm, face width 30 mm; the pinion is free to rotate and loaded
+/// counter-clockwise or clockwise.
 fn scene(helix_angle: f64, moment: f64) -> Scene {
     let pressure = 20.0_f64.to_radians();
     let rack = Rack::new(MODULE, pressure, 0.3 * MODULE).expect("a rack");
@@ -72,7 +74,7 @@ fn ratios_of_torques_and_axial_forces_are_exact() {
                 (ring[5] / pinion[5] / -3.0 - 1.0).abs() < 1e-9,
                 "{helix_angle} {part}: {pinion:?} {ring:?}"
             );
-            // What pushes the pinion's right-handed teeth round pushes them along the axis, too.
+            // The torque on the pinion's right-hand teeth causes an axial force.
             let axial = helix_angle.tan() * moment / 40e-3;
             assert!((pinion[2] - axial).abs() < 1e-9 * (moment / 40e-3).abs(), "{} {axial}", pinion[2]);
             let size = pinion[..3].iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -84,16 +86,17 @@ fn ratios_of_torques_and_axial_forces_are_exact() {
                 system.value(&step, observable).value
             };
             let error = value(&TransmissionError(PairId(0)));
-            // Unmodified teeth touch without transmission error before they are loaded.
+            // Unmodified teeth have no transmission error without load.
             let unloaded = value(&UnloadedTransmissionError(PairId(0)));
             assert!(unloaded.abs() < 1e-9 && error > 1e-6, "the ring lags: {error} {unloaded}");
-            // The force by the way it has moved the mesh.
+            // Force divided by the displacement of the mesh that it causes.
             let force = moment.abs() / cycle.base_radii[0];
             let secant = value(&SecantStiffness(PairId(0)));
             assert!((secant * error * cycle.base_radii[1] / force - 1.0).abs() < 1e-6, "{secant}");
             let tangent = value(&MeshStiffness(PairId(0))) / secant;
             assert!((1.0..1.1).contains(&tangent), "{tangent}");
-            // At mid-face of one pair of spur teeth, Hertz: both flanks curve alike, p = sqrt(F E' (1 / r_1 - 1 / r_2) / (2 pi b)).
+            // Hertzian pressure at mid-face of one pair of spur teeth; both flanks curve in the
+            // same direction: p = sqrt(F E' (1 / r_1 - 1 / r_2) / (2 pi b)).
             let pressure = system.value(&step, &MaxContactPressure(PairId(0)));
             let place = pressure.place.expect("something is pressed");
             let alone = value(&PairsInContact(PairId(0))) == 1.0;

@@ -1,4 +1,4 @@
-//! The levels without meshes: against those with them, and against what they must be exactly.
+//! Fidelity levels without meshes, compared with those with meshes and with exact properties.
 
 use crate::common::built;
 use crate::common::pair::{FIRST, MESH, PLAIN, PairOptions, RELIEVED, TORQUE, Values, pair};
@@ -19,7 +19,7 @@ use calyx_runtime::system::System;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// A pair at parts of its mesh cycle.
+/// Evaluates a pair at fractions of its mesh cycle.
 fn solve<T>(
     options: &PairOptions,
     fidelity: Fidelity,
@@ -38,8 +38,9 @@ fn errors(options: &PairOptions, fidelity: Fidelity, cycles: &[f64]) -> Vec<f64>
 
 const CYCLE: [f64; 6] = [0.02, 0.2, 0.4, 0.6, 0.8, 0.95];
 
-/// The chapter 5 pair: motions and stiffness of closed forms are within 1.2 % of the finite elements', pressure within 2.5 %, root stress
-/// within 8 %, as Sainsot, Velex and Duverger and ISO 6336 claim for theirs; nothing is fitted.
+/// The chapter 5 pair: motions and stiffness of closed forms are within 1.2 % of the finite
+/// elements', pressure within 2.5 %, root stress within 8 %, as Sainsot, Velex and Duverger and ISO
+/// 6336 state for theirs. Nothing is fitted.
 #[test]
 fn closed_forms_are_near_the_finite_elements() {
     let options = PairOptions::chapter_5(&PLAIN);
@@ -56,13 +57,14 @@ fn closed_forms_are_near_the_finite_elements() {
         for gear in 0..2 {
             near(given.root_stress[gear], meshed.root_stress[gear], 0.10);
         }
-        // ISO 6336-1 has 20 N/(mm um) for all its pairs; this one is on rims.
+        // ISO 6336-1 assumes 20 N/(mm um) for all pairs; this one has rims.
         let gamma = given.mesh_stiffness / 25.4e-3 * 1e-9;
         assert!((14.0..27.0).contains(&gamma), "{gamma}");
     }
 }
 
-/// Tooth by tooth and place by place: by itself, through to its other side, and what neighbours do to it.
+/// Compliance of a tooth by position: at the load itself, at the opposite flank, and at
+/// neighbouring teeth.
 #[test]
 fn a_tooth_gives_as_that_of_finite_elements() {
     for member in PLAIN.iter() {
@@ -77,7 +79,7 @@ fn a_tooth_gives_as_that_of_finite_elements() {
                 (Chart { tooth: 0, surface: 0 }, Chart { tooth, surface }, [part * length]);
             let mut block = [0.0];
             of.add_compliance(observed, &s, loaded, &s, &mut block);
-            // Near a load, as seen by the same half-plane, of a hundredth of a millimetre.
+            // Near field at a hundredth of a millimetre from a load, with the same half-plane.
             let near = 2.0 / PI * (of.reference_length() / 1e-5).ln();
             of.surface_modulus() * block[0] + if loaded == observed { near } else { 0.0 }
         };
@@ -92,7 +94,8 @@ fn a_tooth_gives_as_that_of_finite_elements() {
     }
 }
 
-/// Involutes pass on motion evenly, touch on all pairs of teeth at once, and slide by their distance from the pitch point.
+/// Involutes have no transmission error, touch on all tooth pairs at the same time, and slide in
+/// proportion to their distance from the pitch point.
 #[test]
 fn rigid_involutes_are_conjugate() {
     let options = PairOptions::chapter_5(&PLAIN);
@@ -109,20 +112,21 @@ fn rigid_involutes_are_conjugate() {
     });
     for (cycle, [error, pairs, sliding, highest]) in CYCLE.iter().zip(seen) {
         assert!(error.abs() < 1e-12, "{error}");
-        // Contact ratio 1.6: at the end of the cycle one pair has left.
+        // Contact ratio 1.6: at the end of the cycle one pair has left contact.
         assert_eq!(pairs, if *cycle < 0.55 { 2.0 } else { 1.0 }, "at {cycle}");
         let from_pitch = |radius: f64| {
             let tangent = (radius * radius - form.base_radius * form.base_radius).sqrt();
             (tangent - form.pitch_radius * form.pressure_angle.sin()).abs()
         };
         let fastest = 1.5 * options.speed * from_pitch(highest);
-        // Of two pairs the one nearer to the root may slide faster.
+        // Of two pairs, the one nearer to the root may slide faster.
         assert!(sliding >= fastest * (1.0 - 1e-9), "{sliding} {fastest}");
         assert!(pairs > 1.0 || (sliding / fastest - 1.0).abs() < 1e-9, "{sliding} {fastest}");
     }
 }
 
-/// With relief and a tooth out of its place: what elastic teeth do as the load vanishes is what rigid ones do.
+/// With relief and a pitch deviation: rigid teeth are the limit of elastic ones as the load
+/// vanishes.
 #[test]
 fn rigid_teeth_are_the_limit_of_elastic_ones() {
     let gears = [RELIEVED[0].with_pitch_error(2, 2e-4), RELIEVED[1].clone()];
@@ -138,7 +142,7 @@ fn rigid_teeth_are_the_limit_of_elastic_ones() {
     for ((rigid, barely), loaded) in
         rigid.iter().zip(errors(&barely, Fidelity::Analytic, &CYCLE)).zip(&loaded)
     {
-        // Hertz's contact is softer the less it bears, by a logarithm.
+        // Hertzian contact is more compliant at lower load, logarithmically.
         let given = barely - rigid;
         let most = 5.0 * part * (loaded - rigid).abs().max(1e-4);
         assert!((0.0..most).contains(&given), "{rigid} {barely} {loaded}");
@@ -162,7 +166,7 @@ fn analyse(scene: &mut Scene, mesh: &GearMesh, fidelity: Fidelity) -> Result<Ana
     all.map_err(|error| error.code)
 }
 
-/// What a level has no value of has none, by name; the rest has.
+/// A level without a certain output reports its name and provides the others.
 #[test]
 fn what_a_level_does_not_have_is_refused_by_name() {
     let (mut scene, mesh) = pair(&PairOptions::chapter_5(&PLAIN));

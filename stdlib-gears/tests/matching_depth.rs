@@ -1,5 +1,6 @@
-//! What must not depend on how a pair is discretised: the matching depth of near and far field, the fineness of the mesh, the
-//! order of its elements. And what a wrong split would show first: contact pressure near the tips.
+//! Independence of the discretization: the matching depth of near and far field, the refinement of
+//! the mesh, the order of its elements. Contact pressure near the tips is most sensitive to a wrong
+//! split of the fields.
 
 use crate::common::pair::{Member, PLAIN, PairOptions, Values, pair, steel};
 use crate::common::{INCH, built, chapter_5_data, resources};
@@ -68,8 +69,9 @@ fn matching_depth_hardly_matters() {
     }
 }
 
-/// Peak pressure over that of a Hertzian contact of the same load, by the distance of the contact from the nearer tip in
-/// Hertzian half-widths: for each patch at the given parts of a cycle.
+/// Ratio of the peak pressure to that of a Hertzian contact of the same load, with the distance of
+/// the contact from the nearer tip in Hertzian half-widths: for each patch at the given fractions
+/// of a cycle.
 fn pressures_over_hertz(edges: bool, structure: StructureOptions, cycles: &[f64]) -> Vec<[f64; 2]> {
     let (scene, mesh) = pair(&PairOptions { edges, ..PairOptions::chapter_5(&PLAIN) });
     let plan = Plan::new(&scene, Fidelity::Plane, structure).expect("it can be planned");
@@ -103,7 +105,7 @@ fn pressures_over_hertz(edges: bool, structure: StructureOptions, cycles: &[f64]
 
 #[test]
 fn pressure_is_hertzian_up_to_the_tips() {
-    // Most densely where a pair enters and leaves.
+    // Positions are densest where a pair enters and leaves.
     let mut cycles: Vec<f64> = (0..40).map(|i| (f64::from(i) + 0.37) / 40.0).collect();
     cycles.extend((1..20).map(|i| 0.003 * f64::from(i)));
     cycles.extend((1..20).map(|i| 0.5225 - 0.003 * f64::from(i)));
@@ -112,11 +114,12 @@ fn pressure_is_hertzian_up_to_the_tips() {
         let (mut inside, mut near) = (0, 0);
         for [distance, ratio] in found {
             if distance > 2.0 {
-                // The whole patch keeps a half-width clear of the tip.
+                // The whole patch is at least a half-width away from the tip.
                 assert!((ratio - 1.0).abs() < 0.01, "{distance} half-widths from a tip: {ratio}");
                 inside += 1;
             } else if distance > 1.0 {
-                // Nearer, the tip gives way more than the flank: pressure moves away from it. Finer meshes say the same.
+                // Closer to the tip, the tip is more compliant than the flank, so the pressure
+                // moves away from it. Finer meshes agree.
                 assert!((ratio - 1.0).abs() < 0.03, "{distance} half-widths from a tip: {ratio}");
                 near += 1;
             }
@@ -138,7 +141,7 @@ fn results_converge_under_refinement() {
     let pressure = change(default.pressure, fine.pressure);
     assert!(pressure < 2e-3, "pressure: {pressure}");
 
-    // Even where the tip's own softness shapes the contact, meshes agree.
+    // Meshes agree even where the compliance of the tip determines the contact.
     let at_tip = [1.0, 1.5].map(|factor| {
         let structure = with(|options| options.refinement = factor);
         pressures_over_hertz(false, structure, &[0.0145, 0.02, 0.03])
@@ -165,8 +168,8 @@ fn lower_orders_converge_to_the_same_transmission_error() {
 
 #[test]
 fn root_stress_is_that_of_a_fine_mesh() {
-    // Largest stress in the fillets of pinion and gear at two positions, psi, on the default mesh refined 2.5 times, by tip
-    // radius of the rack and tooth thickness in inches.
+    // Largest fillet stress of pinion and gear at two positions, psi, on the default mesh refined
+    // 2.5 times, by tip radius of the rack and tooth thickness in inches.
     let rows = [(0.010, 0.15708, [36749.3, 30483.4]), (0.020, 0.10, [52978.9, 36116.2])];
     for (tip_radius, thickness, expected) in rows {
         let gears = [(20, [0.7, 0.6]), (40, [1.7, 1.2])].map(|(teeth, rim)| {

@@ -1,4 +1,5 @@
-//! Component modes of gears: they go with the compliance that statics uses, whatever holds the gear and whatever its flanks are.
+//! Component modes of gears: they are consistent with the static compliance, for every support and
+//! flank.
 
 use calyx_gears::blank::{GearBlank, Rim, SplineSupport};
 use calyx_gears::helix::{Hand, Helix};
@@ -37,7 +38,8 @@ fn structure(gear: &GearPrototype) -> Arc<dyn Structure> {
     gear.shape(shared, &options()).expect("its own shape")
 }
 
-/// What a force on a flank does at a place that is not near it, by statics and by modes; relative to what it does to its own tooth as a whole.
+/// Displacement by a force on a flank at a distant point, from statics and from modes. Returns the
+/// largest difference, relative to the displacement of the loaded tooth as a whole.
 fn worst_difference(gear: &GearPrototype) -> f64 {
     let (modes, structure) = (modes(gear), structure(gear));
     let length = structure.profile(0).length();

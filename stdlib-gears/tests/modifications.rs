@@ -1,4 +1,4 @@
-//! What flanks differ by from involutes: on the profile, along the face, over both; on external and internal teeth.
+//! Flank modifications: profile, lead and topography, on external and internal teeth.
 
 use calyx_gears::blank::GearBlank;
 use calyx_gears::flank::Flank;
@@ -16,7 +16,7 @@ const MODULE: f64 = 4e-3;
 const FACE: f64 = 40e-3;
 const UM: f64 = 1e-6;
 
-/// The external gear (0) or the ring (1).
+/// The external gear (0) or the internal one (1).
 fn made(index: usize, modifications: &[Modification]) -> Arc<GearPrototype> {
     let alpha = 20.0_f64.to_radians();
     if index == 0 {
@@ -32,7 +32,8 @@ fn made(index: usize, modifications: &[Modification]) -> Arc<GearPrototype> {
     internal.cut().expect("a ring")
 }
 
-/// Roll angles, positive, of the gear's involute: a part of the way from form circle to tip circle.
+/// Roll angle of the gear's involute, positive, at a fraction of the range from form circle to tip
+/// circle.
 fn roll_at(gear: &GearPrototype, part: f64) -> f64 {
     let form = gear.form();
     (form.form_roll + part * (form.tip_roll - form.form_roll)).abs()
@@ -77,7 +78,7 @@ fn reliefs_of_tip_and_root_are_deepest_at_their_ends() {
             }
         }
     }
-    // A root relief begins on the involute, too.
+    // A root relief must also begin on the involute.
     let outside =
         Modification::RootRelief(TipRelief { depth: 5.0 * UM, start_roll: 2.0, shape: ReliefShape::Linear });
     let rack = Rack::new(MODULE, 0.35, 0.3 * MODULE).expect("a rack");
@@ -135,7 +136,7 @@ fn slopes_and_tables_of_the_profile() {
     }
 }
 
-/// Surfaces with these modifications and without, of the external and the internal gear.
+/// Surfaces with and without these modifications, of the external and the internal gear.
 fn surfaces(index: usize, modifications: &[Modification]) -> [Arc<dyn Surface>; 4] {
     let gear = made(index, modifications);
     let options = StructureOptions::default();
@@ -144,7 +145,7 @@ fn surfaces(index: usize, modifications: &[Modification]) -> [Arc<dyn Surface>; 
     [first, second, plain_first, plain_second]
 }
 
-/// How far the modified surface lies under the plain one at a place, along the plain normal.
+/// Depth of the modified surface below the plain one at a point, along the plain normal.
 fn depth(modified: &dyn Surface, plain: &dyn Surface, u: f64, v: f64) -> f64 {
     let (modified, plain) = (modified.at(u, v), plain.at(u, v));
     (0..3).map(|axis| (plain.position[axis] - modified.position[axis]) * plain.normal[axis]).sum()
@@ -189,7 +190,8 @@ fn the_helix_slope_leans_both_flanks_one_way_and_lead_tables_both_inwards() {
         let at = |modified: &Arc<dyn Surface>, plain: &Arc<dyn Surface>, part: f64| {
             depth(modified.as_ref(), plain.as_ref(), u, part * FACE)
         };
-        // A right-handed helix turns counter-clockwise with z: the counter-clockwise flank stands out there.
+        // A right-hand helix rotates counter-clockwise with z: the counter-clockwise flank has
+        // excess material there.
         assert!((at(&first, &plain_first, 0.5) + 5.0 * UM).abs() < 1e-9);
         assert!((at(&second, &plain_second, 0.5) - 5.0 * UM).abs() < 1e-9);
         assert!((at(&first, &plain_first, -0.25) - 2.5 * UM).abs() < 1e-9);
@@ -223,7 +225,8 @@ fn topographies_are_met_at_their_places() {
                 let u = flank.s_at_roll(sense * roll);
                 for (column, &v) in places.iter().enumerate() {
                     let found = depth(modified.as_ref(), plain_surface.as_ref(), u, v);
-                    // The tip edge of the modified profile moves places near the tip by micrometres along the flank.
+                    // The tip edge of the modified profile shifts points near the tip by
+                    // micrometres along the flank.
                     assert!(
                         (found - depths[4 * row + column]).abs() < 5e-9,
                         "{index} {row} {column}: {found:e}"

@@ -1,5 +1,5 @@
-//! Every number of `data/gear_geometry.json`: closed-form geometry of an external, a shifted and an internal pair,
-//! computed independently of this code to twelve digits and more.
+//! All numbers of `data/gear_geometry.json`: closed-form geometry of an external, a shifted and an
+//! internal pair, computed independently of this code to at least twelve digits.
 
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::internal::{InternalGear, InternalGearData};
@@ -8,7 +8,7 @@ use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
 use serde_json::Value;
 
-/// Compares with a member of a JSON object and counts.
+/// Compares values with the members of a JSON object and counts them.
 struct Comparison<'a> {
     name: String,
     object: &'a Value,
@@ -116,7 +116,7 @@ fn all_pairs_agree_with_the_closed_forms() {
     let pair = &pairs["internal_20_60_m4"];
     let (pinion, count) = compare_external("internal g1", &pair["g1"]);
     let ring = &pair["g2"];
-    // The reference says nothing of root and cutter, which none of its numbers depends on.
+    // The reference does not specify root and cutter, and none of its numbers depends on them.
     let shaper = Shaper::new(20, 4.0, 20.0_f64.to_radians(), 5.0, 1.0).expect("a shaper");
     let gear = InternalGear::new(InternalGearData {
         teeth: 60,
@@ -136,7 +136,7 @@ fn all_pairs_agree_with_the_closed_forms() {
     }
     with.close("between_pins", gear.between_pins(number(ring, "pin"), 0.0));
     let mesh = MeshGeometry::internal(&pinion, &gear, number(&pair["mesh"], "C")).expect("a mesh");
-    // Two teeth of half the pitch each at the standard distance: no backlash.
+    // Two teeth with a thickness of half a pitch each at the standard distance: no backlash.
     assert!(mesh.backlash.abs() < 1e-12, "{}", mesh.backlash);
     compared += count + with.compared + compare_mesh("internal", &pair["mesh"], &mesh);
     assert_eq!(compared, 126, "every number was compared");

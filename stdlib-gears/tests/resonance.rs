@@ -1,8 +1,11 @@
-//! A damped spur pair swept slowly through its mesh resonance, up and down. Where teeth part, the mesh becomes softer the more it vibrates, so its
-//! vibration jumps up at another speed than it jumps down at. The reduced model of one degree of freedom says where: a spring of the mesh stiffness
-//! that pulls nothing, about the static transmission error, both from the quasi-static run of the same pair.
+//! Slow run-up and run-down of a damped spur pair through its mesh resonance. Tooth separation
+//! makes the mesh softer with increasing vibration, so the amplitude jumps up and down at different
+//! speeds. The reduced model with one degree of freedom predicts the speeds: a spring with the mesh
+//! stiffness that transmits no tension, about the static transmission error, both from the
+//! quasi-static run of the same pair.
 //!
-//! A sweep meets its jumps late, the later the faster it is; the reduced model is swept as the pair is.
+//! The jumps are delayed in proportion to the rate of the sweep, so the reduced model has the same
+//! sweep.
 
 use crate::common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 use calyx_runtime::analysis::AnalysisOptions;
@@ -16,29 +19,30 @@ use calyx_runtime::scene::Scene;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Of the driven gear, whose shaft follows the sweep.
+/// Number of teeth of the driven gear, whose shaft follows the sweep.
 const TEETH: f64 = 20.0;
-/// Steps of the pair's sweep in a mesh cycle, and cycles of a sweep.
+/// Steps of the pair's sweep per mesh cycle, and cycles of a sweep.
 const STEPS: usize = 40;
 const CYCLES: usize = 150;
-/// Steps of the reduced model in one of those.
+/// Steps of the reduced model per step of the pair.
 const FINER: usize = 16;
-/// Positions over a mesh cycle that the quasi-static run has.
+/// Positions of the quasi-static run over a mesh cycle.
 const POSITIONS: usize = 64;
-/// By the mean stiffness.
+/// Damping ratio for the mean stiffness.
 const DAMPING_RATIO: f64 = 0.075;
-/// Over so many cycles a jump is looked at.
+/// Number of cycles over which a jump is measured.
 const ACROSS: usize = 5;
-/// Cycles after which the start is forgotten.
+/// Number of cycles after which the initial transient has decayed.
 const SETTLED: usize = 15;
 
-/// A shaft through a point that speeds up steadily; `ratio` turns as fast as the first gear, whose teeth pass at `from` at first, rad/s.
+/// Shaft through a point with constant angular acceleration. `ratio` relates its speed to that of
+/// the first gear, whose initial tooth passing frequency is `from`, rad/s.
 #[derive(Clone, Copy)]
 struct Sweep {
     origin: [f64; 2],
     ratio: f64,
     from: f64,
-    /// rad/s²
+    /// Rate of the sweep, rad/s².
     rate: f64,
 }
 
@@ -49,7 +53,7 @@ impl Sweep {
         [(self.from + 0.5 * self.rate * time) * time, speed, self.rate].map(|part| part / TEETH)
     }
 
-    /// The frame turned by an angle, without the part that does not turn.
+    /// The rotation part of the frame for an angle, without the constant part.
     fn turned(&self, angle: f64) -> [f64; 12] {
         let ((sin, cos), [x, y]) = (angle.sin_cos(), self.origin);
         [cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 0.0, -(cos * x + sin * y), sin * x - cos * y, 0.0]
@@ -89,9 +93,9 @@ fn coarse_pair() -> Scene {
     scene
 }
 
-/// What statics says over a mesh cycle.
+/// Static results over a mesh cycle.
 struct Statics {
-    /// Turn of the loaded gear, rad, and stiffness against it, N m/rad.
+    /// Rotation of the loaded gear, rad, and torsional stiffness, N m/rad.
     rows: Vec<[f64; 2]>,
     inertia: f64,
 }
@@ -110,13 +114,13 @@ impl Statics {
         Statics { rows: (0..POSITIONS).map(row).collect(), inertia: scene.bodies[FIRST.0].inertia().polar() }
     }
 
-    /// On the mean stiffness, rad/s.
+    /// Natural frequency for the mean stiffness, rad/s.
     fn resonance(&self) -> f64 {
         let mean = self.rows.iter().map(|row| row[1]).sum::<f64>() / POSITIONS as f64;
         (mean / self.inertia).sqrt()
     }
 
-    /// After so many mesh cycles.
+    /// Values after a number of mesh cycles.
     fn at(&self, cycles: f64) -> [f64; 2] {
         let place = cycles.fract() * POSITIONS as f64;
         let (k, part) = (place.floor() as usize, place.fract());
@@ -125,7 +129,7 @@ impl Statics {
     }
 }
 
-/// Turns of the gear (rad) and moments of the teeth on it over their load, step by step.
+/// Rotation of the gear (rad) and ratio of the tooth moment to the load, step by step.
 type Course = Vec<[f64; 2]>;
 
 fn course_of_the_pair(from: f64, rate: f64, step: f64, damping: f64) -> Course {
@@ -167,7 +171,7 @@ fn course_of_the_reduced(statics: &Statics, from: f64, rate: f64, step: f64, dam
     let (mut turn, mut speed) = (statics.rows[0][0], 0.0);
     let mut course = vec![[turn, 1.0]];
     for k in 1..=STEPS * CYCLES * FINER {
-        // The frame speeds up, and so the gear lags.
+        // The acceleration of the frame makes the gear lag.
         let time = k as f64 * h;
         let resisted = moment(turn, time) + damping * inertia * speed;
         speed += h * ((TORQUE - resisted) / inertia - rate / TEETH);
@@ -179,20 +183,21 @@ fn course_of_the_reduced(statics: &Statics, from: f64, rate: f64, step: f64, dam
     course
 }
 
-/// A jump of the vibration.
+/// Jump of the vibration amplitude.
 #[derive(Debug)]
 struct Jump {
-    /// Of the teeth that pass, by the resonance.
+    /// Ratio of the tooth passing frequency to the resonance.
     at: f64,
-    /// Vibration after it by vibration before.
+    /// Ratio of the amplitudes after and before the jump.
     growth: f64,
-    /// The least moment of the teeth before and after.
+    /// Smallest moment of the teeth before and after.
     least: [f64; 2],
 }
 
-/// The largest one in a sense: +1 up, -1 down.
+/// The largest jump in a direction: +1 up, -1 down.
 fn jump(course: &[[f64; 2]], frequency: impl Fn(f64) -> f64, sense: f64) -> Jump {
-    // By cycles of the mean speed, of which no two have the same teeth at the same place; vibration hardly minds.
+    // In cycles of the mean speed. The phase of the teeth differs between cycles, which hardly
+    // affects the amplitude.
     let cycles: Vec<[f64; 2]> = course
         .chunks_exact(STEPS)
         .map(|cycle| {
@@ -219,13 +224,15 @@ fn jumps_are_where_the_reduced_model_has_them() {
         let pair = course_of_the_pair(from * resonance, rate, step, damping);
         let reduced = course_of_the_reduced(&statics, from * resonance, rate, step, damping);
         let [own, expected] = [&pair, &reduced].map(|course| jump(course, |k| from + k * (to - from), sense));
-        // What is left between both is that of contact stiffness by load, which the reduced model has not.
+        // The remaining difference is the load dependence of the contact stiffness, which the
+        // reduced model neglects.
         assert!((own.at / expected.at - 1.0).abs() < 0.02, "{own:?} {expected:?}");
         assert!((own.growth / expected.growth - 1.0).abs() < 0.15, "{own:?} {expected:?}");
         (own, pair)
     });
     let least = |course: &[[f64; 2]]| course.iter().map(|row| row[1]).fold(f64::INFINITY, f64::min);
-    // Up to the jump teeth keep together, beyond it they part, and stay with that on the way back, far below where they came to it.
+    // Below the jump the teeth stay in contact; above it they separate, and on the way back they
+    // continue to separate far below the speed of the first jump.
     let ((up, upwards), (down, _)) = (up, down);
     let kept = least(&upwards[SETTLED * STEPS..upwards.len() / 4]);
     assert!(kept > 0.05, "{kept}");

@@ -1,4 +1,4 @@
-//! Rims and how they are held: thin ones on free bores, and what their pairs' supports bear.
+//! Rims and their supports: thin rims on free bores, and the reactions of the supports of pairs.
 
 use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -24,7 +24,7 @@ const MODULE: f64 = 4e-3;
 const TEETH: u32 = 40;
 const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 1 };
 
-/// A gear on a rim below its spaces as thick as so many tooth heights (backup ratio).
+/// Gear on a rim whose thickness below the spaces is this number of tooth heights (backup ratio).
 fn gear(teeth: u32, backup: f64, hold: BoreSupport) -> Arc<GearPrototype> {
     let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
     let blank = GearBlank::standard(teeth, rack);
@@ -35,8 +35,9 @@ fn gear(teeth: u32, backup: f64, hold: BoreSupport) -> Arc<GearPrototype> {
     blank.face_width(5.0 * MODULE).rim(rim).cut().expect("a gear")
 }
 
-/// Stresses in the fillets as a tooth goes round, with a force high on the flank of another, in the plane: the largest tension, the largest
-/// compression, the largest range at any place.
+/// Fillet stresses over all positions of a tooth relative to a force high on the flank of another
+/// tooth, in two dimensions: the largest tension, the largest compression, and the largest range at
+/// any point.
 fn root_stresses(backup: f64, hold: BoreSupport, options: &StructureOptions) -> [f64; 3] {
     let gear = gear(TEETH, backup, hold);
     let structure = gear.build(options, &Interrupt::never()).expect("a structure");
@@ -56,9 +57,10 @@ fn root_stresses(backup: f64, hold: BoreSupport, options: &StructureOptions) -> 
     largest
 }
 
-/// As AGMA 2001 has it for its rim thickness factor: no effect on thick rims, and on thin ones what a tooth goes through grows the faster
-/// the thinner the rim is. Under the force a ring flattens, which presses its roots together: it is compression that grows there, tension
-/// grows where the ring is bent the other way. On a rigid bore nothing of this is so.
+/// The rim thickness factor of AGMA 2001: thick rims have no effect, and for thin rims the stress
+/// range of a tooth grows faster the thinner the rim is. A ring flattens under the force, which
+/// compresses the roots there: the compression grows under the force, and the tension where the
+/// ring bends the other way. On a rigid bore there is no such effect.
 #[test]
 fn root_stress_grows_as_a_free_rim_gets_thin() {
     let options = StructureOptions::default();
@@ -80,14 +82,14 @@ fn root_stress_grows_as_a_free_rim_gets_thin() {
     assert!(ranges[0] > 1.4 && (1.0..1.2).contains(&ranges[4]), "{ranges:?}");
     assert!(free[0][1] > 1.4, "compression grows: {free:?}");
     assert!(rigid.iter().all(|[_, _, range]| *range < 1.05), "{rigid:?}");
-    // A finer mesh says the same.
+    // A finer mesh agrees.
     let finer = StructureOptions { refinement: 2.0, ..options };
     let error = root_stresses(0.5, FREE, &finer)[2] / (ranges[0] * thick[2]) - 1.0;
     println!("the finer mesh: {error:.1e}");
     assert!(error.abs() < 0.02, "{error:.1e}");
 }
 
-/// The local compliance of a tooth on a thick rim does not know how the bore far below is held.
+/// The local compliance of a tooth on a thick rim does not depend on the support of the bore.
 #[test]
 fn a_thick_rim_hides_its_bore() {
     let options = StructureOptions::default();
@@ -95,7 +97,7 @@ fn a_thick_rim_hides_its_bore() {
     assert!((free / rigid - 1.0).abs() < 0.02, "{free:e}, {rigid:e}");
 }
 
-/// A pair of which the second gear stands on a thin rim, held so.
+/// A pair whose second gear has a thin rim with this support.
 fn pair(hold: BoreSupport) -> Scene {
     let mut scene = Scene::default();
     let gears = [gear(20, 1.0, BoreSupport::Rigid), gear(TEETH, 0.8, hold)];
@@ -112,7 +114,8 @@ fn pair(hold: BoreSupport) -> Scene {
     scene
 }
 
-/// Forces and moment that the support of the second gear of [`pair`] bears, its transmission error, its root compression.
+/// Reaction forces and moment of the support of the second gear of [`pair`], its transmission
+/// error, and its root compression.
 fn solved(hold: BoreSupport, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
     let coarse = StructureOptions {
         refinement: 0.5,
@@ -133,7 +136,7 @@ fn solved(hold: BoreSupport, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
         value(&SupportMoment(BodyId(1), 2)),
     ];
     if let BoreSupport::SplineTeeth(spline_teeth) = hold {
-        // About the gear's axis they bear what its support does.
+        // About the gear's axis the reaction equals that of its support.
         let radius = gear(TEETH, 0.8, hold).rim.fixed_radius;
         let around = |spline_tooth| value(&SplineToothLoad { body: BodyId(1), spline_tooth, radial: false });
         let torque = radius * (0..u32::from(spline_teeth.count)).map(around).sum::<f64>();
@@ -151,8 +154,8 @@ fn bear_the_same(fidelity: Fidelity, answers: &[([f64; 3], f64, f64)]) {
     }
 }
 
-/// What holds a bore in the mean bears the same force and moment as what holds it rigidly: all of the load. What a gear gives way by
-/// grows.
+/// A mean constraint of the bore has the same reactions as a rigid support: the whole load. The
+/// compliance of the gear increases.
 #[test]
 fn supports_bear_the_same_however_a_bore_is_held() {
     for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
@@ -172,8 +175,9 @@ fn splined(spline: &SplineSupport, backup: f64) -> BoreSupport {
     rigid.rim.splined(spline).expect("lugs").hold
 }
 
-/// Lugs bear all of the load, whatever their number has to do with that of the teeth, and more where they are fewer, softer, or hold the
-/// bore around alone.
+/// Spline teeth carry the whole load, whatever the ratio of their number to that of the gear teeth.
+/// The force of each is larger if there are fewer, if they are softer, or if they constrain the
+/// bore circumferentially only.
 #[test]
 fn spline_teeth_of_a_spline_bear_the_load() {
     let seven = SplineSupport::new(7);
@@ -195,7 +199,7 @@ fn spline_teeth_of_a_spline_bear_the_load() {
     }
 }
 
-/// As many waves around as a gear is granted are resolved by its coarsest mesh.
+/// The coarsest mesh of a gear resolves all harmonics that the gear permits.
 #[test]
 fn the_coarsest_mesh_resolves_the_spline_teeth_that_a_gear_may_have() {
     let coarse = StructureOptions {
@@ -220,7 +224,8 @@ fn the_coarsest_mesh_resolves_the_spline_teeth_that_a_gear_may_have() {
     assert!(format!("{refused:?}").contains("E0656"), "{refused:?}");
 }
 
-/// Structures that are held differently are different ones, and a web hides its bore from a plane model.
+/// Structures with different supports have different keys, and a web separates the plane model from
+/// its bore.
 #[test]
 fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
     let options = StructureOptions::default();
@@ -243,7 +248,7 @@ fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
     assert!(spline_teeth != free && spline_teeth != turned && turned == mean);
     assert!(rigid != free && free != third && rigid != third);
     assert!(third == fourth, "there is nothing along the axis in the plane");
-    // Contact alone knows by how much lugs stand off, and how they yield.
+    // Only the contact problem uses the clearance and the stiffness of the spline teeth.
     let with_clearance = [(50e-6, None), (80e-6, Some(1e9))].map(|(clearance, stiffness)| {
         gear(TEETH, 1.0, splined(&SplineSupport { clearance, stiffness, ..SplineSupport::new(9) }, 1.0))
             .key(&options)

@@ -1,5 +1,5 @@
-//! Sector meshes over the whole range of teeth: sound elements (the builder refuses folds), conforming cuts, chains
-//! on the true profiles, and the right area.
+//! Sector meshes over the whole range of tooth shapes: valid elements (the builder rejects folds),
+//! conforming cuts, chains on the exact profiles, and the correct area.
 
 use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
@@ -16,7 +16,7 @@ fn flanks(gear: &ExternalGear) -> [Arc<Flank>; 2] {
         .map(|side| Arc::new(Flank::new(gear, &[], side).expect("a flank")))
 }
 
-/// The smallest Jacobian determinant of an element against its mean, over all elements.
+/// Smallest ratio of an element's least Jacobian determinant to its mean, over all elements.
 fn worst_distortion(mesh: &PlaneMesh) -> f64 {
     let places = [-1.0, -0.6, 0.0, 0.6, 1.0];
     let mut worst = 1.0_f64;
@@ -34,7 +34,7 @@ fn worst_distortion(mesh: &PlaneMesh) -> f64 {
     worst
 }
 
-/// A gear's mesh with its own tip edge and with a nearly sharp one.
+/// Checks a gear's mesh with its own tip edge and with a nearly sharp one.
 fn check(name: &str, gear: &ExternalGear, rim: f64, refinement: &Refinement) {
     let bore = gear.root_radius - rim;
     let sharp = gear.tip_edge_radius.min(5e-3 * gear.rack.module);
@@ -51,7 +51,7 @@ fn check(name: &str, gear: &ExternalGear, rim: f64, refinement: &Refinement) {
         let mesh = sector_mesh(&gear.clone().into(), flanks(&edged), bore, refinement)
             .unwrap_or_else(|error| panic!("{name}, rim {} modules: {error}", rim / gear.rack.module));
         let worst = worst_distortion(&mesh);
-        // Every element keeps a good part of its mean area everywhere.
+        // The Jacobian determinant of every element stays above a good part of its mean.
         assert!(worst > 0.2, "{name}, rim {} modules: distortion {worst}", rim / gear.rack.module);
     }
 }
@@ -166,7 +166,8 @@ fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
                 let exact = profile.at(s);
                 let gap =
                     (point.position[0] - exact.position[0]).hypot(point.position[1] - exact.position[1]);
-                // Cubic interpolation of a curved edge; worst beside the base circle, where the involute has a cusp.
+                // Cubic interpolation of a curved edge; the error is largest near the base circle,
+                // where the involute has a cusp.
                 assert!(gap < 1e-4 * gear.rack.module, "{name} at {s}: {gap}");
                 let cosine = (0..2).map(|axis| point.normal[axis] * exact.normal[axis]).sum::<f64>();
                 assert!(cosine > 0.9999, "{name} at {s}: the normal points elsewhere, {cosine}");

@@ -1,5 +1,6 @@
-//! With Poisson's ratio 0 a load that is uniform along the face of a spur gear makes no stress across it: tooth compliance and root
-//! stress in space are those of the plane, edges of the face included.
+//! With Poisson's ratio 0 a load that is uniform along the face of a spur gear causes no transverse
+//! stress: tooth compliance and root stress in three dimensions equal those of the plane model,
+//! including the ends of the face.
 
 use crate::common::INCH;
 use calyx_gears::blank::{GearBlank, Rim};
@@ -16,7 +17,7 @@ use std::sync::Arc;
 
 const WIDTH: f64 = INCH;
 
-/// The chapter 5 pinion of a material that does not bulge.
+/// The chapter 5 pinion with Poisson's ratio 0.
 fn pinion() -> Arc<GearPrototype> {
     let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), 0.02 * INCH).expect("a rack");
     GearBlank::standard(20, rack)
@@ -28,7 +29,7 @@ fn pinion() -> Arc<GearPrototype> {
         .expect("a gear")
 }
 
-/// Displacement at a line along the face by a unit of line load along another one, m/(N/m).
+/// Displacement at a line along the face by a unit line load along another one, m/(N/m).
 fn in_the_plane(structure: &dyn Structure, observe: (Chart, f64), load: (Chart, f64)) -> f64 {
     let mut value = [0.0];
     structure.add_compliance(observe.0, &[observe.1], load.0, &[load.1], &mut value);
@@ -39,7 +40,8 @@ fn in_the_plane(structure: &dyn Structure, observe: (Chart, f64), load: (Chart, 
     value[0]
 }
 
-/// Its mean over the face in space: the half-space's part with its images in both faces in closed form.
+/// Its mean over the face in three dimensions, with the half-space's part and its image loads at
+/// both side faces in closed form.
 fn in_space(structure: &dyn SolidStructure, observe: (Chart, f64), load: (Chart, f64)) -> f64 {
     let rule = gauss_legendre(16);
     let along =
@@ -74,14 +76,14 @@ fn line_loads_meet_the_plane() {
     let solid = gear.build_solid(&options, &Interrupt::never()).expect("a structure in space");
     let length = flat.profile(0).edge_from().expect("a gear has a tip edge");
     let chart = |surface| Chart { tooth: 3, surface };
-    // The last one lies beyond what the elements at the tip let a sample stand on.
+    // The last position is beyond the range that the elements at the tip permit for a sample.
     let places = [0.15, 0.3, 0.32, 0.5, 0.7, 0.72, 0.85, 0.93];
     for observed in places {
         for loaded in places {
             let tolerance = if f64::max(observed, loaded) > 0.9 { 1e-2 } else { 1e-3 };
             let [observe, load] = [observed, loaded].map(|share| (chart(0), share * length));
             for load in [load, (chart(1), load.1)] {
-                // A line gives way to itself without limit.
+                // The displacement of a line load at itself is unbounded.
                 if observe == load {
                     continue;
                 }
@@ -96,7 +98,8 @@ fn line_loads_meet_the_plane() {
         }
     }
 
-    // Root stress is the same all along the face, and the plane's but for the mesh.
+    // Root stress is uniform along the face and equals that of the plane model, except for mesh
+    // errors.
     for share in [0.4, 0.7, 0.9] {
         let s = share * length;
         let load = SurfaceLoad { chart: chart(0), s, force: 1.0 / WIDTH };

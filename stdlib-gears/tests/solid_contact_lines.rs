@@ -1,4 +1,5 @@
-//! True flanks in contact in space, with tip edges: from before a pair of teeth enters to after it has left.
+//! Contact lines of exact flanks with tip edges in three dimensions: from before a tooth pair
+//! enters contact to after it has left.
 
 use crate::common::pair::{PLAIN, PairOptions, pair};
 use crate::common::{INCH, chapter_5};
@@ -28,14 +29,15 @@ fn surface(gear: &ExternalGear, relief: &[Modification], twist: f64, crown: f64)
     )
 }
 
-/// The flanks of the entering pair of teeth of the chapter 5 pair, and their poses at parts of the mesh cycle.
+/// Flanks of the entering tooth pair of the chapter 5 pair, and their poses at fractions of the
+/// mesh cycle.
 struct EnteringPair {
     flanks: [GearSurface; 2],
     mesh: GearMesh,
     poses: Box<dyn Fn(f64) -> [Pose; 2]>,
 }
 
-/// `twist` of the first gear, rad/m: the second turns the other way.
+/// `twist` of the first gear, rad/m; that of the second gear is opposite.
 fn meeting(twist: f64, relief: f64, crown: f64) -> EnteringPair {
     let (scene, mesh) = pair(&PairOptions::chapter_5(&PLAIN));
     let modifications: Vec<Modification> = (relief > 0.0)
@@ -63,7 +65,7 @@ impl EnteringPair {
         [0, 1].map(|side: usize| PlacedSurface { surface: &self.flanks[side], pose: poses[side] })
     }
 
-    /// Contact ratio: at that part of the cycle the pair leaves, were it spur.
+    /// Fraction of the cycle at which the pair would leave contact as a spur pair (contact ratio).
     fn leaves(&self) -> f64 {
         (self.mesh.path[1] - self.mesh.path[0]) / (self.mesh.roll[1] - self.mesh.roll[0]).abs()
     }
@@ -90,7 +92,7 @@ fn spur_flanks_touch_along_their_face_from_entering_to_leaving() {
         let [first, second] = meeting.placed(cycle);
         let contact_line =
             find_contact_line(first, second, true).unwrap_or_else(|| panic!("no ridge at {cycle}"));
-        // Near its ends the path runs onto a rounded tip edge.
+        // Near its ends the path extends onto a rounded tip edge.
         let margin = 0.02;
         if (margin..=last - margin).contains(&cycle) {
             assert!(contact_line.gap.abs() < 1e-12, "{cycle}: {:e}", contact_line.gap);
@@ -99,7 +101,7 @@ fn spur_flanks_touch_along_their_face_from_entering_to_leaving() {
         }
         let [low, high] = contact_line.extent();
         assert!(((high - low) / FACE - 1.0).abs() < 1e-9, "{cycle}: {}", high - low);
-        // All along the face the gap is the same.
+        // The gap is uniform along the face.
         let gaps = || contact_line.points.iter().map(|point| point.gap);
         let spread = gaps().fold(0.0f64, f64::max) - gaps().fold(f64::INFINITY, f64::min);
         assert!(spread < 1e-12, "{cycle}: {spread:e}");
@@ -115,7 +117,8 @@ fn helical_flanks_enter_at_one_face_and_leave_at_the_other() {
     for (twist, relief, crown) in [(7.0, 0.0, 0.0), (-14.0, 0.0, 0.0), (7.0, 1e-5, 8e-6)] {
         let meeting = meeting(twist, relief, crown);
         let exact = relief == 0.0 && crown == 0.0;
-        // A face turned by twist times its width enters that much earlier and leaves that much later.
+        // With a twist, a tooth enters earlier and leaves later by the angle of twist times face
+        // width.
         let overlap = twist.abs() * FACE * 20.0 / TAU;
         let (from, to) = (-0.5 * overlap, meeting.leaves() + 0.5 * overlap);
         let mut touched = Vec::new();
@@ -143,7 +146,7 @@ fn helical_flanks_enter_at_one_face_and_leave_at_the_other() {
                 assert!(least < contact_line.gap + 2e-6, "{twist} {cycle}: {least:e} {:e}", contact_line.gap);
             }
         }
-        // The middle of the line wanders from face to face.
+        // The middle of the contact line moves from one side face to the other.
         let (first, last) = (touched[0], touched[touched.len() - 1]);
         assert!(first * last < 0.0 && (first - last).abs() > 0.5 * FACE, "{twist}: {first} {last}");
     }

@@ -1,4 +1,5 @@
-//! Meshes in space: sections swept along the helix have conforming cuts and lie on the flanks that contact sees.
+//! Three-dimensional meshes: sections swept along the helix have conforming cuts and lie on the
+//! contact surfaces of the flanks.
 
 use crate::common::INCH;
 use calyx_gears::blank::{GearBlank, Rim};
@@ -13,7 +14,7 @@ use calyx_runtime::surface::Surface;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// The chapter 5 pinion, its section along a helix.
+/// The chapter 5 pinion with its section along a helix.
 fn pinion(helix: f64, hand: Hand) -> Arc<GearPrototype> {
     let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), 0.02 * INCH).expect("a rack");
     GearBlank {
@@ -27,7 +28,7 @@ fn pinion(helix: f64, hand: Hand) -> Arc<GearPrototype> {
     .expect("a gear")
 }
 
-/// A ring of 60 teeth, its section along a helix.
+/// Internal gear of 60 teeth with its section along a helix.
 fn ring(helix: f64, hand: Hand) -> Arc<GearPrototype> {
     let module = 0.1 * INCH;
     let shaper = Shaper::new(25, module, 20.0_f64.to_radians(), 1.25 * module, 0.2 * module);
@@ -109,7 +110,7 @@ fn kept_structures_are_told_apart_by_all_that_they_depend_on_and_by_nothing_else
     let options = StructureOptions::default();
     let key = |helix: f64, hand: Hand, options: &StructureOptions| pinion(helix, hand).solid_key(options);
     let plain = key(0.0, Hand::Right, &options);
-    // Straight teeth have no hand.
+    // Spur teeth have no hand.
     assert_eq!(plain, key(0.0, Hand::Left, &options));
     let fewer = StructureOptions { face_elements: Some(3), ..options };
     let finer = StructureOptions { template: Template::Finest, ..options };

@@ -1,5 +1,5 @@
-//! Sections of the solid templates, alone in the plane: how far root stress and compliance of a tooth are off the limit, how many
-//! elements they take, and that every gear is meshed by them.
+//! Sections of the solid templates as plane models: errors of root stress and compliance of a
+//! tooth, number of elements, and applicability to all gears.
 
 use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
@@ -27,8 +27,9 @@ fn mesh_of(gear: &ExternalGear, bore_radius: f64, refinement: &Refinement) -> Pl
     sector_mesh(&gear.clone().into(), flanks(gear), bore_radius, refinement).expect("a mesh")
 }
 
-/// What a section says of loads in the middle and high on a flank: the largest root stresses in tension and in compression, and
-/// compliances without the half-plane's part at the ends of the flank.
+/// Results of a section for loads in the middle and high on a flank: the largest root stresses in
+/// tension and in compression, and compliances without the half-plane's part at the ends of the
+/// flank.
 fn answers(gear: &ExternalGear, mesh: PlaneMesh) -> ([f64; 4], [f64; 3]) {
     let flanks = flanks(gear);
     let model = PlaneModel::new(mesh, Material::STEEL, Plane::Strain);
@@ -79,7 +80,7 @@ fn root_stresses_are_as_near_to_their_limit_as_templates_say() {
         [("pinion", chapter_5(20), 0.6), ("wheel", chapter_5(40), 1.2), ("sharp fillet", sharp, 0.6)]
     {
         let (stresses, compliances) = answers(&gear, mesh_of(&gear, bore * INCH, &limit));
-        // What is left of the stated error is for the elements along the face.
+        // The rest of the stated error is reserved for the elements along the face.
         for (template, stress, compliance) in [
             (Template::Medium, 0.02, 0.025),
             (Template::FineRoot, 0.007, 0.01),

@@ -1,4 +1,5 @@
-//! A tolerance chooses among the levels of a pair of gears: a loose one takes a cheap level, a tight one a dear one, and both keep to it.
+//! Tolerance search among the fidelity levels of a pair of gears: a loose tolerance selects a cheap
+//! level, a tight one an expensive level, and both meet their tolerance.
 
 use crate::chapter_5_in_space::pair::{PLAIN, Pair};
 use crate::common::resources;
@@ -7,7 +8,8 @@ use calyx_runtime::results::AnalysisResult;
 use calyx_runtime::scene::Fidelity;
 use calyx_runtime::tolerance::quasi_static_within;
 
-/// Transmission error and root stress at few positions, to a tolerance from the cheapest level up, or at a level as it is.
+/// Transmission error and root stress at few positions, with a tolerance search from the cheapest
+/// level up, or at a given level.
 fn analyse(pair: &Pair, tolerance: Option<f64>, fidelity: &str, steps: usize) -> AnalysisResult {
     let (scene, cycle, outputs) = pair.scene();
     let outputs = outputs.into_iter().filter(|output| ["te", "pinion"].contains(&output.name.as_str()));
@@ -25,8 +27,9 @@ fn analyse(pair: &Pair, tolerance: Option<f64>, fidelity: &str, steps: usize) ->
     result.expect("it can be had")
 }
 
-/// Closed forms are judged by finite elements, and these in the plane by those in space. Whatever is taken keeps to the tolerance against the whole
-/// cycle at a level that sees more than closed forms and sections do.
+/// Closed forms are compared with plane finite elements, and these with three-dimensional ones. The
+/// selected level meets the tolerance relative to the whole cycle at a higher level than closed
+/// forms and sections.
 #[test]
 fn a_loose_tolerance_takes_closed_forms_and_a_tight_one_elements() {
     let exact = analyse(&PLAIN, None, "medium", 8);

@@ -1,4 +1,4 @@
-//! What the meshes are for: compliance of a tooth and stress in its fillet, converging under refinement.
+//! Compliance of a tooth and stress in its fillet converge under mesh refinement.
 
 use crate::common::{INCH, chapter_5};
 use calyx_gears::fillet::Side;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 const PSI: f64 = 6894.757293168361;
 
-/// A member of the report's chapter 5 pair with its bore held.
+/// Member of the report's chapter 5 pair with a rigid bore.
 struct Member {
     flank: Arc<Flank>,
     structure: ElasticStructure,
@@ -51,7 +51,8 @@ impl Member {
         Self { flank, structure: structure.expect("a structure") }
     }
 
-    /// Compliance between two points of a flank: low-low, low-high, high-high, without the half-plane's part.
+    /// Compliance between two points of a flank: low-low, low-high, high-high, without the
+    /// half-plane's part.
     fn compliance(&self, rolls: [f64; 2]) -> [f64; 3] {
         let chart = Chart { tooth: 0, surface: 0 };
         let s = rolls.map(|degrees| self.flank.s_at_roll(degrees.to_radians()));
@@ -60,7 +61,7 @@ impl Member {
         [block[0], block[1], block[3]]
     }
 
-    /// Largest stress in the fillet under the whole load at a roll angle, psi.
+    /// Largest fillet stress under the whole load at a roll angle, psi.
     fn fillet_stress(&self, roll: f64) -> f64 {
         // The torque over the pinion's base radius, on a face of one inch.
         let force = 1064.178 * 4.4482216152605 / INCH;
@@ -88,8 +89,9 @@ fn compliance_and_fillet_stress_converge() {
 
 #[test]
 fn fillet_stress_agrees_with_a_general_finite_element_program() {
-    // Reference values of the chapter 5 pair without modifications, plane strain, one pair carrying the whole load:
-    // roll of the pinion in degrees, stress in psi in the pinion's and in the gear's fillet.
+    // Reference values of the chapter 5 pair without modifications, plane strain, one tooth pair
+    // carrying the whole load: roll angle of the pinion in degrees, stress in psi in the pinion's
+    // and in the gear's fillet.
     let rows = [(20.854, 30762.0, 27588.0), (24.3, 32968.0, 25789.0)];
     let pinion = Member::new(20, 0.6, &Refinement::MEDIUM);
     let gear = Member::new(40, 1.2, &Refinement::MEDIUM);

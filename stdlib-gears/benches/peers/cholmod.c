@@ -1,6 +1,7 @@
-/* Seconds that CHOLMOD takes to order and to decompose a symmetric matrix, and the entries of its factor. A peer for the benchmark
-   of factorisation, no part of the program. The file given holds, eight bytes each in the machine's own order: the size, the number
-   of entries, the starts of the columns, the rows and the values of the lower triangle. */
+/* Prints the seconds that CHOLMOD takes to order and to factorize a symmetric matrix, and the number
+   of entries of its factor. It is a reference for the factorization benchmark and not part of the
+   program. The input file contains, with eight bytes each in native byte order: the size, the number
+   of entries, the column starts, the rows and the values of the lower triangle. */
 #include <cholmod.h>
 #include <stdio.h>
 #include <time.h>

@@ -1,4 +1,5 @@
-//! The published case, and what the structure of the model implies.
+//! The published case of Lin and Parker (1999), and properties implied by the symmetry of the
+//! model.
 
 use super::*;
 use serde_json::Value;
@@ -8,7 +9,8 @@ fn published() -> Value {
     serde_json::from_str(text).expect("published frequencies")
 }
 
-/// The published gear set. Torsional springs along base circles are `ring_torsion`, N/m, of the ring.
+/// The published gear set. `ring_torsion` is the torsional stiffness of the ring as a spring along
+/// its base circle, N/m.
 fn gear_set(planets: usize, ring_torsion: f64) -> LumpedPlanetary {
     let published = published();
     let number = |value: &Value| value.as_f64().expect("a number");
@@ -105,8 +107,9 @@ fn modes_are_orthogonal_and_share_out_their_energy() {
     }
 }
 
-/// Equations of motion from another side: a spring's energy by its two ends' velocities along the line of action, the planets' motions in
-/// ground axes. Rayleigh's quotient of every mode is the square of its frequency.
+/// An independent derivation of the equations of motion: the energy of a spring follows from the
+/// velocities of its two ends along the line of action, with planet motions in ground axes.
+/// Rayleigh's quotient of every mode is the square of its frequency.
 #[test]
 fn strain_energy_in_ground_axes_gives_the_same_frequencies() {
     let mut set = gear_set(4, 0.0);
@@ -134,7 +137,8 @@ fn strain_energy_in_ground_axes_gives_the_same_frequencies() {
             for (of, central, mesh, way) in
                 [(set.sun, sun, set.sun_mesh, -1.0), (set.ring, ring, set.ring_mesh, 1.0)]
             {
-                // Where the line of action touches the base circles: of external gears on either side of the axes' line, of internal ones on one.
+                // Tangent points of the line of action on the base circles: on opposite sides of
+                // the line of centres for external gears, on the same side for internal gears.
                 let across = angle + way * mesh.pressure_angle;
                 let line = [-across.sin(), across.cos()];
                 let along = |velocity: [f64; 2]| velocity[0] * line[0] + velocity[1] * line[1];

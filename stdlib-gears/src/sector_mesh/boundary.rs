@@ -8,8 +8,8 @@ use calyx_runtime::profile::{Profile, ProfilePoint};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// The boundary of a half tooth by one coordinate `p` that grows from the root centre to the middle of the tip edge's
-/// arc, and the inner side of the strip along it.
+/// Boundary of a half tooth with one coordinate `p` that increases from the root centre to the
+/// middle of the tip edge's arc, and the inner side of the strip along it.
 #[derive(Clone)]
 pub(super) struct Boundary {
     pub fillet: RootFillet,
@@ -20,13 +20,15 @@ pub(super) struct Boundary {
     pub form: f64,
     /// `p` at which the tip edge's arc begins.
     pub edge: f64,
-    /// Thickness of the strip and direction into the material, between whose values it is interpolated linearly.
+    /// Thickness of the strip and direction into the material at points between which both are
+    /// interpolated linearly.
     pub anchors: Vec<Anchor>,
-    /// Where the strip begins to make room for the tip's, and by how much it does at the end, m.
+    /// `p` at which the strip begins to make room for the tip's strip, and the depth of that room
+    /// at the end, m.
     pub tip_start: f64,
     pub tip_end: f64,
     pub tip_depth: f64,
-    /// +1, or -1 of an internal gear, whose material lies outside.
+    /// +1, or -1 for an internal gear, whose material lies outside.
     pub sense: f64,
 }
 
@@ -39,19 +41,19 @@ pub(super) struct Anchor {
 }
 
 impl Boundary {
-    /// The true boundary.
+    /// Exact boundary.
     pub fn outer(&self, p: f64) -> ProfilePoint {
         if p < self.form { self.fillet.at(self.form - p) } else { self.flank_at(p - self.form) }
     }
 
-    /// The flank on the counter-clockwise side, whichever it is.
+    /// Flank mapped to the counter-clockwise side.
     pub fn flank_at(&self, s: f64) -> ProfilePoint {
         self.flank.side().place(self.flank.at(s))
     }
 
     pub fn inner(&self, p: f64) -> [f64; 2] {
-        // Inside the tip edge's arc the strip goes on along the flank: following the arc would leave the core of a
-        // thin tip no corner.
+        // Below the tip edge's arc the strip continues along the flank: if it followed the arc, the
+        // core of a thin tip would have no corner.
         let beyond = (p - self.edge).max(0.0);
         let start = self.outer(p.min(self.edge));
         let [x, y] = [0, 1].map(|axis| start.position[axis] + 0.7 * beyond * start.tangent[axis]);
@@ -69,7 +71,8 @@ impl Boundary {
     /// Chooses thickness and direction of the strip.
     pub fn place_strip(&mut self, module: f64, rim: f64) {
         let (fillet_from, form, edge) = (self.fillet_from, self.form, self.edge);
-        // On an internal gear normals turn from the flank's to the one that points at the axis.
+        // On an internal gear the direction rotates from the flank's normal to the one that points
+        // at the axis.
         let internal = self.sense < 0.0;
         let angle_of = |[x, y]: [f64; 2]| {
             let angle = math::atan2(y, x);
@@ -106,7 +109,8 @@ impl Boundary {
         }
         self.anchors = anchors;
         self.tip_depth = tip_depth.min(0.06 * (edge - form));
-        // Gently, as the flank of a small gear leans far over at its tip.
+        // The transition is gradual because the flank of a small gear is strongly inclined at its
+        // tip.
         self.tip_start = self.tip_end - 8.0 * self.tip_depth;
     }
 }

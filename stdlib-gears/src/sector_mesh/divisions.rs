@@ -1,4 +1,4 @@
-//! Dividing lengths into elements of wished sizes.
+//! Division of lengths into elements of target sizes.
 
 use crate::root_finding::solve_bracketed;
 
@@ -6,7 +6,7 @@ pub(super) fn ends(at: &[f64]) -> (f64, f64) {
     (at[0], at[at.len() - 1])
 }
 
-/// From 0 at the first value to 1 at the last, both exactly.
+/// Maps values linearly to the range from 0 at the first to 1 at the last, both exact.
 pub(super) fn normalised(at: &[f64]) -> Vec<f64> {
     let (from, to) = ends(at);
     let mut divisions: Vec<f64> = at.iter().map(|value| (value - from) / (to - from)).collect();
@@ -14,7 +14,7 @@ pub(super) fn normalised(at: &[f64]) -> Vec<f64> {
     divisions
 }
 
-/// Divides `from ..= to` so that elements have about the wished sizes, by the integral of 1 / size.
+/// Divides `from ..= to` into elements of about the target sizes, using the integral of 1 / size.
 pub(super) fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
     const SAMPLES: usize = 200;
     let step = (to - from) / SAMPLES as f64;
@@ -24,7 +24,7 @@ pub(super) fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f6
         count += step / size(from + (sample as f64 + 0.5) * step);
         counts.push(count);
     }
-    // Rounding keeps an exactly divided length from getting one element more.
+    // The small margin prevents an additional element for a length that divides evenly.
     let elements = (count - 1e-6).ceil().max(1.0) as usize;
     let mut at = vec![from];
     for element in 1..elements {
@@ -37,7 +37,8 @@ pub(super) fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f6
     at
 }
 
-/// The ratio of successive lengths of `count` parts of a whole whose smallest is `smallest`, at most 1 / `count`.
+/// Ratio of successive lengths of `count` parts of a whole whose smallest part is `smallest`, at
+/// most 1 / `count`.
 pub(super) fn growth(count: usize, smallest: f64) -> f64 {
     if count < 2 {
         return 1.0;
@@ -46,7 +47,7 @@ pub(super) fn growth(count: usize, smallest: f64) -> f64 {
     solve_bracketed(excess, 1.0, 1.0 + 1.0 / smallest)
 }
 
-/// The value at `u` of 0 ..= 1 of the function that takes given values at equal distances, linear between them.
+/// Piecewise linear function through values at equal distances, evaluated at `u` in 0 ..= 1.
 pub(super) fn piecewise_linear(values: &[f64], u: f64) -> f64 {
     let last = values.len() - 1;
     let place = u * last as f64;

@@ -1,9 +1,10 @@
-//! The pair far from where it was published: every case is in equilibrium to rounding, and goes where mechanics says.
+//! The pair far from its published parameters: every case is in equilibrium to rounding and follows
+//! the expected trends of mechanics.
 
 use super::pair::{AT_HIGHEST, CHAPTER_5, PLAIN, Pair, Values};
 use calyx_runtime::scene::StructureOptions;
 
-/// Just before the next pair enters, on the coarsest template.
+/// Solves the position just before the next pair enters, on the coarsest template.
 fn solve(pair: Pair, elements: usize, order: usize) -> Values {
     let options = StructureOptions {
         face_elements: Some(elements),
@@ -23,7 +24,8 @@ fn solve(pair: Pair, elements: usize, order: usize) -> Values {
     values
 }
 
-/// Transmission error grows less than torque, for contact spreads; stress in roots the more so where crowns press flat.
+/// The transmission error grows less than the torque, because the contact spreads; root stress even
+/// less where crowns are flattened.
 #[test]
 fn from_one_to_five_thousand() {
     let torques = [1.0, 10.0, 100.0, 1000.0, 5000.0];
@@ -36,7 +38,7 @@ fn from_one_to_five_thousand() {
         assert!(falls(by_torque(|v| v.contact_pressure)), "{torque:?}: {pair:?}");
         assert!(pair[0].mesh_stiffness < pair[1].mesh_stiffness, "{torque:?}: {pair:?}");
     }
-    // Without crown and relief pressure goes by the root of the load.
+    // Without crown and relief the pressure is proportional to the square root of the load.
     let plain = [10.0, 1000.0].map(|torque| solve(Pair { torque, ..PLAIN }, 2, 3).contact_pressure);
     assert!((plain[1] / plain[0] / 10.0 - 1.0).abs() < 0.01, "{plain:?}");
 }
@@ -48,12 +50,13 @@ fn deep_modifications_carry_on_less_of_the_flanks() {
     assert!(crowned.contact_pressure > 1.5 * usual.contact_pressure, "{crowned:?}");
     assert!(crowned.mesh_stiffness < usual.mesh_stiffness, "{crowned:?}");
     assert!(crowned.root_stress[0] > usual.root_stress[0], "{crowned:?}");
-    // At this position contact is below where the relief begins.
+    // At this position contact is below the start of the relief.
     let relieved = solve(Pair { relief: 0.004, ..CHAPTER_5 }, 2, 3);
     assert!((relieved.root_stress[0] / usual.root_stress[0] - 1.0).abs() < 0.02, "{relieved:?}");
 }
 
-/// What is as wide as a disc or as a shaft: force by width stays what it was, and so does the plane's part of the answer.
+/// Faces as narrow as a disc or as wide as a shaft: at the same line load the plane part of the
+/// result is unchanged.
 #[test]
 fn narrow_and_wide_faces() {
     let at = |face_width: f64, elements, order| {
@@ -62,7 +65,7 @@ fn narrow_and_wide_faces() {
     let [narrow, usual, wide] = [at(0.05, 1, 2), at(1.0, 2, 3), at(6.0, 2, 5)];
     for values in [narrow, wide] {
         let change = values.transmission_error / usual.transmission_error - 1.0;
-        // Between plane stress and plane strain there are nine hundredths.
+        // Plane stress and plane strain differ by nine percent.
         assert!(change.abs() < 0.12, "{change}: {values:?}");
         let change = values.root_stress[0] / usual.root_stress[0] - 1.0;
         assert!(change.abs() < 0.06, "{change}: {values:?}");
@@ -74,7 +77,7 @@ fn narrow_and_wide_faces() {
 fn rims_from_thin_to_solid() {
     let errors = [[1.39, 3.39], [1.20, 2.40], [0.3, 0.4]]
         .map(|bores| solve(Pair { bores, ..PLAIN }, 1, 3).transmission_error);
-    // A bore that keeps its shape holds the more the nearer it is to the teeth.
+    // A rigid bore adds the more stiffness the nearer it is to the teeth.
     assert!(errors.is_sorted(), "{errors:?}");
 }
 
@@ -83,11 +86,12 @@ fn contraction_from_none_to_nearly_all() {
     let ratios = [0.0, 0.3, 0.49];
     let errors =
         ratios.map(|poissons_ratio| solve(Pair { poissons_ratio, ..PLAIN }, 1, 3).transmission_error);
-    // Bending in plane strain goes by 1 - nu^2, which falls by 9 and 16 %; ends are free, and shear goes by 1 + nu.
+    // Bending in plane strain is proportional to 1 - nu^2, which falls by 9 and 16 %; the ends are
+    // free, and shear is proportional to 1 + nu.
     assert!(errors.windows(2).all(|pair| (pair[1] / pair[0] - 1.0).abs() < 0.16), "{errors:?}");
 }
 
-/// The second one is all round: its tooth has no tip land.
+/// The tip of the second tool is fully rounded: its tooth has no tip land.
 #[test]
 fn sharp_and_round_tools() {
     for tip_radius in [0.004, 0.0497] {

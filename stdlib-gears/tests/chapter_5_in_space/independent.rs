@@ -1,4 +1,5 @@
-//! Against independent finite-element models in space, and against the plane where both see the same.
+//! The pair compared with independent three-dimensional finite-element models, and with the plane
+//! model where both are equivalent.
 
 use super::pair::{AT_HIGHEST, AT_LOWEST, CHAPTER_5, PLAIN, Pair, Values, reference};
 use calyx_runtime::scene::StructureOptions;
@@ -36,7 +37,8 @@ fn crowned_flanks_press_as_independent_models_say() {
     near("pressure", values[0].contact_pressure, expected, 0.02);
 }
 
-/// Without transverse contraction nothing bulges at the side faces, and every section of an unmodified spur pair is in plane strain.
+/// With Poisson's ratio zero nothing bulges at the side faces, and every section of an unmodified
+/// spur pair is in plane strain.
 #[test]
 fn without_transverse_contraction_a_spur_pair_in_space_is_the_plane_one() {
     let pair = Pair { poissons_ratio: 0.0, ..PLAIN };
@@ -46,10 +48,10 @@ fn without_transverse_contraction_a_spur_pair_in_space_is_the_plane_one() {
     let largest =
         |values: &[Values], member: usize| values.iter().map(|v| v.root_stress[member]).fold(0.0, f64::max);
     for (member, name) in ["pinion", "gear"].into_iter().enumerate() {
-        // Meshes differ: each is within 0.3 % of its limit.
+        // The meshes differ: each is within 0.3 % of its limit.
         near(name, largest(&space, member), largest(&plane, member), 0.005);
     }
-    // A bearing gives by force over stiffness in both.
+    // The displacement of a bearing is force over stiffness in both models.
     let sprung = Pair { bearing: Some(2e8), ..pair };
     let [plane_sprung, space_sprung] =
         ["plane", "fineroot"].map(|fidelity| sprung.solve(fidelity, StructureOptions::default(), &rolls));
@@ -62,7 +64,8 @@ fn without_transverse_contraction_a_spur_pair_in_space_is_the_plane_one() {
     for (plane, space) in plane.iter().zip(&space) {
         near("transmission error", space.transmission_error, plane.transmission_error, 0.002);
         near("mesh stiffness", space.mesh_stiffness, plane.mesh_stiffness, 0.006);
-        // The largest along the face: it would show what free side faces do wrong, and loads that polynomials along the face get wrong.
+        // The largest pressure along the face: it is sensitive to errors of the free side faces and
+        // of the polynomials along the face.
         near("pressure", space.contact_pressure, plane.contact_pressure, 0.005);
     }
 }

@@ -1,4 +1,5 @@
-//! Near and far field in space meet at a depth that results must hardly depend on: by the same bands as in the plane.
+//! The results hardly depend on the matching depth of near and far field in three dimensions: by
+//! the same bounds as in the plane.
 
 use super::pair::{AT_HIGHEST, AT_LOWEST, PLAIN, Values};
 use calyx_runtime::scene::StructureOptions;

@@ -1,5 +1,6 @@
-//! The chapter 5 pair in space, contact on the nominal path only unless tips are the subject: against independent models, against the report's tables, against the
-//! plane, against its own refinement, and far from where it was published.
+//! The chapter 5 pair in three dimensions, with contact on the nominal path only except in tests of
+//! tip edges: compared with independent models, the report's tables, the plane model and its own
+//! refinement, and far from its published parameters.
 
 mod extremes;
 mod independent;

@@ -1,4 +1,5 @@
-//! The chapter 5 pair in space: its parameters, the scene, and what is observed at roll angles of the pinion.
+//! The chapter 5 pair in three dimensions: its parameters, the scene, and the outputs at roll
+//! angles of the pinion.
 
 use crate::common::{INCH, resources};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -24,27 +25,27 @@ use std::sync::Arc;
 pub const PSI: f64 = 6894.757293168361;
 const LBF: f64 = 4.4482216152605;
 
-/// What varies of the pair. Inches.
+/// Parameters of the pair. Inches.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair {
     pub tip_radius: f64,
     pub thickness: f64,
-    /// Depth of the quadratic tip reliefs, and of the crowns.
+    /// Amounts of the quadratic tip reliefs, and of the crowns.
     pub relief: f64,
     pub crown: f64,
     pub poissons_ratio: f64,
     /// Contact of the tip edges before and after the nominal path.
     pub tip_corner_contact: bool,
-    /// Radial stiffness of the bearing under the pinion, N/m, if it is not held.
+    /// Radial stiffness of the bearing under the pinion, N/m; `None` for a fixed pinion.
     pub bearing: Option<f64>,
     pub face_width: f64,
     /// Inner diameters of the rims.
     pub bores: [f64; 2],
-    /// On the pinion, lbf in.
+    /// Torque on the pinion, lbf in.
     pub torque: f64,
 }
 
-/// As the report's tables have it.
+/// Parameters of the report's tables.
 pub const CHAPTER_5: Pair = Pair {
     tip_radius: 0.02,
     thickness: 0.15708,
@@ -57,19 +58,20 @@ pub const CHAPTER_5: Pair = Pair {
     bores: [1.20, 2.40],
     torque: 1000.0,
 };
-/// Without modifications.
+/// The pair without modifications.
 pub const PLAIN: Pair = Pair { relief: 0.0, crown: 0.0, ..CHAPTER_5 };
 
-/// What is observed at a position. Stresses and pressures in psi, transmission error in inches on the gear's base circle.
+/// Outputs at a position. Stresses and pressures in psi, transmission error in inches on the gear's
+/// base circle.
 #[derive(Clone, Copy, Debug)]
 pub struct Values {
     pub transmission_error: f64,
     pub mesh_stiffness: f64,
-    /// On flanks, and on patches that lie on tip edges or end at them.
+    /// Pressure on flanks, and on patches that lie on tip edges or end at them.
     pub contact_pressure: f64,
     pub edge_pressure: f64,
     pub root_stress: [f64; 2],
-    /// The largest residual of the solution, see its certificate.
+    /// Largest residual of the solution, see its certificate.
     pub residual: f64,
 }
 
@@ -94,7 +96,7 @@ impl Pair {
         blank.modified(relief).modified(crown).cut().expect("a gear")
     }
 
-    /// Both, contact on the nominal path only, with their mesh and what is observed of it.
+    /// Scene of both gears with contact on the nominal path only, their mesh and the outputs.
     pub fn scene(&self) -> (Scene, GearMesh, Vec<OutputRequest>) {
         let [pinion, wheel] = [0, 1].map(|number| self.gear(number));
         let speed = 0.05 * TAU;
@@ -130,7 +132,7 @@ impl Pair {
         (scene, cycle, outputs)
     }
 
-    /// Solves positions by the roll angle of the pinion's entering tooth, degrees.
+    /// Solves positions given by the roll angle of the pinion's entering tooth, degrees.
     pub fn solve(&self, fidelity: &str, structure: StructureOptions, rolls: &[f64]) -> Vec<Values> {
         let (scene, cycle, outputs) = self.scene();
         let position = |roll: &f64| {
@@ -164,15 +166,15 @@ impl Pair {
         values.collect()
     }
 
-    /// The largest root stress of both members over the cycle, psi.
+    /// Largest root stress of both members over the cycle, psi.
     pub fn root_stress(&self, fidelity: &str, structure: StructureOptions) -> f64 {
         let values = self.solve(fidelity, structure, &[AT_LOWEST, AT_HIGHEST]);
         values.iter().flat_map(|v| v.root_stress).fold(0.0, f64::max)
     }
 }
 
-/// Roll angles of the pinion at which the roots are stressed most: just after the leaving pair has left, of the gear, and just before
-/// the next one enters, of the pinion.
+/// Roll angles of the pinion with the largest root stresses: just after the leaving pair has left,
+/// for the gear, and just before the next one enters, for the pinion.
 pub const AT_LOWEST: f64 = 15.69;
 pub const AT_HIGHEST: f64 = 24.8;
 

@@ -1,10 +1,11 @@
-//! Tables 5.10 to 5.13 of the report: root stress by tip radius of the rack, by tooth thickness, by elements along the face and by
-//! their order. Its column of the finest template is not the converged one; what counts is the one before it.
+//! Tables 5.10 to 5.13 of the report: root stress by tip radius of the rack, tooth thickness,
+//! number of elements along the face, and their order. The column of its finest template is not
+//! converged; the column before it is the reference.
 
 use super::pair::{AT_HIGHEST, AT_LOWEST, CHAPTER_5, Pair, reference};
 use calyx_runtime::scene::StructureOptions;
 
-/// By the first column of a table: the stress of its fineroot column, psi.
+/// First column of a table with the stress of its fineroot column, psi.
 fn fineroot(table: &str) -> Vec<[f64; 2]> {
     let reference = reference();
     let number = |row: &serde_json::Value, column: usize| row[column].as_f64().expect("a number");
@@ -53,7 +54,7 @@ fn root_stress_is_flat_beyond_four_elements_of_order_three_along_the_face() {
     }
 }
 
-/// Slices in closed forms against finite elements in space, with relief and crown.
+/// Closed forms in slices compared with three-dimensional finite elements, with relief and crown.
 #[test]
 fn closed_forms_are_near_the_finite_elements() {
     let rolls = [AT_LOWEST, 20.0, AT_HIGHEST];

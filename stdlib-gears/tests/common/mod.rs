@@ -1,4 +1,4 @@
-//! Gears that several tests use.
+//! Gears shared by several tests.
 #![allow(dead_code, reason = "each test uses some of them")]
 
 pub mod pair;
@@ -12,14 +12,15 @@ use calyx_runtime::scene::{Fidelity, Scene, StructureOptions};
 use calyx_runtime::system::System;
 use std::sync::{Arc, LazyLock};
 
-/// Structures of all tests: some are used by several, and those that are kept have the bits of new ones.
+/// Structures of all tests. Several tests share some of them, and cached ones have the bits of new
+/// ones.
 static STRUCTURES: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(1 << 30)));
 
 pub fn resources() -> Resources {
     Resources { cache: Some(STRUCTURES.clone()), ..Resources::default() }
 }
 
-/// A scene that can be planned, and built.
+/// Plans and builds a scene.
 pub fn built(scene: &Scene, fidelity: Fidelity, structure: StructureOptions) -> System<'_> {
     let plan = Plan::new(scene, fidelity, structure).expect("it can be planned");
     System::with(scene, &plan, &resources()).expect("it can be built")
@@ -27,7 +28,8 @@ pub fn built(scene: &Scene, fidelity: Fidelity, structure: StructureOptions) -> 
 
 pub const INCH: f64 = 0.0254;
 
-/// The 20 or 40 tooth member of the report's chapter 5, by tip radius of the rack and tooth thickness in inches.
+/// Data of the 20 or 40 tooth member of the report's chapter 5, by tip radius of the rack and tooth
+/// thickness in inches.
 pub fn chapter_5_data(teeth: u32, tip_radius: f64, thickness: f64) -> ExternalGearData {
     let (outer, root) = if teeth == 20 { (1.09, 0.88) } else { (2.09, 1.89) };
     let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), tip_radius * INCH).expect("a sound rack");
@@ -45,7 +47,8 @@ pub fn chapter_5(teeth: u32) -> ExternalGear {
     ExternalGear::new(chapter_5_data(teeth, 0.02, 0.15708)).expect("a sound gear")
 }
 
-/// A gear in modules of 1 mm, by profile shift and tip radius (in modules), with a root clearance of a quarter.
+/// Data of a gear of module 1 mm, by profile shift coefficient and tip radius (in modules), with a
+/// tip clearance of a quarter.
 pub fn standard_data(teeth: u32, shift: f64, tip_radius: f64) -> ExternalGearData {
     let module = 1e-3;
     let rack = Rack::new(module, 20.0_f64.to_radians(), tip_radius * module).expect("a sound rack");

@@ -1,4 +1,5 @@
-//! A pair of gears as a scene of the engine, without the language: the second gear phased, the mesh found.
+//! Pairs of gears as scenes of the engine, without the language: the second gear phased, and the
+//! mesh found.
 
 use super::{INCH, built, chapter_5_data};
 use calyx_gears::blank::Rim;
@@ -31,7 +32,7 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 pub const PSI: f64 = 6894.757293168361;
 pub const LBF: f64 = 4.4482216152605;
-/// 1000 lbf in, on the pinion.
+/// Torque on the pinion, 1000 lbf in.
 pub const TORQUE: f64 = 1000.0 * LBF * INCH;
 pub const MESH: PairId = PairId(0);
 pub const FIRST: BodyId = BodyId(0);
@@ -39,11 +40,11 @@ pub const SECOND: BodyId = BodyId(1);
 
 type Structures = Arc<Mutex<Vec<(StructureOptions, Arc<dyn Structure>)>>>;
 
-/// A gear whose structures are made once, however many scenes it is put in.
+/// Gear whose structures are built once for all scenes that use it.
 #[derive(Clone)]
 pub struct Member {
     pub prototype: Arc<GearPrototype>,
-    /// Instead of the prototype's, rad: they leave the structure as it is.
+    /// Pitch deviations in place of the prototype's, rad; they do not change the structure.
     pitch_errors: Vec<f64>,
     structures: Structures,
 }
@@ -54,14 +55,14 @@ impl Member {
         Self { prototype: Arc::new(prototype), pitch_errors, structures: Structures::default() }
     }
 
-    /// The same gear with one tooth out of its place, rad.
+    /// Returns the same gear with a pitch deviation of one tooth, rad.
     pub fn with_pitch_error(&self, tooth: u32, error: f64) -> Self {
         let mut pitch_errors = vec![0.0; self.form().teeth as usize];
         pitch_errors[tooth as usize] = error;
         Self { pitch_errors, ..self.clone() }
     }
 
-    /// On the structures of a gear from which it differs in nothing that they know.
+    /// Returns the gear on the structures of another gear that has the same structural data.
     pub fn sharing(self, other: &Member) -> Self {
         Self { structures: other.structures.clone(), ..self }
     }
@@ -85,7 +86,8 @@ impl Prototype for Member {
             let structures = self.structures.lock().expect("nothing panics under the lock");
             structures.iter().find(|(known, _)| known == options).map(|(_, built)| built.clone())
         };
-        // Not built under the lock: a thread waiting for its share of the work may be given the same gear to build.
+        // Built without the lock: a thread that waits for its share of the work may have to build
+        // the same gear.
         let built = match known() {
             Some(built) => return Ok(built),
             None => self.prototype.build(options, interrupt)?,
@@ -140,14 +142,15 @@ pub fn steel() -> Material {
     Material { youngs_modulus: 3e7 * PSI, poissons_ratio: 0.3, density: 7850.0 }
 }
 
-/// Factors on the chapter 5 pair: lengths and Young's modulus.
+/// Scale factors of the chapter 5 pair: lengths and Young's modulus.
 #[derive(Clone, Copy)]
 pub struct Scale {
     pub length: f64,
     pub modulus: f64,
 }
 
-/// A member of the chapter 5 pair, with a quadratic tip relief of this depth in inches (none at 0), scaled.
+/// Member of the scaled chapter 5 pair with a quadratic tip relief of this depth in inches (0 for
+/// none).
 pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
     let Scale { length, modulus } = scale;
     let mut data = chapter_5_data(teeth, 0.02, 0.15708);
@@ -175,7 +178,7 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
     )
 }
 
-/// A gear of steel on a rim three modules thick.
+/// Steel gear on a rim three modules thick.
 pub fn member(data: ExternalGearData, face_width: f64) -> Member {
     let rim = Rim {
         radius: data.root_radius - data.rack.module,
@@ -189,33 +192,34 @@ pub fn member(data: ExternalGearData, face_width: f64) -> Member {
 
 pub const UNSCALED: Scale = Scale { length: 1.0, modulus: 1.0 };
 
-/// The chapter 5 pair without modifications, and with its quadratic tip relief.
+/// Chapter 5 pair without modifications, and with its quadratic tip relief.
 pub static PLAIN: LazyLock<[Member; 2]> =
     LazyLock::new(|| [20, 40].map(|teeth| chapter_5_member(teeth, 0.0, UNSCALED)));
 pub static RELIEVED: LazyLock<[Member; 2]> =
     LazyLock::new(|| [20, 40].map(|teeth| chapter_5_member(teeth, 0.0005, UNSCALED)));
 
-/// How a pair is put together. The loaded gear is free to turn, the other is held.
+/// Options of a pair. The loaded gear is free to rotate, the other one is fixed.
 #[derive(Clone)]
 pub struct PairOptions {
     pub gears: [Member; 2],
     pub center_distance: f64,
-    /// Which gear is loaded and free.
+    /// Index of the loaded, free gear.
     pub loaded: usize,
-    /// On the loaded gear, counter-clockwise, N m. Its sign says which flanks touch; 0 is like a vanishing positive one.
+    /// Moment on the loaded gear, counter-clockwise, N m. Its sign selects the flanks that touch; 0
+    /// acts like a vanishing positive moment.
     pub moment: f64,
     /// Angle of the first gear at time 0, and its speed, counter-clockwise.
     pub start: f64,
     pub speed: f64,
     pub edges: bool,
     pub grid_width: Option<f64>,
-    /// Where the first gear's axis is, and the direction of the second's from there.
+    /// Position of the first gear's axis, and the direction from it to the second one.
     pub origin: [f64; 2],
     pub direction: f64,
 }
 
 impl PairOptions {
-    /// The chapter 5 pair at 3 rpm, contact on the nominal path only.
+    /// The chapter 5 pair at 3 rpm, with contact on the nominal path only.
     pub fn chapter_5(gears: &[Member; 2]) -> Self {
         Self {
             gears: gears.clone(),
@@ -232,7 +236,7 @@ impl PairOptions {
     }
 }
 
-/// Everything observed of a pair, in the order of [`Values`].
+/// All observables of a pair, in the order of [`Values`].
 const OBSERVED: [&dyn Observable; 7] = [
     &TransmissionError(MESH),
     &LoadShare(MESH),
@@ -243,7 +247,7 @@ const OBSERVED: [&dyn Observable; 7] = [
     &MaxRootStress(SECOND),
 ];
 
-/// The scene of a pair, everything observed, and its mesh.
+/// Scene of a pair with all observables, and its mesh.
 pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
     let [first, second] = [0, 1].map(|i| options.gears[i].form());
     let external = options.gears[0].gear();
@@ -257,7 +261,7 @@ pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
     let origins = [options.origin, [0, 1].map(|axis| options.origin[axis] + across[axis])];
     let speeds =
         [options.speed, -second.sense() * options.speed * f64::from(first.teeth) / f64::from(second.teeth)];
-    // As in the language: the flanks that touch are those the moment presses on.
+    // As in the language, the moment selects the flanks that touch.
     let sense = if options.moment < 0.0 { -1.0 } else { 1.0 };
     let sense = if options.loaded == 1 { sense * second.sense() } else { sense };
     let mounting = Mounting {
@@ -300,7 +304,7 @@ pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
     (scene, mesh)
 }
 
-/// What is observed of a solved pair, SI.
+/// Observed values of a solved pair, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Values {
     pub transmission_error: f64,
@@ -335,14 +339,14 @@ impl Values {
         pairs.map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() / a.abs().max(b.abs()) }).fold(
             0.0,
             |worst, d| {
-                // A number that is none must not pass for a small difference.
+                // NaN must not count as a small difference.
                 if d.is_nan() { f64::INFINITY } else { d.max(worst) }
             },
         )
     }
 }
 
-/// A mesh that builds fast: for what must hold on any mesh.
+/// Coarse mesh that is built quickly, for properties that hold on any mesh.
 pub const COARSE: StructureOptions = StructureOptions {
     refinement: 0.5,
     order: 2,
@@ -355,7 +359,7 @@ pub const COARSE: StructureOptions = StructureOptions {
     sharp_edges: false,
 };
 
-/// The scene on a coarse mesh.
+/// System of the scene on a coarse mesh.
 pub fn system(scene: &Scene) -> System<'_> {
     system_of(scene, COARSE)
 }
@@ -364,7 +368,7 @@ pub fn system_of(scene: &Scene, structure: StructureOptions) -> System<'_> {
     built(scene, Fidelity::Plane, structure)
 }
 
-/// The values of a pair at parts of its mesh cycle, on a coarse mesh.
+/// Values of a pair at fractions of its mesh cycle, on a coarse mesh.
 pub fn solve_at(options: &PairOptions, cycles: &[f64]) -> Vec<Values> {
     let (scene, mesh) = pair(options);
     let system = system(&scene);

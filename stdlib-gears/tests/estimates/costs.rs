@@ -1,12 +1,13 @@
-//! What estimates cost beside the run: positions that are solved for them, each by the square of its contact cells, which is what it takes. Counted,
-//! not timed.
+//! Cost of error estimates relative to the run: the positions solved for them, each weighted by the
+//! square of its number of contact cells, in proportion to its cost. The test counts them instead
+//! of measuring time.
 
 use super::*;
 use calyx_runtime::observables::{Equilibrium, Observable, Quantity};
 use calyx_runtime::results::Observed;
 use std::sync::{Arc, Mutex};
 
-/// Contact cells across half a patch, of every position that is solved.
+/// Number of contact cells across half a patch, for every solved position.
 #[derive(Clone, Debug, Default)]
 struct Solved(Arc<Mutex<Vec<usize>>>);
 
@@ -28,7 +29,7 @@ impl Observable for Solved {
     }
 }
 
-/// "cheap" estimates take no more than about the run itself, however few its positions are.
+/// "cheap" estimates cost no more than about the run itself, however few positions it has.
 #[test]
 fn estimates_cost_no_more_than_the_run() {
     const CELLS: usize = 12;

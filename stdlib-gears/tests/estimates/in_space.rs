@@ -1,13 +1,15 @@
-//! The same in space, at few positions: of quadratic elements against cubic ones, of cubic ones against more of them, and of helical teeth. What they are
-//! compared with other tests condense as well; finer meshes are too dear for a test. How cubic ones converge
-//! `cargo bench -p calyx-gears --bench convergence -- medium` shows.
+//! Effectivities in three dimensions, at few positions: quadratic elements compared with cubic
+//! ones, cubic ones with more of them, and helical teeth. Other tests condense the same references;
+//! finer meshes are too expensive for a test.
+//! `cargo bench -p calyx-gears --bench convergence -- medium` shows the convergence of cubic
+//! elements.
 
 use super::*;
 use crate::first_day_in_space::{BODIES, MESH as TEETH, scene};
 use calyx_runtime::observables::{MaxContactPressure, MaxRootStress, MeshStiffness, TransmissionError};
 
 const QUADRATIC: StructureOptions = StructureOptions { order: 2, axial_order: Some(2), ..MESH };
-/// As `first_day_in_space` has it.
+/// The same as in `first_day_in_space`.
 const CUBIC: StructureOptions = StructureOptions { face_elements: Some(2), axial_order: Some(2), ..MESH };
 const SPACE: Setting =
     Setting { fidelity: "medium", structure: QUADRATIC, cells: Some([6, 4]), steps: 2, ..PLANE };
@@ -20,7 +22,8 @@ fn of_a_pair_in_space() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// A gear of twenty teeth with its like, and what cubic elements say of it, which other tests condense.
+/// Pair of equal gears of twenty teeth, compared with cubic elements, which other tests condense as
+/// well.
 fn wrong_of_a_pair(name: &str, helix_angle: f64, own: StructureOptions) -> Vec<String> {
     let mut scene = scene(helix_angle);
     let outputs = vec![

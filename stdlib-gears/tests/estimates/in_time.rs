@@ -1,4 +1,5 @@
-//! The same of motions in time: one through backlash from blow to blow, and one in steps that tell nothing.
+//! Effectivities of dynamic analyses: a motion through the backlash from impact to impact, and one
+//! whose steps do not permit an estimate.
 
 use super::*;
 use crate::backlash::reversing;
@@ -28,7 +29,7 @@ fn moved(
     (result, outputs.iter().map(|output| output.name.clone()).collect())
 }
 
-/// A relieved pair at a speed, rad/s.
+/// Relieved pair at a speed, rad/s.
 fn driven(speed: f64) -> (Scene, Vec<OutputRequest>, f64) {
     let options = PairOptions { speed, ..PairOptions::chapter_5(&RELIEVED_MEMBERS) };
     let (mut scene, mesh) = pair(&options);
@@ -44,7 +45,7 @@ fn driven(speed: f64) -> (Scene, Vec<OutputRequest>, f64) {
     (scene, outputs, mesh.period)
 }
 
-/// Steps of the run that others are compared with, in one of theirs.
+/// Ratio of the steps of the reference run to those of the others.
 const FINER_STEPS: usize = 8;
 
 fn wrong_by_steps(
@@ -74,7 +75,8 @@ fn of_steps_from_impulse_to_impulse() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// A relieved pair into mesh, where cells take up load step by step: the error is of an order between the first and the second.
+/// Relieved pair entering the mesh, where cells take up load step by step: the order of the error
+/// is between one and two.
 #[test]
 fn of_steps_of_a_driven_pair() {
     let (scene, outputs, period) = driven(60.0);
@@ -82,7 +84,8 @@ fn of_steps_of_a_driven_pair() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Of a vibration five steps long twice as long steps tell nothing. Neither do they where they have it, but errors come from when cells take up load.
+/// For a vibration with five steps per period, steps of twice the length give no estimate. Nor do
+/// they if the steps resolve it but the errors come from the times at which cells take up load.
 #[test]
 fn steps_that_do_not_converge_are_told_so() {
     let (scene, outputs, period) = driven(60.0);
@@ -95,7 +98,8 @@ fn steps_that_do_not_converge_are_told_so() {
     }
 }
 
-/// "cheap" estimates have the steps of a motion in time alone, "full" ones the rest; a run of single steps tells nothing of them.
+/// "cheap" estimates contain only the time step error, "full" ones also the others; a run of single
+/// steps gives no time step error.
 #[test]
 fn what_is_estimated_in_time() {
     let (scene, outputs, period) = driven(60.0);

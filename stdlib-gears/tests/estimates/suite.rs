@@ -1,6 +1,6 @@
-//! Effectivities over a suite of pairs that no other test uses: estimate over true error of every statistic. The cases are data
-//! (`data/effectivity.txt`). The true error is against a run of the same fidelity level with a finer mesh, finer contact grids and
-//! more positions.
+//! Effectivities over a suite of pairs that no other test uses: ratio of the estimate to the true
+//! error, for every statistic. The cases are data (`data/effectivity.txt`). The true error refers
+//! to a run of the same fidelity level with a finer mesh, finer contact grids and more positions.
 
 use super::*;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 
 const CASES: &str = include_str!("../data/effectivity.txt");
 
-/// A row of the table, by column.
+/// Row of the table, by column.
 pub(super) struct Row(BTreeMap<&'static str, &'static str>);
 
 impl Row {
@@ -30,7 +30,7 @@ impl Row {
         CASES.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty())
     }
 
-    /// A row by its text.
+    /// Parses a row.
     pub(super) fn of(line: &'static str) -> Row {
         let columns: Vec<&str> = Row::lines().next().expect("a row of names").split_whitespace().collect();
         let cells: Vec<&str> = line.split_whitespace().collect();
@@ -50,7 +50,7 @@ impl Row {
         self.number(column) as usize
     }
 
-    /// The setting under test, or the one that stands for the truth.
+    /// Setting under test, or the reference setting.
     fn setting(&self, true_one: bool) -> Setting {
         let own = |column: &str| match true_one {
             true => self.number(&format!("true_{column}")),
@@ -81,7 +81,7 @@ impl Row {
             let hand = [Hand::Right, Hand::Left][number];
             let mut blank = GearBlank::standard(teeth[number], rack);
             blank.helix = Helix::new(helix, hand).expect("a helix");
-            // Relief takes the outer third of the addendum's roll.
+            // Relief covers the outer third of the addendum's roll range.
             let tip = ((outer / (pitch[number] * transverse.cos())).powi(2) - 1.0).sqrt();
             let start = tip - 0.33 * (tip - transverse.tan());
             let relief =
@@ -99,7 +99,8 @@ impl Row {
         let pinion = Body::new("pinion", gear(0), turning(0.0, 1.0))
             .free_in(&[Component::ThetaZ])
             .loaded(Wrench::of_moment([0.0, 0.0, self.number("torque")]));
-        // Shifts are balanced or small: the distance is the standard one and a little backlash.
+        // Profile shifts are balanced or small: the centre distance is the standard one plus a
+        // small backlash.
         let distance = 0.5 * (pitch[0] + pitch[1]) + module * (shifts[0] + shifts[1]) + 0.02 * module;
         let ratio = f64::from(teeth[0]) / f64::from(teeth[1]);
         let wheel = Body::new("wheel", gear(1), turning(distance, -ratio));
@@ -119,7 +120,7 @@ impl Row {
         (scene, cycle, outputs)
     }
 
-    /// What is estimated, of each statistic, and what is true.
+    /// Estimated and true error of each statistic.
     pub(super) fn measured(&self) -> Vec<Measured> {
         let run = |true_one| {
             let (scene, cycle, outputs) = self.scene();
@@ -155,7 +156,7 @@ impl Row {
 /// Selects one of the statistics.
 type OneOf = fn(&Statistics) -> f64;
 
-/// Errors as parts of the output's largest magnitude.
+/// Errors relative to the output's largest magnitude.
 pub(super) struct Measured {
     case: &'static str,
     pub(super) output: String,
@@ -166,7 +167,8 @@ pub(super) struct Measured {
 }
 
 impl Measured {
-    /// Estimate over true error. Both are taken as no less than [`FLOOR`], so two errors below it agree.
+    /// Ratio of the estimate to the true error. Both are taken as no less than [`FLOOR`], so two
+    /// errors below it agree.
     pub(super) fn effectivity(&self) -> f64 {
         (self.estimate + FLOOR) / (self.true_error + FLOOR)
     }
@@ -187,7 +189,8 @@ impl Measured {
     }
 }
 
-/// Prints all effectivities and how they are distributed; returns those below 0.3, and the share between 0.5 and 5.
+/// Prints all effectivities and their distribution; returns those below 0.3, and the share between
+/// 0.5 and 5.
 fn report(all: &[Measured]) -> (Vec<String>, f64) {
     println!("case         output     statistic     estimate %  true %  effectivity  parts");
     all.iter().for_each(|one| println!("{}", one.line()));
@@ -218,7 +221,7 @@ fn effectivities_of_the_fast_cases() {
     assert!(within >= 0.95, "{within}");
 }
 
-/// All cases; `CALYX_SUITE=NAME,...` takes some of them.
+/// All cases; `CALYX_SUITE=NAME,...` selects some of them.
 #[test]
 #[ignore = "takes many minutes: .ci/full runs it"]
 fn effectivities_of_all_cases() {

@@ -1,10 +1,11 @@
-//! Largest contact pressures of the flank and of the edge zone over finer and finer contact grids, where a contact line ends at a tip
-//! edge.
+//! Convergence of the largest contact pressures of the flank zone and the edge zone under
+//! refinement of the contact grid, where a contact line ends at a tip edge.
 
 use super::suite::Row;
 use super::*;
 
-/// As `examples/helical_pair.cx` nearly, without tip relief: edges carry load. See `data/effectivity.txt`.
+/// Similar to `examples/helical_pair.cx`, without tip relief: edges carry load. See
+/// `data/effectivity.txt`.
 const PAIR: &str = "ends no analytic 24 49 2.5 20 20 0 0 25 0 4 250 yes 1 3 12 4 2 1 3 12 4 2";
 
 /// The same with tip relief.
@@ -42,24 +43,25 @@ fn at(pair: &'static str, name: &str, cells: [usize; 2]) -> [f64; 2] {
     [0, 1].map(|output: usize| result.summaries[output].max)
 }
 
-/// M and N of the grids that are compared; a finer one takes minutes.
+/// M and N of the compared grids; a finer one takes minutes.
 const GRIDS: [[usize; 2]; 3] = [[6, 5], [12, 10], [12, 20]];
 
-/// By how much the largest pressure of the flank zone differs from that of the finest grid, relative to it.
+/// Deviation of the largest pressure of the flank zone from that of the finest grid, relative to
+/// it.
 fn deviations(found: &[[f64; 2]; 3]) -> [f64; 2] {
     println!("{found:?}");
     [0, 1].map(|grid: usize| (found[grid][0] / found[2][0] - 1.0).abs())
 }
 
-/// Without tip relief, tip edges carry many times the pressure of the flank. The pressure rises towards the edge, which slices across
-/// and along resolve better and better.
+/// Without tip relief, tip edges carry many times the pressure of the flank. The pressure rises
+/// towards the edge, and finer grids in both directions resolve it increasingly well.
 #[test]
 fn the_largest_contact_pressure_converges_where_a_contact_line_ends_at_a_tip_edge() {
     for (position, limits) in [("HPSTC", [0.12, 0.05]), ("LPSTC", [0.05, 0.025])] {
         let found = GRIDS.map(|cells| at(PAIR, position, cells));
         let off = deviations(&found);
         assert!(off[0] < limits[0] && off[1] < limits[1], "{position}: {off:?}");
-        // The edge zone has the rest.
+        // The edge zone carries the rest.
         assert!(found.iter().all(|[flank, edge]| *edge > 2.0 * flank), "{position}: {found:?}");
     }
 }

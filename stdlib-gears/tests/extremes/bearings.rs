@@ -1,4 +1,4 @@
-//! Springs, clearances and walls from very soft to very stiff, and such as say nearly the same.
+//! Springs, clearances and stops from very soft to very stiff, and nearly redundant ones.
 
 use super::case::{Case, Refusal, off, worst};
 use calyx_runtime::bearing::{Bearing, Stop, axisymmetric};
@@ -99,7 +99,7 @@ pub fn cases() -> Vec<Case> {
 
 const BODY: BodyId = BodyId(2);
 
-/// Two plates far from each other, and rigid bodies on bearings beside them.
+/// Two distant plates, and rigid bodies on bearings next to them.
 fn scene(bodies: &[Wrench]) -> Scene {
     let mut scene = Scene::default();
     let platen = |facing| Arc::new(Platen::new(0.1, 0.01, facing));
@@ -112,7 +112,7 @@ fn scene(bodies: &[Wrench]) -> Scene {
         let motion = SteadyRotation::at_rest([0.5 + 0.1 * index as f64, 0.0]);
         let body = Body::new(format!("body {index}"), Arc::new(RigidBody), motion);
         let body = scene.add_body(body.free_in(&[Component::Ux, Component::Uy]).loaded(*load));
-        // What nobody asks for takes no part.
+        // Unobserved bodies are left out.
         scene.add_observable(Displacement(body, 0));
     }
     scene
@@ -126,7 +126,7 @@ fn solved(scene: &Scene) -> Result<Vec<f64>, EngineError> {
     Ok(step.motion)
 }
 
-/// How far a body goes along x and y on springs and stops.
+/// Displacement of a body along x and y on springs and stops.
 fn on(springs: &[f64], [x, y]: [f64; 2], stops: &[Stop]) -> Vec<f64> {
     let mut scene = scene(&[Wrench::of_force([x, y, 0.0])]);
     for (index, &stiffness) in springs.iter().enumerate() {
@@ -151,7 +151,7 @@ fn with_clearance(clearance: f64) -> f64 {
 
 fn row_of([first, second]: [f64; 2]) -> Result<Vec<f64>, EngineError> {
     let mut scene = scene(&[Wrench::NONE, Wrench::of_force([10.0, 0.0, 0.0])]);
-    // Both at one place: a bearing has one origin.
+    // Both at one position: a bearing has one origin.
     scene.bodies[3].motion = Arc::new(SteadyRotation::at_rest([0.5, 0.0]));
     let spring =
         |name: &str, body, stiffness| Bearing::new(name, body, 0.0, axisymmetric(stiffness, 0.0, 0.0, 0.0));

@@ -1,28 +1,28 @@
-//! A case: what is driven how far, and what is expected.
+//! Test cases: the extreme input and the expected outcome.
 
 use calyx_gears::error::GeometryError;
 use calyx_runtime::error::EngineError;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-/// What happens at an edge.
+/// Case of extreme input.
 pub struct Case {
     pub method: &'static str,
-    /// The values.
+    /// Extreme values of the input.
     pub driven: &'static str,
     pub outcome: Outcome,
 }
 
 pub enum Outcome {
-    /// The largest relative error against a truth stays below a bound.
+    /// Largest relative error, compared with a reference, stays below a bound.
     Holds { to: f64, truth: &'static str, error: fn() -> f64 },
-    /// It is refused with a code, a reason with these words in it, and a remedy.
+    /// Input is rejected with a code, a reason that contains these words, and a remedy.
     Refused { code: &'static str, says: &'static str, why: &'static str, refusal: fn() -> Option<Refusal> },
-    /// It is solved, and a warning of the result says what is wrong: its words.
+    /// Problem is solved, and a warning of the result with these words states what is wrong.
     Told { says: &'static str, why: &'static str, warnings: fn() -> Vec<String> },
 }
 
-/// What a refusal consists of.
+/// Contents of a refusal.
 #[derive(Debug)]
 pub struct Refusal {
     pub code: String,
@@ -51,19 +51,19 @@ impl From<calyx_gears::error::Refusal> for Refusal {
     }
 }
 
-/// What was refused of something that should be.
+/// Returns the refusal of something that must be rejected.
 pub fn refusal<T, E: Into<Refusal>>(result: Result<T, E>) -> Option<Refusal> {
     result.err().map(Into::into)
 }
 
-/// The largest of some errors; one that is no number counts as infinite.
+/// Largest of several errors; NaN counts as infinite.
 pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors
         .into_iter()
         .fold(0.0, |worst, error| if error.is_nan() { f64::INFINITY } else { error.abs().max(worst) })
 }
 
-/// By how much a number is off a known one, relative to it.
+/// Error of a number relative to a known one.
 pub fn off(found: f64, known: f64) -> f64 {
     (found - known).abs() / known.abs()
 }
@@ -89,7 +89,7 @@ impl Case {
         Case { method, driven, outcome: Outcome::Refused { code, says: "", why, refusal } }
     }
 
-    /// The same of one that is refused: with these words.
+    /// Adds words that the refusal must contain.
     pub fn saying(mut self, words: &'static str) -> Case {
         if let Outcome::Refused { says, .. } = &mut self.outcome {
             *says = words;
@@ -107,10 +107,10 @@ impl Case {
         Case { method, driven, outcome: Outcome::Told { says, why, warnings } }
     }
 
-    /// Why it is not as it should be, if it is not.
+    /// Returns the reason if the outcome is not the expected one.
     pub fn fails(&self) -> Option<String> {
         let begun = Instant::now();
-        // One that panics is one that fails, and hides no other.
+        // A panic fails the case without hiding the others.
         let wrong =
             catch_unwind(AssertUnwindSafe(|| self.wrong())).unwrap_or_else(|_| Some("it panics".into()));
         if std::env::var_os("CALYX_EXTREME").is_some() {
@@ -135,7 +135,7 @@ impl Case {
                 if std::env::var_os("CALYX_EXTREME").is_some() {
                     println!("          off by {error:.1e}");
                 }
-                // What is no number is below no bound.
+                // NaN is below no bound.
                 (error.is_nan() || error > *to)
                     .then(|| format!("off by {error:e}, and should be by {to:e} at most"))
             }

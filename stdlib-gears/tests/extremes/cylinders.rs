@@ -1,4 +1,4 @@
-//! Contact of cylinders, which Hertz and the closed form of a squeezed disc know.
+//! Contact of cylinders, compared with Hertz and with the closed form of a squeezed disc.
 
 use super::case::{Case, Refusal, off, refusal, worst};
 use crate::common::resources;
@@ -116,26 +116,27 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// A cylinder between plates under a load with which its contact is a hundredth of its radius wide on either side.
+/// Cylinder between plates. Under the nominal load its contact half-width is a hundredth of its
+/// radius.
 #[derive(Clone, Copy)]
 struct Squeezed {
     radius: f64,
     modulus: f64,
     ratio: f64,
-    /// Of that load.
+    /// Fraction of the nominal load.
     part: f64,
     half_cells: Option<usize>,
-    /// Of the grid, in widths of the contact.
+    /// Width of the grid in contact widths.
     width: Option<f64>,
 }
 
 const NOMINAL: Squeezed =
     Squeezed { radius: 0.02, modulus: 206e9, ratio: 0.3, part: 1.0, half_cells: None, width: None };
-/// Of everything here, m.
+/// Face width of all bodies here, m.
 const FACE_WIDTH: f64 = 0.02;
-/// Half the width of contact under the nominal load, in radii.
+/// Contact half-width under the nominal load, in radii.
 const NARROW: f64 = 0.01;
-/// Of a cylinder: approaches are right to a thousandth.
+/// Mesh of a cylinder: approaches are accurate to a thousandth.
 const MESH: StructureOptions = StructureOptions { refinement: 0.5, order: 2, ..DEFAULT };
 const DEFAULT: StructureOptions = StructureOptions {
     refinement: 1.0,
@@ -165,7 +166,7 @@ impl Squeezed {
         Material { youngs_modulus: self.modulus, poissons_ratio: self.ratio, density: 7850.0 }
     }
 
-    /// N/m
+    /// Line load, N/m.
     fn load(&self) -> f64 {
         let narrow = NARROW * self.radius;
         self.part * PI * self.material().surface_modulus(Plane::Strain) * narrow * narrow
@@ -213,7 +214,7 @@ impl Squeezed {
     fn approach_error(&self) -> f64 {
         let step = self.solved().expect("it is solved");
         let modulus = self.material().surface_modulus(Plane::Strain);
-        // Johnson eq. 5.57: of both sides.
+        // Johnson eq. 5.57, for both sides.
         let known =
             2.0 * self.load() / (PI * modulus) * (2.0 * (4.0 * self.radius / self.half_width()).ln() - 1.0);
         let forces = step.patches.iter().map(|patch| off(patch.force(), self.load()));
@@ -229,7 +230,8 @@ impl Squeezed {
     }
 }
 
-/// The peak pressure of a steel cylinder on one that is 1e12 times as stiff, against Hertz's of the softer one alone; under a part of a load.
+/// Ratio of the peak pressure of a steel cylinder on one that is 1e12 times as stiff to Hertz's for
+/// the steel cylinder alone, under a fraction of a load.
 fn beside_a_stiff_one(part: f64) -> f64 {
     let (soft, radii) = (Material::STEEL, [0.05, 0.1]);
     let stiff = Material { youngs_modulus: 1e12 * soft.youngs_modulus, ..soft };
@@ -246,7 +248,7 @@ fn beside_a_stiff_one(part: f64) -> f64 {
     off(step.patches[0].peak().expect("it is loaded").pressure, peak)
 }
 
-/// A rigid plate on another.
+/// Rigid plate on another plate.
 fn flat_on_flat() -> Option<Refusal> {
     let mut scene = Scene::default();
     let lower = scene.add_body(body("lower", Platen::new(0.1, FACE_WIDTH, Facing::Up), 0.0));

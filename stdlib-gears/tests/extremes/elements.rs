@@ -38,7 +38,7 @@ pub fn cases() -> Vec<Case> {
 
 const MODULUS: f64 = 2e11;
 
-/// A strip of length 1 m, a row of four elements, pulled at its ends.
+/// Strip of length 1 m, a row of four elements, in tension.
 fn pulled(thickness: f64, order: u8) -> f64 {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, thickness], [0.0, thickness]];
     let block = Block::quadrilateral(corners)
@@ -62,7 +62,7 @@ fn pulled(thickness: f64, order: u8) -> f64 {
     worst(nodes.iter().map(|node| off(solved[2 * node], 1e6 / MODULUS)))
 }
 
-/// A quarter of a cylinder of inner radius 1 m under pressure inside, in plane strain.
+/// Quarter of a cylinder of inner radius 1 m under internal pressure, in plane strain.
 fn widened(ratio: f64, outer: f64) -> f64 {
     let pressure = 1e6;
     let block = Block::new(

@@ -1,8 +1,9 @@
-//! Every method driven to its edge: each case holds an accuracy that it states, or is refused with a reason, or says in its results what is wrong.
-//! Never a silent wrong number, never one that is none.
+//! Extreme inputs of every method: each case meets a stated accuracy, is rejected with a reason, or
+//! reports a warning in its results. No case returns a silently wrong number or NaN.
 //!
-//! The cases are data. One test goes through them, another one holds `docs/extremes.md` to them (`CALYX_BLESS=1` writes it). Truths are the
-//! cheapest that know nothing of the method: closed forms, laws of scaling, limits that are known exactly, another route to the same number.
+//! The cases are data. One test runs them, another one compares `docs/extremes.md` with them
+//! (`CALYX_BLESS=1` writes it). References are the cheapest that are independent of the method:
+//! closed forms, scaling laws, exact limits, another method for the same number.
 
 mod bearings;
 mod case;
@@ -16,7 +17,7 @@ use case::{Case, Outcome};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// What is driven to its edge, and the cases.
+/// Chapters with their cases.
 fn chapters() -> Vec<(&'static str, Vec<Case>)> {
     vec![
         ("Contact", cylinders::cases()),
@@ -80,7 +81,7 @@ fn document() -> String {
     text
 }
 
-/// A bound as it was written.
+/// Formats a bound as it was written.
 fn shown(bound: f64) -> String {
     if bound >= 1e-3 { format!("{} %", (bound * 1e5).round() / 1e3) } else { format!("{bound:e}") }
 }

@@ -1,4 +1,4 @@
-//! Steps far below and above the periods of what moves, and times far from nought.
+//! Time steps far below and above the periods of the motion, and times far from zero.
 
 use super::case::{Case, Refusal, off, worst};
 use calyx_runtime::analysis::AnalysisOptions;
@@ -26,7 +26,7 @@ pub fn cases() -> Vec<Case> {
             || {
                 let swung = Oscillator { step: 1e-9, ..SOFT }.moved(2000);
                 let phase: f64 = TAU * 2000e-9;
-                // 1 - cos, without loss of digits.
+                // 1 - cos, without cancellation.
                 off(swung, 2.0 * (0.5 * phase).sin().powi(2) * SOFT.rest())
             },
         ),
@@ -85,22 +85,22 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// A mass on a spring under a constant load, from rest.
+/// Mass on a spring under a constant load, from rest.
 #[derive(Clone, Copy)]
 struct Oscillator {
-    /// kg
+    /// Mass, kg.
     mass: f64,
-    /// N/m
+    /// Stiffness, N/m.
     spring: f64,
-    /// In periods.
+    /// Time step in periods.
     step: f64,
     scheme: Scheme,
-    /// s
+    /// Start time, s.
     from: f64,
 }
 
 const SOFT: Oscillator = Oscillator { mass: 1.0, spring: 1.0, step: 1.0, scheme: Scheme::AVERAGE, from: 0.0 };
-/// N
+/// Load, N.
 const LOAD: f64 = 1.0;
 
 impl Oscillator {
@@ -146,7 +146,7 @@ impl Oscillator {
         Ok(last)
     }
 
-    /// How far it is after so many steps, m.
+    /// Displacement after a number of steps, m.
     fn moved(&self, steps: usize) -> f64 {
         self.history(steps).expect("it can be followed")
     }

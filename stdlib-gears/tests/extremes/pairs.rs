@@ -1,4 +1,4 @@
-//! Gears in mesh: loads, sizes, speeds, stiffnesses far from those they are made for.
+//! Gears in mesh with loads, sizes, speeds and stiffnesses far from the usual range.
 
 use super::case::{Case, off, refusal, worst};
 use crate::common::INCH;
@@ -18,9 +18,9 @@ use calyx_runtime::observables::Observe;
 use calyx_runtime::scene::{Body, Component, Scene};
 use std::f64::consts::{PI, TAU};
 
-/// One pair of teeth carries there, in the middle of its path.
+/// Fraction of the cycle at which one tooth pair carries, in the middle of its path of contact.
 const ALONE: f64 = 0.75;
-/// Two do.
+/// Fraction of the cycle at which two tooth pairs carry.
 const TWO: f64 = 0.25;
 
 pub fn cases() -> Vec<Case> {
@@ -145,7 +145,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// By how much the peak pressure is off the root of the load.
+/// Error of the peak pressure relative to the square root of the load.
 fn pressed(part: f64) -> f64 {
     off(loaded(part, ALONE).contact_pressure, part.sqrt() * loaded(1.0, ALONE).contact_pressure)
 }
@@ -160,17 +160,17 @@ fn loaded(part: f64, cycle: f64) -> Values {
     solve_at(&PairOptions { moment: part * TORQUE, ..plain() }, &[cycle])[0]
 }
 
-/// Force on the line of action by width, N/m, and the base radius of the first gear, m.
+/// Line load on the line of action, N/m, and the base radius of the first gear, m.
 fn line_load() -> (f64, f64) {
     let radius = PLAIN[0].gear().base_radius;
     (TORQUE / radius / INCH, radius)
 }
 
-/// A line contact of two half-planes goes together by `q (C - ln q / (pi E*))`.
+/// The approach of a line contact of two half-planes is `q (C - ln q / (pi E*))`.
 fn logarithm_of_the_load() -> f64 {
     let (load, radius) = line_load();
     let modulus = 0.5 * steel().surface_modulus(Plane::Strain);
-    // The error is of the second gear, which has twice the radius.
+    // The transmission error refers to the second gear, which has twice the radius.
     let by_decade = load / (2.0 * radius) * 10_f64.ln() / (PI * modulus);
     let parts = [1e-9, 1e-6, 1e-3, 1.0];
     let compliance = parts.map(|part| loaded(part, ALONE).transmission_error.abs() / part);
@@ -207,12 +207,13 @@ fn as_wide(modules: f64) -> f64 {
     });
     let options = PairOptions { gears, moment: TORQUE * width / INCH, ..plain() };
     let found = solve_at(&options, &[TWO])[0];
-    // Of the whole width.
+    // For the whole face width.
     let stiffness = found.mesh_stiffness * INCH / width;
     Values { mesh_stiffness: stiffness, ..found }.difference(&loaded(1.0, TWO))
 }
 
-/// Each tooth gives by `q (C - 2 ln a / (pi E'))`, and contact on a stiff mate is narrower by the root of two.
+/// Each tooth deflects by `q (C - 2 ln a / (pi E'))`, and the contact on a stiff mate is narrower
+/// by the square root of two.
 fn beside_a_stiff_mate() -> f64 {
     let stiff = Scale { modulus: 1e12, ..UNSCALED };
     let [pinion, gear] = [20, 40].map(|teeth| chapter_5_member(teeth, 0.0, stiff));
@@ -231,7 +232,7 @@ fn after(revolutions: f64) -> f64 {
         let time = mesh.start + TWO * mesh.period + revolutions * TAU / plain().speed;
         Values::of(&system, &system.solve(time).expect("equilibrium"))
     };
-    // The gear has half as many, whole ones.
+    // The gear makes half as many, an integer number of rotations.
     values(revolutions).difference(&values(0.0))
 }
 
@@ -239,13 +240,14 @@ fn at_speed(speed: f64) -> f64 {
     solve_at(&PairOptions { speed, ..plain() }, &[TWO])[0].difference(&loaded(1.0, TWO))
 }
 
-/// The transmission error of relieved flanks under hardly any load: on the line of action, the smaller of what both pairs lack.
+/// Transmission error of relieved flanks under a very small load: on the line of action, the
+/// smaller one of both pairs' gaps.
 fn far_relieved(cycle: f64) -> f64 {
     let (depth, gears) = (0.0005, RELIEVED.clone());
     let options = PairOptions { gears: gears.clone(), moment: 1e-6 * TORQUE, ..plain() };
     let (_, mesh) = pair(&options);
     let [first, second] = [0, 1].map(|k: usize| gears[k].form());
-    // The length of the line of action between the base circles.
+    // Length of the line of action between the base circles.
     let length = {
         let sum: f64 = mesh.base_radii.iter().sum();
         let distance = options.center_distance;
@@ -267,7 +269,7 @@ fn far_relieved(cycle: f64) -> f64 {
     off(found, known)
 }
 
-/// A pair whose centre distance is off that at which its teeth fill their spaces, and what is said of it.
+/// Pair at a centre distance different from that without backlash, and its diagnostics.
 fn meshed(apart: f64, back_side_contact: bool) -> Result<(Scene, Vec<String>), Refusal> {
     let mut scene = Scene::default();
     let turning = |x: f64, speed: f64| SteadyRotation { origin: [x, 0.0], start: 0.0, speed };

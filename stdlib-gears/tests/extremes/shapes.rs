@@ -1,4 +1,4 @@
-//! Gears that are hardly gears: few teeth and many, thin rims, soft and incompressible ones.
+//! Extreme gears: few teeth and many, thin rims, soft and incompressible materials.
 
 use super::case::{Case, Refusal, off, refusal, worst};
 use crate::common::pair::{
@@ -82,7 +82,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 const FINER: StructureOptions = StructureOptions { refinement: 0.75, order: 3, ..COARSE };
-/// The gear of 40 teeth on free rims of 1 and 0.3 modules.
+/// Gears of 40 teeth on free rims of 1 and 0.3 modules.
 static RIMMED: LazyLock<[Member; 2]> =
     LazyLock::new(|| [1.0, 0.3].map(|modules| Member::new(rimmed(modules))));
 
@@ -90,7 +90,8 @@ fn refused_teeth(teeth: u32) -> Option<Refusal> {
     refusal(ExternalGear::new(standard_data(teeth, 0.0, 0.2)).map_err(|mut errors| errors.remove(0)))
 }
 
-/// Largest root stresses of two equal gears of so many teeth of 1 mm under so much load by width, Pa.
+/// Largest root stresses of two equal gears with this number of teeth of module 1 mm under this
+/// line load, Pa.
 fn equal_gears(teeth: u32) -> f64 {
     let gear = member(standard_data(teeth, 0.0, 0.2), 0.01);
     let radius = 0.5e-3 * f64::from(teeth);
@@ -103,13 +104,14 @@ fn equal_gears(teeth: u32) -> f64 {
     solve_at(&options, &[0.4])[0].root_stress[0]
 }
 
-/// By how much three numbers of teeth are off a line in their inverse, relative to the stress.
+/// Deviation of the stresses for three numbers of teeth from a line in their inverse, relative to
+/// the stress.
 fn towards_a_rack() -> f64 {
     let [few, more, most] = [500, 1000, 2000].map(equal_gears);
     off(more + 0.5 * (more - few), most)
 }
 
-/// The gear of 40 teeth on a free rim of so many modules.
+/// Gear of 40 teeth on a free rim of this thickness in modules.
 fn rimmed(modules: f64) -> GearPrototype {
     let data = chapter_5_data(40, 0.02, 0.15708);
     let fixed_radius = data.root_radius - modules * data.rack.module;
@@ -123,7 +125,8 @@ fn rimmed(modules: f64) -> GearPrototype {
     GearPrototype::new(gear, Vec::new(), steel(), rim, 0.0254, Vec::new()).expect("a gear")
 }
 
-/// Warnings; root compression, root tension and transmission error, under a part of the nominal load.
+/// Warnings; root compression, root tension and transmission error under a fraction of the nominal
+/// load.
 fn under(part: f64, rim: usize, structure: StructureOptions) -> (Vec<String>, [f64; 3]) {
     let gears = [PLAIN[0].clone(), RIMMED[rim].clone()];
     let options = PairOptions { gears, moment: part * TORQUE, ..PairOptions::chapter_5(&PLAIN) };
@@ -141,7 +144,7 @@ fn on_a_thin_rim(rim: usize) -> f64 {
     worst([0, 2].map(|k: usize| off(coarse[k], fine[k])))
 }
 
-/// The gear of 40 teeth of such a material.
+/// Gear of 40 teeth of a material with this Poisson's ratio.
 fn soft(ratio: f64) -> GearPrototype {
     let mut prototype = rimmed(3.0);
     prototype.material.poissons_ratio = ratio;

@@ -1,4 +1,5 @@
-//! Gears on bearings in the plane, against closed forms: all cells of a patch act along one normal, so what a bearing adds is exact.
+//! Gears on bearings in two dimensions, compared with closed forms. All cells of a patch act along
+//! one normal, so the contribution of a bearing is exact.
 
 use crate::common::pair::{
     COARSE, FIRST, MESH, PLAIN, PairOptions, SECOND, Scale, TORQUE, chapter_5_member, pair, system,
@@ -24,10 +25,10 @@ use std::sync::Arc;
 
 const K: f64 = 2e8;
 const BEARING: BearingId = BearingId(0);
-/// What the second gear may do besides turning.
+/// Free components of the second gear in addition to rotation.
 const ACROSS: [Component; 2] = [Component::Ux, Component::Uy];
 
-/// The chapter 5 pair with a second gear that is free across its axis, on bearings.
+/// The chapter 5 pair on bearings, with a second gear that is free to move in the plane.
 fn on(bearings: impl IntoIterator<Item = Bearing>) -> (Scene, GearMesh) {
     let (mut scene, mesh) = pair(&PairOptions::chapter_5(&PLAIN));
     scene.bodies[SECOND.0] = scene.bodies[SECOND.0].clone().free_in(&ACROSS);
@@ -62,7 +63,7 @@ fn value(scene: &(Scene, GearMesh), observable: &dyn Observable) -> f64 {
     solved(scene, |system, step| system.value(step, observable).value)
 }
 
-/// Lag along the line of action, m.
+/// Transmission error along the line of action, m.
 fn lag(scene: &(Scene, GearMesh)) -> f64 {
     force().1 * value(scene, &TransmissionError(MESH))
 }
@@ -79,11 +80,11 @@ fn a_gear_on_a_bearing_gives_by_force_over_stiffness_and_so_does_the_mesh() {
     let [x, y] = [0, 1].map(|axis| value(&sprung, &Displacement(SECOND, axis)));
     assert!((x.hypot(y) / given - 1.0).abs() < 1e-10, "{} {given}", x.hypot(y));
     assert!(((lag(&sprung) - lag(&held())) / given - 1.0).abs() < 1e-8);
-    // The direction of the line of action: away from the driver, at the operating pressure angle.
+    // Direction of the line of action: away from the driver, at the operating pressure angle.
     let borne = [0, 1].map(|axis| value(&sprung, &BearingForce(BEARING, Direction::Ground(axis))));
     assert!((borne[0].hypot(borne[1]) / force - 1.0).abs() < 1e-10);
     assert!((borne[0] + K * x).abs() < 1e-10 * force && (borne[1] + K * y).abs() < 1e-10 * force);
-    // As load vanishes nothing gives.
+    // As the load vanishes, all deflections vanish.
     let [unloaded, as_held] = [&sprung, &held()].map(|scene| value(scene, &UnloadedTransmissionError(MESH)));
     assert!((unloaded - as_held).abs() < 1e-15, "{unloaded} {as_held}");
     // Springs in series.
@@ -128,7 +129,7 @@ fn bodies_in_a_row_are_springs_in_series_and_nothing_is_lost_on_the_way() {
     });
 }
 
-/// Where the second gear's axis is, at rest.
+/// Motion of the second gear's axis, at rest.
 fn scene_motion(scene: &Scene) -> SteadyRotation {
     let frame = scene.bodies[SECOND.0].motion.frame(0.0);
     let origin =
@@ -147,7 +148,7 @@ fn unloaded_deformations_and_loads_move_what_the_springs_hold() {
         for (axis, shift) in [3e-6, -2e-6].into_iter().enumerate() {
             let moved = value(&scene, &Displacement(SECOND, axis)) - before[axis];
             assert!((moved - shift).abs() < 1e-10 * force / K, "{moved} {shift}");
-            // What teeth bear is the same, and the bearing holds against it.
+            // The teeth carry the same load, and the bearing reacts to it.
             let [own, other] =
                 [&scene, &plain].map(|scene| value(scene, &BearingForce(BEARING, Direction::Ground(axis))));
             assert!((own - other).abs() < 1e-9 * force, "{own} {other}");
@@ -195,7 +196,7 @@ fn a_ring_gives_by_its_clearance_and_then_by_its_stiffness_alike_in_all_directio
         let more = (clearance + force / K) / base_radius;
         let [own, rigid] = [&scene, &held()].map(|scene| value(scene, &TransmissionError(MESH)));
         assert!(((own - rigid) / more - 1.0).abs() < 2e-3, "{own} {rigid} {more}");
-        // As the load vanishes the clearance is still used up.
+        // The clearance remains closed as the load vanishes.
         let unloaded = value(&scene, &UnloadedTransmissionError(MESH)) * base_radius;
         assert!((unloaded / clearance - 1.0).abs() < 5e-3, "{unloaded}");
         let (forces, again) = solved(&scene, |_, step| {
@@ -216,8 +217,8 @@ fn a_gear_that_stays_on_its_grid_is_solved_where_its_frame_is() {
     assert!(start.iter().all(|&moved| moved == 0.0) && warnings.is_empty(), "{start:?} {warnings:?}");
 }
 
-/// The scene with its second gear held where another one's bearings have taken it, and its first one turned to where rigid teeth touch
-/// there; with it that turn.
+/// The scene with its second gear fixed at the position to which the bearings of another scene have
+/// moved it, and its first gear rotated until rigid teeth touch; also returns this rotation.
 fn held_at(scene: &Scene, mesh: &GearMesh, [x, y]: [f64; 2]) -> (Scene, f64) {
     let SteadyRotation { origin: [from_x, from_y], .. } = scene_motion(scene);
     let mut held = scene.clone();
@@ -238,8 +239,9 @@ fn held_at(scene: &Scene, mesh: &GearMesh, [x, y]: [f64; 2]) -> (Scene, f64) {
     (held, turn)
 }
 
-/// Soft bearings, preloads and clearances that take the second gear up to a tenth of a module (2.54 mm) away: the same as holding it
-/// there, and the working pressure angle is that of the new centre distance.
+/// Soft bearings, preloads and clearances that move the second gear by up to a tenth of a module
+/// (2.54 mm): the solution equals that with the gear fixed there, and the operating pressure angle
+/// is that of the new centre distance.
 #[test]
 fn a_gear_that_is_carried_far_is_solved_where_it_is_carried() {
     let (force, _) = force();
@@ -269,7 +271,8 @@ fn a_gear_that_is_carried_far_is_solved_where_it_is_carried() {
         solved(&(held, mesh.clone()), |system, step| {
             let contact = system.contact_force(step, SECOND);
             for k in 0..2 {
-                // A thousandth of half a grid turns the line of action by some millionths.
+                // A shift of a thousandth of half a grid rotates the line of action by some
+                // millionths.
                 assert!((contact[k] - borne[k]).abs() < 5e-6 * force, "{contact:?} {borne:?}");
             }
             let own = step.motion[0];
@@ -277,7 +280,8 @@ fn a_gear_that_is_carried_far_is_solved_where_it_is_carried() {
             let pressure = system.value(step, &MaxContactPressure(MESH)).value;
             assert!((pressure / pressures - 1.0).abs() < 1e-5, "{pressure} {pressures}");
         });
-        // The torque is the force times the base radius, and the force leans by the pressure angle of the new distance.
+        // The torque is the force times the base radius, and the force is inclined by the operating
+        // pressure angle of the new distance.
         assert!((borne[0].hypot(borne[1]) / force - 1.0).abs() < 1e-9, "{borne:?} {force}");
         let across = [scene_motion(&scene).origin[0] + x, scene_motion(&scene).origin[1] + y];
         let distance = across[0].hypot(across[1]);
@@ -287,8 +291,8 @@ fn a_gear_that_is_carried_far_is_solved_where_it_is_carried() {
     }
 }
 
-/// The transmission error of a gear that has been carried away is that of where it is: without load, none but a constant of unmodified
-/// involutes, whose ratio minds no distance.
+/// The transmission error of a displaced gear is that at its new position. Without load, that of
+/// unmodified involutes is constant, because their ratio does not depend on the centre distance.
 #[test]
 fn without_load_a_clearance_that_is_used_up_is_geometry_not_first_order() {
     let ring = Stop::Ring { clearance: 0.4e-3, stiffness: K };
@@ -400,13 +404,13 @@ fn what_a_bearing_cannot_be_is_refused_with_the_reason() {
         assert!(error.message.contains(words), "{}: {words}", error.message);
         assert!(!error.help.is_empty());
     }
-    // Of another scene, with more bodies.
+    // Handles of another scene with more bodies.
     for foreign in [Bearing { body: BodyId(7), ..plain.clone() }, plain.clone().between(BodyId(7))] {
         let (mut scene, mesh) = on([]);
         let error = scene.add_bearing(foreign.clone()).expect_err("no such body");
         assert_eq!(error.code, "E0653", "{}", error.message);
         assert!(error.message.contains("body 7") && error.help.contains("add_body"), "{}", error.message);
-        // Put in by hand it is left out, or refused when the scene is analysed.
+        // If added directly, the bearing is left out, or rejected when the scene is analysed.
         let left_out = foreign.body != SECOND;
         scene.bearings.push(foreign);
         let options = AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() };
@@ -420,7 +424,7 @@ fn what_a_bearing_cannot_be_is_refused_with_the_reason() {
 
 #[test]
 fn what_bearings_leave_free_is_named() {
-    // Stiff along y alone, and the force has a part along x.
+    // The bearing is stiff along y only, and the force has a part along x.
     let mut along_y = axisymmetric(0.0, 0.0, 0.0, 0.0);
     along_y[1][1] = K;
     let (scene, mesh) = on([Bearing::new("bearing", SECOND, 0.0, along_y)]);

@@ -1,4 +1,5 @@
-//! The report's chapter 5 pair against independent plane-strain models, contact on the nominal path only.
+//! The report's chapter 5 pair compared with independent plane-strain models, with contact on the
+//! nominal path only.
 
 use crate::common::INCH;
 use crate::common::pair::{Member, PLAIN, PSI, PairOptions, RELIEVED, Values, pair, system_of};
@@ -6,7 +7,8 @@ use calyx_runtime::analysis::mesh_cycle;
 use calyx_runtime::scene::{GearMesh, StructureOptions};
 use serde_json::Value;
 
-/// Enough to meet the peak of root stress, which with relief lies beyond the nominal single-tooth contact, to 0.1 %.
+/// Enough positions to resolve the peak of root stress to 0.1 %. With relief, the peak lies beyond
+/// the nominal single-tooth contact.
 const POSITIONS: usize = 128;
 
 fn reference() -> Value {
@@ -63,7 +65,8 @@ fn fillet_stress_and_transmission_error_agree_with_independent_models() {
         for (key, found, tolerance) in [
             ("max_root_stress_pinion", largest(|v| v.root_stress[0]) / PSI, 0.01),
             ("max_root_stress_gear", largest(|v| v.root_stress[1]) / PSI, 0.01),
-            // Where one pair carries: near the ends of the path of contact, edges raise it.
+            // Single-tooth contact only: near the ends of the path of contact, edges raise the
+            // pressure.
             (
                 "max_hertz_pressure",
                 largest(|v| if v.load_share == 1.0 { v.contact_pressure } else { 0.0 }) / PSI,

@@ -1,5 +1,5 @@
-//! What must hold at every position: kinematics of involutes, action and reaction, the certificate, the response to a
-//! pitch error.
+//! Properties of every position: kinematics of involutes, action and reaction, the certificate, the
+//! response to a pitch deviation.
 
 use super::CYCLE;
 use crate::common::INCH;
@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector};
 
 #[test]
 fn unloaded_involutes_have_no_transmission_error() {
-    // The standard distance, and as far apart as leaves a contact ratio above one.
+    // The standard distance, and larger ones with a contact ratio above one.
     for distance in [3.0, 3.01, 3.03] {
         for edges in [false, true] {
             let options = PairOptions {
@@ -47,7 +47,7 @@ fn unmodified_involutes_have_exactly_the_torque_ratio_of_their_teeth() {
         for position in mesh_cycle(&mesh, 6) {
             let step = system.solve(position.time).expect("equilibrium");
             let [on_pinion, on_gear] = [FIRST, SECOND].map(|body| system.contact_force(&step, body)[5]);
-            // Both are pushed against the sense the pinion drives in.
+            // Contact forces on both gears oppose the sense in which the pinion drives.
             assert!(on_pinion < 0.0 && on_gear < 0.0);
             assert!((on_gear / on_pinion / 2.0 - 1.0).abs() < 1e-9, "cycle {}", position.cycle);
             let balanced = if loaded == 0 { on_pinion } else { on_gear };
@@ -58,7 +58,7 @@ fn unmodified_involutes_have_exactly_the_torque_ratio_of_their_teeth() {
 
 #[test]
 fn action_is_reaction() {
-    // Reliefs, tip edges and several patches; frames away from the ground's origin.
+    // Reliefs, tip edges and several patches; frames away from the origin of ground.
     let options = PairOptions {
         origin: [0.7 * INCH, -1.9 * INCH],
         direction: 0.4,
@@ -139,8 +139,8 @@ fn agrees_with_clarabel(step: &StepResult) {
     }
 }
 
-/// Change of each patch's force by a small growth of the gaps of one patch, with the cells loaded that are: what the
-/// mesh's own compliance answers.
+/// Change of each patch's force by a small increase of the gaps of one patch with a fixed active
+/// set: the response of the mesh compliance itself.
 fn tangent_response(step: &StepResult, opened: usize, growth: f64) -> Vec<f64> {
     let problem: &ContactProblem = &step.problem;
     let (n, m, active) = (problem.cells(), problem.dofs(), &step.active);
@@ -182,10 +182,12 @@ fn a_pitch_error_moves_load_by_stiffness_times_error() {
     let step = nominal.solve(time).expect("equilibrium");
     assert_eq!(step.patches.len(), 2, "two pairs of teeth share the load");
     let base_radius = PLAIN[0].gear().base_radius;
-    // A fiftieth of a micrometre along the line of action: the load moves by about half a percent.
+    // A fiftieth of a micrometre along the line of action: the load changes by about half a
+    // percent.
     for along in [2e-8, -2e-8] {
         for (opened, patch) in step.patches.iter().enumerate() {
-            // The pinion pushes counter-clockwise: a tooth ahead of its place closes its gap.
+            // The pinion pushes counter-clockwise: a tooth with a positive pitch deviation closes
+            // its gap.
             let gears = [PLAIN[0].with_pitch_error(patch.teeth[0], along / base_radius), PLAIN[1].clone()];
             let (scene, _) = pair(&PairOptions { gears, ..options.clone() });
             let moved = system(&scene).solve(time).expect("equilibrium");

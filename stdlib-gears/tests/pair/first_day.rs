@@ -1,4 +1,4 @@
-//! What an engineer asks of a pair on the first day, against closed forms and against what it is made of.
+//! Basic outputs of a pair, compared with closed forms and with each other.
 
 use super::CYCLE;
 use crate::common::INCH;
@@ -20,7 +20,7 @@ use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-/// The chapter 5 pair at parts of its mesh cycle.
+/// The chapter 5 pair at fractions of its mesh cycle.
 fn at_each(
     options: &PairOptions,
     mut test: impl FnMut(&MeshGeometry, &GearMesh, f64, &dyn Fn(&dyn Observable) -> Observed),
@@ -35,7 +35,7 @@ fn at_each(
     }
 }
 
-/// A gauge along the profile of the chapter 5 pair without modifications.
+/// Gauge along the profile of the chapter 5 pair without modifications.
 fn gauge(body: BodyId, radius: f64, side: FilletSide) -> Gauge {
     let placing =
         GaugePlacement { along: FilletLocation::Radius(radius), axial: 0.0, direction: 0.0, length: 0.0 };
@@ -55,14 +55,15 @@ fn loads_of_pairs_and_teeth_add_up_to_that_of_the_mesh() {
             let of_mesh = TORQUE / mesh.base_radii[0];
             let pairs: Vec<f64> = (-2..=2).map(|pair| value(&PairLoad(MESH, pair)).value).collect();
             assert!(close(pairs.iter().sum(), of_mesh, 1e-9), "cycle {cycle}: {pairs:?}");
-            // Two pairs up to 0.49 of the cycle and one then: that which enters at its start and the one before.
+            // Two pairs up to 0.49 of the cycle and one from there on: the pair that enters at its
+            // start and the preceding one.
             assert!(pairs[2] > 0.0 && (pairs[1] > 0.0) == (cycle < 0.49), "cycle {cycle}: {pairs:?}");
             assert_eq!(value(&PairsInContact(MESH)).value, if cycle < 0.49 { 2.0 } else { 1.0 });
             for (body, side) in [(FIRST, 0), (SECOND, 1)] {
                 let tooth = mesh.entering[side];
                 assert_eq!(value(&ToothLoad(body, tooth)).value, pairs[2]);
             }
-            // A plane model spreads the load evenly over the face of an inch.
+            // A plane model distributes the load uniformly over the face width of an inch.
             let largest = pairs.iter().copied().fold(0.0, f64::max);
             assert!(close(value(&MaxLineLoad(MESH)).value, largest / 0.0254, 1e-12));
             assert_eq!(value(&FaceLoadFactor(MESH)).value, 1.0);
@@ -75,13 +76,14 @@ fn loads_of_pairs_and_teeth_add_up_to_that_of_the_mesh() {
 fn what_holds_the_gears_leans_over_by_the_operating_pressure_angle() {
     at_each(&PairOptions::chapter_5(&PLAIN), |geometry, _, cycle, value| {
         let [x, y, z] = [0, 1, 2].map(|axis| value(&SupportForce(FIRST, axis)).value);
-        // The line of centres lies along x; the pinion pushes counter-clockwise and is pushed back and away.
+        // The line of centres lies along x; the pinion pushes counter-clockwise, and the reaction
+        // pushes it back and away.
         assert!(close(x / y, geometry.operating_pressure_angle.tan(), 1e-9), "cycle {cycle}: {x} {y}");
         assert_eq!(z, 0.0);
         let on_second = [0, 1, 2].map(|axis| value(&SupportForce(SECOND, axis)).value);
         assert!(close(on_second[0], -x, 1e-12) && close(on_second[1], -y, 1e-12));
         assert!(close(y.abs(), TORQUE / (0.0254 * 1.0), 1e-9), "{y}");
-        // The pinion is free to turn, the gear is held.
+        // The pinion is free to rotate, the gear is fixed.
         assert!(value(&SupportMoment(FIRST, 2)).value.abs() < 1e-9 * TORQUE);
         assert!(close(value(&SupportMoment(SECOND, 2)).value.abs(), 2.0 * TORQUE, 1e-9));
         assert_eq!(value(&Displacement(FIRST, 0)).value, 0.0);
@@ -99,9 +101,10 @@ fn flanks_slide_by_the_sum_of_the_speeds_times_the_distance_from_the_pitch_point
             |geometry, mesh, cycle, value| {
                 let sum = speed.abs() * 1.5;
                 let pitch_point = geometry.first_roll.pitch_point;
-                // The pair that has entered stands at the position's own roll angle; the ones before are pitches on.
+                // The entered pair is at the roll angle of the position; the preceding ones are
+                // whole pitches ahead.
                 let roll = mesh.roll[0] + cycle * (mesh.roll[1] - mesh.roll[0]);
-                // Contact runs from root to tip where the gear moves as it pushes.
+                // Contact moves from root to tip where the gear moves in the direction of its push.
                 let forward = if speed * moment > 0.0 { 1.0 } else { -1.0 };
                 let expected = |roll: f64| forward * sum * geometry.base_radius[0] * (roll - pitch_point);
                 let found = value(&SlidingVelocity(MESH, 0)).value;
@@ -114,7 +117,8 @@ fn flanks_slide_by_the_sum_of_the_speeds_times_the_distance_from_the_pitch_point
                 );
                 let fastest = value(&MaxSlidingVelocity(MESH)).value;
                 assert!(close(fastest, found.abs().max(expected(roll).abs()), 1e-6));
-                // Loss: force times sliding over both pairs, and what of the power that leaves.
+                // Loss: force times sliding velocity summed over both pairs, and the remaining
+                // fraction of the power.
                 let loads = [0, -1].map(|pair| value(&PairLoad(MESH, pair)).value);
                 let loss = 0.05 * (loads[0] * expected(roll).abs() + loads[1] * expected(before).abs());
                 assert!(close(value(&FrictionLoss(MESH, 0.05)).value, loss, 1e-6));
@@ -125,8 +129,8 @@ fn flanks_slide_by_the_sum_of_the_speeds_times_the_distance_from_the_pitch_point
     }
 }
 
-/// Ohlendorf's degree of loss is for two pairs that carry half each. Elastic teeth share otherwise: a pair at its ends,
-/// where flanks slide fastest, carries less.
+/// Ohlendorf's degree of loss assumes two pairs that carry half the load each. Elastic teeth share
+/// it differently: a pair at the ends of its path, where flanks slide fastest, carries less.
 #[test]
 fn the_loss_over_a_cycle_is_near_the_classical_degree_of_loss() {
     let options = PairOptions::chapter_5(&PLAIN);
@@ -159,7 +163,8 @@ fn the_loss_over_a_cycle_is_near_the_classical_degree_of_loss() {
     let path = geometry.first_roll;
     let [access, recess] = [-part(path.start_of_active_profile), part(path.end_of_active_profile)];
     let degree = 1.0 - geometry.contact_ratio + access * access + recess * recess;
-    // H_v = pi (u + 1) / (z_1 u cos alpha_w) (1 - eps + eps_1^2 + eps_2^2), with sums of |x| of half the degree.
+    // H_v = pi (u + 1) / (z_1 u cos alpha_w) (1 - eps + eps_1^2 + eps_2^2), with sums of |x| of
+    // half the degree.
     assert!(close(halves, 0.5 * degree, 0.01), "{halves} {}", 0.5 * degree);
     let classical = std::f64::consts::PI * 1.5 / 20.0 / geometry.operating_pressure_angle.cos() * degree;
     assert!(found < classical && found > 0.8 * classical, "{found} {classical}");
@@ -191,21 +196,22 @@ fn places_are_those_of_the_maxima() {
             assert_eq!(place_of(Maximum::RootStress, Coordinate::Radius), place.radius);
             assert_eq!(place_of(Maximum::RootStress, Coordinate::Tooth), f64::from(place.tooth));
             assert_eq!(place_of(Maximum::RootStress, Coordinate::Axial), 0.0);
-            // Tip edges carry nothing here.
+            // Tip edges carry no load here.
             assert_eq!(place_of(Maximum::EdgePressure, Coordinate::Tooth), -1.0);
             let compression = value(&MaxRootCompression(body));
             assert!(compression.value > stress.value, "cycle {cycle}: compression is the larger one");
-            // A gauge at the place of the largest stress, and one on the other side of the tooth.
+            // A gauge at the point of the largest stress, and one on the other side of the tooth.
             let gauge_value =
                 value(&GaugeReading(gauge(body, place.radius, FilletSide::Loaded), Reading::Stress));
-            // As far as the coarse mesh's curve is the fillet's.
+            // To the accuracy with which the coarse mesh approximates the fillet.
             assert!(close(gauge_value.value, stress.value, 1e-3));
             assert!(gauge_value.least.is_some_and(|least| least < 0.0 && least > -stress.value));
             let radius = compression.place.expect("it has a place").radius;
             let other = gauge(body, radius, FilletSide::Other);
             let least = value(&GaugeReading(other, Reading::Stress)).least;
             assert!(least.is_some_and(|least| close(-least, compression.value, 1e-3)), "{least:?}");
-            // Plane strain: along the profile (1 - nu^2) / E of the stress, along the face none, half of it in between.
+            // Plane strain: along the profile (1 - nu^2) / E of the stress, along the face zero, at
+            // 45 degrees half of it.
             let strain = |direction, length| {
                 let gauge = Gauge { direction, length, ..gauge(body, place.radius, FilletSide::Loaded) };
                 value(&GaugeReading(gauge, Reading::Strain)).value
@@ -213,10 +219,10 @@ fn places_are_those_of_the_maxima() {
             let along = gauge_value.value * (1.0 - 0.09) / (3e7 * PSI);
             assert!(close(strain(0.0, 0.0), along, 1e-9) && strain(FRAC_PI_2, 0.0).abs() < 1e-12 * along);
             assert!(close(strain(FRAC_PI_4, 0.0), 0.5 * along, 1e-9));
-            // Over a length it reads less than at the largest stress.
+            // The mean over a length is less than the value at the largest stress.
             let mean = strain(0.0, 0.01 * INCH) / along;
             assert!((0.9..1.0).contains(&mean), "{mean}");
-            // On the loaded tooth it reads the same, on one far off nothing.
+            // The gauge reads the same on the loaded tooth, and zero on a distant one.
             let on = |tooth| {
                 let gauge = Gauge { tooth: Some(tooth), ..gauge(body, place.radius, FilletSide::Loaded) };
                 value(&GaugeReading(gauge, Reading::LargestPrincipal)).value
@@ -224,7 +230,8 @@ fn places_are_those_of_the_maxima() {
             assert!(close(on(place.tooth), stress.value, 1e-3));
             assert!(on((place.tooth + 10) % 20).abs() < 1e-2 * stress.value);
         }
-        // Contact of the pinion at its roll angle and of the gear at the one that goes with it, within the width of contact.
+        // Contact of the pinion at its roll angle and of the gear at the corresponding one, within
+        // the contact width.
         let roll = |body| {
             value(&MaximumLocation { body, maximum: Maximum::LineLoad, coordinate: Coordinate::RollAngle })
                 .value

@@ -1,4 +1,4 @@
-//! Friction on a pair of teeth that carries the load alone: torques in the ratio that statics gives.
+//! Friction on a single tooth pair that carries the whole load: ratio of the torques from statics.
 
 use crate::common::pair::{FIRST, MESH, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
 use calyx_runtime::observables::Observe;
@@ -39,7 +39,7 @@ fn torques_are_those_of_statics() {
 
 #[test]
 fn friction_takes_power_and_drags_action_as_reaction() {
-    // Two pairs of teeth at a time as well.
+    // Also with two tooth pairs at a time.
     let (mut scene, mesh) = pair(&PairOptions::chapter_5(&PLAIN));
     let torque_ratio = |friction: f64, cycle: f64, scene: &mut calyx_runtime::scene::Scene| {
         scene.pairs[MESH.0].friction = friction;

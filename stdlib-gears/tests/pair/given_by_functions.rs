@@ -39,7 +39,8 @@ fn a_function_equal_to_a_relief_is_that_relief() {
     let flank = |modification| Flank::new(&gear, &[modification], Side::CounterClockwise).expect("a flank");
     let [known, given] = [built_in(), as_function(&gear)].map(flank);
     assert!((known.length() / given.length() - 1.0).abs() < 1e-9);
-    // The relief begins with a jump J of its second derivative, which costs about J h² / 30.
+    // The relief begins with a jump J of its second derivative, which causes an error of about J h²
+    // / 30.
     let range = gear.tip_roll - START;
     let jump = 2.0 * DEPTH / (range * range);
     let step = (gear.tip_roll - gear.form_roll) / SAMPLES as f64;
@@ -60,7 +61,7 @@ fn a_function_equal_to_a_relief_is_that_relief() {
     assert!(turned < 5e-5, "{turned:e}");
 }
 
-/// A pinion with this modification beside the plain wheel.
+/// A pinion with this modification and the plain wheel.
 fn with(modification: Modification) -> [Member; 2] {
     let rim = Rim { radius: 0.7 * INCH, fixed_radius: 0.6 * INCH, web: None, hold: BoreSupport::Rigid };
     let gear = GearPrototype::new(chapter_5(20), vec![modification], steel(), rim, INCH, Vec::new());
@@ -113,7 +114,7 @@ fn a_load_that_is_no_number_is_refused_where_it_is_none() {
     assert!(error.message.contains("\"first\""), "{}", error.message);
 }
 
-/// The code and the words of a refusal.
+/// Code and message of a refusal.
 fn refused<T>(result: Result<T, Refusal>) -> (&'static str, String) {
     match result {
         Ok(_) => panic!("it was let pass"),
@@ -145,7 +146,7 @@ fn impossible_deviations_are_refused() {
         assert_eq!(code, "E0642");
         assert!(message.contains(reason), "{message}");
     }
-    // Zero is no modification, and an amount below zero puts material on.
+    // A zero function is no modification, and a negative amount adds material.
     let none = Deviation::new("none", |_| 0.0);
     assert!(blank().modified(none.into()).cut().is_ok());
     assert!(blank().modified(Deviation::new("on", |_| -1e-5).into()).cut().is_ok());

@@ -1,4 +1,4 @@
-//! A pinion in a ring: what holds for external pairs holds for internal ones.
+//! A pinion in an internal gear: the properties of external pairs hold for internal ones.
 
 use super::CYCLE;
 use crate::common::built;
@@ -25,7 +25,7 @@ use std::sync::LazyLock;
 const MODULE: f64 = 4e-3;
 const FACE: f64 = 30e-3;
 const DISTANCE: f64 = 80e-3;
-/// On the pinion, N m.
+/// Torque on the pinion, N m.
 const TORQUE: f64 = 200.0;
 
 fn pinion() -> Member {
@@ -143,8 +143,9 @@ fn results_repeat_after_a_pitch_and_mirror() {
     }
 }
 
-/// Closed forms of a pinion in a ring, whose teeth stand inwards on a ring that is held outside, against finite elements: nothing is fitted. Root
-/// stresses of inward teeth, at the standard's 60 degrees, are those that are farthest off. Rigid teeth are conjugate.
+/// Closed forms of a pinion in an internal gear, supported at its outside, compared with finite
+/// elements; nothing is fitted. Root stresses of the internal teeth, at the 60 degrees of ISO
+/// 6336-3, have the largest error. Rigid teeth are conjugate.
 #[test]
 fn closed_forms_are_near_the_finite_elements() {
     let (scene, mesh) = pair(&options(&PLAIN));
@@ -162,7 +163,7 @@ fn closed_forms_are_near_the_finite_elements() {
         };
         near(given.transmission_error, meshed.transmission_error, 0.05);
         near(given.mesh_stiffness, meshed.mesh_stiffness, 0.05);
-        // A grid's cells are fitted to each, and at the ends of the path they are few.
+        // The cells of a grid are fitted to each model, and at the ends of the path there are few.
         near(given.contact_pressure, meshed.contact_pressure, 0.12);
         assert!((given.load_share - meshed.load_share).abs() < 0.02, "{given:?} {meshed:?}");
         for gear in 0..2 {
@@ -171,7 +172,7 @@ fn closed_forms_are_near_the_finite_elements() {
     }
 }
 
-/// A ring is stiffer the thicker its rim; a relief takes load off the ends of the path.
+/// An internal gear is stiffer with a thicker rim; a relief unloads the ends of the path.
 #[test]
 fn rim_and_relief_do_what_they_should() {
     let cycle = [0.02];
@@ -181,8 +182,9 @@ fn rim_and_relief_do_what_they_should() {
     assert!(relieved.load_share < plain.load_share, "{plain:?} {relieved:?}");
 }
 
-/// A pinion that may move towards the ring's axis, with a wall on one side of it: the line of action says on which side a wall holds it, and that
-/// is known before anything is solved.
+/// A pinion that can move towards the axis of the internal gear, with a stop on one side. The line
+/// of action determines which side constrains it, and the restraint check knows this before the
+/// solution.
 #[test]
 fn what_holds_a_pinion_in_a_ring_is_known_before_it_is_solved() {
     let mut held = Vec::new();

@@ -1,5 +1,5 @@
-//! What must not change the answer: another pitch, the other flanks, the other order, another place, another scale,
-//! positions solved before.
+//! Invariance of the results: another pitch, the opposite flanks, the opposite order, another
+//! position, another scale, positions solved before.
 
 use super::CYCLE;
 use crate::common::INCH;
@@ -8,7 +8,7 @@ use crate::common::pair::{
 };
 use std::f64::consts::PI;
 
-/// Without modifications and with tip relief, with and without contact on tip edges.
+/// Cases without modifications and with tip relief, with and without contact on tip edges.
 fn chapter_5_cases() -> Vec<PairOptions> {
     [&PLAIN, &RELIEVED]
         .into_iter()
@@ -29,7 +29,7 @@ fn results_repeat_after_a_pitch() {
         let (scene, mesh) = pair(&options);
         let system = system(&scene);
         for cycle in CYCLE {
-            // All but the share of the load, which is that of one pair of teeth.
+            // All values except the load share, which belongs to one tooth pair.
             let at = |pitches: f64| {
                 let step = system.solve(mesh.start + (cycle + pitches) * mesh.period).expect("equilibrium");
                 Values { load_share: 0.0, ..Values::of(&system, &step) }
@@ -50,7 +50,8 @@ fn drive_and_coast_give_the_same_answer() {
         let mirrored = PairOptions { moment: -options.moment, speed: -options.speed, ..options.clone() };
         assert_same(&solve_at(&mirrored, &CYCLE), &expected, 1e-9, "mirrored");
 
-        // Turning on while the moment holds back, a pair goes through the path of contact the other way.
+        // If the moment opposes the rotation, a pair traverses the path of contact in the opposite
+        // direction.
         let braking = PairOptions { moment: -options.moment, ..options.clone() };
         let (_, mesh) = pair(&options);
         let ratio = mesh.characteristic[1].time / mesh.period;
@@ -63,7 +64,7 @@ fn drive_and_coast_give_the_same_answer() {
     }
 }
 
-/// The same pair with the gear listed first: everything stays where it was.
+/// The same pair with the gear listed first; all positions are unchanged.
 fn swapped(options: &PairOptions) -> PairOptions {
     let (scene, _) = pair(options);
     let [first, second] = options.gears.clone();
@@ -79,7 +80,8 @@ fn swapped(options: &PairOptions) -> PairOptions {
     }
 }
 
-/// Values of a swapped pair as those of the pair: the lag is that of the other member.
+/// Values of a swapped pair converted to those of the pair: the transmission error is that of the
+/// other member.
 fn unswapped(values: Values, ratio: f64) -> Values {
     let [second, first] = values.root_stress;
     Values { transmission_error: values.transmission_error / ratio, root_stress: [first, second], ..values }
@@ -95,7 +97,8 @@ fn swapping_the_members_changes_names_only() {
     for options in chapter_5_cases() {
         compare(&options, &swapped(&options));
     }
-    // Unmodified on the nominal path, the gear may as well be loaded and the pinion bear it.
+    // Unmodified gears on the nominal path are symmetric: the gear may be loaded and the pinion
+    // support it.
     let options = PairOptions::chapter_5(&PLAIN);
     let gear_loaded = PairOptions { loaded: 0, moment: 2.0 * TORQUE, ..swapped(&options) };
     compare(&options, &gear_loaded);

@@ -1,4 +1,5 @@
-//! Pairs of gears in equilibrium: what must hold exactly, what must not change the answer, and reference values.
+//! Pairs of gears in equilibrium: exact properties, invariance of the results, and reference
+//! values.
 
 mod bearings;
 mod chapter_5;
@@ -12,5 +13,6 @@ mod other_pairs;
 mod sharing;
 mod supports;
 
-/// Parts of the mesh cycle of the chapter 5 pair at which tests look: two pairs of teeth in contact up to 0.4925.
+/// Fractions of the mesh cycle of the chapter 5 pair used by the tests: two tooth pairs are in
+/// contact up to 0.4925.
 const CYCLE: [f64; 5] = [0.02, 0.27, 0.47, 0.51, 0.83];

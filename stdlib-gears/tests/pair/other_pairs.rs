@@ -1,4 +1,4 @@
-//! Pairs unlike the report's: a contact ratio above two, profile shift, equal gears.
+//! Other pairs than the report's: a contact ratio above two, profile shift, equal gears.
 
 use crate::common::pair::{MESH, Member, PLAIN, PairOptions, Values, member, pair, system};
 use calyx_gears::external::ExternalGearData;
@@ -13,7 +13,7 @@ struct Case {
     name: &'static str,
     gears: [Member; 2],
     center_distance: f64,
-    /// Teeth in contact at most.
+    /// Largest number of tooth pairs in contact.
     shared_by: usize,
 }
 
@@ -40,7 +40,7 @@ fn cases() -> [Case; 3] {
             center_distance: 50e-3,
             shared_by: 3,
         },
-        // The pair of gear_geometry.json, a little further apart than without backlash.
+        // The pair of gear_geometry.json, at a slightly larger distance than without backlash.
         Case {
             name: "shifted",
             gears: [gear(3e-3, 17, 0.35, 1.35, 0.9), gear(3e-3, 42, -0.1, 0.9, 1.35)],
@@ -63,8 +63,9 @@ fn other_pairs_run_and_share_their_load() {
             let (scene, mesh) = pair(&options);
             let system = system(&scene);
             for position in mesh_cycle(&mesh, 3) {
-                // A pair of teeth one pitch on is where its successor is now: its shares add up to the whole load. On
-                // tip edges it carries a little before the path of contact, too.
+                // A tooth pair is in the present position of its successor after one pitch, so its
+                // shares add up to the whole load. With tip edges it also carries a little load
+                // before the path of contact.
                 let shares: Vec<f64> = (-1..=shared_by as i32)
                     .map(|pitch| {
                         let time = position.time + f64::from(pitch) * mesh.period;
@@ -97,7 +98,7 @@ fn transmission_error_is_continuous_where_tip_edges_carry() {
         let coarse: Vec<f64> = (0..8).map(|i| at(f64::from(i) / 8.0)).collect();
         let range =
             coarse.iter().copied().fold(f64::MIN, f64::max) - coarse.iter().copied().fold(f64::MAX, f64::min);
-        // Around the points where pairs enter and leave, and in between.
+        // Positions around the points at which pairs enter and leave, and in between.
         let ratio = mesh.characteristic[1].time / mesh.period;
         for cycle in [0.0, ratio, ratio - 0.01, ratio + 0.01, 0.99, 0.3] {
             let change = (at(cycle + 1e-4) - at(cycle - 1e-4)).abs();
@@ -108,7 +109,7 @@ fn transmission_error_is_continuous_where_tip_edges_carry() {
 
 #[test]
 fn pairs_of_one_scene_do_not_disturb_each_other() {
-    // Two pairs of the same gears; one searches its tip edges and the other does not.
+    // Two pairs of the same gears; one includes contact on tip edges and the other does not.
     let [(mut scene, mesh), (other, _)] =
         [false, true].map(|edges| pair(&PairOptions { edges, ..PairOptions::chapter_5(&PLAIN) }));
     let time = mesh.start + 0.51 * mesh.period;
@@ -125,7 +126,7 @@ fn pairs_of_one_scene_do_not_disturb_each_other() {
         pair.bodies = pair.bodies.map(|body| BodyId(body.0 + 2));
         scene.add_pair(pair);
     }
-    // What nobody looks at is left out.
+    // Unobserved pairs are left out.
     scene.add_observable(TransmissionError(PairId(1)));
     let system = system(&scene);
     let step = system.solve(time).expect("equilibrium");

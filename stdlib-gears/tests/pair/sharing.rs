@@ -1,4 +1,5 @@
-//! Modified flanks on the structure of the plain gear: shallow ones share it, and hardly differ from what a mesh of their own gives.
+//! Modified flanks on the structure of the plain gear: shallow ones share it and differ little from
+//! results on their own mesh.
 
 use crate::common::INCH;
 use crate::common::pair::{Member, PairOptions, Scale, Values, chapter_5_member, pair, system_of};
@@ -11,7 +12,8 @@ use calyx_runtime::scene::{Prototype, StructureOptions};
 /// Module of the chapter 5 pair, in inches.
 const MODULE: f64 = 0.1;
 
-/// The chapter 5 pair with a quadratic tip relief of this many modules, over a cycle on the default mesh.
+/// The chapter 5 pair with a quadratic tip relief of this depth in modules, over a cycle on the
+/// default mesh.
 fn over_a_cycle(relief: f64) -> Vec<Values> {
     let gears =
         [20, 40].map(|teeth| chapter_5_member(teeth, relief * MODULE, Scale { length: 1.0, modulus: 1.0 }));

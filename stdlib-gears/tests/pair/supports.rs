@@ -1,4 +1,4 @@
-//! What is said when a scene is not held, not loaded, or its grids do not suit.
+//! Diagnostics of scenes that are unconstrained or unloaded, or have unsuitable contact grids.
 
 use crate::common::pair::{COARSE, FIRST, PLAIN, PairOptions, TORQUE, member, pair, system};
 use crate::common::{INCH, chapter_5_data, resources};
@@ -12,7 +12,7 @@ use calyx_runtime::scene::{Body, Fidelity};
 use calyx_runtime::system::System;
 use std::sync::Arc;
 
-/// What solving the chapter 5 pair ends in after its bodies have been changed.
+/// Error from solving the chapter 5 pair after a change of its bodies.
 fn failure(options: &PairOptions, change: impl Fn(&mut Vec<Body>)) -> EngineError {
     let (mut scene, mesh) = pair(options);
     change(&mut scene.bodies);
@@ -78,7 +78,8 @@ fn gears_held_where_they_overlap_press_as_the_load_that_moved_them_there() {
     let system = System::new(&held, &plan).expect("it can be built");
     let step = system.solve(time).expect("nothing moves");
     let moment = system.contact_force(&step, FIRST)[5];
-    // The closest approach is looked for with the gear turned, a little farther along the flanks.
+    // The closest approach is searched with the gear rotated, at a slightly different point of the
+    // flanks.
     assert!((moment / -TORQUE - 1.0).abs() < 1e-3, "{moment}");
     assert!(step.certificate.largest() <= 1e-12);
 }
@@ -98,7 +99,7 @@ fn faces_of_unequal_width_are_reported() {
     assert!(found[0].reason.contains("25.4 mm"), "{}", found[0].reason);
 }
 
-/// A plane model says what it does not see of loads along the axis and of faces that stand apart.
+/// A plane model reports the axial loads and offset faces that it ignores.
 #[test]
 fn what_stands_out_of_the_plane_is_reported() {
     let ignored = |change: &dyn Fn(&mut [Body])| -> Vec<String> {
@@ -119,7 +120,7 @@ fn what_stands_out_of_the_plane_is_reported() {
     assert_eq!(ignored(&beside), ["frame"]);
 }
 
-/// The better width that warnings speak of, m.
+/// The width that warnings recommend, m.
 fn advice(warnings: &[String]) -> Option<f64> {
     let warning = warnings.first()?;
     let (_, rest) = warning.split_once("`grid_width = ")?;
@@ -140,7 +141,8 @@ fn a_grid_that_does_not_suit_is_reported_with_one_that_does() {
         let mut width = width;
         let mut warnings = warned(Some(width));
         assert!(warnings[0].contains(trouble), "{warnings:?}");
-        // A deep cut only tells that the grid must be much wider: the advice may have to be followed again.
+        // If the grid is much too narrow, the recommendation is only a lower bound and may have to
+        // be followed repeatedly.
         for _ in 0..4 {
             match advice(&warnings) {
                 Some(better) => width = better,

@@ -1,4 +1,5 @@
-//! A set at the levels without meshes: what is exact stays so, and what closed forms leave out is small.
+//! Planetary sets at the fidelity levels without meshes: exact properties hold, and the error of
+//! closed forms is small.
 
 use super::set::{SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use calyx_runtime::observables::{Equilibrium, MaxRootStress, MeshStiffness, Observable, TransmissionError};
@@ -8,8 +9,8 @@ use std::f64::consts::TAU;
 const PERIOD: f64 = TAU / SUN_TEETH as f64 / SUN_SPEED;
 const PARTS: [f64; 3] = [0.1, 0.45, 0.8];
 
-/// Of each position what every mesh with the sun, and then every one with the ring, bears (N), its transmission error (rad) and its stiffness, and the
-/// stresses of sun and ring.
+/// At each position, for every mesh with the sun and then every mesh with the ring: force (N),
+/// transmission error (rad) and stiffness; and the stresses of sun and ring.
 fn seen(options: &SetOptions, fidelity: Fidelity) -> Vec<(Vec<[f64; 3]>, [f64; 2])> {
     let mut set = Set::of(options).expect("it goes together");
     for body in [set.sun, set.ring] {
@@ -30,8 +31,9 @@ fn seen(options: &SetOptions, fidelity: Fidelity) -> Vec<(Vec<[f64; 3]>, [f64; 2
     PARTS.iter().map(at).collect()
 }
 
-/// Three planets are alike after a third of a turn, and so are their meshes: each bears a third of the torque at any position, by closed forms as by
-/// finite elements, near which transmission error and stiffness are.
+/// Three planets are equivalent after a third of a rotation, and so are their meshes: each carries
+/// a third of the torque at any position, with closed forms and with finite elements, whose
+/// transmission error and stiffness are similar.
 #[test]
 fn equal_planets_share_equally_and_give_as_finite_elements() {
     let [given, meshed] =
@@ -50,13 +52,15 @@ fn equal_planets_share_equally_and_give_as_finite_elements() {
             assert!((mesh[2] / expected[2] - 1.0).abs() < 0.02, "{mesh:?} {expected:?}");
         }
         for (stress, expected) in stresses.iter().zip(of_mesh) {
-            // By the standard, on coarse elements: the ring's inward teeth are farthest off.
+            // According to ISO 6336, on coarse elements: the internal teeth of the ring have the largest
+            // error.
             assert!((stress / expected - 1.0).abs() < 0.25, "{stress} {expected}");
         }
     }
 }
 
-/// A sun that floats between three planets goes to where all press alike, whatever their pins are out by: statics has no other choice.
+/// A sun that floats between three planets moves until all of them carry the same force, whatever
+/// their pin position errors are: statics requires it.
 #[test]
 fn a_floating_sun_makes_three_planets_bear_alike() {
     let options = SetOptions {
@@ -66,13 +70,13 @@ fn a_floating_sun_makes_three_planets_bear_alike() {
     };
     for (meshes, _) in seen(&options, Fidelity::Analytic) {
         for mesh in &meshes[..3] {
-            // Pins that are out lean the lines of action by ten thousandths.
+            // Pin position errors rotate the lines of action by ten-thousandths of a radian.
             assert!((mesh[0] / meshes[0][0] - 1.0).abs() < 2e-3, "{meshes:?}");
         }
     }
 }
 
-/// Undeformed involutes pass on motion evenly, on axes that go round as on others.
+/// Rigid involutes have no transmission error, on rotating axes as on fixed ones.
 #[test]
 fn rigid_sets_have_no_transmission_error() {
     for options in

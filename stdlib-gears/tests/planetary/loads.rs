@@ -1,4 +1,5 @@
-//! How planets share the load: by symmetry where there is one, by linear theory where pins are out of place.
+//! Load sharing among planets: by symmetry where there is one, by linear theory for pin position
+//! errors.
 
 use super::set::{DISTANCE, PLANET_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use calyx_runtime::material::Material;
@@ -10,7 +11,7 @@ use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 
-/// s, of one pitch.
+/// Duration of one pitch, s.
 const PERIOD: f64 = TAU / SUN_TEETH as f64 / SUN_SPEED;
 
 fn solve(system: &System<'_>, part: f64) -> StepResult {
@@ -25,7 +26,7 @@ fn forces(system: &System<'_>, pairs: &[PairId], part: f64) -> Vec<f64> {
     pairs.iter().map(|&pair| at.force(pair)).collect()
 }
 
-/// What of the sun's load each planet bears.
+/// Share of the sun's load on each planet.
 fn shares(system: &System<'_>, pairs: &[PairId], part: f64) -> Vec<f64> {
     let forces = forces(system, pairs, part);
     let total: f64 = forces.iter().sum();
@@ -80,8 +81,9 @@ fn three_planets_in_phase_share_the_load_equally() {
     }
 }
 
-/// Half a turn takes the set of four into itself, with the sun half a pitch on: opposite planets bear the same, half a mesh cycle apart. Nothing
-/// takes a planet to its neighbour.
+/// Half a rotation maps the set of four to itself, with the sun half a pitch further: opposite
+/// planets carry the same load, half a mesh cycle apart. No symmetry maps a planet to its
+/// neighbour.
 #[test]
 fn of_four_planets_only_opposite_ones_share_equally() {
     let set = Set::of(&SetOptions::four()).expect("it goes together");
@@ -101,16 +103,17 @@ fn of_four_planets_only_opposite_ones_share_equally() {
     assert!((means[0] - means[1]).abs() > 1e-5, "{means:?}");
 }
 
-/// The part of the cycle at which errors of planets are looked at.
+/// Fraction of the cycle at which errors of planets are evaluated.
 const PART: f64 = 0.3;
 
-/// Forces of the sun on the planets of a set of three whose second planet is not as it should be.
+/// Forces of the sun on the planets of a set of three whose second planet has an error.
 fn with_errors(options: SetOptions) -> Vec<f64> {
     let set = Set::of(&options).expect("it goes together");
     forces(&set.system(), &set.sun_meshes, PART)
 }
 
-/// Of a set without errors: how far force on a planet grows by what the sun turns, along the line of action, with the forces.
+/// For a set without errors: derivative of the force on a planet by the rotation of the sun along
+/// the line of action, with the forces.
 fn stiffness() -> (f64, Vec<f64>) {
     let with = |moment: f64| {
         let set = Set::of(&SetOptions { moment, ..SetOptions::three() }).expect("it goes together");
@@ -122,8 +125,9 @@ fn stiffness() -> (f64, Vec<f64>) {
     ((more[0] - even[0]) / (high - low), even)
 }
 
-/// Of springs side by side the second one gives way by `gives`: it bears less by their stiffness times that, less what all share of it. A sun that
-/// rests between three planets leaves two thirds.
+/// Checks the load shift of parallel springs of which the second one recedes by `gives`. It loses
+/// the stiffness times this distance, minus its share of the redistributed load. With a sun on a
+/// fixed axis between three planets, two thirds remain.
 fn bears_less(found: &[f64], gives: f64) {
     let (stiffness, even) = stiffness();
     let shift: Vec<f64> = found.iter().zip(&even).map(|(found, even)| found - even).collect();
@@ -134,8 +138,8 @@ fn bears_less(found: &[f64], gives: f64) {
     }
 }
 
-/// By how much a planet whose pin stands further on around by `error` gives way along its two lines of action, by the operating pressure
-/// angles.
+/// Distance by which a planet recedes along its two lines of action if its pin has the
+/// circumferential position error `error`, from the operating pressure angles.
 fn gives_by_pin(error: f64) -> f64 {
     let set = Set::of(&SetOptions::three()).expect("it goes together");
     let [planet_radius, ring_radius] = set.mesh(set.ring_meshes[1]).base_radii;
@@ -143,13 +147,14 @@ fn gives_by_pin(error: f64) -> f64 {
     error * ((sun_radius + planet_radius) / DISTANCE + (ring_radius - planet_radius) / DISTANCE)
 }
 
-/// A set of three; of the second planet, for the first one phases the ring, the pin stands further on around by `error`.
+/// A set of three in which the pin of the second planet has the circumferential position error
+/// `error`. (The first planet phases the ring.)
 fn with_pin(error: f64) -> SetOptions {
     SetOptions { pin_errors: vec![[0.0; 2], [0.0, error], [0.0; 2]], ..SetOptions::three() }
 }
 
-/// A planet whose pin is moved on around by `e` gives way by `e (cos a + cos b)` along its two lines of action. A sun that floats goes where
-/// all planets bear the same.
+/// A planet whose pin is displaced circumferentially by `e` recedes by `e (cos a + cos b)` along
+/// its two lines of action. A floating sun moves until all planets carry the same force.
 #[test]
 fn a_pin_out_of_place_shifts_load_as_linear_theory_says() {
     let error = 1e-6;
@@ -159,16 +164,17 @@ fn a_pin_out_of_place_shifts_load_as_linear_theory_says() {
     let mesh = set.mesh(set.ring_meshes[1]);
     let center_offset = mesh.center_offset.abs() * mesh.base_radii[1];
     assert!((center_offset / gives_by_pin(error) - 1.0).abs() < 1e-3, "{center_offset}");
-    // Opposite errors shift opposite ways.
+    // Opposite errors have opposite effects.
     bears_less(&with_errors(with_pin(-error)), gives_by_pin(-error));
-    // A floating sun shares out evenly what it bears, but for the tenth of a thousandth that directions turn.
+    // A floating sun shares its load equally, up to the ten-thousandth by which directions rotate.
     let floating = with_errors(SetOptions { floating: true, ..with_pin(10.0 * error) });
     for force in &floating {
         assert!((force / floating[0] - 1.0).abs() < 2e-3, "{floating:?}");
     }
 }
 
-/// Teeth that are thinner by `d` at the pitch circle come late in both meshes, by `d cos(a)` together.
+/// Teeth that are thinner by `d` at the pitch circle enter both meshes late, by `d cos(a)` in
+/// total.
 #[test]
 fn thinner_teeth_of_a_planet_shift_load_as_linear_theory_says() {
     let thinner = 1e-6;
@@ -177,12 +183,13 @@ fn thinner_teeth_of_a_planet_shift_load_as_linear_theory_says() {
     bears_less(&found, thinner * 24.6_f64.to_radians().cos());
 }
 
-/// The middle of a planet's teeth is off its axis: where it happens to stand further on around, all is as if the pin did; half a turn of the planet
-/// later it is the other way round.
+/// Runout of a planet: the centre of its teeth is off its axis. At the rotation angle at which the
+/// centre is displaced circumferentially, the effect equals that of a pin position error. Half a
+/// rotation of the planet later, the effect is opposite.
 #[test]
 fn runout_of_a_planet_is_a_pin_out_of_place_that_turns_with_it() {
     let error = 1e-6;
-    // As the planet sees the direction around, at the time looked at.
+    // The circumferential direction at this time in the planet's frame.
     let turned = -SUN_SPEED * f64::from(SUN_TEETH) / f64::from(PLANET_TEETH) * PART * PERIOD;
     let around = |size: f64| [-size * (-turned).sin(), size * (-turned).cos()];
     for size in [error, -error] {
@@ -196,8 +203,8 @@ fn runout_of_a_planet_is_a_pin_out_of_place_that_turns_with_it() {
     }
 }
 
-/// Planets anywhere they go together: all of them a place further on are the same set at another time, for a place is 27/126 of a pitch of the
-/// sun.
+/// Unequally spaced planets at feasible positions. Moving all of them by one position gives the
+/// same set at another time, because a position is 27/126 of a pitch of the sun.
 #[test]
 fn unequally_spaced_planets_a_place_further_on_bear_the_same_later() {
     let places = [0.0, 31.0, 60.0, 94.0];
@@ -212,17 +219,17 @@ fn unequally_spaced_planets_a_place_further_on_bear_the_same_later() {
         for (found, expected) in found.iter().zip(&expected) {
             assert!((found - expected).abs() < 1e-9, "{part}: {found} {expected}");
         }
-        // No symmetry makes them equal.
+        // No symmetry makes the shares equal.
         assert!(expected.iter().any(|share| (share - expected[0]).abs() > 1e-4), "{expected:?}");
     }
 }
 
-/// The sun presses on one flank of a planet's teeth, the ring on the other.
+/// The sun loads one flank of a planet's teeth, the ring the other.
 #[test]
 fn a_gauge_names_the_flank_beside_which_it_is() {
     let mut set = Set::of(&SetOptions::three()).expect("it goes together");
     for body in [set.planets[0], set.sun, set.ring] {
-        // Stress is recovered where somebody asks for it.
+        // Stress is only recovered if it is observed.
         set.scene.add_observable(MaxRootStress(body));
     }
     let system = set.system();
@@ -238,7 +245,8 @@ fn a_gauge_names_the_flank_beside_which_it_is() {
         [FilletSide::Flank(0), FilletSide::Flank(1), FilletSide::Loaded, FilletSide::Other]
             .map(|side| read(body, side))
     });
-    // The sun pushes counter-clockwise, and is loaded on that flank; planets, which it turns the other way, press on that of the ring.
+    // The sun pushes counter-clockwise and is loaded on that flank. The planets rotate in the
+    // opposite direction and push on that flank of the ring.
     assert!(sun[0] == sun[2] && sun[1] == sun[3] && sun[0] > sun[1], "{sun:?}");
     assert!(ring[0] == ring[2] && ring[1] == ring[3] && ring[0] > ring[1], "{ring:?}");
     assert!(planet[2] == planet[0].max(planet[1]), "{planet:?}");

@@ -1,4 +1,5 @@
-//! Vibrations of planetary sets: against rigid bodies on springs (Lin and Parker), and what flexible rims make of them.
+//! Modes of planetary sets, compared with the lumped-parameter model (Lin and Parker), and the
+//! effect of flexible rims.
 
 use super::set::{DISTANCE, SUN_SPEED, SUN_TEETH, Set, SetOptions, ring};
 use calyx_gears::lumped_planetary::LumpedPlanetary;
@@ -12,12 +13,12 @@ use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A rim that its bearing holds in the mean.
+/// Rim whose bearing supports it by a mean constraint.
 const FLOATING: BoreSupport = BoreSupport::Means { harmonics: None, degree: 0 };
 const CARRIER: BodyId = BodyId(2);
-/// Of each planet's pin, N/m.
+/// Stiffness of each planet's pin, N/m.
 const PINS: f64 = 5e8;
-/// Radial (N/m) and torsional (N m/rad) stiffness of what bears sun, ring and carrier.
+/// Radial (N/m) and torsional (N m/rad) stiffness of the supports of sun, ring and carrier.
 const SUPPORTS: [[f64; 2]; 3] = [[2e7, 0.0], [4e8, 3e7], [1e9, 1e7]];
 
 /// Three planets in phase, all members free on bearings.
@@ -36,7 +37,7 @@ fn all_free() -> Set {
     set
 }
 
-/// The same as rigid bodies on springs, those of the meshes as the solved position has them.
+/// The lumped-parameter model of the set, with the mesh stiffnesses of the solved position.
 fn lumped(set: &Set, at: &Equilibrium<'_>) -> LumpedPlanetary {
     let lumped = LumpedSet {
         sun: set.sun,
@@ -55,7 +56,8 @@ fn lumped(set: &Set, at: &Equilibrium<'_>) -> LumpedPlanetary {
     found
 }
 
-/// At a part of a pitch, the vibrations of a set, the kinds and frequencies (Hz) of its modes, and those of the same as rigid bodies on springs.
+/// At a fraction of a pitch: the modes of a set, the types and frequencies (Hz) of its modes, and
+/// those of the lumped-parameter model.
 fn both(set: &Set, system: &System<'_>, part: f64) -> (Arc<Vibrations>, [Vec<(ModeKind, f64)>; 2]) {
     let step = system.solve(part * TAU / f64::from(SUN_TEETH) / SUN_SPEED).expect("equilibrium");
     let at = Equilibrium::new(system, &step);
@@ -68,12 +70,13 @@ fn both(set: &Set, system: &System<'_>, part: f64) -> (Arc<Vibrations>, [Vec<(Mo
     (found.clone(), [ours.collect(), theirs.collect()])
 }
 
-/// Frequencies of a kind, from the lowest up.
+/// Natural frequencies of a mode type, ascending.
 fn of(kind: ModeKind, modes: &[(ModeKind, f64)]) -> Vec<f64> {
     modes.iter().filter(|mode| mode.0 == kind).map(|mode| mode.1).collect()
 }
 
-/// Bores and rims that are held rigidly leave teeth alone with their stiffness: both models are one, mode by mode, to rounding.
+/// With rigidly supported bores and rims, only the teeth are elastic: both models agree mode by
+/// mode to rounding.
 #[test]
 fn rigid_rims_vibrate_as_a_lumped_set_does() {
     let set = all_free();
@@ -95,7 +98,8 @@ fn rigid_rims_vibrate_as_a_lumped_set_does() {
     }
 }
 
-/// A ring that floats on its bearing, of growing thickness, with its own modes: against the same masses on the teeth alone.
+/// A ring of increasing thickness on a floating bearing, with its own modes, compared with the same
+/// masses on the elastic teeth alone.
 #[test]
 fn flexible_rims_lower_frequencies_and_stiffer_ones_do_less() {
     let mut last = [f64::INFINITY; 2];
@@ -107,7 +111,7 @@ fn flexible_rims_lower_frequencies_and_stiffer_ones_do_less() {
         let (_, [_, on_teeth]) = both(&set, &set.system(), 0.15);
         set.scene.bodies[set.ring.0].prototype = ring(outer, FLOATING);
         let (_, [flexible, _]) = both(&set, &set.with_modes(6e3), 0.15);
-        // The lowest that turns, and the lowest of all that shifts or bends.
+        // The lowest rotational mode, and the lowest of all translational or bending modes.
         let turning = ModeKind::Rotational;
         let first = |modes: &[(ModeKind, f64)]| modes[0].1;
         let gaps = [

@@ -1,4 +1,4 @@
-//! Axes that move: whoever watches sees the same loads, and the cycle of a mesh is that of its teeth.
+//! Moving axes: every observer sees the same loads, and the cycle of a mesh is that of its teeth.
 
 use super::set::{DISTANCE, Planet, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions};
 use calyx_runtime::motion::{Motion, axle};
@@ -8,11 +8,11 @@ use calyx_runtime::observables::{
 };
 use std::f64::consts::TAU;
 
-/// What does not depend on who looks: of every mesh, and of the sun's and the ring's fillets.
+/// Values that do not depend on the observer: for every mesh, and for the fillets of sun and ring.
 fn seen(set: &Set, time: f64) -> Vec<f64> {
     let mut set = set.clone();
     for body in [set.sun, set.ring] {
-        // Stress is recovered where somebody asks for it.
+        // Stress is only recovered if it is observed.
         set.scene.add_observable(MaxRootStress(body));
     }
     let system = set.system();
@@ -79,7 +79,8 @@ fn the_cycle_of_a_mesh_is_that_of_its_teeth_wherever_it_is_seen_from() {
     }
 }
 
-/// Without load rigid teeth touch, and no angle lags, after however many turns.
+/// Without load rigid teeth touch, and the transmission error is zero, after any number of
+/// rotations.
 #[test]
 fn unloaded_involutes_have_no_transmission_error_on_moving_axes() {
     for seen_from in [0.0, 61.0] {
@@ -96,7 +97,7 @@ fn unloaded_involutes_have_no_transmission_error_on_moving_axes() {
     }
 }
 
-/// A planet that sits off its pin turns about the pin, and its line of centres does not waver.
+/// An eccentric planet rotates about its pin, and its line of centres stays fixed.
 #[test]
 fn a_planet_off_its_pin_turns_about_the_pin() {
     for speed in [0.0, 11.0, -30.0] {

@@ -1,4 +1,4 @@
-//! Assembly and phasing: which spacings go together, and which harmonics of the mesh turn the sun or move it sideways.
+//! Assembly and phasing: feasible spacings, and the mesh harmonics that rotate or shift the sun.
 
 use super::set::{PLANET_TEETH, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions};
 use calyx_gears::error::Refusal;
@@ -21,8 +21,9 @@ fn sum(parts: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     parts.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d])
 }
 
-/// A tooth of the sun that has entered the mesh with the first planet turns by the spacing until it enters the next one's; one of the ring,
-/// which turns the other way, comes from there.
+/// A tooth of the sun that has entered the mesh with the first planet rotates by the spacing until
+/// it enters the next planet's mesh. The ring rotates in the opposite direction, so its teeth reach
+/// the planets in the opposite order.
 #[test]
 fn planets_enter_one_after_the_other_as_they_are_spaced() {
     let options = SetOptions::four();
@@ -38,9 +39,11 @@ fn planets_enter_one_after_the_other_as_they_are_spaced() {
     }
 }
 
-/// The mesh forces of planet `n` repeat with the phase `Zs psi_n` and point where the planet stands. So harmonic `l` of the moments on the sun is
-/// in proportion to the sum of `exp(i l Zs psi_n)`; of the forces on it, as complex numbers in the carrier, `exp(+-i l w t)` has that of
-/// `exp(i (1 -+ l Zs) psi_n)`: a planet that stands further on is in the phase of an earlier time.
+/// The mesh forces of planet `n` repeat with the phase `Zs psi_n` and point in the direction of the
+/// planet. Harmonic `l` of the moments on the sun is therefore proportional to the sum of
+/// `exp(i l Zs psi_n)`. For the forces on it, as complex numbers in the carrier, `exp(+-i l w t)`
+/// has the sum of `exp(i (1 -+ l Zs) psi_n)`: a planet at a larger angle is in the phase of an
+/// earlier time.
 #[test]
 fn harmonics_turn_the_sun_or_move_it_as_the_planets_are_phased() {
     const SAMPLES: usize = 16;
@@ -51,7 +54,7 @@ fn harmonics_turn_the_sun_or_move_it_as_the_planets_are_phased() {
         let motions: Vec<[f64; 3]> = (0..SAMPLES)
             .map(|sample| {
                 let step = system.solve(sample as f64 / SAMPLES as f64 * period).expect("equilibrium");
-                // Freedoms of the sun, which is the first body: u_x, u_y, theta_z.
+                // Degrees of freedom of the sun, which is the first body: u_x, u_y, theta_z.
                 [step.motion[0], step.motion[1], step.motion[2]]
             })
             .collect();
@@ -90,7 +93,7 @@ fn refused(spacing: Vec<f64>) -> (&'static str, String) {
 #[test]
 fn planets_go_together_where_teeth_meet_spaces() {
     let places = f64::from(SUN_TEETH + RING_TEETH);
-    // Every whole place, as long as planets do not run into each other.
+    // Every feasible position, as long as planets do not overlap.
     for place in [40.0, 41.0, 63.0, 85.0] {
         assert_eq!(refused(vec![0.0, TAU * place / places]).0, "none", "{place}");
     }
@@ -100,14 +103,16 @@ fn planets_go_together_where_teeth_meet_spaces() {
         help.contains("/ 126 apart") && help.contains("91.429 deg") | help.contains("88.571 deg"),
         "{help}"
     );
-    // Seven would go together by their teeth if they had room.
+    // The teeth would permit seven planets if they had room.
     assert_eq!(refused((0..7).map(|k| TAU * f64::from(k) / 7.0).collect()).0, "E0751");
-    // A spacing that is off by a twentieth of a degree is told, one to five digits is not.
+    // A spacing error of a twentieth of a degree is reported, a spacing with five correct digits is
+    // not.
     assert_eq!(refused(vec![0.0, 88.63_f64.to_radians()]).0, "E0752");
     assert_eq!(refused(vec![0.0, 88.5714_f64.to_radians()]).0, "none");
 }
 
-/// The order of meshes is the model's choice: a planet that meshes with the ring first is phased by it.
+/// The order of meshes is the model's choice: a planet that meshes with the ring first is phased by
+/// it.
 #[test]
 fn a_planet_is_phased_by_whatever_it_meshes_with_first() {
     let set = Set::of(&SetOptions::four()).expect("it goes together");
@@ -125,7 +130,8 @@ fn a_planet_is_phased_by_whatever_it_meshes_with_first() {
             assert!(meshed.warnings.is_empty());
             meshed.pair
         };
-        // The first as usual: it says which flanks drive. The others with the ring before the sun.
+        // The first planet in the usual order, which determines the drive flanks. The others with
+        // the ring before the sun.
         let [with_sun, with_ring] = if index == 0 {
             let with_sun = mesh(set.sun, planet);
             [with_sun, mesh(planet, set.ring)]
@@ -142,7 +148,7 @@ fn a_planet_is_phased_by_whatever_it_meshes_with_first() {
         for pair in [with_sun, with_ring] {
             let mesh = scene.pairs[pair.0].mesh.as_ref().expect("a mesh");
             assert!(mesh.center_offset.abs() < 1e-12);
-            // Relative to the carrier the sun turns as it is driven.
+            // Relative to the carrier the sun rotates in the direction of its drive.
             assert!((mesh.period * SUN_SPEED * f64::from(SUN_TEETH) / TAU - 1.0).abs() < 1e-9);
         }
     }

@@ -1,4 +1,5 @@
-//! The set of the tests: the final stage of a helicopter's transmission, 27/35/99 teeth, as a scene of the engine.
+//! The planetary set of the tests: the final stage of a helicopter transmission, 27/35/99 teeth, as
+//! a scene of the engine.
 
 use crate::common::{built, resources};
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
@@ -26,13 +27,13 @@ use std::sync::{Arc, LazyLock};
 pub const SUN_TEETH: u32 = 27;
 pub const PLANET_TEETH: u32 = 35;
 pub const RING_TEETH: u32 = 99;
-/// m
+/// Centre distance, m.
 pub const DISTANCE: f64 = 88.90e-3;
 const FACE: f64 = 30e-3;
-/// On the sun, N m.
+/// Torque on the sun, N m.
 pub const TORQUE: f64 = 1800.0;
 
-/// A mesh that builds fast: for what must hold on any mesh.
+/// Coarse mesh that is built quickly, for properties that hold on any mesh.
 pub const COARSE: StructureOptions = StructureOptions {
     refinement: 0.5,
     order: 2,
@@ -71,9 +72,10 @@ static SUN: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| external(SUN_TEETH, 
 static PLANET: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| external(PLANET_TEETH, 4.45e-3, 32e-3));
 static RING: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| ring(155e-3, BoreSupport::Rigid));
 
-/// A ring of an outer radius (m) at which it is held.
+/// Ring gear supported at its outer radius (m).
 pub fn ring(outer: f64, hold: BoreSupport) -> Arc<GearPrototype> {
-    // The operating circle of the mesh with the planets is its pitch circle: the base pitch is that of the rack.
+    // The operating pitch circle of the mesh with the planets is the ring's pitch circle: the base
+    // pitch is that of the rack.
     let module = 2.0 * DISTANCE / f64::from(RING_TEETH - PLANET_TEETH);
     let angle = (25.4e-3 / 8.857 * 24.6_f64.to_radians().cos() / module).acos();
     let gear = InternalGear::new(InternalGearData {
@@ -89,27 +91,28 @@ pub fn ring(outer: f64, hold: BoreSupport) -> Arc<GearPrototype> {
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
 
-/// The usual ring on lugs.
+/// The default ring on spline teeth.
 fn splined(spline: &SplineSupport) -> Arc<GearPrototype> {
     let rim = Rim { radius: 145.5e-3, fixed_radius: 155e-3, web: None, hold: BoreSupport::Rigid };
     ring(155e-3, rim.splined(spline).expect("lugs that hold").hold)
 }
 
-/// Turning steadily on a pin that goes round the ground's origin; `off` is where the body's origin sits from its pin, in the body.
+/// Steady rotation on a pin that moves around the origin of ground; `off` is the position of the
+/// body's origin relative to its pin, in the body.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Planet {
-    /// Of the pin from the carrier's axis, in the carrier, m.
+    /// Position of the pin relative to the carrier's axis, in the carrier, m.
     pub pin: [f64; 2],
-    /// Of the carrier at time 0, rad, and its speed, rad/s.
+    /// Angle of the carrier at time 0, rad, and its speed, rad/s.
     pub carrier: [f64; 2],
-    /// Of the body against the carrier.
+    /// Angle and speed of the body relative to the carrier.
     pub own: [f64; 2],
-    /// m
+    /// Position of the body's origin relative to its pin, m.
     pub off: [f64; 2],
 }
 
 impl Planet {
-    /// Frame, rate and second derivative.
+    /// Frame, its rate and its second derivative.
     fn at(&self, time: f64) -> [[f64; 12]; 3] {
         let [carrier, own] = [self.carrier, self.own].map(|[start, speed]| start + speed * time);
         let (sine, cosine) = (carrier + own).sin_cos();
@@ -144,28 +147,29 @@ impl Motion for Planet {
     }
 }
 
-/// How a set is put together. Planets turn freely on pins that are held, unless they have bearings.
+/// Options of a set. Planets rotate freely on fixed pins unless they have bearings.
 #[derive(Clone)]
 pub struct SetOptions {
-    /// Where pins stand, rad.
+    /// Angular positions of the pins, rad.
     pub spacing: Vec<f64>,
-    /// Of each pin from its place, outwards and around, m.
+    /// Position errors of each pin, radial and circumferential, m.
     pub pin_errors: Vec<[f64; 2]>,
-    /// Of each planet from the axis on which it turns, in its own axes, m.
+    /// Runout of each planet relative to its rotation axis, in its own axes, m.
     pub runouts: Vec<[f64; 2]>,
-    /// Of the frame from which all is seen, against the carrier, rad/s.
+    /// Angular velocity of the observer's frame relative to the carrier, rad/s.
     pub seen_from: f64,
-    /// Of the sun against the carrier, rad/s.
+    /// Angular velocity of the sun relative to the carrier, rad/s.
     pub speed: f64,
-    /// The sun may move in the plane.
+    /// True if the sun may move in the plane.
     pub floating: bool,
-    /// Of bearings between planets and carrier, N/m.
+    /// Stiffness of the bearings between planets and carrier, N/m.
     pub bearings: Option<f64>,
     pub moment: f64,
     pub mesh: MeshOptions,
-    /// Of each planet's blank, in place of the usual one, by its tooth thickness, m.
+    /// Tooth thickness of each planet in place of the default one, m.
     pub thicknesses: Vec<Option<f64>>,
-    /// Lugs of the ring, which is held rigidly without; with clearance they alone carry it.
+    /// Spline teeth of the ring, which is rigidly supported without; with clearance the spline
+    /// teeth are its only support.
     pub ring: Option<SplineSupport>,
 }
 
@@ -190,7 +194,7 @@ impl SetOptions {
         SetOptions::of((0..3).map(|k| TAU * f64::from(k) / 3.0).collect())
     }
 
-    /// At whole multiples of a turn by 126, as near to a quarter as can be.
+    /// Four planets at multiples of a rotation divided by 126, as close to quarters as possible.
     pub fn four() -> SetOptions {
         SetOptions::of([0.0, 31.0, 63.0, 94.0].map(|k| TAU * k / 126.0).to_vec())
     }
@@ -203,20 +207,20 @@ pub struct Set {
     pub sun: BodyId,
     pub planets: Vec<BodyId>,
     pub ring: BodyId,
-    /// With the sun.
+    /// Meshes with the sun.
     pub sun_meshes: Vec<PairId>,
     pub ring_meshes: Vec<PairId>,
     pub warnings: Vec<&'static str>,
 }
 
-/// rad/s, of the sun against the carrier, unless it is told.
+/// Default angular velocity of the sun relative to the carrier, rad/s.
 pub const SUN_SPEED: f64 = 100.0;
 
 impl Set {
     pub fn of(options: &SetOptions) -> Result<Set, Refusal> {
         let mut scene = Scene::default();
         let ratio = |teeth: u32| f64::from(SUN_TEETH) / f64::from(teeth);
-        // What the carrier does, seen from there.
+        // Motion of the carrier in the observer's frame.
         let carrier = [0.0, -options.seen_from];
         let central = |speed: f64| Planet { carrier, own: [0.0, speed], ..Planet::default() };
         let mut free = vec![Component::ThetaZ];
@@ -283,7 +287,7 @@ impl Set {
         built(&self.scene, fidelity, COARSE)
     }
 
-    /// The same with the modes of its bodies up to a frequency, Hz.
+    /// The same with the modes of its bodies up to a natural frequency, Hz.
     pub fn with_modes(&self, highest: f64) -> System<'_> {
         let plan = Plan::new(&self.scene, Fidelity::Plane, COARSE).expect("it can be planned");
         self.system().with_modes(&plan, &resources(), highest).expect("bodies have modes")

@@ -1,4 +1,5 @@
-//! A ring on the lugs of a spline with clearance: carried by them alone, in one contact problem with the teeth.
+//! A ring on spline teeth with clearance: only the spline teeth support it, in one contact problem
+//! with the gear teeth.
 
 use super::set::{COARSE, DISTANCE, RING_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, TORQUE};
 use crate::common::resources;
@@ -16,12 +17,12 @@ use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 
-/// s, of one pitch.
+/// Duration of one pitch, s.
 const PERIOD: f64 = TAU / SUN_TEETH as f64 / SUN_SPEED;
 const LUGS: u16 = 12;
-/// Of the ring's outside, m.
+/// Outer radius of the ring, m.
 const RADIUS: f64 = 155e-3;
-/// On the ring, N m.
+/// Torque on the ring, N m.
 const RING_TORQUE: f64 = TORQUE * RING_TEETH as f64 / SUN_TEETH as f64;
 
 fn spline(clearance: f64) -> SplineSupport {
@@ -43,7 +44,7 @@ fn spline_tooth_forces(set: &Set, at: &Equilibrium<'_>) -> Vec<f64> {
 #[test]
 fn spline_teeth_carry_the_ring_and_the_ground_is_in_equilibrium() {
     let options = SetOptions { floating: true, seen_from: 23.0, ..SetOptions::four() };
-    // Lugs that yield, and rigid ones.
+    // Elastic and rigid spline teeth.
     for (clearance, stiffness) in [(20e-6, Some(6e8)), (150e-6, Some(2e9)), (50e-6, None)] {
         let spline = SplineSupport { stiffness, ..spline(clearance) };
         let set = Set::of(&SetOptions { ring: Some(spline), ..options.clone() }).expect("a set");
@@ -72,13 +73,14 @@ fn spline_teeth_carry_the_ring_and_the_ground_is_in_equilibrium() {
                 total[0].hypot(total[1]) <= 1e-10 * scale && total[2].abs() <= 1e-10 * TORQUE,
                 "{total:?}"
             );
-            // The torque on the ring turns it through half the clearance but for what its bore gives, and its lugs bear that torque.
+            // The torque rotates the ring through half the clearance plus the deflection of its
+            // bore, and its spline teeth carry that torque.
             let forces = spline_tooth_forces(&set, &at);
             let torque: f64 = forces.iter().map(|force| RADIUS * force).sum();
             assert!((torque.abs() / RING_TORQUE - 1.0).abs() < 0.02, "{torque} {RING_TORQUE}");
             let turned = at.deviation(set.ring, 5);
             assert!(turned * torque < 0.0 && turned.abs() > 0.3 * clearance / RADIUS, "{turned}");
-            // The same problem by an interior-point solver.
+            // The same problem solved by the interior-point method.
             let (independent, _) = interior_point::solve(&step.problem).expect("a solution");
             let flanks = 2 * usize::from(LUGS);
             let independent = &independent[independent.len() - flanks..];
@@ -90,9 +92,11 @@ fn spline_teeth_carry_the_ring_and_the_ground_is_in_equilibrium() {
     }
 }
 
-/// Three planets and twelve lugs are alike after a third of a turn. With next to no clearance, and the torque pressing all lugs one way, they
-/// bear what lugs do that bear both ways; the mesh's outside being a circle but for a millionth. The load is small, for what turns with its frame is
-/// laid out where it is, and what gives way is not.
+/// Three planets and twelve spline teeth are equivalent after a third of a rotation. With almost no
+/// clearance and the torque loading all spline teeth in one direction, their forces equal those of
+/// spline teeth without clearance; the outside of the mesh is a circle to within a millionth. The
+/// load is small, because the contact layout of bodies that move with their frames is built in
+/// place, and that of deflecting bodies is not.
 #[test]
 fn without_clearance_spline_teeth_bear_as_those_without_play() {
     let options = |clearance| SetOptions {
@@ -131,7 +135,8 @@ fn without_clearance_spline_teeth_bear_as_those_without_play() {
     }
 }
 
-/// Closed forms do not know how a ring is bent between lugs that bear. A rigid one is turned until all of its lugs do.
+/// Closed forms do not contain the bending of a ring between its loaded spline teeth. A rigid ring
+/// rotates until all of its spline teeth carry load.
 #[test]
 fn splines_with_clearance_without_meshes() {
     let clearance = 40e-6;
@@ -144,17 +149,19 @@ fn splines_with_clearance_without_meshes() {
     for part in [0.1, 0.6] {
         let step = system.solve(part * PERIOD).expect("it rests");
         let at = Equilibrium::new(&system, &step);
-        // Half of the clearance on either side of each lug; the ring is driven the way the sun's torque turns it through planets.
+        // Half of the clearance is on either side of each spline tooth; the ring is driven in the
+        // direction in which the sun's torque rotates it through the planets.
         let [x, y, turn] = [0, 1, 5].map(|component| at.deviation(set.ring, component));
         assert!((turn.abs() * RADIUS / (0.5 * clearance) - 1.0).abs() < 1e-9, "{turn}");
         assert!(x.hypot(y) < 1e-9 * clearance, "{x} {y}");
-        // Planets on held pins pass the turn on to the sun.
+        // Planets on fixed pins transmit the rotation to the sun.
         let ratio = at.deviation(set.sun, 5) / turn;
         assert!((ratio.abs() * f64::from(SUN_TEETH) / f64::from(RING_TEETH) - 1.0).abs() < 1e-6, "{ratio}");
     }
 }
 
-/// Rows of the loads of all lugs and the turn of the ring, step by step; bodies are asked for modes, which the ring on its lugs does not have.
+/// Rows of the forces on all spline teeth and the rotation of the ring, step by step. Modes are
+/// requested for the bodies, but the ring on its spline teeth has none.
 fn in_time(set: &mut Set, ranges: Vec<TimeRange>, scheme: Scheme, rayleigh: f64) -> Vec<(f64, Vec<f64>)> {
     let ring = set.ring;
     let spline_teeth = (0..u32::from(LUGS)).map(|spline_tooth| {
@@ -190,7 +197,8 @@ fn on_loose_lugs(speed: f64) -> Set {
     Set::of(&SetOptions { ring, speed, ..SetOptions::three() }).expect("a set")
 }
 
-/// What is slow in time is statics: lug by lug, while teeth go on by a part of their pitch.
+/// Slow motion agrees with statics, spline tooth by spline tooth, while the gear teeth move by a
+/// part of their pitch.
 #[test]
 fn slow_motion_of_a_ring_on_splines_with_clearance_is_statics() {
     let (speed, scheme) = (1e-4 * SUN_SPEED, Scheme::named("backward_difference").expect("it is known"));
@@ -211,7 +219,8 @@ fn slow_motion_of_a_ring_on_splines_with_clearance_is_statics() {
     assert_eq!(rows.len(), 3);
 }
 
-/// A blow sends the ring to and fro between the flanks of its lugs, and damping brings it back to its equilibrium.
+/// After an impulse the ring moves back and forth between the flanks of its spline teeth, and
+/// damping returns it to its equilibrium.
 #[test]
 fn a_impulse_on_a_ring_on_splines_with_clearance_dies_down_to_its_equilibrium() {
     let mut set = on_loose_lugs(1e-6 * SUN_SPEED);

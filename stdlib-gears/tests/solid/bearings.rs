@@ -1,4 +1,5 @@
-//! Gears on bearings in space: levers, tilt, and where the load goes along the face.
+//! Gears on bearings in three dimensions: lever arms, tilt, and the load distribution along the
+//! face.
 
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TORQUE};
 use crate::common::built;
@@ -20,9 +21,9 @@ use calyx_runtime::system::System;
 use std::sync::Arc;
 
 const ANGLE: f64 = 0.35;
-/// Radial, axial.
+/// Radial and axial stiffness, N/m.
 const K: [f64; 2] = [3e8, 1e8];
-/// Places of two bearings beside an overhung gear, m.
+/// Positions of two bearings next to an overhung gear, m.
 const PLACES: [f64; 2] = [0.03, 0.075];
 const FREE: [Component; 5] =
     [Component::Ux, Component::Uy, Component::Uz, Component::ThetaX, Component::ThetaY];
@@ -32,7 +33,7 @@ fn options(helical: bool) -> Options {
     Options { free: FREE.to_vec(), ..options }
 }
 
-/// The bearings of a shaft: the first one bears along the axis too.
+/// The bearings of a shaft; the first one also carries axial load.
 fn pair_of_bearings(factor: f64) -> [Bearing; 2] {
     let matrix = |axial: f64| axisymmetric(factor * K[0], factor * axial, 0.0, 0.0);
     [Bearing::new("near", FIRST, PLACES[0], matrix(K[1])), Bearing::new("far", FIRST, PLACES[1], matrix(0.0))]
@@ -63,7 +64,8 @@ fn solved_at<T>(
 
 #[test]
 fn an_overhung_gear_on_two_bearings_tilts_as_levers_say() {
-    // The second gear's axis leans or not: levers are the first one's.
+    // Lever arms are those of the first gear, with and without misalignment of the second gear's
+    // axis.
     for in_action in [0.0, 4e-4] {
         let misalignment = Misalignment { in_action, off_action: 0.0 };
         let scene = scene(&Options { misalignment, ..options(true) }, &pair_of_bearings(1.0));
@@ -71,8 +73,9 @@ fn an_overhung_gear_on_two_bearings_tilts_as_levers_say() {
     }
 }
 
-/// By closed forms levers are what they are, and the load goes where teeth that tilt away from it leave it: the more the softer what bears. Rigid ones
-/// strain no bearing, as their load vanishes.
+/// Closed-form models have the same lever arms, and tilting teeth move the load to one end, the
+/// more the softer the bearings are. With rigid teeth the bearings are unloaded in the limit of
+/// vanishing load.
 #[test]
 fn an_overhung_gear_without_meshes() {
     let options = Options { backed: false, ..options(true) };
@@ -116,10 +119,10 @@ fn tilts_as_levers_say(fidelity: Fidelity, scene: &(Scene, GearMesh)) {
     });
 }
 
-/// A radial and axial stiffness at z, seen from the origin of the body.
+/// Radial and axial stiffness at z, referred to the origin of the body.
 fn moved([radial, axial]: [f64; 2], z: f64) -> BearingMatrix {
     let mut matrix = axisymmetric(radial, axial, radial * z * z, 0.0);
-    // u_x + z theta_y and u_y - z theta_x are what gives.
+    // u_x + z theta_y and u_y - z theta_x are the displacements of the bearing.
     for (u, theta, arm) in [(0, 4, z), (1, 3, -z)] {
         matrix[u][theta] = radial * arm;
         matrix[theta][u] = radial * arm;
@@ -161,8 +164,9 @@ fn everything_is_in_equilibrium() {
     });
 }
 
-/// The scene with its first gear held, but for turning, where another one's bearings have taken it, and turned to where rigid teeth
-/// touch there under no more than the moment about its leaning axis.
+/// The scene with its first gear fixed, except for rotation, in the position to which the bearings
+/// of another scene have moved it, and rotated until rigid teeth touch under only the moment about
+/// its inclined axis.
 fn held_at(scene: &Scene, mesh: &GearMesh, motion: &[f64], moment: [f64; 3]) -> (Scene, f64) {
     let &[x, y, z, about_x, about_y, _] = motion else { panic!("six freedoms") };
     let pose = moved_by(&Pose::IDENTITY, [x, y, z, about_x, about_y, 0.0]);
@@ -183,7 +187,8 @@ fn held_at(scene: &Scene, mesh: &GearMesh, motion: &[f64], moment: [f64; 3]) -> 
     (held, turn)
 }
 
-/// A shaft on soft bearings that the load carries away by a tenth of a module, and tilts: as if it were held there.
+/// A shaft on soft bearings that the load displaces by a tenth of a module and tilts: the solution
+/// equals that of the shaft fixed there.
 #[test]
 fn a_shaft_that_is_carried_far_is_solved_where_it_is_carried() {
     let soft = |name: &str, at: f64, radial: f64, axial: f64, apart: f64| Bearing {
@@ -193,7 +198,7 @@ fn a_shaft_that_is_carried_far_is_solved_where_it_is_carried() {
     for helical in [false, true] {
         let bearings = [soft("one", -0.04, 1.2e7, 2e7, 0.2e-3), soft("other", 0.04, 1.25e7, 0.0, 0.2e-3)];
         let (mut scene, mesh) = scene(&options(helical), &bearings);
-        // One grid for both ways.
+        // One grid for both scenes.
         scene.pairs[0].grid.width = Some(0.4e-3);
         let of = |system: &System<'_>, step: &StepResult| {
             let factor = system.value(step, &FaceLoadFactor(MESH)).value;
@@ -210,7 +215,8 @@ fn a_shaft_that_is_carried_far_is_solved_where_it_is_carried() {
         let (held, before) = held_at(&scene, &mesh, &motion, [3, 4, 5].map(|k: usize| -force[k]));
         let (own, held_force, held_factor) = solved(&(held, mesh), of);
         for k in 0..6 {
-            // Cells at the ends of the face are cut elsewhere: the load's centre is the same to some thousandths of a millimetre.
+            // Cells at the ends of the face are cut differently: the centre of the load agrees to
+            // some thousandths of a millimetre.
             let most = if k < 3 { 1e-5 * TORQUE / (20.0 * MODULE) } else { 2e-4 * TORQUE };
             assert!((force[k] - held_force[k]).abs() < most, "{force:?} {held_force:?}");
         }
@@ -219,7 +225,7 @@ fn a_shaft_that_is_carried_far_is_solved_where_it_is_carried() {
     }
 }
 
-/// Where along the face the load acts, from its middle, m.
+/// Axial position of the resultant load, m from the middle of the face.
 fn centre(system: &System<'_>, step: &StepResult) -> f64 {
     let [fx, fy, _, mx, my, _] = system.contact_force(step, FIRST);
     (my * fx - mx * fy) / (fx * fx + fy * fy)
@@ -241,8 +247,8 @@ fn the_load_of_an_overhung_gear_goes_to_the_side_of_its_bearings() {
     }
 }
 
-/// A shaft in a tube, both free, on bearings with full matrices at different places: what a force on one freedom does to another one is
-/// what a force on that does to the first.
+/// A shaft in a tube, both free, on bearings with full matrices at different positions: the
+/// compliance matrix is symmetric (Maxwell-Betti reciprocity).
 #[test]
 fn what_one_load_does_to_another_dof_is_mutual() {
     let (scene, mesh) = Options::spur().scene();
@@ -298,6 +304,6 @@ fn what_one_load_does_to_another_dof_is_mutual() {
             );
         }
     }
-    // Stiff where it says so: a unit force moves the tube by what its own bearing alone gives.
+    // In stiff directions a unit force moves the tube by the compliance of its own bearing.
     assert!(matrix.iter().enumerate().all(|(k, row)| row[k] > 0.0));
 }

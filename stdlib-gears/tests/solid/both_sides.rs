@@ -1,4 +1,4 @@
-//! Teeth that may touch on both sides: loads that reverse, and meshes without backlash.
+//! Contact on both sides of the teeth: load reversal, and meshes without backlash.
 
 use super::helical::{CYCLE, solved};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
@@ -17,7 +17,7 @@ use calyx_runtime::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// The pair of back sides.
+/// Surface pair of the back flanks.
 const BACK: PairId = PairId(1);
 const STANDARD: f64 = 0.5 * MODULE * (TEETH[0] + TEETH[1]) as f64;
 
@@ -33,7 +33,7 @@ fn force(step: &StepResult, pair: PairId) -> f64 {
     step.patches.iter().filter(|patch| patch.pair == pair.0).map(|patch| patch.force()).sum()
 }
 
-/// Backlash along the line of action of a pair that has none at the standard distance.
+/// Normal backlash of a pair that has none at the standard distance.
 fn normal_backlash(distance: f64) -> f64 {
     let involute = |angle: f64| angle.tan() - angle;
     let [first, second] = base_radii();
@@ -41,8 +41,8 @@ fn normal_backlash(distance: f64) -> f64 {
     2.0 * (first + second) * (involute(angle) - involute(20_f64.to_radians()))
 }
 
-/// A load that reverses is that of a pair which was made to drive the other way, at the moment at which the second gear stands alike;
-/// the transmission error has gone through the backlash.
+/// A reversed load gives the results of a pair designed to drive the other way, at the moment of
+/// the same position of the second gear. The transmission error has crossed the backlash.
 #[test]
 fn a_load_that_reverses_is_carried_by_the_back_sides() {
     let cases = [(Options::spur(), 0.0), (Options::spur(), 0.06), (Options::helical(0.35, Hand::Right), 0.0)];
@@ -90,7 +90,8 @@ fn a_load_that_reverses_is_carried_by_the_back_sides() {
     }
 }
 
-/// A gear on a bearing gives by force over stiffness whichever side of its teeth carries, and a bearing takes the pressure out of a tight mesh.
+/// A gear on a bearing is displaced by force over stiffness, whichever side of its teeth carries
+/// load; a bearing relieves the pressure in a mesh without backlash.
 #[test]
 fn both_sides_carry_on_bearings() {
     let stiffness = 2e8;
@@ -134,7 +135,8 @@ fn both_sides_carry_on_bearings() {
     let ([drive, back], _, [x, _]) = solve(sprung(&tight, 0.0));
     let ([held_drive, _], ..) = solve(held(&tight, 0.0));
     assert!((drive / back - 1.0).abs() < 1e-9 && drive < held_drive, "{drive} {back} {held_drive}");
-    // How far the axes are pushed apart is what the teeth need not give: the same secant stiffness, less overlap.
+    // The displacement of the axes replaces deflection of the teeth: the secant stiffness is the
+    // same with less overlap.
     let moved = -x / stiffness;
     assert!(x < 0.0, "{x}");
     let overlap = 1e-4 * STANDARD;
@@ -142,7 +144,7 @@ fn both_sides_carry_on_bearings() {
     assert!((drive / held_drive / left - 1.0).abs() < 0.05, "{drive} {held_drive} {left}");
 }
 
-/// With the load that drives it, nothing changes that is not rounding: the back sides do not touch.
+/// Under the drive load the back flanks do not touch, and nothing changes except for rounding.
 #[test]
 fn back_sides_that_do_not_touch_change_nothing() {
     let errors = |options: Options| {
@@ -158,8 +160,9 @@ fn back_sides_that_do_not_touch_change_nothing() {
     }
 }
 
-/// Axes closer than the teeth allow: both sides press, with no torque by the same force, and the axes are pushed apart by 2 N sin(pressure
-/// angle); a torque is the difference of both forces at the base radius.
+/// At a centre distance smaller than the teeth permit, both sides carry load: without torque by the
+/// same force, and the axes are pushed apart by 2 N sin(pressure angle). A torque is the difference
+/// of both forces times the base radius.
 #[test]
 fn a_tight_mesh_carries_on_both_sides() {
     for options in [Options::spur(), Options::helical(0.35, Hand::Left)] {
@@ -170,10 +173,10 @@ fn a_tight_mesh_carries_on_both_sides() {
             solved(&options, &CYCLE, |_, system, step| {
                 let [drive, back] = [force(step, MESH), force(step, BACK)];
                 assert!(drive > 0.0 && back > 0.0, "{drive} {back}");
-                // Of helical teeth only part of the normal force turns.
+                // In helical gears only the transverse part of the normal force transmits torque.
                 let base_helix = (helix.tan() * 20_f64.to_radians().cos()).atan();
                 let arm = base_radii()[0] * base_helix.cos();
-                // The mesh is made to drive the way its load does.
+                // The drive side of the mesh follows from the direction of its load.
                 let difference = (drive - back) * arm;
                 assert!((difference - torque.abs()).abs() < 1e-9 * drive * arm, "{difference} {torque}");
                 let angle = ((base_radii()[0] + base_radii()[1]) / (STANDARD * (1.0 + apart))).acos();
@@ -187,7 +190,8 @@ fn a_tight_mesh_carries_on_both_sides() {
     }
 }
 
-/// A gear that is free towards its mate, and pressed into it, sinks through the backlash and wedges: F = 2 N sin(pressure angle there).
+/// A gear that is free to move towards its mate and is pressed into it crosses the backlash and
+/// wedges: F = 2 N sin(pressure angle there).
 #[test]
 fn a_gear_pressed_into_its_mate_wedges() {
     let pressed = 300.0;
@@ -199,13 +203,14 @@ fn a_gear_pressed_into_its_mate_wedges() {
         assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
         let [drive, back] = [force(&step, MESH), force(&step, BACK)];
         assert!((drive / back - 1.0).abs() < 1e-9, "{drive} {back}");
-        // Without backlash the axes stand at the standard distance.
+        // Without backlash the axes are at the standard distance.
         let expected = pressed / (2.0 * 20_f64.to_radians().sin());
         assert!((drive / expected - 1.0).abs() < 1e-6, "{drive} {expected}");
     }
 }
 
-/// The same in the plane: a reversed load on the other flanks, and a tight mesh without any.
+/// The same in two dimensions: a reversed load on the other flanks, and a mesh without backlash and
+/// without load.
 #[test]
 fn both_sides_carry_in_the_plane() {
     let structure = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
@@ -224,7 +229,8 @@ fn both_sides_carry_in_the_plane() {
     let ([drive, back], reversed, _) = plane(&scene, 0.8, &mesh);
     assert!(drive == 0.0 && back > 0.0);
     let lost = normal_backlash(STANDARD * (1.0 + 1e-3)) / base_radii()[1];
-    // One pair of teeth drives here, and two pairs touch with their back sides: they give by about two thirds as much.
+    // One tooth pair touches on the drive side, and two pairs on the back side: their deflection is
+    // about two thirds.
     assert!((0.5..0.8).contains(&((-reversed - lost) / driven)), "{reversed} {driven} {lost}");
 
     let (scene, mesh) = Options { apart: -1e-4, torque: 0.0, ..options }.scene();

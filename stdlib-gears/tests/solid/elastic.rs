@@ -22,15 +22,15 @@ fn a_pair_of_elastic_gears_is_in_equilibrium() {
         scene.add_observable(MaxRootStress(body));
     }
     let system = system(&scene, structure);
-    // Two pairs of teeth share the load, then one has it alone.
+    // Two tooth pairs share the load, then one carries it alone.
     for (part, pairs) in [(0.1, 2), (0.8, 1)] {
         let step = system.solve(mesh.start + part * mesh.period).expect("it can be solved");
         assert!(step.certificate.largest() <= 1e-12, "{:?}", step.certificate);
         assert!((system.contact_force(&step, FIRST)[5] / TORQUE + 1.0).abs() < 1e-10);
         assert_eq!(step.patches.iter().filter(|patch| patch.force() > 0.0).count(), pairs);
         let value = |observable: &dyn Observable| system.value(&step, observable).value;
-        // A spur pair of steel gives by about 14 N/(mm um) with one pair of teeth and 20 with two (ISO 6336-1, clause 9), its mean
-        // and tangent somewhat above the first.
+        // The stiffness of a steel spur pair is about 14 N/(mm um) for one tooth pair and 20 for
+        // two (ISO 6336-1, clause 9); mean and tangent stiffness are slightly above the first.
         let per_width = value(&MeshStiffness(MESH)) / options.face_width * 1e-9;
         assert!((pairs as f64 * 10.0..pairs as f64 * 20.0).contains(&per_width), "{per_width}");
         assert!(value(&TransmissionError(MESH)) > 0.0);

@@ -1,4 +1,4 @@
-//! What must hold exactly of helical and spur pairs in space, whatever the teeth are made of.
+//! Exact properties of helical and spur pairs in three dimensions, for any material.
 
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
 use calyx_gears::helix::Hand;
@@ -9,10 +9,10 @@ use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 
 const ANGLE: f64 = 0.35;
-/// Parts of the mesh cycle.
+/// Fractions of the mesh cycle.
 pub const CYCLE: [f64; 3] = [0.1, 0.45, 0.8];
 
-/// Solves at parts of the cycle.
+/// Solves a pair at fractions of the cycle.
 pub fn solved(options: &Options, parts: &[f64], mut look: impl FnMut(&Scene, &System<'_>, &StepResult)) {
     let (scene, mesh) = options.scene();
     let system = system(&scene, StructureOptions::default());
@@ -32,7 +32,7 @@ fn an_unmodified_helical_pair_pushes_along_its_axis_by_the_tangent_of_its_helix(
         let tangential = moment / reference_radius;
         let ratio = axial / tangential;
         assert!((ratio.abs() / ANGLE.tan() - 1.0).abs() < 1e-9, "{ratio} {}", ANGLE.tan());
-        // The torques are in the ratio of the teeth.
+        // The ratio of the torques equals the ratio of the numbers of teeth.
         let other = system.contact_force(step, SECOND)[5];
         assert!((other / moment * f64::from(TEETH[0]) / f64::from(TEETH[1]) - 1.0).abs() < 1e-9, "{other}");
     });
@@ -45,7 +45,7 @@ fn the_other_hand_is_the_mirror_image() {
         solved(&Options::helical(ANGLE, hand), &CYCLE, |_, system, step| {
             let error = system.value(step, &TransmissionError(MESH)).value;
             let force = system.contact_force(step, FIRST);
-            // Mirrored in the plane of mid-face.
+            // Mirrored at the mid-face plane.
             let sense = if hand == Hand::Right { 1.0 } else { -1.0 };
             let mirrored = [1.0, 1.0, sense, sense, sense, 1.0];
             all.push((error, std::array::from_fn::<f64, 6, _>(|k| mirrored[k] * force[k])));
@@ -62,7 +62,7 @@ fn the_other_hand_is_the_mirror_image() {
     }
 }
 
-/// Force and moment about the origin of ground that contact puts on all bodies together.
+/// Sum of the contact forces and moments on all bodies about the origin of ground.
 pub fn total(system: &System<'_>, step: &StepResult, origins: &[[f64; 3]]) -> [f64; 6] {
     let mut total = [0.0; 6];
     for (body, [x, y, z]) in [FIRST, SECOND].into_iter().zip(origins) {
@@ -108,7 +108,8 @@ fn every_pitch_is_like_the_one_before() {
 
 #[test]
 fn a_shaft_that_may_tilt_bears_no_moment_across() {
-    // Turned about the line of action it would be held by nothing; about x it is.
+    // A rotation about the line of action would be unconstrained; a rotation about x is
+    // constrained.
     let options = Options { free: vec![Component::ThetaX], ..Options::helical(ANGLE, Hand::Right) };
     solved(&options, &CYCLE, |_, system, step| {
         let [_, _, _, across, _, moment] = system.contact_force(step, FIRST);

@@ -1,4 +1,4 @@
-//! The levels without meshes in space.
+//! Three-dimensional fidelity levels without meshes.
 
 use super::pairs::{FIRST, MESH, Options};
 use crate::common::built;
@@ -13,7 +13,8 @@ use calyx_runtime::scene::{Fidelity, StructureOptions, Template};
 
 const CYCLE: [f64; 3] = [0.1, 0.4, 0.9];
 
-/// Whether the scene was in space, and at parts of its cycle transmission error, the same without load, stiffness and root stress.
+/// Returns whether the scene was three-dimensional, and at fractions of its cycle the transmission
+/// error, the unloaded one, the stiffness and the root stress.
 fn seen(options: &Options, fidelity: Fidelity) -> (bool, Vec<[f64; 4]>) {
     seen_on(options, fidelity, StructureOptions::default())
 }
@@ -41,8 +42,9 @@ fn elastic(options: Options) -> Options {
     Options { backed: false, ..options }
 }
 
-/// A helix that is hardly one takes the gears to space, and leaves them what they are in the plane, but for the ends of the face: there the
-/// half-space is softer than the plane by a part of its near field.
+/// A tiny helix angle makes the model three-dimensional with the results of the plane model, except
+/// at the ends of the face: there the half-space is more compliant than the plane model by a part
+/// of its near field.
 #[test]
 fn slices_of_straight_teeth_are_the_plane() {
     let (in_space, plane) = seen(&elastic(Options::spur()), Fidelity::Analytic);
@@ -56,8 +58,8 @@ fn slices_of_straight_teeth_are_the_plane() {
     }
 }
 
-/// Teeth that lean bend and are stressed in the section at right angles to them, which is thinner than the transverse one: against finite elements, on a
-/// mesh that is coarse for stresses, nothing fitted.
+/// Helical teeth bend in the normal section, which is thinner than the transverse one. Compared
+/// with finite elements on a mesh that is coarse for stresses; nothing is fitted.
 #[test]
 fn helical_teeth_give_as_finite_elements() {
     let coarse = StructureOptions {
@@ -73,12 +75,13 @@ fn helical_teeth_give_as_finite_elements() {
     for ([error, _, stiffness, stress], [of_mesh, _, meshed, root]) in given.iter().zip(&meshed) {
         assert!((error / of_mesh - 1.0).abs() < 0.1, "{error} {of_mesh}");
         assert!((stiffness / meshed - 1.0).abs() < 0.1, "{stiffness} {meshed}");
-        // Root stresses err upwards, as they do on straight teeth.
+        // Root stresses are overestimated, as for spur teeth.
         assert!((1.0..1.25).contains(&(stress / root)), "{stress} {root}");
     }
 }
 
-/// Undeformed helical teeth pass on motion evenly where axes are parallel, and elsewhere as elastic ones do without load.
+/// Rigid helical teeth have no transmission error on parallel axes. On other axes they equal
+/// elastic teeth without load.
 #[test]
 fn rigid_helical_teeth() {
     let (in_space, rigid) = seen(&elastic(Options::helical(0.3, Hand::Left)), Fidelity::Rigid);

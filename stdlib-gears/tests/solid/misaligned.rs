@@ -1,4 +1,4 @@
-//! Axes that are not quite parallel: load that moves to one end of the face, and what must not change.
+//! Misaligned axes: load that moves to one end of the face, and invariants.
 
 use super::helical::{CYCLE, solved, total};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
@@ -24,7 +24,7 @@ fn value(system: &System<'_>, step: &StepResult, observable: &dyn Observable) ->
     system.value(step, observable).value
 }
 
-/// Where along the face the load acts, m from its middle.
+/// Axial position of the resultant load, m from the middle of the face.
 fn centroid(system: &System<'_>, step: &StepResult) -> f64 {
     let at = Equilibrium::new(system, step);
     let (mut force, mut moment) = (0.0, 0.0);
@@ -38,7 +38,7 @@ fn centroid(system: &System<'_>, step: &StepResult) -> f64 {
 #[test]
 fn a_pair_that_leans_as_a_whole_has_the_same_results() {
     let axis = [0.6 * 0.06_f64.sin(), -0.8 * 0.06_f64.sin(), 0.06_f64.cos()];
-    // Rows of `swung` are images of axes.
+    // The rows of `swung` are images of axes.
     let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| tilted_axes(axis)[j][i]));
     let place = Pose { rotation, origin: [0.3, -0.2, 0.1] };
     let edges = |options: Options| Options { edges: true, ..options };
@@ -61,7 +61,8 @@ fn a_pair_that_leans_as_a_whole_has_the_same_results() {
         let (here, there) = (all(options.clone()), all(Options { place, ..options }));
         for (one, other) in here.iter().zip(&there) {
             for k in 0..4 {
-                // The peak of pressure is that of a few cells, which rounding cuts off where faces end.
+                // The peak pressure depends on few cells, and rounding determines where the ends of
+                // the face cut them.
                 let tolerance = [1e-9, 1e-9, 1e-8, 1e-6][k];
                 assert!((one[k] / other[k] - 1.0).abs() < tolerance, "{k}: {here:?} {there:?}");
             }
@@ -78,7 +79,7 @@ fn a_misalignment_of_nothing_changes_nothing() {
         });
         errors
     };
-    // Turned and brought back: the matrix has entries that only rounding keeps from being none.
+    // Rotated forth and back: the matrix has entries that differ from zero by rounding only.
     let almost = Pose { rotation: tilted_axes([1e-17, -1e-17, 1.0]), ..Pose::IDENTITY };
     let (aligned, close) = (errors(Pose::IDENTITY), errors(almost));
     for (one, other) in aligned.into_iter().zip(close).map(|(a, b)| (f64::from_bits(a), f64::from_bits(b))) {
@@ -86,7 +87,8 @@ fn a_misalignment_of_nothing_changes_nothing() {
     }
 }
 
-/// The load moves towards the end where the flanks come together; opposite misalignments are mirror images.
+/// The load moves towards the end where the flanks approach each other; opposite misalignments are
+/// mirror images.
 #[test]
 fn opposite_misalignments_are_mirror_images() {
     let of = |angle: f64| {
@@ -111,7 +113,8 @@ fn opposite_misalignments_are_mirror_images() {
     }
 }
 
-/// A tilt in the plane at right angles to the plane of action moves flanks along each other: to first order nothing happens.
+/// A tilt in the plane perpendicular to the plane of action moves flanks along each other, without
+/// a first-order effect.
 #[test]
 fn a_tilt_off_the_plane_of_action_hardly_matters() {
     let shift = |misalignment| {
@@ -128,7 +131,8 @@ fn a_tilt_off_the_plane_of_action_hardly_matters() {
     }
 }
 
-/// Rigid teeth that are misaligned touch at one end of the face, half of the face times the angle before they would in the middle.
+/// Misaligned rigid teeth touch at one end of the face. The gap in the middle is half of the face
+/// width times the angle.
 #[test]
 fn without_load_misaligned_teeth_touch_at_one_end() {
     let angle = 1e-3;
@@ -159,7 +163,8 @@ fn teeth_that_touch_at_one_end_are_in_equilibrium() {
             let total = total(system, step, &[[0.0; 3], [distance, 0.0, 0.0]]);
             let force = TORQUE / (0.5 * MODULE * f64::from(TEETH[0]));
             assert!(total.iter().all(|part| part.abs() <= 1e-10 * force), "{total:?}");
-            // About its own axis the second gear bears the first one's moment by the ratio of the teeth, but for the angle's square.
+            // About its own axis the second gear carries the first one's moment times the gear
+            // ratio, up to the square of the angle.
             let other = system.contact_force(step, SECOND)[5];
             let ratio = other / moment * f64::from(TEETH[0]) / f64::from(TEETH[1]);
             assert!((ratio - 1.0).abs() < 1e-2, "{ratio}");
@@ -167,11 +172,16 @@ fn teeth_that_touch_at_one_end_are_in_equilibrium() {
     }
 }
 
-/// With a stiffness c by width of face b, force F and angle f in the plane of action the load is linear along the face as long as all of it
-/// carries: its centre is off the middle by c f b³ / 12 F, and K_Hbeta = 1 + c f b² / 2 F (ISO 6336-1, stiff bodies under the teeth). Here the
-/// mesh stiffness is that of teeth and rims under an even load. Teeth coupled along the face give less under a load that changes its sign along it than
-/// under an even one, as compliance falls with every wave, so the centre is farther off than c says: by 16 %. The ends of a face that hangs free
-/// give more than its middle and carry less than the straight line, by which the largest load falls back to what c says, within 2 %.
+/// Shift of the load by misalignment. With a stiffness c per face width b, force F and angle f in
+/// the plane of action, the load is linear along the face as long as all of it carries load. Its
+/// centre is off the middle by c f b³ / 12 F, and K_Hbeta = 1 + c f b² / 2 F (ISO 6336-1, stiff
+/// bodies under the teeth). Here c is the mesh stiffness of teeth and rims under a uniform load.
+///
+/// The coupling of the teeth along the face makes them stiffer under a load of alternating sign
+/// than under a uniform one, because compliance decreases with the wavenumber. The centre is
+/// therefore 16 % farther off than c predicts. The free ends of a face are more compliant than its
+/// middle and carry less than the straight line, which brings the largest load back to the
+/// prediction within 2 %.
 #[test]
 fn the_load_moves_as_that_of_a_uniform_stiffness() {
     let structure = StructureOptions {

@@ -1,5 +1,5 @@
 //! Three-dimensional pairs of gears: axial forces, hands of the helix, equilibrium and periodicity,
-//! bearings, misalignment, runout, both sides of the teeth, and the levels without meshes.
+//! bearings, misalignment, runout, both sides of the teeth, and the fidelity levels without meshes.
 
 mod bearings;
 mod both_sides;

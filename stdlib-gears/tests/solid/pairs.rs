@@ -1,5 +1,6 @@
-//! Pairs as these tests need them: with the teeth's own finite elements, or as half-spaces behind the true flanks, which cost nothing to
-//! build and on which everything that is exact in contact must hold as well.
+//! Pairs for these tests: with finite elements of the teeth, or as half-spaces behind the exact
+//! flanks. Half-spaces cost nothing to build, and all exact properties of contact hold for them as
+//! well.
 
 use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, Misalignment, add_body, mesh};
@@ -30,7 +31,7 @@ pub const MESH: PairId = PairId(0);
 pub const TORQUE: f64 = 100.0;
 pub const TEETH: [u32; 2] = [20, 31];
 
-/// A gear whose flanks are backed by half-spaces between its side faces.
+/// Gear whose flanks are half-spaces between its side faces.
 struct Backed(Arc<GearPrototype>);
 
 impl Prototype for Backed {
@@ -60,10 +61,10 @@ impl Prototype for Backed {
     }
 }
 
-/// A gear that does not sit on the middle of its shaft.
+/// Gear mounted eccentrically on its shaft.
 struct Eccentric {
     shaft: SteadyRotation,
-    /// Of the gear's axis, m: along its x axis.
+    /// Eccentricity of the gear's axis along its x axis, m.
     by: f64,
 }
 
@@ -83,27 +84,27 @@ impl Motion for Eccentric {
     }
 }
 
-/// How a pair is built.
+/// Options of a pair.
 #[derive(Clone)]
 pub struct Options {
-    /// Of the first gear, with its hand.
+    /// Helix of the first gear, with its hand.
     pub helix: Helix,
     pub face_width: f64,
-    /// On the first gear's axis, N m.
+    /// Torque about the first gear's axis, N m.
     pub torque: f64,
     pub half_cells: [usize; 2],
-    /// Further freedoms of the first gear than about its axis.
+    /// Free components of the first gear in addition to the rotation about its axis.
     pub free: Vec<Component>,
     pub edges: bool,
-    /// Half-spaces instead of finite elements.
+    /// True for half-spaces instead of finite elements.
     pub backed: bool,
     pub misalignment: Misalignment,
     pub back_side_contact: bool,
-    /// Where the whole pair is put, with its load.
+    /// Pose of the whole pair, including its load.
     pub place: Pose,
-    /// How far each gear's axis is from that of its shaft, m: along the gear's x axis.
+    /// Eccentricity of each gear on its shaft, m: along the gear's x axis.
     pub eccentricity: [f64; 2],
-    /// How much farther apart than at the standard distance the axes are, relative to it.
+    /// Relative increase of the centre distance over the standard one.
     pub apart: f64,
 }
 
@@ -179,7 +180,7 @@ impl Options {
     }
 }
 
-/// The system of a scene in space.
+/// System of a three-dimensional scene.
 pub fn system(scene: &Scene, structure: StructureOptions) -> System<'_> {
     built(scene, Fidelity::Solid(Template::Medium), structure)
 }

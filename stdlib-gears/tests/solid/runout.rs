@@ -1,4 +1,4 @@
-//! Gears that do not sit on the middle of their shafts, and axes at the wrong distance.
+//! Eccentric gears, and axes at a wrong distance.
 
 use super::helical::{CYCLE, solved};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE};
@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 const COS: f64 = 0.939_692_620_785_908_4;
 
-/// As [`solved`], in the plane.
+/// As [`solved`], in two dimensions.
 fn in_section(options: &Options, parts: &[f64], mut look: impl FnMut(&System<'_>, &StepResult)) {
     let (scene, mesh) = options.scene();
     let structure = StructureOptions { refinement: 0.5, order: 2, ..StructureOptions::default() };
@@ -23,8 +23,9 @@ fn in_section(options: &Options, parts: &[f64], mut look: impl FnMut(&System<'_>
     }
 }
 
-/// Without load the flanks follow the runout along the line of action: a gear that is off its shaft by e shifts them by
-/// e sin(turn + pressure angle), and the transmission error has that over the second base radius as its harmonic once a turn.
+/// Without load the flanks follow the runout along the line of action. A gear with eccentricity e
+/// shifts them by e sin(rotation + pressure angle), so the transmission error contains this over
+/// the second base radius as its harmonic of one rotation.
 #[test]
 fn runout_is_a_harmonic_of_the_transmission_error_once_a_turn() {
     let e = 5e-6;
@@ -39,7 +40,7 @@ fn runout_is_a_harmonic_of_the_transmission_error_once_a_turn() {
         let mut eccentricity = [0.0; 2];
         eccentricity[member] = e;
         let options = Options { eccentricity, torque: 0.0, ..options };
-        // One turn of the gear in question, at twelve positions.
+        // One rotation of the eccentric gear, at twelve positions.
         let turns = f64::from(TEETH[member]);
         let parts: Vec<f64> = (0..12).map(|k| turns * f64::from(k) / 12.0).collect();
         let mut errors = Vec::new();
@@ -60,18 +61,19 @@ fn runout_is_a_harmonic_of_the_transmission_error_once_a_turn() {
             errors.iter().zip(&times).map(|(error, time)| error * f(speed * time) / 6.0).sum()
         };
         let amplitude = harmonic(f64::sin).hypot(harmonic(f64::cos));
-        // Helical teeth touch across the axis as spur teeth of their transverse pressure angle.
+        // In the transverse plane helical teeth touch like spur teeth of their transverse pressure
+        // angle.
         let transverse_cos = if options.helix.angle() == 0.0 {
             COS
         } else {
             let normal = f64::tan(20_f64.to_radians());
-            // The rack is given across the axis.
+            // The rack is given in the normal plane.
             (1.0 / (1.0 + normal * normal)).sqrt()
         };
         let second_base = 0.5 * MODULE * f64::from(TEETH[1]) * transverse_cos;
         let expected = e / second_base;
         assert!((amplitude / expected - 1.0).abs() < 2e-3, "{member}: {amplitude} {expected}");
-        // Nothing else but a constant: the gears were phased where they stood at time 0.
+        // The rest is a constant: the gears were phased in their positions at time 0.
         let mean: f64 = errors.iter().sum::<f64>() / 12.0;
         for (error, time) in errors.iter().zip(&times) {
             let wave = harmonic(f64::sin) * (speed * time).sin() + harmonic(f64::cos) * (speed * time).cos();
@@ -80,7 +82,8 @@ fn runout_is_a_harmonic_of_the_transmission_error_once_a_turn() {
     }
 }
 
-/// Under load the torque is carried all the same, and the error moves by the runout.
+/// Under load the torque is transmitted as well, and the transmission error is shifted by the
+/// runout.
 #[test]
 fn a_loaded_pair_with_runout_is_in_equilibrium() {
     let options = Options { eccentricity: [1e-5, -2e-5], ..Options::helical(0.35, Hand::Left) };
@@ -90,11 +93,11 @@ fn a_loaded_pair_with_runout_is_in_equilibrium() {
     });
 }
 
-/// Shafts drive, and moments are about them: what rigid gears that sit off theirs take in at one shaft they give at the other,
-/// T1 dθ1 + T2 dθ2 = 0, while the ratio of their torques follows the runout.
+/// Power balance of eccentric rigid gears about their shafts: T1 dθ1 + T2 dθ2 = 0, while the ratio
+/// of their torques follows the runout.
 #[test]
 fn what_a_gear_off_its_shaft_takes_in_at_one_shaft_its_mate_gives_at_the_other() {
-    // Next to no load, so that teeth are rigid.
+    // A nearly vanishing load makes the teeth rigid.
     let plain = Options { torque: 1e-3 * TORQUE, apart: 8e-3, ..Options::spur() };
     let speeds = [TAU, -TAU * f64::from(TEETH[0]) / f64::from(TEETH[1])];
     for (eccentricity, in_plane) in [([1e-4, 0.0], false), ([0.0, -1.5e-4], false), ([1e-4, -1.5e-4], true)] {
@@ -126,7 +129,8 @@ fn what_a_gear_off_its_shaft_takes_in_at_one_shaft_its_mate_gives_at_the_other()
     }
 }
 
-/// Involutes do not mind the centre distance: torques keep the ratio of the teeth, and no transmission error comes up without load.
+/// Involutes are insensitive to the centre distance: torques keep the ratio of the numbers of
+/// teeth, and the unloaded transmission error is zero.
 #[test]
 fn a_wrong_centre_distance_leaves_involutes_their_ratio() {
     for apart in [2e-4, 8e-3] {
