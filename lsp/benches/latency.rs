@@ -1,8 +1,8 @@
-//! How long an author waits, on a model of 5,000 lines with an edit before each request, and how much memory ten thousand edits
-//! take: `cargo bench -p calyx-lsp`.
+//! Latency on a model of 5,000 lines with an edit before each request, and memory use over ten
+//! thousand edits: `cargo bench -p calyx-lsp`.
 //!
-//! Times are those of a client: from the moment the edit is sent until the answer has arrived, over pipes in memory. The check that
-//! the edit sets off runs meanwhile.
+//! Times are measured by the client, from sending the edit to receiving the answer, over in-memory
+//! pipes. The check triggered by the edit runs concurrently.
 
 #[allow(dead_code)]
 #[path = "../tests/protocol/client.rs"]
@@ -19,7 +19,7 @@ const LINES: usize = 5_000;
 const ROUNDS: usize = 200;
 const EDITS: i32 = 10_000;
 
-/// A text that is edited here and in the server alike, line by line.
+/// A text that is edited line by line, here and in the server.
 struct Editor {
     client: Client,
     lines: Vec<String>,
@@ -35,7 +35,7 @@ impl Editor {
         Editor { client, lines: text.split('\n').map(str::to_owned).collect(), version: 1 }
     }
 
-    /// Replaces a line by any number of others.
+    /// Replaces a line by any number of lines.
     fn replace(&mut self, line: usize, by: &[String]) {
         self.version += 1;
         let end = self.lines[line].encode_utf16().count();
@@ -45,7 +45,7 @@ impl Editor {
         self.lines.splice(line..=line, by.iter().cloned());
     }
 
-    /// A line with some text, at or after another, or else the first one with it.
+    /// Returns the next line with a text from line `from` on, or else the first one.
     fn find(&self, from: usize, text: &str) -> usize {
         let found = self.lines.iter().skip(from).position(|line| line.contains(text)).map(|at| at + from);
         found
@@ -70,7 +70,8 @@ impl Editor {
     }
 }
 
-/// One kind of edit in round `n`: a changed number in a function, a new line near the top, half a name typed.
+/// Makes edit `n`, one of several kinds: a changed number in a function, a new line near the top,
+/// an incomplete name.
 fn edit(editor: &mut Editor, n: usize) -> (usize, usize) {
     let from = n * 487 % LINES;
     let line = editor.find(from, "*weight_");
@@ -97,12 +98,12 @@ fn edit(editor: &mut Editor, n: usize) -> (usize, usize) {
     }
 }
 
-/// The rest of a statement after some text in it.
+/// Returns the rest of a statement after a text.
 fn after<'a>(line: &'a str, text: &str) -> &'a str {
     line.split(text).nth(1).and_then(|rest| rest.split(';').next()).unwrap_or_default()
 }
 
-/// Takes back what was half typed.
+/// Replaces the line with the incomplete name by a valid one.
 fn fix(editor: &mut Editor, n: usize, line: usize) {
     if n % 3 == 2 {
         editor.replace(line, &["        total = total + step;".to_owned()]);
@@ -122,7 +123,7 @@ fn report(name: &str, times: &mut [Duration], processor: f64) {
     println!("{name:<36} {half:>8.1} {most:>8.1} {all:>8.1} {each:>8.1}");
 }
 
-/// Milliseconds that the processors have worked for this process, the check that follows an edit included.
+/// Returns the CPU time of this process in ms, including the check after the edit.
 fn processor() -> f64 {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     let fields = stat.rsplit(") ").next().unwrap_or_default().split(' ');
@@ -162,7 +163,7 @@ fn of_diagnostics(editor: &mut Editor) {
     report("diagnostics after the last key", &mut times, processor() - worked);
 }
 
-/// As fast as the server takes them, and now and then somebody looks.
+/// Measures memory under edits at full speed, with occasional requests.
 fn of_memory(editor: &mut Editor) {
     let before = memory("VmRSS");
     let begun = Instant::now();
@@ -185,7 +186,7 @@ fn of_memory(editor: &mut Editor) {
     );
 }
 
-/// What the operating system says of this process, client and server together, in MB.
+/// Returns the memory use of this process, client and server, in MB, from the operating system.
 fn memory(name: &str) -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(':'));
@@ -196,7 +197,7 @@ fn memory(name: &str) -> f64 {
 fn main() {
     let mut editor = Editor::new();
     println!("{LINES} lines, {ROUNDS} rounds; ms {:>11} {:>8} {:>8} {:>8}", "median", "95 %", "most", "busy");
-    // `-- hover` measures requests of that name only, `-- memory` memory.
+    // `-- hover` measures only requests with that name, `-- memory` only memory.
     let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
     let wanted = |name: &str| wanted.as_ref().is_none_or(|wanted| name.contains(wanted.as_str()));
     if wanted("diagnostics") {

@@ -1,8 +1,9 @@
-//! Authoring Calyx models in an editor.
+//! Language server for Calyx models.
 //!
-//! Two layers. [`ide`] answers questions about one snapshot of the texts, in byte offsets and plain data; it knows no
-//! protocol, does no input or output, and cannot fail. [`server`] speaks the Language Server Protocol: it applies edits in the order they
-//! arrive, hands each request the snapshot it was asked about, and turns answers into messages.
+//! The crate has two layers. [`ide`] answers queries about one snapshot of the texts, in byte
+//! offsets and plain data; it is independent of the protocol, does no I/O, and cannot fail.
+//! [`server`] implements the Language Server Protocol: it applies edits in order of arrival, passes
+//! each request the snapshot of its arrival, and converts answers to messages.
 
 pub mod ide;
 pub mod server;

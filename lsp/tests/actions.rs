@@ -1,4 +1,4 @@
-//! Quick fixes and rewrites: what is offered at a cursor, and the lines that each would change.
+//! Quick fixes and rewrites: the actions offered at a cursor, and the lines that each changes.
 
 mod support;
 
@@ -8,7 +8,7 @@ use calyx_lsp::ide::actions::{Action, ActionKind, actions, fix_all};
 use std::fmt::Write;
 use support::{Case, changed, run, snapshot};
 
-/// What is wrong with the model of these files: code, whether it is an error, and place.
+/// Returns the diagnostics of the model of these files: code, whether it is an error, and position.
 fn codes(files: &[(String, String)]) -> Vec<(String, bool, u32)> {
     let checked = snapshot(files).database.check(&files[0].0).expect("the model was set");
     let each = checked.diagnostics.iter();
@@ -19,7 +19,7 @@ fn show(case: &Case, action: &Action) -> String {
     let files = changed(&case.files, &action.edits);
     let before = codes(&case.files);
     let after = codes(&files);
-    // A rewrite says the same; a fix that the compiler is certain of mends something.
+    // A rewrite causes no new error; a certain fix resolves a diagnostic.
     let errors = |codes: &[(String, bool, u32)]| codes.iter().filter(|(_, error, _)| *error).count();
     match action.kind {
         ActionKind::QuickFix | ActionKind::FixAll => {
@@ -57,7 +57,7 @@ fn show(case: &Case, action: &Action) -> String {
     shown
 }
 
-/// Lines that went and came: what is equal at the beginning and the end is left out.
+/// Returns removed and added lines, without the common prefix and suffix.
 fn difference(old: &str, new: &str) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
     let same = old.iter().zip(&new).take_while(|(a, b)| a == b).count();
@@ -85,7 +85,7 @@ fn everything_certain_is_fixed_at_once() {
     });
 }
 
-/// Whatever stands at a cursor, in whole and in cut texts: edits lie in the text, apart from one another.
+/// At every cursor, in complete and truncated texts: edits are within the text and disjoint.
 #[test]
 fn actions_are_sound_everywhere() {
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/spur_pair.cx"))

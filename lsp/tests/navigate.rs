@@ -1,4 +1,5 @@
-//! Hover, definitions, references, highlights and renames, by fixtures; renames of everything there is in the examples.
+//! Hover, definitions, references, highlights and renames from fixtures; renames of all names in
+//! the examples.
 
 mod support;
 
@@ -29,14 +30,15 @@ fn card(case: &Case, snapshot: &Snapshot) -> String {
         Some(found) => {
             let text = case.text(&case.cursor().file);
             let about = &text[found.range.start as usize..found.range.end as usize];
-            // A fence would end the block of the fixture.
+            // A code fence would end the block of the fixture.
             format!("about `{about}`\n{}", found.markdown.replace("```", "~~~"))
         }
         None => "nothing".into(),
     }
 }
 
-/// What elaboration said of an earlier text is found where it is now, unless an edit has touched it.
+/// Results for an earlier text are moved to their current position, unless an edit has touched
+/// them.
 #[test]
 fn geometry_follows_the_text() {
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/spur_pair.cx"))
@@ -72,7 +74,7 @@ fn target(case: &Case, found: &Definition) -> String {
     let text = case.snapshot.database.text(&found.file).expect("a file");
     let slice = |start: u32, end: u32| text[start as usize..end as usize].lines().next().unwrap_or_default();
     let line = text[..found.name.start as usize].matches('\n').count() + 1;
-    // The library changes.
+    // Line numbers of the library change often.
     let place =
         if found.file.starts_with('<') { found.file.to_string() } else { format!("{}:{line}", found.file) };
     let name = slice(found.name.start, found.name.end);
@@ -115,7 +117,7 @@ fn what_belongs_together_is_marked() {
 #[test]
 fn names_are_changed_everywhere() {
     run("rename", |case| {
-        // The new name is the case's last word.
+        // The new name is the last word of the heading.
         let to = case.heading.rsplit(' ').next().unwrap_or_default().trim_matches('`');
         let at = case.cursor();
         if let Err(refusal) = prepare(&case.snapshot, at) {
@@ -146,13 +148,14 @@ fn models(below: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The declarations of a model.
+/// Returns the declarations of a model.
 fn declared(snapshot: &Snapshot) -> Vec<Name> {
     snapshot.database.names("model.cx").into_iter().filter(|name| name.declares).collect()
 }
 
-/// Names that examples declare get fresh ones: nothing is wrong then, what it prints is the same, and the old name
-/// gives the old text. Every other name: each takes three whole checks of its model.
+/// Renames declarations of the examples to fresh names: there are no errors, the output is the
+/// same, and the inverse rename restores the text. Every other name only, because each requires
+/// three complete checks of its model.
 #[test]
 fn names_of_the_examples_can_be_changed_and_changed_back() {
     let mut paths = Vec::new();
@@ -184,7 +187,7 @@ fn names_of_the_examples_can_be_changed_and_changed_back() {
     assert!(renamed > 40, "only {renamed} names");
 }
 
-/// Wherever a cursor stands, in whole and in cut texts, every question is answered with places of the text.
+/// At every cursor, in complete and truncated texts, every query returns positions within the text.
 #[test]
 fn questions_are_answered_everywhere() {
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/spur_pair.cx"))
@@ -211,7 +214,7 @@ fn questions_are_answered_everywhere() {
             let _ = prepare(&snapshot, &at);
         }
     }
-    // Every identifier of the example has a card.
+    // Every identifier of the example has a hover text.
     let whole = snapshot(&[("model.cx".to_string(), text.clone())]);
     for token in &whole.database.tokens("model.cx").expect("tokens").tokens {
         let word = &text[token.span.start as usize..token.span.end as usize];
@@ -223,7 +226,7 @@ fn questions_are_answered_everywhere() {
     }
 }
 
-/// A unit is told of together with its number.
+/// Returns true for units, which are described with their number.
 fn is_unit(words: &BTreeSet<String>, word: &str) -> bool {
     words.iter().any(|known| known.contains(' ') && known.contains(word))
 }

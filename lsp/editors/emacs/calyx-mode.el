@@ -14,8 +14,8 @@
 ;;   (require 'calyx-mode)
 ;;   (add-hook 'calyx-mode-hook #'eglot-ensure)
 ;;
-;; `calyx-run' saves the model and runs it, `calyx-plan' shows what the engine would
-;; model, `calyx-cancel' stops a run, `calyx-format' lays the text out.
+;; `calyx-run' saves the model and runs it, `calyx-plan' shows the plan of the
+;; analysis, `calyx-cancel' stops a run, `calyx-format' formats the text.
 
 ;;; Code:
 
@@ -124,13 +124,13 @@ multiplied with or divided by."
                       "\\(?:\\^-?[0-9]+\\)?\\)*\\)"))
         found)
     (while (and (not found) (re-search-forward unit limit t))
-      ;; `2 in`, `1 else` and `3 at Time` go on with words of the language.
+      ;; `2 in`, `1 else` and `3 at Time` continue with a keyword.
       (setq found (not (member (match-string 1) '("in" "else" "at")))))
     found))
 
 (defconst calyx--font-lock-keywords
   `((,(regexp-opt calyx--keywords 'symbols) . font-lock-keyword-face)
-    ;; Words of the language only where a name follows.
+    ;; Contextual keywords, which require a name after them.
     (,(concat "\\_<\\(param\\|output\\|const\\|unit\\)\\_>[ \t]+\\(" calyx--name "\\)")
      (1 font-lock-keyword-face) (2 font-lock-variable-name-face))
     (,(concat "\\_<\\(record\\|dimension\\)\\_>[ \t]+\\(" calyx--name "\\)")
@@ -143,7 +143,7 @@ multiplied with or divided by."
     ("\\_<\\(host\\|test\\)\\_>[ \t]+function\\_>" 1 font-lock-keyword-face)
     (,(concat "[])[:alnum:]_\"%.][ \t]+\\(at\\)[ \t]+" calyx--name "[ \t]*=[^=]")
      1 font-lock-keyword-face)
-    ;; Names that are declared.
+    ;; Declared names.
     (,(concat "\\_<function\\_>[ \t]+\\(" calyx--name "\\)") 1 font-lock-function-name-face)
     (,(concat "\\_<\\(?:in\\|out\\|inout\\)\\_>[ \t]+\\(" calyx--name "\\)")
      1 font-lock-variable-name-face)
@@ -151,7 +151,7 @@ multiplied with or divided by."
     (,(concat "\\_<goto\\_>[ \t]+\\(" calyx--name "\\)") 1 font-lock-constant-face)
     (,(concat "^[ \t]*\\(" calyx--name "\\):[ \t]+" calyx--name "[ \t]*(")
      1 font-lock-constant-face)
-    ;; Names of the language.
+    ;; Builtin names.
     (,(concat (regexp-opt calyx--builtins 'symbols) "[ \t]*(") 1 font-lock-builtin-face)
     (,(regexp-opt (append calyx--constants calyx--booleans) 'symbols) . font-lock-constant-face)
     (,(concat "[:>(,/*][ \t]*" (regexp-opt calyx--types 'symbols)) 1 font-lock-type-face)
@@ -166,8 +166,8 @@ multiplied with or divided by."
          font-lock-doc-face)
         (t font-lock-comment-face)))
 
-;; A text ends on its line, and may hold expressions that hold texts: only the
-;; outermost quotes are quotes to Emacs.
+;; A string ends on its line, and may contain interpolations with strings: only the
+;; outermost quotes are string delimiters for Emacs.
 
 (defun calyx--text-end ()
   "Move from behind the opening quote of a text to its closing one.
@@ -241,7 +241,7 @@ Stops at the end of the line if there is none.  Quotes between are no quotes."
        (t
         (let ((before (calyx--code-before limit))
               (base (if in-switch (+ base calyx-indent-offset) base)))
-          ;; What goes on from the line before stands a step further in.
+          ;; A continuation line is indented one step further.
           (if (and before
                    (not (string-match-p "[;{},:]\\'" before))
                    (not (string-prefix-p "{" here)))

@@ -1,4 +1,4 @@
-// One file for the extension host: an extension loads faster, and its package holds no node_modules.
+// Bundles the extension to one file: it loads faster, and its package contains no node_modules.
 import { build } from "esbuild";
 
 await build({

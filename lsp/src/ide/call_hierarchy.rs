@@ -1,4 +1,4 @@
-//! Who calls a function, and whom it calls.
+//! Call hierarchy: callers and callees of a function.
 
 use super::source::Source;
 use super::walk::Node;
@@ -7,29 +7,30 @@ use calyx_lang::analysis::{Name, NameKind, SourceRange};
 use calyx_lang::ast::{FunctionDecl, Stmt, StmtKind};
 use std::sync::Arc;
 
-/// A function, or a file whose top level calls functions.
+/// A function, or a file whose top level has calls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
     pub name: String,
     /// `None` for the top level of a file.
     pub kind: Option<NameKind>,
-    /// What it takes and gives.
+    /// Signature.
     pub detail: Option<Arc<str>>,
-    /// Of its name; at the beginning of the file for the top level.
+    /// Range of its name; the start of the file for the top level.
     pub place: SourceRange,
-    /// All of it.
+    /// Start of the whole declaration.
     pub start: u32,
+    /// End of the whole declaration.
     pub end: u32,
 }
 
-/// A caller or a callee, and where the calls stand: in the caller's file.
+/// A caller or a callee, and the ranges of the calls in the caller's file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Calls {
     pub item: Item,
     pub ranges: Vec<(u32, u32)>,
 }
 
-/// The function named at a cursor.
+/// Returns the function named at a cursor.
 pub fn prepare(snapshot: &Snapshot, position: &Position) -> Option<Item> {
     let name = snapshot.database.name_at(&position.file, position.offset)?;
     if !is_function(name.kind) {
@@ -42,7 +43,7 @@ fn is_function(kind: NameKind) -> bool {
     matches!(kind, NameKind::Function | NameKind::SymbolicFunction | NameKind::Extern)
 }
 
-/// The function declared at a place, or the top level of a file at its beginning.
+/// Returns the function declared at a position, or the top level of a file at its start.
 fn item(snapshot: &Snapshot, place: &SourceRange) -> Option<Item> {
     if place.end == 0 {
         let end = snapshot.database.text(&place.file)?.len() as u32;
@@ -60,7 +61,7 @@ fn item(snapshot: &Snapshot, place: &SourceRange) -> Option<Item> {
     })
 }
 
-/// Who calls the function declared at a place, in order of file and place.
+/// Returns the callers of the function declared at a position, sorted by file and position.
 pub fn incoming(snapshot: &Snapshot, place: &SourceRange) -> Vec<Calls> {
     let mut by_caller: Vec<(SourceRange, Vec<(u32, u32)>)> = Vec::new();
     let mut source: Option<(Arc<str>, Source<'_>)> = None;
@@ -89,7 +90,8 @@ pub fn incoming(snapshot: &Snapshot, place: &SourceRange) -> Vec<Calls> {
     calls.filter_map(|(caller, ranges)| Some(Calls { item: item(snapshot, &caller)?, ranges })).collect()
 }
 
-/// Whom the function declared at a place calls, or the top level of a file at its beginning; in order of first calls.
+/// Returns the callees of the function declared at a position, or of the top level of a file at its
+/// start, in order of their first calls.
 pub fn outgoing(snapshot: &Snapshot, place: &SourceRange) -> Vec<Calls> {
     let Some(source) = Source::of(snapshot, &place.file) else { return Vec::new() };
     let statements = &source.tree.module.statements;
@@ -102,7 +104,7 @@ pub fn outgoing(snapshot: &Snapshot, place: &SourceRange) -> Vec<Calls> {
     for name in snapshot.database.names_in(&place.file, start..end) {
         let Name { declared: Some(callee), .. } = &name else { continue };
         let inside = start <= name.start && name.end <= end && !name.declares && is_function(name.kind);
-        // What a function calls that is declared inside is that one's affair.
+        // Calls inside a nested function belong to that function.
         let own = match function_around(statements, name.start) {
             Some(function) => function.name.span.start == place.start && place.end > 0,
             None => place.end == 0,
@@ -119,7 +121,7 @@ pub fn outgoing(snapshot: &Snapshot, place: &SourceRange) -> Vec<Calls> {
     calls.filter_map(|(callee, ranges)| Some(Calls { item: item(snapshot, &callee)?, ranges })).collect()
 }
 
-/// The innermost function that a byte is in.
+/// Returns the innermost function around a byte.
 fn function_around(statements: &[Stmt], offset: u32) -> Option<&FunctionDecl> {
     let at = statements.partition_point(|statement| statement.span.end <= offset);
     let statement = statements.get(at).filter(|statement| statement.span.start <= offset)?;

@@ -1,12 +1,12 @@
-//! What a call calls, by the names before its bracket, and which of its parameters have arguments. Works where the statement has no
-//! tree yet.
+//! Resolution of the callee of a call by the path before its parenthesis, and of the parameters
+//! without arguments. Works without a syntax tree of the statement.
 
 use super::cursor::Call;
 use super::shape::Shape;
 use calyx_lang::analysis::{CallParameter, Callable, NameKind, Visible};
 use calyx_lang::db::Database;
 
-/// What can be called by the names of a path: `sin`, `Size`, `gears.external`.
+/// Resolves a path to a callable: `sin`, `Size`, `gears.external`.
 pub fn callable(database: &Database, visible: &[Visible], path: &[String]) -> Option<Callable> {
     let (name, modules) = path.split_last()?;
     match modules.last() {
@@ -19,7 +19,7 @@ pub fn callable(database: &Database, visible: &[Visible], path: &[String]) -> Op
     }
 }
 
-/// How a visible name is called, if it can be.
+/// Returns the signature of a visible name, if it can be called.
 pub fn of(database: &Database, known: &Visible) -> Option<Callable> {
     match (&known.declared, known.kind) {
         (Some(place), kind) if is_called(kind) => database.callable_as_seen(place),
@@ -28,7 +28,7 @@ pub fn of(database: &Database, known: &Visible) -> Option<Callable> {
     }
 }
 
-/// Whether a name of this kind is followed by arguments.
+/// Returns true if names of this kind take arguments.
 pub fn is_called(kind: NameKind) -> bool {
     matches!(
         kind,
@@ -40,26 +40,26 @@ pub fn is_called(kind: NameKind) -> bool {
     )
 }
 
-/// The dotted path of the module that a name stands for.
+/// Returns the dotted path of the module that a name refers to.
 pub fn module_path(database: &Database, visible: &[Visible], name: &str) -> Option<String> {
     let module = visible.iter().find(|known| *known.name == *name && known.kind == NameKind::Module)?;
     database.module_of(&module.declared.as_ref()?.file)
 }
 
-/// The fields of a record that is the value of a name.
+/// Returns the fields of a name whose value is a record.
 pub fn fields_of(database: &Database, visible: &[Visible], name: &str) -> Option<Vec<CallParameter>> {
     let known = visible.iter().find(|known| *known.name == *name)?;
     fields(database, visible, &Shape::read(known.ty.as_deref()?))
 }
 
-/// The fields of a record type.
+/// Returns the fields of a record type.
 pub fn fields(database: &Database, visible: &[Visible], shape: &Shape) -> Option<Vec<CallParameter>> {
     let Shape::Named(record) = shape else { return None };
     let seen = visible.iter().find(|known| *known.name == **record && known.kind == NameKind::Record);
     let callable = match seen {
         Some(known) => of(database, known),
         None => {
-            // A value of a module's record is shown by the record's own name.
+            // The type of a record of a module is its unqualified name.
             let exported = database.exported(record.rsplit('.').next().unwrap_or(record));
             exported
                 .iter()
@@ -70,15 +70,15 @@ pub fn fields(database: &Database, visible: &[Visible], shape: &Shape) -> Option
     Some(callable?.parameters)
 }
 
-/// How arguments meet parameters.
+/// Assignment of arguments to parameters.
 pub struct Matched {
-    /// Parameters without an argument; the one that the cursor gives is among them.
+    /// Parameters without an argument; the argument at the cursor does not count.
     pub left: Vec<usize>,
-    /// No argument before the cursor has a name.
+    /// True if no argument before the cursor is named.
     pub in_order: bool,
 }
 
-/// Which parameters of what is called have no argument yet.
+/// Determines which parameters have no argument yet.
 pub fn matched(callable: &Callable, call: &Call, fields: &dyn Fn(&str) -> Vec<CallParameter>) -> Matched {
     let mut given = vec![false; callable.parameters.len()];
     let mut in_order = true;
@@ -113,7 +113,7 @@ pub fn matched(callable: &Callable, call: &Call, fields: &dyn Fn(&str) -> Vec<Ca
     Matched { left, in_order }
 }
 
-/// The parameter of an argument given in order.
+/// Returns the index of the parameter of a positional argument.
 pub fn position(callable: &Callable, at: usize) -> Option<usize> {
     let last = callable.parameters.len().checked_sub(1)?;
     if at <= last { Some(at) } else { callable.open.then_some(last) }

@@ -1,4 +1,4 @@
-//! What can be done with a declaration, shown above it: run the model, explain its plan, run a test, see who uses it.
+//! Code lenses above declarations: run the model, explain its plan, run a test, show the uses.
 
 use super::Snapshot;
 use super::source::Source;
@@ -10,23 +10,25 @@ use std::sync::Arc;
 pub enum Lens {
     /// Runs the model.
     Run,
-    /// Shows what the model's analysis will do.
+    /// Shows the plan of the model's analysis.
     ExplainPlan,
     /// Runs the test of this name.
     RunTest(String),
-    /// The uses of what is declared at a place; counted by [`uses`] when the lens is seen.
+    /// Shows the uses of the declaration at a position; [`uses`] counts them when the lens is
+    /// resolved.
     Uses(SourceRange),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CodeLens {
-    /// The name or the word that it belongs to.
+    /// Start of the name or keyword below the lens.
     pub start: u32,
+    /// End of the name or keyword.
     pub end: u32,
     pub lens: Lens,
 }
 
-/// The lenses of a file in order of place.
+/// Returns the lenses of a file, sorted by position.
 pub fn lenses(source: &Source<'_>, file: &Arc<str>) -> Vec<CodeLens> {
     let statements = &source.tree.module.statements;
     let analysis = statements.iter().find_map(analysis);
@@ -60,7 +62,7 @@ pub fn lenses(source: &Source<'_>, file: &Arc<str>) -> Vec<CodeLens> {
     lenses
 }
 
-/// The word `analyze` where a statement calls it.
+/// Returns the identifier `analyze` if a statement calls it.
 fn analysis(statement: &Stmt) -> Option<&Ident> {
     let StmtKind::Expr(Expr { kind: ExprKind::Call { callee, .. }, .. }) = &statement.kind else {
         return None;
@@ -71,7 +73,7 @@ fn analysis(statement: &Stmt) -> Option<&Ident> {
     }
 }
 
-/// Where what is declared at a place is used, in all files.
+/// Returns the uses of the declaration at a position, in all files.
 pub fn uses(snapshot: &Snapshot, place: &SourceRange) -> Vec<(Arc<str>, Name)> {
     let mut found = snapshot.database.references(place);
     found.retain(|(_, name)| !name.declares);

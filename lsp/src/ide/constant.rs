@@ -1,4 +1,4 @@
-//! Values that are known from the text alone: of constants, and of params at their defaults.
+//! Constant evaluation: values of constants, and of params at their defaults.
 
 use calyx_abi::math;
 use calyx_abi::units::to_si;
@@ -10,7 +10,7 @@ use calyx_lang::dimension::Dimension;
 use calyx_lang::units::{Unit, powered};
 use std::sync::Arc;
 
-/// Constants that name one another are followed so far.
+/// Largest depth of references between constants.
 const DEEPEST: usize = 20;
 
 /// A number known from the text, in SI.
@@ -20,8 +20,8 @@ pub struct ConstantValue {
     pub dimension: Option<Dimension>,
 }
 
-/// The value of the constant or param that is declared at a place; `None` if it is no number, or more than literals, units,
-/// constants and functions of the language.
+/// Returns the value of the constant or param declared at a position; `None` if it is not numeric,
+/// or its expression has more than literals, units, constants and builtin functions.
 pub fn of_declaration(database: &Database, place: &SourceRange) -> Option<ConstantValue> {
     let file = Evaluation::new(database, &place.file, DEEPEST);
     let tree = database.around(&place.file, place.start)?;
@@ -37,7 +37,7 @@ pub fn of_declaration(database: &Database, place: &SourceRange) -> Option<Consta
     Some(ConstantValue { si, dimension: whole.and_then(|typed| typed.dimension) })
 }
 
-/// Where expressions are evaluated.
+/// Scope of an evaluation.
 struct Evaluation<'d> {
     database: &'d Database,
     file: Arc<str>,
@@ -89,7 +89,8 @@ impl<'d> Evaluation<'d> {
         }
     }
 
-    /// A literal without unit has that of the file's system for its dimension.
+    /// Converts a literal without a unit: it is in the unit of the file's unit system for its
+    /// dimension.
     fn bare(&self, e: &Expr, value: f64) -> f64 {
         let typed = self.database.expressions(&self.file, e.span.start..e.span.end);
         let here =
@@ -129,7 +130,7 @@ impl<'d> Evaluation<'d> {
     }
 }
 
-/// A function of the language.
+/// Evaluates a builtin function.
 fn called(name: &str, values: &[f64]) -> Option<f64> {
     match (name, values) {
         ("min", [first, rest @ ..]) => {

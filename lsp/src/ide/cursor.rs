@@ -1,37 +1,40 @@
-//! The tokens around a cursor: the word it stands in, the statement and brackets around it, the calls it is in.
+//! Context of a cursor in the token stream: its word, the statement and delimiters around it, and
+//! the enclosing calls.
 //!
-//! Completion and signature help are asked for in statements that are not written to their end, where a tree says little. So these
-//! look at tokens, backwards from the cursor, and stop at what surely begins a statement.
+//! Completion and signature help are requested in incomplete statements, for which the syntax tree
+//! has little information. Therefore this module scans the tokens backwards from the cursor, to a
+//! token that certainly starts a statement.
 
 use calyx_lang::lexer::{CommentKind, Kind, Token, Tokens};
 use std::ops::Range;
 
-/// A cursor among the tokens of a text.
+/// A cursor in the token stream of a text.
 pub struct CursorContext<'a> {
     pub text: &'a str,
     tokens: &'a [Token],
-    /// How many tokens end before the word under the cursor, or before the cursor where there is none.
+    /// Number of tokens before the word at the cursor, or before the cursor if there is no word.
     pub before: usize,
-    /// The word under the cursor, whole; empty where there is none.
+    /// Whole word at the cursor; empty if there is none.
     pub word: Range<usize>,
     pub offset: usize,
 }
 
-/// What a cursor must not stand in to be offered names.
+/// Region around the cursor in which no names are offered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CursorRegion {
     Code,
     Comment,
-    /// In a number or right behind its digits.
+    /// In a number or directly after its digits.
     Number,
-    /// Between the quotes of a string: where its text lies, `None` if values are put into it.
+    /// Between the quotes of a string: the range of its text, `None` if the string has
+    /// interpolations.
     Text(Option<Range<usize>>),
 }
 
-/// A bracket that is open at the cursor.
+/// A delimiter that is open at the cursor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OpenDelimiter {
-    /// Its token.
+    /// Its token index.
     pub at: usize,
     pub kind: Bracket,
 }
@@ -62,12 +65,12 @@ pub enum Bracket {
     Interpolation,
 }
 
-/// The statement a cursor stands in, as far as the cursor.
+/// The statement around a cursor, up to the cursor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Statement {
     /// Its first token.
     pub start: usize,
-    /// Brackets open in it, innermost first.
+    /// Delimiters open in it, innermost first.
     pub open: Vec<OpenDelimiter>,
 }
 
@@ -75,7 +78,7 @@ pub struct Statement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Block {
     pub kind: BlockKind,
-    /// The token that begins what it belongs to: `function`, `for`, `catch`, `record`, ...
+    /// First token of its construct: `function`, `for`, `catch`, `record`, ...
     pub head: usize,
 }
 
@@ -90,15 +93,15 @@ pub enum BlockKind {
     Plain,
 }
 
-/// A call a cursor is in.
+/// A call around a cursor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Call {
     /// `gears`, `external`; the last is the function.
     pub path: Vec<String>,
-    /// Where the path stands.
+    /// Byte range of the path.
     pub callee: Range<usize>,
     pub arguments: Vec<WrittenArgument>,
-    /// The argument the cursor is in.
+    /// Index of the argument at the cursor.
     pub active: usize,
 }
 
@@ -108,7 +111,7 @@ pub struct WrittenArgument {
     pub name: Option<String>,
     /// `..record`; the name of the record if it is one.
     pub spread: Option<String>,
-    /// Nothing is written but perhaps the word under the cursor.
+    /// True if the argument has at most the word at the cursor.
     pub empty: bool,
 }
 
@@ -131,18 +134,18 @@ impl<'a> CursorContext<'a> {
         self.tokens.get(at).map(|token| token.kind)
     }
 
-    /// The kind of the token before this one.
+    /// Returns the kind of the previous token.
     pub fn previous(&self, at: usize) -> Option<Kind> {
         at.checked_sub(1).and_then(|at| self.kind(at))
     }
 
-    /// Where a token stands; the end of the text for one that is not there.
+    /// Returns the byte range of a token; the end of the text if there is no such token.
     pub fn range(&self, at: usize) -> Range<usize> {
         let end = self.text.len();
         self.tokens.get(at).map_or(end..end, |token| token.span.start as usize..token.span.end as usize)
     }
 
-    /// The token that begins at an offset, or the next one.
+    /// Returns the token that starts at an offset, or the next one.
     pub fn token_at(&self, offset: usize) -> usize {
         self.tokens.partition_point(|token| (token.span.start as usize) < offset)
     }
@@ -151,7 +154,7 @@ impl<'a> CursorContext<'a> {
         self.text.get(self.range(at)).unwrap_or_default()
     }
 
-    /// The token after the word under the cursor.
+    /// Returns the token after the word at the cursor.
     pub fn next(&self) -> usize {
         if self.word.is_empty() { self.before } else { self.before + 1 }
     }
@@ -160,24 +163,24 @@ impl<'a> CursorContext<'a> {
         !self.word.is_empty() && at == self.before
     }
 
-    /// What is written of the word under the cursor.
+    /// Returns the word at the cursor, up to the cursor.
     pub fn prefix(&self) -> &'a str {
         self.text.get(self.word.start..self.offset).unwrap_or_default()
     }
 
-    /// Whether a line ends between a token and the one before it.
+    /// Returns true if there is a line break before a token.
     pub fn begins_line(&self, at: usize) -> bool {
         let Some(previous) = at.checked_sub(1) else { return true };
         self.text.get(self.range(previous).end..self.range(at).start).is_none_or(|gap| gap.contains('\n'))
     }
 
-    /// The same for the word under the cursor, or the cursor.
+    /// Returns true if there is a line break before the word at the cursor, or before the cursor.
     pub fn cursor_begins_line(&self) -> bool {
         let Some(previous) = self.before.checked_sub(1) else { return true };
         self.text.get(self.range(previous).end..self.word.start).is_none_or(|gap| gap.contains('\n'))
     }
 
-    /// Blanks before the first character of the line of an offset.
+    /// Returns the number of blanks at the start of the line of an offset.
     pub fn indentation(&self, offset: usize) -> usize {
         let before = self.text.get(..offset).unwrap_or_default();
         let line = before.rfind('\n').map_or(0, |end| end + 1);
@@ -190,7 +193,7 @@ impl<'a> CursorContext<'a> {
             && !matches!(self.kind(at), Some(Kind::StringText | Kind::Format))
     }
 
-    /// What the cursor stands in.
+    /// Returns the region of the cursor.
     pub fn standing(&self, tokens: &Tokens) -> CursorRegion {
         let offset = self.offset;
         let comments = &tokens.comments;
@@ -202,7 +205,7 @@ impl<'a> CursorContext<'a> {
                     let closed = self.text.get(..end).is_some_and(|text| text.ends_with("*/"));
                     offset < end || (!closed && offset == end)
                 }
-                // Blanks at its end belong to it.
+                // Blanks after the number belong to it.
                 _ => self.text.get(end..offset.max(end)).is_some_and(|rest| !rest.contains('\n')),
             };
             if open {
@@ -220,7 +223,8 @@ impl<'a> CursorContext<'a> {
         }
     }
 
-    /// Where the text of the string lies that a token is in, if nothing is put into it.
+    /// Returns the range of the text of the string around a token, if the string has no
+    /// interpolations.
     fn plain_text(&self, at: usize) -> Option<Range<usize>> {
         let open = if self.kind(at) == Some(Kind::StringText) { at.checked_sub(1)? } else { at };
         let mut close = open + 1;
@@ -233,13 +237,13 @@ impl<'a> CursorContext<'a> {
         (self.kind(close) == Some(Kind::StringClose)).then(|| self.range(open).end..self.range(close).start)
     }
 
-    /// The token at which the string opens that holds the cursor's text.
+    /// Returns the opening token of the string around the cursor.
     pub fn string_open(&self) -> Option<usize> {
         let begun = self.tokens.partition_point(|token| (token.span.start as usize) < self.offset);
         (0..begun).rev().take(2).find(|&at| self.kind(at) == Some(Kind::StringOpen))
     }
 
-    /// The bracket that a closing one at `at` belongs to.
+    /// Returns the opening delimiter of the closing one at `at`.
     pub fn opening(&self, at: usize) -> Option<usize> {
         let mut depth = 0_usize;
         for index in (0..=at).rev() {
@@ -257,17 +261,17 @@ impl<'a> CursorContext<'a> {
         None
     }
 
-    /// The statement around the token before `end`.
+    /// Returns the statement around the token before `end`.
     pub fn statement(&self, end: usize) -> Statement {
         let mut open: Vec<OpenDelimiter> = Vec::new();
-        // Where a statement would begin if the line above were one without its `;`.
+        // Start of the statement if the line above is a statement without its `;`.
         let mut unended: Option<(usize, usize)> = None;
         let mut at = end;
         while let Some(index) = at.checked_sub(1) {
             let Some(kind) = self.kind(index) else { break };
             match kind {
                 Kind::CloseParen | Kind::CloseBracket | Kind::StringClose => {
-                    // A bracket that closes nothing is passed over.
+                    // An unmatched closing delimiter is skipped.
                     at = self.opening(index).filter(|&open| !self.ends_between(open, index)).unwrap_or(index);
                     continue;
                 }
@@ -318,7 +322,7 @@ impl<'a> CursorContext<'a> {
         self.begun(at, open, end)
     }
 
-    /// Leaves out labels and the heads of `if`, `while`, ... that stand before a statement.
+    /// Skips labels and the headers of `if`, `while`, ... before a statement.
     fn begun(&self, mut start: usize, open: Vec<OpenDelimiter>, end: usize) -> Statement {
         let outermost = open.last().map_or(end, |open| open.at.min(end));
         while start < outermost {
@@ -326,7 +330,7 @@ impl<'a> CursorContext<'a> {
                 Some(Kind::Else | Kind::Do | Kind::Try) => Some(start + 1),
                 Some(kind @ (Kind::If | Kind::While | Kind::For | Kind::Switch | Kind::Catch)) => {
                     let body = self.closing(start + 1, outermost).map(|close| close + 1);
-                    // The other side, where the first lacks its `;`.
+                    // The `else` branch, if the first branch lacks its `;`.
                     let other = (kind == Kind::If
                         && body.is_some_and(|body| self.kind(body) != Some(Kind::If)))
                     .then(|| (start..outermost).find(|&at| self.kind(at) == Some(Kind::Else)))
@@ -351,7 +355,7 @@ impl<'a> CursorContext<'a> {
         Statement { start, open }
     }
 
-    /// The bracket that closes the one at `open`, before `end`.
+    /// Returns the closing delimiter of the one at `open`, before `end`.
     fn closing(&self, open: usize, end: usize) -> Option<usize> {
         let mut depth = 0_usize;
         for index in open..end {
@@ -370,12 +374,13 @@ impl<'a> CursorContext<'a> {
         None
     }
 
-    /// The `:` of a `case`, before `end`.
+    /// Returns the `:` of a `case`, before `end`.
     fn colon(&self, case: usize, end: usize) -> Option<usize> {
         (case..end).find(|&index| self.kind(index) == Some(Kind::Colon))
     }
 
-    /// Whether a statement ends between two tokens: then they are no pair of brackets. The parts of a `for` do not count.
+    /// Returns true if a statement ends between two delimiters, so that they are no pair. Ignores
+    /// the semicolons in the header of a `for`.
     fn ends_between(&self, open: usize, close: usize) -> bool {
         let header = self.previous(open) == Some(Kind::For);
         (open + 1..close).any(|index| match self.kind(index) {
@@ -385,7 +390,7 @@ impl<'a> CursorContext<'a> {
         })
     }
 
-    /// The `(` of the `for` whose parts a `;` separates.
+    /// Returns the `(` of the `for` header with this `;`.
     fn for_header(&self, semicolon: usize) -> Option<usize> {
         let mut index = semicolon;
         while let Some(before) = index.checked_sub(1) {
@@ -404,7 +409,7 @@ impl<'a> CursorContext<'a> {
         None
     }
 
-    /// The token at which the string opens that a `{` of it at `at` belongs to.
+    /// Returns the opening token of the string with the interpolation that starts at `at`.
     fn string_of(&self, at: usize) -> usize {
         let mut depth = 0_usize;
         for index in (0..at).rev() {
@@ -443,12 +448,12 @@ impl<'a> CursorContext<'a> {
         }
     }
 
-    /// Whether a token may be the last of an expression.
+    /// Returns true if an expression may end with the token.
     pub fn ends_expression(&self, at: usize) -> bool {
         self.kind(at).is_some_and(Kind::ends_expression)
     }
 
-    /// The blocks around a token, innermost first.
+    /// Returns the blocks around a token, innermost first.
     pub fn blocks(&self, before: usize) -> impl Iterator<Item = Block> {
         let mut depth = 0_usize;
         let mut at = before;
@@ -459,7 +464,7 @@ impl<'a> CursorContext<'a> {
                     Kind::CloseBrace => depth += 1,
                     Kind::OpenBrace if depth > 0 => depth -= 1,
                     Kind::OpenBrace => return Some(self.block_at(index)),
-                    // These stand at the top level only: a brace above them was left open.
+                    // These occur at the top level only: a brace above them is unclosed.
                     Kind::Import | Kind::Units | Kind::Param | Kind::Output
                         if depth == 0 && self.begins_line(index) =>
                     {
@@ -473,7 +478,7 @@ impl<'a> CursorContext<'a> {
         })
     }
 
-    /// The innermost block around a token.
+    /// Returns the innermost block around a token.
     pub fn block(&self, before: usize) -> Option<Block> {
         self.blocks(before).next()
     }
@@ -516,13 +521,13 @@ impl<'a> CursorContext<'a> {
         }
     }
 
-    /// The calls around the cursor in a statement, innermost first.
+    /// Returns the calls around the cursor in a statement, innermost first.
     pub fn calls(&self, statement: &Statement) -> Vec<Call> {
         let calls = statement.open.iter().filter(|open| open.kind == Bracket::Call);
         calls.filter_map(|open| self.call(open.at)).collect()
     }
 
-    /// The call whose arguments an open `(` begins.
+    /// Returns the call whose arguments start at an open `(`.
     pub fn call(&self, open: usize) -> Option<Call> {
         let last = open.checked_sub(1)?;
         let mut path = vec![self.source(last).to_string()];
@@ -545,7 +550,7 @@ impl<'a> CursorContext<'a> {
                 active = arguments.len();
             }
             let followed = self.kind(end) == Some(Kind::Comma);
-            // After a last comma there is an argument only if the cursor is there.
+            // After a trailing comma there is an argument only if the cursor is there.
             if end > start || followed || start == self.before {
                 arguments.push(self.given(start, end));
             }
@@ -557,8 +562,9 @@ impl<'a> CursorContext<'a> {
         Some(Call { path, callee, arguments, active })
     }
 
-    /// The token that ends the argument beginning at `start`: a comma, a bracket that closes, or the statement's end. Where the
-    /// bracket is not closed yet, an assignment on a line that stands no further in than the call is a statement of its own.
+    /// Returns the token after the argument that starts at `start`: a comma, a closing delimiter,
+    /// or the end of the statement. In an unclosed call, an assignment on a line that is not
+    /// indented more than the call is a separate statement.
     fn argument_end(&self, start: usize, margin: usize) -> usize {
         let mut depth = 0_usize;
         let mut index = start;

@@ -1,4 +1,4 @@
-//! Where what a name means is declared.
+//! Go to definition.
 
 use super::enclosing::EnclosingNodes;
 use super::labels::label_at;
@@ -9,19 +9,19 @@ use calyx_lang::span::Span;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Where a name leads.
+/// Definition of a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
-    /// The name that was asked about.
+    /// Name at the cursor.
     pub origin: Range<u32>,
     pub file: Arc<str>,
-    /// The name where it is declared; empty at the start of a module.
+    /// Name in the declaration; empty at the start of a module.
     pub name: Range<u32>,
-    /// The whole declaration.
+    /// Range of the whole declaration.
     pub item: Range<u32>,
 }
 
-/// The declaration of what the name at a cursor means; of a module its file.
+/// Returns the definition of the name at a cursor; for a module, its file.
 pub fn definition(snapshot: &Snapshot, at: &Position) -> Option<Definition> {
     let database = &snapshot.database;
     if let Some(name) = database.name_at(&at.file, at.offset) {
@@ -35,14 +35,14 @@ pub fn definition(snapshot: &Snapshot, at: &Position) -> Option<Definition> {
     Some(Definition { origin: range(origin), file: at.file.clone(), name, item })
 }
 
-/// The record that the value at a cursor is one of.
+/// Returns the definition of the record type of the value at a cursor.
 pub fn type_definition(snapshot: &Snapshot, at: &Position) -> Option<Definition> {
     let database = &snapshot.database;
     let name = database.name_at(&at.file, at.offset)?;
     if name.kind == NameKind::Record {
         return declared(snapshot, &name, name.declared.as_ref()?);
     }
-    // What a function gives, what an array holds.
+    // The result type of a function, the element type of an array.
     let ty = name.ty.as_deref()?;
     let ty = ty.rsplit("->").next().unwrap_or(ty).trim();
     let ty = ty.trim_start_matches("Array(").trim_end_matches(')');
@@ -53,7 +53,7 @@ pub fn type_definition(snapshot: &Snapshot, at: &Position) -> Option<Definition>
         Some(module) => database.members(module).iter().find(is_record).cloned(),
         None => visible().iter().find(is_record).cloned(),
     };
-    // A record of a module is known by its own name in types.
+    // The type of a record of a module is its unqualified name.
     let exported =
         || database.exported(record).into_iter().map(|(_, known)| known).find(|known| is_record(&known));
     let place = known.or_else(exported)?.declared?;
@@ -74,7 +74,7 @@ fn declared(snapshot: &Snapshot, name: &Name, place: &SourceRange) -> Option<Def
     })
 }
 
-/// The statement that declares what is declared at a place.
+/// Returns the statement of the declaration at a position.
 fn item(snapshot: &Snapshot, place: &SourceRange) -> Option<Range<u32>> {
     let tree = snapshot.database.around(&place.file, place.start)?;
     let (top, found) = find(&tree.module, place.start)?;

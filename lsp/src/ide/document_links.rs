@@ -1,11 +1,11 @@
-//! Imports as links to the files of their modules.
+//! Document links: imports link to the files of their modules.
 
 use super::Snapshot;
 use super::source::Source;
 use calyx_lang::ast::StmtKind;
 use std::sync::Arc;
 
-/// The path of an import, and the file it means.
+/// Path of an import, and its file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Link {
     pub start: u32,
@@ -13,7 +13,7 @@ pub struct Link {
     pub file: Arc<str>,
 }
 
-/// The imports of a file whose modules are known.
+/// Returns the resolved imports of a file.
 pub fn links(snapshot: &Snapshot, source: &Source<'_>) -> Vec<Link> {
     let imports = source.tree.module.statements.iter().filter_map(|statement| match &statement.kind {
         StmtKind::Import(path) => Some(path),

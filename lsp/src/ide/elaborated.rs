@@ -1,7 +1,7 @@
-//! What elaboration has last said of a model, carried over to the text as it is now.
+//! Result of the last elaboration of a model, mapped to the current text.
 //!
-//! A model is elaborated in the background, on a text that may have changed since. What was said of places that no change has
-//! touched still holds, and is found where those places are now.
+//! A model is elaborated in the background, and its text may have changed since. Results at
+//! positions that no change has touched remain valid, and are moved to their current positions.
 
 use calyx_elaborate::{CreatedAt, Elaboration, GearGeometry, MeshGeometry};
 use calyx_lang::analysis::SourceRange;
@@ -19,7 +19,7 @@ pub struct Elaborated {
     of: Arc<Checked>,
 }
 
-/// Bytes `start..end` have become `by` others.
+/// Replacement of bytes `start..end` by `by` others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Change {
     start: u32,
@@ -28,7 +28,7 @@ struct Change {
 }
 
 impl Change {
-    /// The smallest change that makes one text of another.
+    /// Returns the smallest change between two texts.
     fn between(before: &str, after: &str) -> Change {
         let (old, new) = (before.as_bytes(), after.as_bytes());
         let start = old.iter().zip(new).take_while(|(a, b)| a == b).count();
@@ -37,12 +37,12 @@ impl Change {
         Change { start: start as u32, end: (start + old.len() - same) as u32, by: (new.len() - same) as u32 }
     }
 
-    /// The opposite change.
+    /// Returns the inverse change.
     fn undone(self) -> Change {
         Change { start: self.start, end: self.start + self.by, by: self.end - self.start }
     }
 
-    /// Where bytes are after the change; `None` if it touched them.
+    /// Returns a range after the change; `None` if the change touches it.
     fn moved(self, start: u32, end: u32) -> Option<(u32, u32)> {
         let Change { start: from, end: to, by } = self;
         if from == to && by == 0 || end < from {
@@ -57,27 +57,28 @@ impl Elaborated {
         Elaborated { elaboration, of: checked.clone() }
     }
 
-    /// Whether it was made from just this program.
+    /// Returns true if it was made from this program (compared by identity).
     pub fn is_of(&self, checked: &Arc<Checked>) -> bool {
         Arc::ptr_eq(&self.of, checked)
     }
 
-    /// Whether the texts are still those it was made from.
+    /// Returns true if the texts have not changed since.
     pub fn is_current(&self, database: &Database) -> bool {
         self.files().iter().all(|file| database.text(&file.name) == Some(&*file.text))
     }
 
-    /// The program it was made from.
+    /// Returns the program it was made from.
     pub fn program(&self) -> Option<&Program> {
         self.of.program.as_ref()
     }
 
-    /// The files it was made from; places in [`Elaborated::found`] refer to them.
+    /// Returns the files it was made from; positions in [`Elaborated::found`] refer to them.
     pub fn files(&self) -> &[SourceFile] {
         &self.of.files
     }
 
-    /// What was found, where it is now. What an edit has touched is left out, and labels and fixes that it has touched.
+    /// Returns the findings at their current positions. Omits findings, labels and fixes that an
+    /// edit has touched.
     pub fn found(&self, database: &Database) -> Vec<Diagnostic> {
         let changes: Vec<Option<Change>> = self.files().iter().map(|file| change(file, database)).collect();
         let moved = |span: Span| -> Option<Span> {
@@ -96,7 +97,7 @@ impl Elaborated {
         carried.collect()
     }
 
-    /// The place in the texts it was made from that is now at an offset of a file.
+    /// Maps a current offset of a file to the texts it was made from.
     pub fn before(&self, database: &Database, file: &str, offset: u32) -> Option<(FileId, u32)> {
         let index = self.files().iter().position(|known| known.name == file)?;
         let change = change(self.files().get(index)?, database)?.undone();
@@ -104,19 +105,19 @@ impl Elaborated {
         Some((FileId(index as u32), start))
     }
 
-    /// The gear that the call around an offset of a file makes.
+    /// Returns the gear created by the call around an offset of a file.
     pub fn gear_at(&self, database: &Database, file: &str, offset: u32) -> Option<&CreatedAt<GearGeometry>> {
         let (file, offset) = self.before(database, file, offset)?;
         self.elaboration.geometry.gear_at(file.0, offset)
     }
 
-    /// The mesh that the call around an offset of a file makes.
+    /// Returns the mesh created by the call around an offset of a file.
     pub fn mesh_at(&self, database: &Database, file: &str, offset: u32) -> Option<&CreatedAt<MeshGeometry>> {
         let (file, offset) = self.before(database, file, offset)?;
         self.elaboration.geometry.mesh_at(file.0, offset)
     }
 
-    /// Where a place in the texts it was made from is now.
+    /// Maps a position in the texts it was made from to the current texts.
     pub fn now(&self, database: &Database, span: Span) -> Option<SourceRange> {
         let file = self.files().get(span.file.0 as usize)?;
         let (start, end) = change(file, database)?.moved(span.start, span.end)?;
@@ -124,7 +125,7 @@ impl Elaborated {
     }
 }
 
-/// What has become of a file's text; `None` if there is no such file any more.
+/// Returns the change of a file's text; `None` if the file no longer exists.
 fn change(file: &SourceFile, database: &Database) -> Option<Change> {
     Some(Change::between(&file.text, database.text(&file.name)?))
 }

@@ -1,34 +1,34 @@
-//! What of a tree lies around a place: the nodes from the outermost statement inwards, and what they are parts of.
+//! Syntax nodes around a position, from the outermost statement inwards.
 
 use super::walk::Node;
 use calyx_lang::ast::{Argument, Bind, Expr, ExprKind, Module, Stmt, StmtKind, VarDecl};
 use calyx_lang::span::Span;
 use std::ops::Range;
 
-/// The nodes that contain a range, outermost first.
+/// Nodes that contain a range, outermost first.
 pub struct EnclosingNodes<'t> {
     pub nodes: Vec<Node<'t>>,
 }
 
-/// A value that is given to something with `=` or `:=`.
+/// Value on the right of `=` or `:=`.
 #[derive(Clone, Copy)]
 pub struct GivenValue<'t> {
-    /// Where the name ends, or what else stands before the sign.
+    /// End of the name, or of other tokens before the operator.
     pub name: Span,
     pub bind: Bind,
     pub value: &'t Expr,
     pub to: Receiver<'t>,
 }
 
-/// What is given a value.
+/// Receiver of a value.
 #[derive(Clone, Copy)]
 pub enum Receiver<'t> {
-    /// Of a statement with one or more variables.
+    /// A declaration with one or more variables.
     Variable(&'t Stmt, &'t VarDecl),
-    /// By an assignment.
+    /// An assignment.
     Assigned,
     Argument(&'t Argument),
-    /// Of a call, without a name.
+    /// A positional argument of a call.
     Positional(&'t Argument),
 }
 
@@ -36,7 +36,7 @@ impl<'t> EnclosingNodes<'t> {
     pub fn new(module: &'t Module, range: Range<u32>) -> EnclosingNodes<'t> {
         let mut nodes = Vec::new();
         let after = module.statements.partition_point(|statement| statement.span.start <= range.start);
-        // A cursor between two statements without a blank belongs to both; the later one is what is being written.
+        // A cursor between two adjacent statements belongs to both; the later one is being written.
         let candidates = module.statements.iter().take(after).rev().take(2);
         for statement in candidates.map(Node::Statement) {
             if contains(statement, &range) {
@@ -61,19 +61,19 @@ impl<'t> EnclosingNodes<'t> {
         })
     }
 
-    /// The innermost expression.
+    /// Returns the innermost expression.
     pub fn expression(&self) -> Option<&'t Expr> {
         self.expressions().next_back()
     }
 
-    /// What stands around a node.
+    /// Returns the parent of a node.
     pub fn parent(&self, of: &Expr) -> Option<Node<'t>> {
         let at =
             self.nodes.iter().rposition(|node| matches!(node, Node::Expression(e) if e.span == of.span))?;
         self.nodes.get(at.checked_sub(1)?).copied()
     }
 
-    /// The innermost call that a place is in.
+    /// Returns the innermost call around the range.
     pub fn call(&self) -> Option<(&'t Expr, &'t Expr, &'t [Argument])> {
         self.expressions().rev().find_map(|e| match &e.kind {
             ExprKind::Call { callee, arguments } => Some((e, &**callee, arguments.as_slice())),
@@ -81,7 +81,7 @@ impl<'t> EnclosingNodes<'t> {
         })
     }
 
-    /// The innermost value around that is given to something.
+    /// Returns the innermost value that is given to a receiver.
     pub fn given(&self) -> Option<GivenValue<'t>> {
         let mut outer: Vec<Node<'t>> = self.nodes.clone();
         while let Some(node) = outer.pop() {
@@ -118,7 +118,7 @@ impl<'t> EnclosingNodes<'t> {
         None
     }
 
-    /// The statement that stands directly in a block or at the top level, and its index among the nodes.
+    /// Returns the innermost statement directly in a block or at the top level.
     pub fn whole_statement(&self) -> Option<&'t Stmt> {
         let listed = |index: usize| match index.checked_sub(1).and_then(|before| self.nodes.get(before)) {
             None => true,
@@ -141,7 +141,7 @@ fn contains(node: Node<'_>, range: &Range<u32>) -> bool {
 
 fn descend<'t>(node: Node<'t>, range: &Range<u32>, nodes: &mut Vec<Node<'t>>) {
     nodes.push(node);
-    // Of two that touch at a cursor the later one.
+    // At the border of two adjacent nodes, the cursor is in the later one.
     let mut inner = None;
     node.children(&mut |child| {
         if contains(child, range) {
@@ -153,7 +153,7 @@ fn descend<'t>(node: Node<'t>, range: &Range<u32>, nodes: &mut Vec<Node<'t>>) {
     }
 }
 
-/// Whether evaluating an expression does nothing but compute: no call but of the language's own functions.
+/// Returns true if an expression has no side effects: it calls builtin functions only.
 pub fn only_computes(e: &Expr, is_builtin: &dyn Fn(&Expr) -> bool) -> bool {
     let mut pure = true;
     Node::Expression(e).walk(&mut |node| {

@@ -1,6 +1,6 @@
-//! What can be folded away: blocks and brackets over several lines, cases, runs of comments and of imports.
+//! Folding ranges: multi-line delimiters, cases, and consecutive comments or imports.
 //!
-//! Brackets are matched on tokens, so that folds stay while a statement is half written.
+//! Delimiters are matched on tokens, so that folds persist while a statement is incomplete.
 
 use super::lines::Lines;
 use super::source::Source;
@@ -15,7 +15,8 @@ pub enum FoldKind {
     Imports,
 }
 
-/// From behind what opens it to the end of its last line that goes away. Lines of two folds are apart or nested.
+/// Range from the end of the opening token to the end of the last hidden line. The lines of two
+/// folds are disjoint or nested.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fold {
     pub start: u32,
@@ -23,7 +24,7 @@ pub struct Fold {
     pub kind: FoldKind,
 }
 
-/// All folds of a file in order of place.
+/// Returns the folds of a file, sorted by position.
 pub fn folds(source: &Source<'_>) -> Vec<Fold> {
     let lines = Lines::new(source.text);
     let mut folds = brackets(source, &lines);
@@ -40,14 +41,14 @@ pub fn folds(source: &Source<'_>) -> Vec<Fold> {
     nested(folds, &lines)
 }
 
-/// Brackets of all kinds with a line end between them.
+/// Matches delimiters of all kinds that span a line break.
 fn brackets(source: &Source<'_>, lines: &Lines<'_>) -> Vec<Fold> {
     let mut folds = Vec::new();
     let mut open: Vec<(Kind, u32)> = Vec::new();
     let mut strings = 0_usize;
     for token in &source.tokens.tokens {
         match token.kind {
-            // A string ends on its line, and with it everything in it.
+            // A string ends on its line, with all delimiters in it.
             Kind::StringOpen => strings += 1,
             Kind::StringClose => strings = strings.saturating_sub(1),
             _ if strings > 0 => {}
@@ -55,7 +56,7 @@ fn brackets(source: &Source<'_>, lines: &Lines<'_>) -> Vec<Fold> {
             Kind::CloseBrace | Kind::CloseParen | Kind::CloseBracket => {
                 let opening = opening(token.kind);
                 let known = open.iter().rposition(|(kind, _)| *kind == opening);
-                // A `)` closes nothing beyond the block it stands in.
+                // A `)` does not match across the enclosing block.
                 let block = open.iter().rposition(|(kind, _)| *kind == Kind::OpenBrace);
                 let Some(at) = known.filter(|at| Some(*at) >= block) else { continue };
                 let start = open[at].1;
@@ -81,7 +82,7 @@ fn opening(close: Kind) -> Kind {
     }
 }
 
-/// Comments over several lines, and those of one kind on lines below each other.
+/// Adds multi-line comments, and consecutive line comments of one kind.
 fn comments(source: &Source<'_>, lines: &Lines<'_>, folds: &mut Vec<Fold>) {
     let mut run: Option<(CommentKind, u32, u32)> = None;
     for comment in &source.tokens.comments {
@@ -109,7 +110,7 @@ fn comment_run((_, start, end): (CommentKind, u32, u32)) -> Fold {
     Fold { start, end, kind: FoldKind::Comment }
 }
 
-/// Imports with nothing else between them.
+/// Adds consecutive imports.
 fn imports(statements: &[Stmt], folds: &mut Vec<Fold>) {
     let is_import = |statement: &Stmt| matches!(statement.kind, StmtKind::Import(_));
     for run in statements.chunk_by(|a, b| is_import(a) && is_import(b)) {
@@ -119,7 +120,7 @@ fn imports(statements: &[Stmt], folds: &mut Vec<Fold>) {
     }
 }
 
-/// What belongs to each `case` of a block.
+/// Adds the statements of each `case` of a block.
 fn cases(statements: &[Stmt], folds: &mut Vec<Fold>) {
     let is_case = |statement: &Stmt| matches!(statement.kind, StmtKind::Case { .. } | StmtKind::Default(_));
     for run in statements.chunk_by(|_, next| !is_case(next)) {
@@ -131,7 +132,8 @@ fn cases(statements: &[Stmt], folds: &mut Vec<Fold>) {
     }
 }
 
-/// The folds that hide a line. Of several that begin on one line the largest; none that reaches out of another.
+/// Returns the folds that hide a line: the largest of several that start on one line, and none that
+/// overlaps another.
 fn nested(folds: Vec<Fold>, lines: &Lines<'_>) -> Vec<Fold> {
     let with_lines = |fold: Fold| (lines.line(fold.start), lines.line(fold.end), fold);
     let mut folds: Vec<_> = folds.into_iter().map(with_lines).filter(|(from, to, _)| from < to).collect();

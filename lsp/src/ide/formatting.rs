@@ -1,6 +1,7 @@
-//! The canonical layout, as small changes to what is there: of a file, of a part of it, and of a statement when it ends.
+//! Canonical layout, as minimal changes: of a file, of a selection, and of a statement on typing.
 //!
-//! A file with errors is left alone, as `calyx fmt` does; of a part only the statements with errors are.
+//! A file with errors remains unchanged, as with `calyx fmt`; in a selection only the statements
+//! with errors do.
 
 use super::lines::Lines;
 use super::source::Source;
@@ -17,13 +18,13 @@ pub struct Change {
     pub replacement: String,
 }
 
-/// The changes that make a file what `calyx fmt` makes of it; none if it has errors.
+/// Returns the changes that `calyx fmt` makes; none if the file has errors.
 pub fn format_file(source: &Source<'_>) -> Vec<Change> {
     let edits = format::format_range(source.text, 0..source.text.len() as u32).unwrap_or_default();
     edits.into_iter().filter_map(|edit| smallest(source, 0, edit)).collect()
 }
 
-/// The changes to the top-level statements and comments that a selection touches.
+/// Returns the changes to the top-level statements and comments in a selection.
 pub fn format_selection(source: &Source<'_>, selection: Range<u32>) -> Vec<Change> {
     let lines = Lines::new(source.text);
     let place = FormatContext { units: format::declared_units(&source.tree.module), indent: 0 };
@@ -31,7 +32,7 @@ pub fn format_selection(source: &Source<'_>, selection: Range<u32>) -> Vec<Chang
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Vec::new() };
     let whole = (first.0, last.1);
     format_piece(source, &lines, whole, &place).unwrap_or_else(|| {
-        // Something in it is wrong: what is not is formatted by itself.
+        // The selection has errors: its correct parts are formatted separately.
         parts
             .iter()
             .flat_map(|part| format_piece(source, &lines, *part, &place).unwrap_or_default())
@@ -39,7 +40,7 @@ pub fn format_selection(source: &Source<'_>, selection: Range<u32>) -> Vec<Chang
     })
 }
 
-/// The runs of statements and comments that share lines and that a selection touches.
+/// Returns the groups of statements and comments on common lines that a selection touches.
 fn parts(source: &Source<'_>, lines: &Lines<'_>, selection: &Range<u32>) -> Vec<(u32, u32)> {
     let statements = &source.tree.module.statements;
     let first = statements.partition_point(|statement| statement.span.end < selection.start);
@@ -53,7 +54,7 @@ fn parts(source: &Source<'_>, lines: &Lines<'_>, selection: &Range<u32>) -> Vec<
         touched.map(|statement| (statement.span.start, statement.span.end)).collect();
     parts.extend(commented.map(|comment| (comment.span.start, comment.span.end)));
     parts.sort_unstable();
-    // Comments lie inside statements, and several pieces may stand on one line.
+    // Comments may be inside statements, and several parts may share a line.
     parts.dedup_by(|next, before| {
         let together = next.0 < before.1 || lines.line(next.0) == lines.line(before.1);
         if together {
@@ -61,7 +62,7 @@ fn parts(source: &Source<'_>, lines: &Lines<'_>, selection: &Range<u32>) -> Vec<
         }
         together
     });
-    // The first may not be the first on its line.
+    // The first part may not be the first on its line.
     if let Some(part) = parts.first_mut() {
         let mut end = statements.partition_point(|statement| statement.span.start < part.0);
         while let Some(before) = end.checked_sub(1).and_then(|at| statements.get(at)) {
@@ -75,7 +76,8 @@ fn parts(source: &Source<'_>, lines: &Lines<'_>, selection: &Range<u32>) -> Vec<
     parts
 }
 
-/// The changes in a part that begins and ends with a statement or a comment; `None` if it has errors.
+/// Returns the changes in a part that starts and ends with a statement or a comment; `None` if it
+/// has errors.
 fn format_piece(
     source: &Source<'_>,
     lines: &Lines<'_>,
@@ -92,7 +94,7 @@ fn format_piece(
     Some(changes)
 }
 
-/// A change without what stays as it is at its beginning and end, so that a cursor there stays too.
+/// Trims a change by its common prefix and suffix, so that a cursor there does not move.
 fn smallest(source: &Source<'_>, from: u32, edit: format::Edit) -> Option<Change> {
     let (start, end) = (from + edit.span.start, from + edit.span.end);
     let (old, new) = (source.slice(start, end), edit.replacement.as_str());
@@ -106,8 +108,8 @@ fn smallest(source: &Source<'_>, from: u32, edit: format::Edit) -> Option<Change
     (change.start < change.end || !change.replacement.is_empty()).then_some(change)
 }
 
-/// The changes to the statement that ends at a byte, if it has lines of its own and no errors. Its first line stays
-/// indented as it is, because that is what its author sees.
+/// Returns the changes to the statement that ends at a byte, if it has its own lines and no errors.
+/// The indentation of its first line does not change, because the author sees it.
 pub(super) fn format_ended(source: &Source<'_>, lines: &Lines<'_>, offset: u32) -> Option<Vec<Change>> {
     let statement = statement_with_lines(&source.tree.module.statements, lines, offset)?;
     let (start, end) = (statement.span.start, statement.span.end);
@@ -123,8 +125,8 @@ pub(super) fn format_ended(source: &Source<'_>, lines: &Lines<'_>, offset: u32) 
     format_piece(source, lines, (start, end), &FormatContext { units, indent: before.len() })
 }
 
-/// The innermost statement around a byte that stands in the file or in a block, not behind a head such as `if (c)`, and
-/// begins its line.
+/// Returns the innermost statement around a byte that starts its line and is directly in the file
+/// or in a block, not after a header such as `if (c)`.
 fn statement_with_lines<'t>(statements: &'t [Stmt], lines: &Lines<'_>, offset: u32) -> Option<&'t Stmt> {
     let at = statements.partition_point(|statement| statement.span.end < offset);
     let statement = statements.get(at).filter(|statement| statement.span.start <= offset)?;
@@ -133,11 +135,11 @@ fn statement_with_lines<'t>(statements: &'t [Stmt], lines: &Lines<'_>, offset: u
     inner.or_else(|| lines.begins(statement.span.start).then_some(statement))
 }
 
-/// The statements of the outermost block in a statement that a byte is in.
+/// Returns the statements of the outermost block around a byte in a statement.
 fn inner_block(statement: &Stmt, offset: u32) -> Option<&[Stmt]> {
     match &statement.kind {
         StmtKind::Block(statements) => return Some(statements),
-        // What belongs to a case has lines of its own.
+        // The statements of a case have their own lines.
         StmtKind::Case { statement, .. } | StmtKind::Default(statement) => {
             return Some(std::slice::from_ref(statement));
         }

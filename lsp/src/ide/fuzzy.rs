@@ -1,9 +1,10 @@
-//! Names found by some of their letters, as people type them.
+//! Fuzzy matching of names.
 
-/// How well a name fits what was typed; `None` where not all letters of it stand in the name in order. More is better.
+/// Scores the match of a name with a query, higher is better; `None` unless all letters of the
+/// query occur in the name in order.
 ///
-/// Case does not matter but for the order. Letters at the beginning of a word of the name (`te` in `transmission_error`) and in a row
-/// count more than letters in its midst.
+/// Letters match in any case, with a bonus for the same case. Letters at the start of a word of the
+/// name (`te` in `transmission_error`) and consecutive letters score higher.
 pub fn score(query: &str, name: &str) -> Option<u32> {
     const BEGINS_WORD: u32 = 16;
     const FOLLOWS: u32 = 12;
@@ -20,11 +21,11 @@ pub fn score(query: &str, name: &str) -> Option<u32> {
             !before.is_alphanumeric() || (before.is_lowercase() && here.is_some_and(|c| c.is_uppercase()))
         })
     };
-    // best[j]: the best score so far with the last letter at place j of the name.
+    // best[j]: best score so far with the last letter at index j of the name.
     let mut best: Vec<Option<u32>> = Vec::new();
     for (index, wanted) in query.iter().enumerate() {
         let mut next = vec![None; name.len()];
-        // Best of all places before the one that directly precedes.
+        // Best score of all positions that are not directly before.
         let mut apart = None;
         for (at, letter) in name.iter().enumerate() {
             let adjacent = at.checked_sub(1).and_then(|before| best.get(before).copied().flatten());
@@ -47,7 +48,7 @@ pub fn score(query: &str, name: &str) -> Option<u32> {
     }
     let found = best.into_iter().flatten().max()?;
     let prefix = query.iter().zip(&name).all(|(a, b)| a.to_lowercase().eq(b.to_lowercase()));
-    // A whole name before its continuations, these before names that hold the letters elsewhere.
+    // An exact match ranks above a prefix, a prefix above scattered letters.
     let whole = prefix && query.len() == name.len();
     Some(found + u32::from(prefix) * BEGINS_WORD + u32::from(whole) * BEGINS_WORD)
 }
@@ -56,7 +57,7 @@ pub fn score(query: &str, name: &str) -> Option<u32> {
 mod tests {
     use super::score;
 
-    /// Names that fit, the best first.
+    /// Returns the matching names, the best first.
     fn found<'n>(query: &str, names: &[&'n str]) -> Vec<&'n str> {
         let mut fitting: Vec<_> =
             names.iter().filter_map(|name| Some((score(query, name)?, *name))).collect();

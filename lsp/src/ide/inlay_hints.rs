@@ -1,4 +1,4 @@
-//! What is not written and worth seeing beside what is: types, names of parameters, units of bare numbers, results.
+//! Inlay hints: types, parameter names, units of bare numbers, and results.
 
 use super::Snapshot;
 use super::formatting::Change;
@@ -14,26 +14,26 @@ use std::ops::Range;
 pub enum HintKind {
     Type,
     Parameter,
-    /// Of a number without one.
+    /// Unit of a number without one.
     Unit,
-    /// Of the last run.
+    /// Result of the last run.
     Result,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hint {
-    /// Before this byte.
+    /// The hint is before this byte.
     pub offset: u32,
     pub label: String,
     pub kind: HintKind,
-    /// What the label names.
+    /// Declaration that the label refers to.
     pub declared: Option<SourceRange>,
-    /// What writes it into the text.
+    /// Edit that inserts the hint into the text.
     pub change: Option<Change>,
     pub tooltip: Option<String>,
 }
 
-/// Which hints are wanted.
+/// Enabled kinds of hints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HintSettings {
     pub types: bool,
@@ -48,24 +48,24 @@ impl Default for HintSettings {
     }
 }
 
-/// What the last run of a model gave.
+/// Results of the last run of a model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Results {
     pub outputs: HashMap<String, OutputResult>,
-    /// The model has changed since.
+    /// True if the model has changed since.
     pub outdated: bool,
 }
 
-/// An output's values in a few words.
+/// Summary of an output.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OutputResult {
     /// `12.5 .. 14.1 MPa`
     pub shown: String,
-    /// More of it, in Markdown.
+    /// Details in Markdown.
     pub details: Option<String>,
 }
 
-/// The hints of a range in order of place.
+/// Returns the hints in a range, sorted by position.
 pub fn hints(
     snapshot: &Snapshot,
     source: &Source<'_>,
@@ -103,11 +103,11 @@ pub fn hints(
 struct Hints<'a> {
     snapshot: &'a Snapshot,
     source: &'a Source<'a>,
-    /// In order of place.
+    /// Sorted by position.
     names: &'a [Name],
     wanted: HintSettings,
     results: &'a Results,
-    /// Numbers whose unit is that of the file: where they start and end, and the unit.
+    /// Numbers in the unit of the file: start, end and unit.
     bare: HashMap<u32, (u32, String)>,
     callables: HashMap<SourceRange, Option<Callable>>,
     found: Vec<Hint>,
@@ -119,7 +119,7 @@ impl<'a> Hints<'a> {
         self.names.get(at)
     }
 
-    /// Numbers without units that are quantities.
+    /// Finds numbers without units that have a dimension.
     fn find_bare(&mut self, file: &str, range: &Range<u32>) {
         let system = self.source.tree.module.statements.iter().find_map(|statement| match &statement.kind {
             StmtKind::Units(name) => UnitSystem::from_name(&name.name),
@@ -133,7 +133,7 @@ impl<'a> Hints<'a> {
             };
             let unit = system.unit_of(dimension).name;
             let plain = self.source.slice(typed.start, typed.end).parse::<f64>();
-            // Zero is zero in every unit.
+            // Zero is the same in all units.
             if !unit.is_empty() && plain.is_ok_and(|value| value != 0.0) {
                 self.bare.insert(typed.start, (typed.end, unit));
             }
@@ -162,7 +162,7 @@ impl<'a> Hints<'a> {
         }
     }
 
-    /// The type of a name where its value does not show it.
+    /// Adds the type of a name if its value does not show it.
     fn declared_type(&mut self, name: &Ident, value: Option<&Expr>) {
         let Some(known) = self.name_at(name.span.start).filter(|_| self.wanted.types) else { return };
         let Some(ty) = known.ty.as_ref().filter(|ty| is_known(ty)) else { return };
@@ -179,7 +179,7 @@ impl<'a> Hints<'a> {
         });
     }
 
-    /// Whether who reads a value knows its type.
+    /// Returns true if a value shows its type.
     fn shows_type(&self, value: &Expr, ty: &str) -> bool {
         match &value.kind {
             ExprKind::Number(_) => ty == "Number" || self.bare.contains_key(&value.span.start),
@@ -197,13 +197,13 @@ impl<'a> Hints<'a> {
                 ExprKind::Name(name) | ExprKind::Field { field: name, .. } => alike(&name.name, ty),
                 _ => false,
             },
-            // Of the same name, which says as much.
+            // A name similar to the type, which shows it equally well.
             ExprKind::Error => true,
             _ => false,
         }
     }
 
-    /// The names of parameters before arguments that do not name theirs.
+    /// Adds the names of parameters before positional arguments.
     fn parameters(&mut self, callee: &Expr, arguments: &[Argument]) {
         if !self.wanted.parameters || arguments.iter().all(|argument| argument.name.is_some()) {
             return;
@@ -212,7 +212,7 @@ impl<'a> Hints<'a> {
             ExprKind::Name(name) | ExprKind::Field { field: name, .. } => name,
             _ => return,
         };
-        // Functions of the language are known, and so are those of one parameter by their names.
+        // Builtin functions are known, and functions with one parameter are clear by name.
         let Some(place) = self.name_at(name.span.start).and_then(|name| name.declared.clone()) else {
             return;
         };
@@ -277,25 +277,25 @@ impl<'a> Hints<'a> {
     }
 }
 
-/// Whether a unit can be written behind a number.
+/// Returns true if a unit can be written after a number.
 fn simple(unit: &str) -> bool {
     unit.split_once('^').map_or(unit, |(name, _)| name).chars().all(char::is_alphanumeric)
 }
 
-/// Whether a type says something; `_` stands for what is not known.
+/// Returns true if a type is known; `_` is an unknown type.
 fn is_known(ty: &str) -> bool {
     let mut words = ty.split(|c: char| !c.is_alphanumeric() && c != '_');
     !ty.is_empty() && words.all(|word| word != "_")
 }
 
-/// Whether a name says the type: `rack` and `Rack`.
+/// Returns true if a name shows the type: `rack` and `Rack`.
 fn alike(name: &str, ty: &str) -> bool {
     let folded = |text: &str| text.replace('_', "").to_lowercase();
     let ty = ty.rsplit('.').next().unwrap_or(ty);
     folded(name) == folded(ty)
 }
 
-/// Whether an argument says by itself which parameter it is for: `center_distance` for `distance`.
+/// Returns true if an argument shows its parameter: `center_distance` for `distance`.
 fn says(value: &Expr, parameter: &str) -> bool {
     let name = match &value.kind {
         ExprKind::Name(name) | ExprKind::Field { field: name, .. } => name,

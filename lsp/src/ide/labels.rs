@@ -1,17 +1,17 @@
-//! Labels and the jumps that lead to them; loops and functions and the words that leave them.
+//! Labels and `goto`; loops, `switch` and functions with their exits.
 
 use calyx_lang::ast::{FunctionBody, Ident, Module, Stmt, StmtKind};
 use calyx_lang::declared::children;
 use calyx_lang::span::Span;
 
-/// A label with all `goto`s that lead to it.
+/// A label with all `goto`s to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     pub declared: Span,
     pub jumps: Vec<Span>,
 }
 
-/// The label that a name at an offset means.
+/// Returns the label referred to at an offset.
 pub fn label_at(module: &Module, offset: u32) -> Option<Label> {
     let mut found = Found { labels: Vec::new(), blocks: Vec::new() };
     found.block(&module.statements);
@@ -21,7 +21,8 @@ pub fn label_at(module: &Module, offset: u32) -> Option<Label> {
 
 struct Found {
     labels: Vec<Label>,
-    /// Indices of the labels of the blocks around, by name; those of a function's body do not see further out.
+    /// Indices of the labels in the enclosing blocks, by name; the labels outside a function are
+    /// not visible in it.
     blocks: Vec<Vec<(String, usize)>>,
 }
 
@@ -64,19 +65,19 @@ impl Found {
     }
 }
 
-/// The words of the loop, `switch` or function that the `break`, `continue` or `return` at an offset belongs to, or that begins
-/// there: its own first, then those that leave it or go on.
+/// Returns the keywords of the loop, `switch` or function of the `break`, `continue` or `return` at
+/// an offset, or that starts there: its own keyword first, then its exits and `continue`s.
 pub fn exits_at(module: &Module, offset: u32) -> Vec<Span> {
     let mut scan = Exits { offset, open: Vec::new(), found: Vec::new() };
     module.statements.iter().for_each(|statement| scan.statement(statement));
     scan.found
 }
 
-/// What a word can leave.
+/// Construct with exits.
 struct OpenBlock {
     words: Vec<Span>,
     function: bool,
-    /// Takes `continue`.
+    /// True for loops, which accept `continue`.
     is_loop: bool,
 }
 
@@ -120,7 +121,7 @@ impl Exits {
     }
 
     fn leave(&mut self, word: Span, what: impl Fn(&OpenBlock) -> bool) {
-        // Nothing but `return` leaves a function.
+        // Only `return` can leave a function.
         let inner = self.open.iter().rposition(|open| open.function).unwrap_or(0);
         let target =
             self.open.iter_mut().enumerate().rev().find(|(index, open)| *index >= inner && what(open));

@@ -1,4 +1,4 @@
-//! Questions about a snapshot of the texts, one file a feature.
+//! Queries about a snapshot of the texts, one file per feature.
 
 pub mod actions;
 pub mod call_hierarchy;
@@ -37,18 +37,18 @@ use elaborated::Elaborated;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The texts of a folder and what is known of them at one moment.
+/// State of the texts of a folder, and of the analyses of them.
 ///
-/// Files are told apart by their names as shown to people: a path, or `<library>/gears.cx`.
+/// Files are identified by their display names: a path, or `<library>/gears.cx`.
 #[derive(Clone)]
 pub struct Snapshot {
     pub database: Database,
-    /// What elaboration has last said, by model; nothing as long as it has not yet.
+    /// Results of the last elaboration, by model; none before the first one.
     pub elaborated: Arc<BTreeMap<Arc<str>, Arc<Elaborated>>>,
 }
 
 impl Snapshot {
-    /// A snapshot of which nothing is elaborated.
+    /// Creates a snapshot without elaborated models.
     pub fn new(database: Database) -> Snapshot {
         Snapshot { database, elaborated: Arc::default() }
     }

@@ -1,4 +1,4 @@
-//! Numbers with units as they are written, and the same in other units.
+//! Literals with units, and their conversion to other units.
 
 use super::walk::Node;
 use calyx_abi::text::number;
@@ -9,7 +9,7 @@ use calyx_lang::dimension::Dimension;
 use calyx_lang::ir::DisplayUnit;
 use calyx_lang::units::{Unit, UnitSystem, combined, powered, pure};
 
-/// The system that a file names with `units`.
+/// Returns the unit system selected by a file's `units` statement.
 pub fn system(module: &Module) -> Option<UnitSystem> {
     module.statements.iter().find_map(|statement| match &statement.kind {
         StmtKind::Units(name) => UnitSystem::from_name(&name.name),
@@ -17,7 +17,8 @@ pub fn system(module: &Module) -> Option<UnitSystem> {
     })
 }
 
-/// A literal with the units it is multiplied and divided by: `25.4 mm`, `1000 lbf*inch`, `10 / inch`.
+/// A literal with the units it is multiplied and divided by: `25.4 mm`, `1000 lbf*inch`, `10 /
+/// inch`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiteralWithUnit {
     pub start: u32,
@@ -27,8 +28,8 @@ pub struct LiteralWithUnit {
 }
 
 impl LiteralWithUnit {
-    /// `None` if an expression is anything else, or has units that the language does not have. `is_unit` says whether the
-    /// name at a place is a unit and not a variable of that name.
+    /// Returns `None` for other expressions and for units that are not builtin. `is_unit` returns
+    /// whether the name at an offset is a unit and not a variable of that name.
     pub fn new(e: &Expr, is_unit: &dyn Fn(u32) -> bool) -> Option<LiteralWithUnit> {
         let (value, unit) = match &e.kind {
             ExprKind::Number(value) => (*value, pure()),
@@ -53,7 +54,8 @@ impl LiteralWithUnit {
         Dimension::from_exponents(self.unit.dimension)
     }
 
-    /// The same quantity in the other usual units of its dimension, as it would be written, and whether it is exactly the same.
+    /// Returns the same quantity in the other common units of its dimension as source text, and
+    /// whether the conversion is exact.
     pub fn elsewhere(&self, system: UnitSystem) -> Vec<(DisplayUnit, String, bool)> {
         let Some(dimension) = self.dimension().filter(|_| self.value.is_finite()) else { return Vec::new() };
         let other = usual(dimension, system).into_iter().filter(|unit| unit.name != self.unit.name);
@@ -66,7 +68,7 @@ impl LiteralWithUnit {
     }
 }
 
-/// A unit or a power of one, as a factor of a product.
+/// Returns a unit or a power of one, as a factor of a product.
 fn factor(e: &Expr, is_unit: &dyn Fn(u32) -> bool) -> Option<DisplayUnit> {
     match &e.kind {
         ExprKind::Name(name) if is_unit(name.span.start) => known(&name.name),
@@ -88,18 +90,19 @@ fn known(name: &str) -> Option<DisplayUnit> {
     Some(DisplayUnit { name: name.into(), factor: unit.factor, dimension: unit.dimension.exponents() })
 }
 
-/// Digits after the first that a short decimal has at most.
+/// Largest number of digits after the first one in a short decimal.
 const SHORT: usize = 11;
 
 fn rounded(value: f64, digits: usize) -> String {
     number(format!("{value:.digits$e}").parse().unwrap_or(value))
 }
 
-/// A number in SI as the shortest decimal in a unit that reads back as the same number, and whether there is one.
+/// Formats a number in SI as the shortest decimal in a unit that parses to the same number, and
+/// returns whether there is one.
 pub fn in_unit(si: f64, factor: f64) -> (String, bool) {
     let near = from_si(si, factor);
     let back = |text: &str| text.parse().map_or(f64::NAN, |value: f64| to_si(value, factor));
-    // A short decimal is meant, even if numbers in the machine miss it by the last bit: 3 inch are 76.2 mm.
+    // A short decimal is preferred, even if it differs in the last bit: 3 inch are 76.2 mm.
     for digits in 0..SHORT {
         let text = rounded(near, digits);
         if (back(&text) - si).abs() <= si.abs() * 2.0 * f64::EPSILON {
@@ -113,7 +116,7 @@ pub fn in_unit(si: f64, factor: f64) -> (String, bool) {
             return (text, true);
         }
     }
-    // The conversion rounds, too: perhaps a neighbour is meant.
+    // The conversion has rounding errors too, so the neighbours are tried.
     for neighbour in [near.next_up(), near.next_down()] {
         let text = number(neighbour);
         if reads_back(&text) {
@@ -123,7 +126,7 @@ pub fn in_unit(si: f64, factor: f64) -> (String, bool) {
     (number(near), false)
 }
 
-/// Whether what is written as a product has to stand in parentheses in place of an expression.
+/// Returns true if a product requires parentheses in place of an expression.
 pub fn needs_parentheses(e: &Expr, parent: Option<Node<'_>>) -> bool {
     match parent {
         Some(Node::Expression(parent)) => match &parent.kind {

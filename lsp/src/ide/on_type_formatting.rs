@@ -1,7 +1,8 @@
-//! What is laid out while somebody types: the statement that `;` or `}` ends, the new line after a line end.
+//! Formatting on typing: of the statement that `;` or `}` ends, and of the new line after a line
+//! break.
 //!
-//! Only blanks change, and marks of comments that go on. What is indented follows the lines that are there, so a file
-//! with another layout is not fought with.
+//! Changes only blanks, and continues comment marks. Indentation follows the existing lines, so
+//! that a file with another layout is respected.
 
 use super::formatting::{Change, format_ended};
 use super::lines::Lines;
@@ -10,10 +11,10 @@ use calyx_lang::lexer::{CommentKind, Kind, Token};
 
 const INDENT: usize = 4;
 
-/// The characters after which something may change.
+/// Characters that trigger formatting.
 pub const TRIGGERS: [char; 3] = [';', '}', '\n'];
 
-/// The changes after a character was typed right before a byte.
+/// Returns the changes after a character was typed directly before a byte.
 pub fn typed(source: &Source<'_>, offset: u32, character: char) -> Vec<Change> {
     let lines = Lines::new(source.text);
     match character {
@@ -29,14 +30,14 @@ pub fn typed(source: &Source<'_>, offset: u32, character: char) -> Vec<Change> {
     }
 }
 
-/// Index of the token of a kind that ends at a byte.
+/// Returns the index of the token of a kind that ends at a byte.
 fn ends(source: &Source<'_>, offset: u32, kind: Kind) -> Option<usize> {
     let at = source.token_after(offset).checked_sub(1)?;
     let token = source.tokens.tokens.get(at)?;
     (token.kind == kind && token.span.end == offset).then_some(at)
 }
 
-/// A `}` that begins its line under the statement whose block it closes.
+/// Aligns a `}` at the start of its line with the statement of its block.
 fn align_brace(source: &Source<'_>, lines: &Lines<'_>, at: usize) -> Vec<Change> {
     let Some(token) = source.tokens.tokens.get(at) else { return Vec::new() };
     if !lines.begins(token.span.start) {
@@ -72,8 +73,8 @@ fn new_line(source: &Source<'_>, lines: &Lines<'_>, offset: u32) -> Vec<Change> 
     changes
 }
 
-/// Below a line of documentation, or below a comment that was broken in two: it goes on. An empty line of documentation,
-/// where nothing was written after the last line end, was its end.
+/// Continues a documentation comment, or a comment that was split in two, on the next line. A
+/// second line break, after an empty line of documentation, ends it.
 fn comment_goes_on(source: &Source<'_>, lines: &Lines<'_>, above: usize, mark: &str) -> Vec<Change> {
     let below = lines.content(above + 1).trim_start();
     let indentation = lines.indentation(above).to_string();
@@ -88,7 +89,7 @@ fn comment_goes_on(source: &Source<'_>, lines: &Lines<'_>, above: usize, mark: &
     indent(source, lines, above + 1, indentation + mark)
 }
 
-/// `case` and `default` stand further out than the statements before them.
+/// Aligns `case` and `default`, which are indented less than the statements before them.
 fn case_above(source: &Source<'_>, lines: &Lines<'_>, above: usize) -> Vec<Change> {
     let tokens = &source.tokens.tokens;
     let first = tokens.get(source.token_after(lines.start(above)));
@@ -101,7 +102,7 @@ fn case_above(source: &Source<'_>, lines: &Lines<'_>, above: usize) -> Vec<Chang
     indent(source, lines, above, wanted(source, lines, lines.start(above)))
 }
 
-/// Replaces the blanks a line begins with.
+/// Replaces the indentation of a line.
 fn indent(source: &Source<'_>, lines: &Lines<'_>, line: usize, wanted: String) -> Vec<Change> {
     let start = lines.start(line);
     let end = start + lines.indentation(line).len() as u32;
@@ -111,18 +112,19 @@ fn indent(source: &Source<'_>, lines: &Lines<'_>, line: usize, wanted: String) -
     vec![Change { start, end, replacement: wanted }]
 }
 
-/// A bracket that is open, and what its content is indented by.
+/// An open delimiter, and the indentation of its content.
 struct OpenConstruct {
     kind: Kind,
-    /// Of a block where its statement begins, of another bracket where it stands.
+    /// Start of the statement for a block, of the delimiter otherwise.
     anchor: u32,
-    /// Where the statement begins that is being written in it.
+    /// Start of the incomplete statement in it.
     statement: Option<u32>,
-    /// Whether a `case` stands in it.
+    /// True if it contains a `case`.
     has_case: bool,
 }
 
-/// The brackets that tokens leave open, outermost first; the file itself is a block around all.
+/// Returns the delimiters that tokens leave open, outermost first; the file itself is a block
+/// around all.
 fn open_brackets(tokens: &[Token]) -> Vec<OpenConstruct> {
     let mut open = vec![OpenConstruct { kind: Kind::OpenBrace, anchor: 0, statement: None, has_case: false }];
     let mut strings = 0_usize;
@@ -159,7 +161,7 @@ fn open_brackets(tokens: &[Token]) -> Vec<OpenConstruct> {
             Kind::CloseParen | Kind::CloseBracket => {
                 let opening =
                     if token.kind == Kind::CloseParen { Kind::OpenParen } else { Kind::OpenBracket };
-                // It closes nothing beyond the block it stands in.
+                // It does not match across the enclosing block.
                 let block = open.iter().rposition(|here| here.kind == Kind::OpenBrace);
                 let known = open.iter().rposition(|here| here.kind == opening);
                 if let Some(at) = known.filter(|at| Some(*at) > block) {
@@ -174,7 +176,7 @@ fn open_brackets(tokens: &[Token]) -> Vec<OpenConstruct> {
                 }
                 open.last_mut().into_iter().for_each(|here| here.statement = None);
             }
-            // The `:` of a case or label; others stand in brackets, as does the `;` of a `for`.
+            // The `:` of a case or label; others are in delimiters, as is the `;` of a `for`.
             Kind::Semicolon | Kind::Colon => {
                 if let Some(here) = open.last_mut().filter(|here| here.kind == Kind::OpenBrace) {
                     here.statement = None;
@@ -186,7 +188,7 @@ fn open_brackets(tokens: &[Token]) -> Vec<OpenConstruct> {
     open
 }
 
-/// The blanks that the line beginning at a byte should begin with.
+/// Returns the indentation of the line that starts at a byte.
 fn wanted(source: &Source<'_>, lines: &Lines<'_>, line_start: u32) -> String {
     let tokens = &source.tokens.tokens;
     let at = source.token_after(line_start);

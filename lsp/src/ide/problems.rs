@@ -1,12 +1,12 @@
-//! What is wrong with a file, in any of the models it is part of.
+//! Diagnostics of a file, from all models it is part of.
 
 use super::Snapshot;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::SourceFile;
 use calyx_lang::span::FileId;
 
-/// The diagnostics that blame a place in a file, in order of place, with what elaboration has found. Other places in them that
-/// lie in other files are left out; what they offer to change is of this file.
+/// Returns the diagnostics in a file, sorted by position, including those of elaboration. Omits
+/// labels in other files; the fixes are edits of this file.
 pub fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Diagnostic> {
     let database = &snapshot.database;
     let imports =
@@ -24,7 +24,7 @@ pub fn of_file(snapshot: &Snapshot, file: &str) -> Vec<Diagnostic> {
     for diagnostic in found {
         let key =
             |d: &Diagnostic| (d.primary.span.start, d.primary.span.end, d.code.clone(), d.message.clone());
-        // A module is part of several models.
+        // A module may be part of several models.
         let near = seen.iter().rev().take_while(|d| d.primary.span.start == diagnostic.primary.span.start);
         if !near.into_iter().any(|known| key(known) == key(&diagnostic)) {
             seen.push(diagnostic);

@@ -1,4 +1,4 @@
-//! Where a name is used, and which of it to mark beside the cursor.
+//! Find references, and highlights of a name.
 
 use super::labels::{exits_at, label_at};
 use super::{Position, Snapshot};
@@ -6,18 +6,18 @@ use calyx_lang::analysis::{Name, NameKind};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A place where something is named.
+/// Reference to a name.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Reference {
     pub file: Arc<str>,
     pub start: u32,
     pub end: u32,
-    /// It is declared or assigned here.
+    /// True for a declaration or an assignment.
     pub writes: bool,
 }
 
-/// Every place that names what the name at a cursor means, by file and place. Of what the language itself has, the places in the
-/// user's files.
+/// Returns every reference to the name at a cursor, sorted by file and position. For builtin names,
+/// the references in the user's files.
 pub fn references(snapshot: &Snapshot, at: &Position, with_declaration: bool) -> Vec<Reference> {
     let database = &snapshot.database;
     let reference = |file: &Arc<str>, name: &Name| Reference {
@@ -50,7 +50,7 @@ pub fn references(snapshot: &Snapshot, at: &Position, with_declaration: bool) ->
     found
 }
 
-/// Whether two names mean the same thing of the language itself.
+/// Returns true if two names refer to the same builtin.
 fn same(a: &Name, b: &Name) -> bool {
     a.declared.is_none() && b.declared.is_none() && (a.kind, &a.text) == (b.kind, &b.text)
 }
@@ -67,15 +67,16 @@ fn label(snapshot: &Snapshot, at: &Position, with_declaration: bool) -> Vec<Refe
         .collect()
 }
 
-/// A place to mark.
+/// Range to highlight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Highlight {
     pub range: Range<u32>,
-    /// `None` where neither a value is read nor one is written: of types, modules, words.
+    /// True for a write, false for a read; `None` for types, modules and keywords.
     pub writes: Option<bool>,
 }
 
-/// What in its file belongs to what is at a cursor: the same name, or the words that leave the same loop or function.
+/// Returns the highlights in the file of the cursor: the same name, or the exits of the same loop
+/// or function.
 pub fn highlight(snapshot: &Snapshot, at: &Position) -> Vec<Highlight> {
     let database = &snapshot.database;
     if let Some(asked) = database.name_at(&at.file, at.offset) {

@@ -1,7 +1,7 @@
-//! Gives something another name, everywhere.
+//! Rename of a symbol in all files.
 //!
-//! What a rename would do is tried out on a copy of the texts. It is refused if there would be a new error or a name would mean
-//! something else than before, so a program means the same afterwards.
+//! A rename is tried on a copy of the texts. It is refused if it causes a new error or changes the
+//! meaning of any name, so that the meaning of the program is preserved.
 
 use super::labels::label_at;
 use super::{Edit, Position, Snapshot};
@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Why something cannot be renamed, as a sentence.
+/// Reason why a symbol cannot be renamed, as a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal(pub String);
 
@@ -26,29 +26,29 @@ fn refuse<T>(why: impl Into<String>) -> Answer<T> {
     Err(Refusal(why.into()))
 }
 
-/// What is to be renamed.
+/// Symbol to rename.
 struct Subject {
-    /// Where the cursor is in it.
+    /// Range of the name at the cursor.
     here: Range<u32>,
     name: String,
-    /// By file and place.
+    /// References by file and position.
     places: Vec<(Arc<str>, Range<u32>)>,
     label: bool,
 }
 
-/// The name at a cursor, if it can be renamed.
+/// Returns range and text of the name at a cursor, if it can be renamed.
 ///
 /// # Errors
-/// There is no name, or it is not the user's to change.
+/// There is no name, or it does not belong to the user.
 pub fn prepare(snapshot: &Snapshot, at: &Position) -> Answer<(Range<u32>, String)> {
     let subject = subject(snapshot, at)?;
     Ok((subject.here, subject.name))
 }
 
-/// The edits that give what is named at a cursor another name.
+/// Returns the edits that rename the symbol at a cursor.
 ///
 /// # Errors
-/// It cannot be renamed, or not to this name.
+/// The symbol cannot be renamed, or not to this name.
 pub fn rename(snapshot: &Snapshot, at: &Position, to: &str) -> Answer<Vec<Edit>> {
     let subject = subject(snapshot, at)?;
     let tokens = lex(FileId(0), to).tokens;
@@ -132,7 +132,7 @@ fn label(snapshot: &Snapshot, at: &Position) -> Answer<Subject> {
     Ok(Subject { here, name, places, label: true })
 }
 
-/// Labels are apart from other names; two of one name in a file may be in each other's way.
+/// Checks for conflicts of labels, which have their own namespace.
 fn label_is_free(snapshot: &Snapshot, at: &Position, to: &str) -> Answer<()> {
     let database = &snapshot.database;
     let (Some(tokens), Some(text)) = (database.tokens(&at.file), database.text(&at.file)) else {
@@ -151,7 +151,7 @@ fn label_is_free(snapshot: &Snapshot, at: &Position, to: &str) -> Answer<()> {
     if taken { refuse(format!("there is a label `{to}` already")) } else { Ok(()) }
 }
 
-/// The texts before and after.
+/// Texts before and after the rename.
 struct RenameTrial<'a> {
     before: &'a Database,
     after: Database,
@@ -185,7 +185,7 @@ impl<'a> RenameTrial<'a> {
         RenameTrial { before, after, models, files, edits: by_file }
     }
 
-    /// Where a place of the texts before is after the edits.
+    /// Maps an offset in the texts before to the texts after the edits.
     fn moved(&self, file: &str, offset: u32) -> u32 {
         let before = self.edits.get(file).into_iter().flatten().take_while(|edit| edit.start < offset);
         let by: i64 =
@@ -193,11 +193,11 @@ impl<'a> RenameTrial<'a> {
         u32::try_from(i64::from(offset) + by).unwrap_or(offset)
     }
 
-    /// Whether everything means the same as before.
+    /// Checks that the meaning of the program is preserved.
     fn judge(&self, to: &str) -> Answer<()> {
         let error =
             |message: String| Refusal(format!("with the name `{to}` there would be an error: {message}"));
-        // Of a name that is taken this says more than what would go wrong with it.
+        // For a name conflict, the compiler's message is the most specific one.
         if let Some(message) = self.new_error(&|code| matches!(code, "E0202" | "E0203")) {
             return Err(error(message));
         }
@@ -223,7 +223,7 @@ impl<'a> RenameTrial<'a> {
         }
     }
 
-    /// The message of an error that was not there before.
+    /// Returns the message of a new error.
     fn new_error(&self, of_interest: &dyn Fn(&str) -> bool) -> Option<String> {
         for model in &self.models {
             let (Some(old), Some(new)) =
@@ -270,7 +270,8 @@ impl<'a> RenameTrial<'a> {
     fn clash(&self, to: &str, file: &str, name: &Name, found: Option<&Name>) -> String {
         let text = self.before.text(file).unwrap_or_default();
         let (line, _) = line_column(text, name.start as usize);
-        // Either something else takes over a renamed use, or the renamed thing takes over something else's.
+        // Either another declaration captures a renamed use, or the renamed declaration captures
+        // another use.
         match found {
             Some(other) if *other.text == *to && *name.text != *to => {
                 format!("`{to}` means something else in line {line} of {file}")
@@ -282,7 +283,7 @@ impl<'a> RenameTrial<'a> {
     }
 }
 
-/// The texts after some edits, as a database asks for them.
+/// Texts after the edits, as a loader of the database.
 struct Texts<'a> {
     before: &'a Database,
     edits: &'a BTreeMap<&'a str, Vec<&'a Edit>>,

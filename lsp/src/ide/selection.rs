@@ -1,4 +1,4 @@
-//! What a selection grows to: token, argument, call, expression by precedence, statement, block, item, file.
+//! Selection ranges: token, argument, call, expression by precedence, statement, block, item, file.
 
 use super::lines::slice;
 use super::source::Source;
@@ -8,7 +8,7 @@ use calyx_lang::lexer::{CommentKind, Kind};
 
 type Range = (u32, u32);
 
-/// Ranges around a byte, each inside the next; the last is the whole file.
+/// Returns ranges around a byte, each inside the next; the last is the whole file.
 pub fn selections(source: &Source<'_>, offset: u32) -> Vec<Range> {
     let offset = offset.min(source.text.len() as u32);
     let mut ranges = Vec::new();
@@ -21,7 +21,7 @@ pub fn selections(source: &Source<'_>, offset: u32) -> Vec<Range> {
     let statements = &source.tree.module.statements;
     let documented = documented(source, offset);
     let at = statements.partition_point(|statement| statement.span.end < documented);
-    // Where two statements touch, the cursor is in the one it stands before.
+    // At the border of two adjacent statements, the cursor is in the later one.
     let mut touching = statements.iter().skip(at).take(2).filter(|s| s.span.start <= documented);
     if let Some(statement) = touching.next_back() {
         descend(source, Node::Statement(statement), documented, &mut path);
@@ -33,7 +33,8 @@ pub fn selections(source: &Source<'_>, offset: u32) -> Vec<Range> {
     growing(ranges, offset)
 }
 
-/// Those around a byte, from the smallest to the largest, each strictly inside the next.
+/// Returns the ranges around a byte, from the smallest to the largest, each strictly inside the
+/// next.
 fn growing(mut ranges: Vec<Range>, offset: u32) -> Vec<Range> {
     ranges.retain(|(start, end)| *start <= offset && offset <= *end);
     ranges.sort_by_key(|(start, end)| (end - start, *start));
@@ -48,7 +49,7 @@ fn growing(mut ranges: Vec<Range>, offset: u32) -> Vec<Range> {
     kept
 }
 
-/// The beginning of what the documentation documents that a byte is in; otherwise the byte.
+/// Returns the start of the item documented by the comment at a byte; otherwise the byte.
 fn documented(source: &Source<'_>, offset: u32) -> u32 {
     let comments = &source.tokens.comments;
     let at = comments.partition_point(|comment| comment.span.end < offset);
@@ -68,7 +69,7 @@ fn descend(source: &Source<'_>, node: Node<'_>, offset: u32, path: &mut Vec<Rang
         Node::Statement(statement) => {
             path.push((source.with_documentation(statement.span.start), statement.span.end));
             path.push(range);
-            // `else if` is inside the first `if` and alike; what stands between braces is of use by itself.
+            // `else if` is inside the first `if`; the content of braces is a separate range.
             if let StmtKind::Block(statements) = &statement.kind
                 && let [first, .., last] | [first @ last] = statements.as_slice()
             {
@@ -87,7 +88,7 @@ fn descend(source: &Source<'_>, node: Node<'_>, offset: u32, path: &mut Vec<Rang
     node.children(&mut |child| {
         let (start, end) = child.range();
         if start <= offset && offset <= end && (start < end || next.is_none()) {
-            // At the border of two, the one that begins here.
+            // At the border of two nodes, the later one.
             next = Some(child);
         }
     });
@@ -96,7 +97,8 @@ fn descend(source: &Source<'_>, node: Node<'_>, offset: u32, path: &mut Vec<Rang
     }
 }
 
-/// `in` of a parameter and `..` of an argument stand before what the tree knows of them.
+/// Extends a range by the `in` of a parameter or the `..` of an argument, which the tree does not
+/// include.
 fn with_words_before(source: &Source<'_>, start: u32) -> u32 {
     let before = source.tokens.tokens.partition_point(|token| token.span.end <= start).checked_sub(1);
     let token = before.and_then(|at| source.tokens.tokens.get(at));
@@ -109,7 +111,7 @@ fn after_semicolon(source: &Source<'_>, end: u32) -> u32 {
     next.filter(|token| token.kind == Kind::Semicolon).map_or(end, |token| token.span.end)
 }
 
-/// The word, token or comment a byte is in or at, and the strings and comments around it.
+/// Returns the word, token or comment at a byte, and the strings and comments around it.
 fn words(source: &Source<'_>, offset: u32) -> (Vec<Range>, Vec<Range>) {
     let tokens = &source.tokens.tokens;
     let (mut found, mut around) = (Vec::new(), Vec::new());
@@ -121,7 +123,7 @@ fn words(source: &Source<'_>, offset: u32) -> (Vec<Range>, Vec<Range>) {
         around.extend(comment_run(source, at));
         return (found, around);
     }
-    // Of two tokens that touch, the one that is a word.
+    // Prefers a word at the border of two adjacent tokens.
     let first = tokens.partition_point(|token| token.span.end < offset);
     let touching = tokens.iter().skip(first).take_while(|token| token.span.start <= offset);
     let is_word = |kind: Kind| matches!(kind, Kind::Identifier | Kind::Number | Kind::StringText);
@@ -137,7 +139,7 @@ fn words(source: &Source<'_>, offset: u32) -> (Vec<Range>, Vec<Range>) {
     (found, around)
 }
 
-/// The comments below each other of which one is the `at`-th.
+/// Returns the range of consecutive comments with the comment `at`.
 fn comment_run(source: &Source<'_>, at: usize) -> Option<Range> {
     let comments = &source.tokens.comments;
     let adjacent = |a: usize, b: usize| {
@@ -153,7 +155,7 @@ fn comment_run(source: &Source<'_>, at: usize) -> Option<Range> {
     Some((comments.get(first)?.span.start, comments.get(last)?.span.end))
 }
 
-/// What stands between the quotes around a byte.
+/// Returns the content of the string around a byte.
 fn string_content(source: &Source<'_>, offset: u32) -> Option<Range> {
     let tokens = &source.tokens.tokens;
     let line_start = source.slice(0, offset).rfind('\n').map_or(0, |at| at as u32 + 1);
@@ -176,7 +178,7 @@ fn string_content(source: &Source<'_>, offset: u32) -> Option<Range> {
     None
 }
 
-/// The run of letters and digits of a text around a byte.
+/// Returns the run of letters and digits around a byte.
 fn word(text: &str, start: u32, end: u32, offset: u32) -> Option<Range> {
     let part = |c: char| c.is_alphanumeric() || c == '_';
     let before = slice(text, start, offset);
@@ -186,7 +188,8 @@ fn word(text: &str, start: u32, end: u32, offset: u32) -> Option<Range> {
     (from < to).then_some((from, to))
 }
 
-/// What stands between brackets around a byte, with and without them, inside its statement.
+/// Returns the delimiters around a byte inside its statement, with and without the delimiters
+/// themselves.
 fn brackets(source: &Source<'_>, offset: u32) -> Vec<Range> {
     let tokens = &source.tokens.tokens;
     let statement = source.tree.module.statements.iter();

@@ -1,7 +1,8 @@
-//! What each word of a file is, for its colour.
+//! Semantic tokens, for highlighting.
 //!
-//! Words of the language, numbers, strings and comments are known from tokens alone; what names mean from the checked program, and
-//! where nothing is known of one, from what stands beside it. So little changes colour while a statement is half written.
+//! Keywords, numbers, strings and comments are known from tokens alone. The meaning of names is
+//! known from the checked program, or is guessed from the adjacent tokens. Thus few colours change
+//! while a statement is incomplete.
 
 use super::lines::slice;
 use super::source::Source;
@@ -13,7 +14,8 @@ use calyx_lang::lexer::{Comment, CommentKind, Kind, Token};
 use std::collections::HashMap;
 use std::ops::{BitOr, Range};
 
-/// What a word is. The protocol's own types where there is a fitting one, so that every theme knows them.
+/// Type of a semantic token. Uses the protocol's types where one is suitable, so that every theme
+/// supports them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TokenKind {
     Comment,
@@ -29,11 +31,11 @@ pub enum TokenKind {
     Property,
     Function,
     Label,
-    /// Not one of the protocol's.
+    /// Not a type of the protocol.
     Unit,
 }
 
-/// Names of the kinds in the order of [`TokenKind`].
+/// Names of the types in the order of [`TokenKind`].
 pub const KINDS: [&str; 14] = [
     "comment",
     "keyword",
@@ -51,7 +53,7 @@ pub const KINDS: [&str; 14] = [
     "unit",
 ];
 
-/// What else is to be said of a word.
+/// Modifiers of a semantic token.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Modifiers(pub u32);
 
@@ -59,18 +61,19 @@ impl Modifiers {
     pub const NONE: Modifiers = Modifiers(0);
     pub const DECLARATION: Modifiers = Modifiers(1);
     pub const READONLY: Modifiers = Modifiers(1 << 1);
-    /// It is assigned to.
+    /// The name is assigned to.
     pub const MODIFICATION: Modifiers = Modifiers(1 << 2);
     pub const DOCUMENTATION: Modifiers = Modifiers(1 << 3);
-    /// Of the language or the library.
+    /// The name is builtin or of the library.
     pub const DEFAULT_LIBRARY: Modifiers = Modifiers(1 << 4);
-    /// Stands for an expression, not for a value. This and the following are not of the protocol's.
+    /// The name refers to an expression, not to a value. This and the following modifiers are not
+    /// of the protocol.
     pub const SYMBOLIC: Modifiers = Modifiers(1 << 5);
-    /// A param of the model.
+    /// Param of the model.
     pub const PARAM: Modifiers = Modifiers(1 << 6);
-    /// An output of the model.
+    /// Output of the model.
     pub const OUTPUT: Modifiers = Modifiers(1 << 7);
-    /// The name of an argument.
+    /// Name of an argument.
     pub const ARGUMENT: Modifiers = Modifiers(1 << 8);
 }
 
@@ -95,7 +98,7 @@ impl BitOr for Modifiers {
     }
 }
 
-/// A word, or a comment or string on one line. Tokens are in order of place and do not overlap.
+/// A word, or a comment or string on one line. Tokens are sorted and do not overlap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SemanticToken {
     pub start: u32,
@@ -106,7 +109,8 @@ pub struct SemanticToken {
 
 type NameMeaning = (TokenKind, Modifiers);
 
-/// The tokens that a range touches. `names` are those of the file, at least of the top-level statements the range touches, in order.
+/// Returns the tokens in a range. `names` are the names of the file in order, at least those of the
+/// top-level statements in the range.
 pub fn tokens(source: &Source<'_>, names: &[Name], range: Range<u32>) -> Vec<SemanticToken> {
     let all = &source.tokens.tokens;
     let written = written(source, &range);
@@ -143,7 +147,7 @@ pub fn tokens(source: &Source<'_>, names: &[Name], range: Range<u32>) -> Vec<Sem
     found
 }
 
-/// Adds a token; parts of a string that touch are one.
+/// Adds a token; merges adjacent parts of a string.
 fn push(found: &mut Vec<SemanticToken>, token: &Token, kind: TokenKind, modifiers: Modifiers) {
     let (start, end) = (token.span.start, token.span.end);
     match found.last_mut() {
@@ -153,7 +157,7 @@ fn push(found: &mut Vec<SemanticToken>, token: &Token, kind: TokenKind, modifier
     }
 }
 
-/// A comment, each of its lines by itself: not all editors understand tokens over several lines.
+/// Adds a comment line by line: not all editors support multi-line tokens.
 fn comment_lines(source: &Source<'_>, comment: &Comment, found: &mut Vec<SemanticToken>) {
     let modifiers = match comment.kind {
         CommentKind::Doc => Modifiers::DOCUMENTATION,
@@ -171,7 +175,7 @@ fn comment_lines(source: &Source<'_>, comment: &Comment, found: &mut Vec<Semanti
     }
 }
 
-/// What a token other than a name is; brackets and separators have no colour.
+/// Classifies a token other than a name; delimiters and separators have no type.
 fn of_kind(kind: Kind, before: Option<Kind>) -> Option<NameMeaning> {
     let kind = match kind {
         Kind::Number => TokenKind::Number,
@@ -218,7 +222,7 @@ fn of_kind(kind: Kind, before: Option<Kind>) -> Option<NameMeaning> {
     Some((kind, Modifiers::NONE))
 }
 
-/// A name and what stands beside it.
+/// A name and its adjacent tokens.
 struct TokenContext<'a> {
     source: &'a Source<'a>,
     index: usize,
@@ -237,7 +241,7 @@ impl TokenContext<'_> {
         self.kind(self.index.checked_add(1))
     }
 
-    /// Whether it is the name of an argument, as far as its neighbours say.
+    /// Returns true if the adjacent tokens indicate the name of an argument.
     fn is_argument(&self) -> bool {
         let opens = match self.before() {
             Some(Kind::Comma) => true,
@@ -247,7 +251,7 @@ impl TokenContext<'_> {
         opens && matches!(self.after(), Some(Kind::Assign | Kind::Bind))
     }
 
-    /// What a name is whose meaning is known.
+    /// Classifies a resolved name.
     fn named(&self, name: &Name) -> NameMeaning {
         let none = Modifiers::NONE;
         let argument =
@@ -284,7 +288,7 @@ impl TokenContext<'_> {
         (kind, more.fold(modifiers, |all, (_, modifier)| all | modifier))
     }
 
-    /// What a name may be of which nothing is known.
+    /// Classifies an unresolved name.
     fn unknown(&self) -> Option<NameMeaning> {
         let kind = match (self.before(), self.after()) {
             (Some(Kind::Number), _) => TokenKind::Unit,
@@ -301,7 +305,7 @@ impl TokenContext<'_> {
     }
 }
 
-/// Names that mean something by where they stand in the tree: types, labels, systems of units, words of `extern`.
+/// Classifies names by their position in the tree: types, labels, unit systems, words of `extern`.
 fn written(source: &Source<'_>, range: &Range<u32>) -> HashMap<u32, NameMeaning> {
     let mut found = HashMap::new();
     let statements = &source.tree.module.statements;
@@ -346,14 +350,14 @@ fn of_type(source: &Source<'_>, ty: &TypeExpr, found: &mut HashMap<u32, NameMean
         }
         _ => return,
     };
-    // Names that the program declares are known by their meaning.
+    // Names that the program declares are classified by resolution.
     let shown = slice(source.text, name.span.start, name.span.end);
     let modifiers =
         if shown.starts_with(char::is_uppercase) { Modifiers::DEFAULT_LIBRARY } else { Modifiers::NONE };
     found.insert(name.span.start, (TokenKind::Type, modifiers));
 }
 
-/// What turns one sequence into another: at `start`, `removed` elements are replaced by those of `inserted`.
+/// Difference of two sequences: at `start`, `removed` elements are replaced by those of `inserted`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference<T> {
     pub start: usize,
@@ -361,7 +365,7 @@ pub struct Difference<T> {
     pub inserted: Vec<T>,
 }
 
-/// The difference of two sequences, as one run; `None` if they are equal.
+/// Returns the difference of two sequences as one edit; `None` if they are equal.
 pub fn difference<T: PartialEq + Clone>(old: &[T], new: &[T]) -> Option<Difference<T>> {
     let start = old.iter().zip(new).take_while(|(a, b)| a == b).count();
     let (old, new) = (old.get(start..).unwrap_or_default(), new.get(start..).unwrap_or_default());

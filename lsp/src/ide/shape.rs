@@ -1,33 +1,33 @@
-//! Types as they are shown to people, read back: as much as it takes to tell what fits where.
+//! Types parsed from their display form, as far as needed to match values with expected types.
 
 use calyx_lang::dimension::{Dimension, Rational};
 
-/// A type, as far as its text says.
+/// A type, as far as its display form determines it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// Nothing is known, or it is decided by use.
+    /// Unknown, or determined by use.
     Unknown,
     Number(Option<Dimension>),
     Vector(Option<Dimension>),
     Observable(Option<Dimension>),
     Array(Box<Shape>),
-    /// `Bool`, `String`, `Transform`, a record, something the library made.
+    /// `Bool`, `String`, `Transform`, a record, or a type of the library.
     Named(String),
 }
 
-/// How well a value fits a place, the best first.
+/// Quality of a match of a value with an expected type, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fit {
     Exactly,
     /// Not enough is known.
     Perhaps,
-    /// Not by itself, but as a part of what is written: another factor, a component, an element.
+    /// Not alone, but as a part of the expression: another factor, a component, an element.
     InPart,
     Not,
 }
 
 impl Shape {
-    /// Of a value.
+    /// Parses the type of a value.
     pub fn read(text: &str) -> Shape {
         let text = text.trim();
         if let Some((head, inner)) = applied(text) {
@@ -48,7 +48,7 @@ impl Shape {
             "Array" => Shape::Array(Box::new(Shape::Unknown)),
             _ if text.contains("->") || text.starts_with('(') => Shape::Unknown,
             _ if text.starts_with('[') => Shape::Named(text.to_string()),
-            // `T` stands for any type, `a` for any dimension.
+            // `T` is any type, `a` any dimension.
             _ if text.len() == 1 && text.starts_with(char::is_uppercase) => Shape::Unknown,
             _ if text.starts_with(char::is_uppercase) && !text.contains(['*', '/', '^']) => {
                 Shape::Named(text.to_string())
@@ -57,7 +57,7 @@ impl Shape {
         }
     }
 
-    /// What calling a function of this type gives: `(in x: Length) -> Area`.
+    /// Returns the result type of a function type: `(in x: Length) -> Area`.
     pub fn result(scheme: &str) -> Shape {
         match scheme.rsplit_once(") -> ") {
             Some((_, result)) => Shape::read(result.split(" where ").next().unwrap_or(result)),
@@ -65,7 +65,7 @@ impl Shape {
         }
     }
 
-    /// As it is shown to people; `None` where nothing is known.
+    /// Formats the type; `None` if it is unknown.
     pub fn shown(&self) -> Option<String> {
         Some(match self {
             Shape::Unknown => return None,
@@ -100,7 +100,7 @@ impl Shape {
         matches!(self, Shape::Named(own) if own == name)
     }
 
-    /// Of a number, a vector or an observable.
+    /// Returns the dimension of a number, a vector or an observable.
     pub fn dimension(&self) -> Option<Dimension> {
         match self {
             Shape::Number(dimension) | Shape::Vector(dimension) | Shape::Observable(dimension) => *dimension,
@@ -108,25 +108,25 @@ impl Shape {
         }
     }
 
-    /// How a value of type `found` fits where this one is expected.
+    /// Returns how well a value of type `found` matches this expected type.
     pub fn fit(&self, found: &Shape) -> Fit {
         let alike = |a: &Option<Dimension>, b: &Option<Dimension>| match (a, b) {
             (Some(a), Some(b)) if a == b => Fit::Exactly,
-            // A radian is 1, but few angles are meant where a number is wanted.
+            // A radian is 1, but an angle is seldom meant where a number is expected.
             (Some(a), Some(b)) if a.fits(*b) => Fit::Perhaps,
             (Some(_), Some(_)) => Fit::InPart,
             _ => Fit::Perhaps,
         };
         match (self, found) {
             (Shape::Unknown, _) | (_, Shape::Unknown) => Fit::Perhaps,
-            // An output takes any.
+            // An output accepts any observable.
             (Shape::Observable(None), Shape::Observable(_)) => Fit::Exactly,
             (Shape::Number(a), Shape::Number(b))
             | (Shape::Vector(a), Shape::Vector(b))
             | (Shape::Observable(a), Shape::Observable(b)) => alike(a, b),
             (Shape::Array(a), Shape::Array(b)) => a.fit(b),
             (Shape::Named(a), Shape::Named(b)) if a == b => Fit::Exactly,
-            // With a direction it is what is wanted.
+            // Multiplied by a direction it has the expected type.
             (Shape::Vector(a), Shape::Number(b)) if alike(a, b) == Fit::Exactly => Fit::Perhaps,
             // A number times a direction; a component; an observable times a number.
             (Shape::Vector(_) | Shape::Observable(_), Shape::Number(_)) => Fit::InPart,
@@ -140,20 +140,20 @@ impl Shape {
     }
 }
 
-/// `Vector(Force)`: `Vector` and `Force`.
+/// Splits a type application: `Vector(Force)` into `Vector` and `Force`.
 fn applied(text: &str) -> Option<(&str, &str)> {
     let (head, rest) = text.split_once('(')?;
     let inner = rest.strip_suffix(')')?;
     head.chars().all(char::is_alphabetic).then_some((head, inner)).filter(|(head, _)| !head.is_empty())
 }
 
-/// The dimension a product of names stands for: `Force/Length^2`, `Length^(1/2)`, `1/Time`.
+/// Parses the dimension of a product of names: `Force/Length^2`, `Length^(1/2)`, `1/Time`.
 pub fn dimension(text: &str) -> Option<Dimension> {
     let mut whole = Dimension::NONE;
     let mut divides = false;
     let mut rest = text.trim();
     loop {
-        // An exponent may have a slash of its own, in parentheses.
+        // An exponent may contain a slash, in parentheses.
         let mut depth = 0_i32;
         let end = rest.find(|c: char| {
             depth += i32::from(c == '(') - i32::from(c == ')');

@@ -1,4 +1,4 @@
-//! What is called around a cursor, and which of its parameters the cursor gives.
+//! Signature help: the call around a cursor, and its active parameter.
 
 use super::callee::{self, matched, position};
 use super::completion::parameter_text;
@@ -9,31 +9,32 @@ use calyx_lang::ast::Mode;
 use calyx_lang::db::Database;
 use std::ops::Range;
 
-/// Characters after which an editor asks, and after which it asks again.
+/// Characters that trigger signature help.
 pub const TRIGGERS: &[&str] = &["(", ","];
+/// Characters that update signature help while it is shown.
 pub const RETRIGGERS: &[&str] = &[")", "="];
 
-/// A function as it is called.
+/// Signature of a called function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signature {
     /// `gears.lead_crown(depth: Length) -> Modification`
     pub label: String,
     pub doc: Option<String>,
     pub parameters: Vec<ShownParameter>,
-    /// Of the parameters; `None` where the cursor gives none of them.
+    /// Index of the active parameter; `None` if the cursor is at none of them.
     pub active: Option<usize>,
 }
 
-/// A parameter in a signature.
+/// Parameter of a signature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShownParameter {
-    /// Its bytes in the label.
+    /// Byte range in the label.
     pub label: Range<usize>,
-    /// What it is, its default, and what it may be.
+    /// Documentation, default and range.
     pub doc: String,
 }
 
-/// The innermost call around a cursor that calls something known.
+/// Returns the signature of the innermost call around a cursor with a known callee.
 pub fn signature(snapshot: &Snapshot, at: &Position) -> Option<Signature> {
     let database = &snapshot.database;
     let (text, tokens) = (database.text(&at.file)?, database.tokens(&at.file)?);
@@ -57,7 +58,7 @@ pub fn signature(snapshot: &Snapshot, at: &Position) -> Option<Signature> {
     Some(show(call, callable, active))
 }
 
-/// The parameter that the cursor gives.
+/// Returns the index of the active parameter.
 fn active(
     database: &Database,
     visible: &[Visible],
@@ -80,7 +81,7 @@ fn active(
     };
     match matched.in_order {
         true => position(callable, call.active),
-        // Behind arguments by name comes another: the one that is begun, or the next.
+        // After named arguments: the parameter whose name is partly written, or the next one.
         false => matched.left.iter().find(begun).or(matched.left.first()).copied(),
     }
 }
@@ -107,7 +108,7 @@ fn show(call: &Call, callable: Callable, active: Option<usize>) -> Signature {
     Signature { label, doc: callable.doc, parameters, active }
 }
 
-/// `out least: Length`, `depth: Length = 1 mm`, `frame := Transform`
+/// Formats a parameter: `out least: Length`, `depth: Length = 1 mm`, `frame := Transform`.
 fn written(parameter: &CallParameter) -> String {
     let mode = match parameter.mode {
         Mode::In => "",

@@ -1,4 +1,4 @@
-//! One file as features of its structure need it: text, tokens and tree together.
+//! One file with text, tokens and tree, for features based on its syntax.
 
 use super::Snapshot;
 use calyx_lang::db::Parsed;
@@ -7,7 +7,7 @@ use calyx_lang::parser;
 use calyx_lang::span::FileId;
 use std::sync::Arc;
 
-/// A file of a snapshot. All places in it are bytes of `text`.
+/// A file of a snapshot. All positions in it are byte offsets of `text`.
 #[derive(Clone)]
 pub struct Source<'s> {
     pub text: &'s str,
@@ -16,7 +16,7 @@ pub struct Source<'s> {
 }
 
 impl<'s> Source<'s> {
-    /// A file by its name as shown to people; `None` if there is none.
+    /// Returns a file by its display name; `None` if it does not exist.
     pub fn of(snapshot: &'s Snapshot, file: &str) -> Option<Source<'s>> {
         let database = &snapshot.database;
         Some(Source {
@@ -26,29 +26,31 @@ impl<'s> Source<'s> {
         })
     }
 
-    /// A text that belongs to no snapshot.
+    /// Parses a text outside of any snapshot.
     pub fn new(text: &'s str) -> Source<'s> {
         let tokens = lexer::lex(FileId(0), text);
         let (module, diagnostics) = parser::parse_tokens(FileId(0), text, &tokens);
         Source { text, tokens: Arc::new(tokens), tree: Arc::new(Parsed { module, diagnostics }) }
     }
 
-    /// The text between two bytes.
+    /// Returns the text between two byte offsets.
     pub fn slice(&self, start: u32, end: u32) -> &'s str {
         super::lines::slice(self.text, start, end)
     }
 
-    /// The text of a token.
+    /// Returns the text of a token.
     pub fn word(&self, token: &Token) -> &'s str {
         self.slice(token.span.start, token.span.end)
     }
 
-    /// Index of the first token that ends behind a byte: the one around it, or the next one.
+    /// Returns the index of the first token that ends after a byte: the token around it, or the
+    /// next one.
     pub fn token_after(&self, offset: u32) -> usize {
         self.tokens.tokens.partition_point(|token| token.span.end <= offset)
     }
 
-    /// Where the `///` block directly above a byte begins; the byte itself if there is none.
+    /// Returns the start of the `///` comment directly above a byte; the byte itself if there is
+    /// none.
     pub fn with_documentation(&self, start: u32) -> u32 {
         let comments = &self.tokens.comments;
         let mut from = start;

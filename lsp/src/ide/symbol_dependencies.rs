@@ -1,4 +1,5 @@
-//! What an expression bound with `:=` depends on: `Time`, params and observables, also through other such names.
+//! Dependences of an expression bound with `:=`: `Time`, params and observables, also through other
+//! such names.
 
 use calyx_lang::analysis::{NameKind, SourceRange};
 use calyx_lang::ast::{Bind, Expr, FunctionBody, Module, StmtKind};
@@ -6,11 +7,11 @@ use calyx_lang::db::Database;
 use calyx_lang::declared::{Declared, find};
 use std::collections::BTreeSet;
 
-/// Names that are followed: who has more reads the expression itself.
+/// Largest number of names that are followed.
 const MOST_NAMES: usize = 200;
 
-/// `Time` and params that stay symbols in what is declared at a place, as a line for people. Of a function nothing is said if
-/// there are none: it has its arguments.
+/// Formats the symbols that remain free in the declaration at a position: `Time` and params.
+/// Returns nothing for a function without any: its arguments are its variables.
 pub fn line(database: &Database, place: &SourceRange) -> Option<String> {
     let mut walk = Walk { database, seen: BTreeSet::new(), symbols: BTreeSet::new() };
     walk.declaration(place)?;
@@ -26,7 +27,7 @@ pub fn line(database: &Database, place: &SourceRange) -> Option<String> {
     })
 }
 
-/// The expression that a declaration gives its name.
+/// Returns the expression of the declaration at an offset.
 pub fn value_at(module: &Module, start: u32) -> Option<&Expr> {
     match find(module, start)?.1 {
         Declared::Variable(_, decl) => decl.init.as_ref().map(|(_, value)| value),

@@ -1,4 +1,4 @@
-//! What a file declares, as an outline; and what all files declare, found by a part of its name.
+//! Document symbols, and search for workspace symbols.
 
 use super::fuzzy;
 use super::source::Source;
@@ -24,32 +24,34 @@ pub enum SymbolKind {
     Unit,
 }
 
-/// A declaration. What is inside it comes in order of place and lies inside its range.
+/// A declaration. Its children are sorted by position and inside its range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Symbol {
     pub name: String,
     pub kind: SymbolKind,
-    /// Its type, for a function what it takes and gives.
+    /// Type; the signature for a function.
     pub detail: Option<String>,
-    /// From its documentation to its `;`.
+    /// Start of its documentation.
     pub start: u32,
+    /// End of the declaration, after its `;`.
     pub end: u32,
     pub name_start: u32,
     pub name_end: u32,
     pub children: Vec<Symbol>,
 }
 
-/// Types as shown to people, by where a name is declared.
+/// Displayed types, by the offset of the declaration.
 pub type Types = HashMap<u32, Arc<str>>;
 
-/// The types of what is declared in a file, of its names.
+/// Returns the types of the declarations in a file, from its names.
 pub fn types(names: &[Name]) -> Types {
     let declared = names.iter().filter(|name| name.declares);
     let known = declared.filter_map(|name| Some((name.start, name.ty.clone()?)));
     known.filter(|(_, ty)| **ty != *"_").collect()
 }
 
-/// The declarations of a file: of its top level, fields of records, variables and functions of functions.
+/// Returns the declarations of a file: its top level, fields of records, and variables and
+/// functions inside functions.
 pub fn symbols(source: &Source<'_>, types: &Types) -> Vec<Symbol> {
     Outline { source, types }.block(&source.tree.module.statements, true)
 }
@@ -100,7 +102,8 @@ impl Outline<'_> {
                     symbols.push(self.symbol(&variable.name, kind, if only { whole } else { own }));
                 }
             }
-            // The counters and intermediate values of loops and branches would hide what matters.
+            // Counters and intermediate values of loops and branches would hide the important
+            // symbols.
             _ if !top => {}
             StmtKind::Block(statements) => {
                 statements.iter().for_each(|statement| self.statement(statement, false, symbols));
@@ -143,13 +146,13 @@ impl Outline<'_> {
             },
             _ => Vec::new(),
         };
-        // Of the types that were found, or else as written.
+        // The inferred signature, or else the written one.
         let known = symbol.detail.clone().filter(|detail| detail.starts_with('('));
         let detail = (!function.is_test).then(|| known.unwrap_or_else(|| self.signature(function)));
         Symbol { detail, children, ..symbol }
     }
 
-    /// `(in load: Force, out stress) -> Length`, as far as it is written.
+    /// Returns `(in load: Force, out stress) -> Length`, as far as it is written.
     fn signature(&self, function: &FunctionDecl) -> String {
         let text = |span: Span| self.source.slice(span.start, span.end);
         let parameters = function.parameters.iter().map(|parameter| {
@@ -167,22 +170,22 @@ impl Outline<'_> {
     }
 }
 
-/// A declaration that a search over all files found.
+/// Result of a workspace symbol search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     pub symbol: Symbol,
     pub file: Arc<str>,
-    /// The record a field is of; nothing otherwise.
+    /// Record of a field; otherwise `None`.
     pub container: Option<String>,
-    /// Whether it is of the library, not of the workspace.
+    /// True for declarations of the library.
     pub library: bool,
 }
 
-/// Most declarations one search answers with.
+/// Largest number of results of a search.
 pub const MOST_FOUND: usize = 256;
 
-/// Declarations of all files whose names hold the letters of `query` in order, the best first; those of the workspace
-/// before those of the library where both fit alike.
+/// Returns the declarations in all files whose names match `query`, the best first. Declarations of
+/// the workspace precede those of the library with the same score.
 pub fn find<'a>(query: &str, files: impl Iterator<Item = (Arc<str>, &'a Source<'a>)>) -> Vec<Found> {
     let mut found = Vec::new();
     for (file, source) in files {
@@ -208,7 +211,7 @@ pub fn find<'a>(query: &str, files: impl Iterator<Item = (Arc<str>, &'a Source<'
     found.into_iter().map(|(_, found)| found).collect()
 }
 
-/// Whether a file, by its name as shown to people, is the library's.
+/// Returns true if a display name is that of a library file.
 pub fn is_library(file: &str) -> bool {
     file.starts_with("<library>/")
 }

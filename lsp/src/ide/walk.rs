@@ -1,9 +1,9 @@
-//! The nodes of a tree, one under the other, for questions that treat them alike.
+//! Uniform traversal of syntax nodes.
 
 use calyx_lang::ast::*;
 use calyx_lang::span::Span;
 
-/// A part of a file that can hold others.
+/// A syntax node that can have children.
 #[derive(Clone, Copy, Debug)]
 pub enum Node<'t> {
     Statement(&'t Stmt),
@@ -14,13 +14,13 @@ pub enum Node<'t> {
     Field(&'t RecordField),
     Domain(&'t Domain),
     Type(&'t TypeExpr),
-    /// A name that is declared, or a word that is not an expression of its own.
+    /// A declared name, or a word that is not an expression.
     Name(&'t Ident),
 }
 
 impl<'t> Node<'t> {
-    /// First and last byte. Of a parameter without `in`, of a spread argument without `..`: the tree does not know where
-    /// these stand.
+    /// Returns start and end offset. Excludes the `in` of a parameter and the `..` of a spread
+    /// argument, whose positions the tree does not store.
     pub fn range(self) -> (u32, u32) {
         let of = |span: Span| (span.start, span.end);
         match self {
@@ -44,7 +44,7 @@ impl<'t> Node<'t> {
         }
     }
 
-    /// Visits what stands directly under it, in order of place.
+    /// Visits the direct children, in order of position.
     pub fn children(self, visit: &mut dyn FnMut(Node<'t>)) {
         match self {
             Node::Statement(statement) => statement_children(&statement.kind, visit),
@@ -88,7 +88,7 @@ impl<'t> Node<'t> {
         }
     }
 
-    /// Visits it and everything under it, the outer before the inner.
+    /// Visits the node and its descendants, parents before children.
     pub fn walk(self, visit: &mut dyn FnMut(Node<'t>)) {
         visit(self);
         self.children(&mut |child| child.walk(visit));

@@ -1,4 +1,4 @@
-//! The life of the server, and commands.
+//! Life cycle of the server, and commands.
 
 use super::Shared;
 use super::capabilities::capabilities;
@@ -11,7 +11,7 @@ use tower_lsp_server::ls_types::{
 };
 use tower_lsp_server::{Client, LanguageServer};
 
-/// What is not a question about texts.
+/// Service for all messages other than queries about texts.
 pub struct Backend {
     pub shared: Arc<Shared>,
     pub client: Client,
@@ -47,7 +47,7 @@ impl LanguageServer for Backend {
 }
 
 impl Backend {
-    /// Asks to be told when a model or module changes on the disk.
+    /// Registers for notifications about changes of models and modules on disk.
     async fn watch_files(&self) {
         let watcher =
             FileSystemWatcher { glob_pattern: GlobPattern::String("**/*.cx".to_owned()), kind: None };

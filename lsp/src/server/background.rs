@@ -1,7 +1,8 @@
-//! Elaboration in the background: what is wrong with the gears, and the geometry that follows, without anybody waiting.
+//! Background elaboration of models, for findings about gears and for derived geometry.
 //!
-//! One thread, one model at a time, the one checked last first. It begins when typing pauses, and an edit stops it. It works on a program,
-//! not on the database, so edits never wait for it.
+//! One thread elaborates one model at a time, starting with the one checked last. It starts when
+//! typing pauses and is cancelled by an edit. It uses a program, not the database, so edits never
+//! wait for it.
 
 use super::Shared;
 use super::job::{isolated, reason};
@@ -18,7 +19,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long typing pauses before elaboration begins: it would only take time from answers.
+/// Pause of typing after which elaboration starts; earlier it would only delay answers.
 const PAUSE: Duration = Duration::from_millis(150);
 
 /// A model to elaborate.
@@ -30,14 +31,14 @@ struct Work {
 
 #[derive(Default)]
 struct State {
-    /// One a model, the newest last.
+    /// Queue with one entry per model, the newest last.
     waiting: Vec<Work>,
     running: Option<(Key, Cancel)>,
     edited: Option<Instant>,
     stopped: bool,
 }
 
-/// What the thread and those who ask it know.
+/// State shared by the thread and its clients.
 #[derive(Default)]
 pub(crate) struct Background {
     state: Mutex<State>,
@@ -49,7 +50,8 @@ impl Background {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Has a model elaborated, unless it has been: a program is told by its identity.
+    /// Queues a model for elaboration, unless its program (compared by identity) was already
+    /// elaborated.
     pub fn submit(
         &self,
         home: &Key,
@@ -66,7 +68,7 @@ impl Background {
         self.roused.notify_all();
     }
 
-    /// A text of a project has changed: what would be said of its models comes too late.
+    /// Cancels the elaboration of a project after an edit: its result would be outdated.
     pub fn edited(&self, home: &Key) {
         let mut state = self.lock();
         state.edited = Some(Instant::now());
@@ -87,7 +89,7 @@ impl Background {
         self.roused.notify_all();
     }
 
-    /// Waits for something to do; `None` when all is over.
+    /// Waits for work; `None` at shutdown.
     fn next(&self) -> Option<(Work, Cancel)> {
         let mut state = self.lock();
         loop {
@@ -123,7 +125,7 @@ pub(crate) fn start(shared: Arc<Shared>) -> io::Result<()> {
     Ok(())
 }
 
-/// The program with the paths outside of its folder that it may read.
+/// Returns the program with the paths outside of its folder that it may read.
 pub(crate) fn may_read(program: &Program, allowed: Arc<[PathBuf]>) -> Cow<'_, Program> {
     match allowed.is_empty() {
         true => Cow::Borrowed(program),

@@ -1,4 +1,4 @@
-//! What the server offers.
+//! Server capabilities.
 
 use super::client::Client;
 use super::commands;
@@ -8,7 +8,7 @@ use tower_lsp_server::ls_types::{
     TextDocumentSyncSaveOptions,
 };
 
-/// What is offered to a client.
+/// Returns the capabilities offered to a client.
 pub fn capabilities(client: &Client) -> ServerCapabilities {
     let sync = TextDocumentSyncOptions {
         open_close: Some(true),

@@ -1,13 +1,13 @@
-//! What the client can do.
+//! Client capabilities.
 
 use super::text::Encoding;
 use tower_lsp_server::ls_types::{ClientCapabilities, PositionEncodingKind};
 
-/// What a client has said of itself.
+/// Capabilities that a client has announced.
 #[derive(Debug, Default)]
 pub struct Client {
     pub encoding: Encoding,
-    /// Whether diagnostics may refer to other places.
+    /// True if diagnostics may have related locations.
     pub related_information: bool,
     pub capabilities: ClientCapabilities,
 }
@@ -23,7 +23,7 @@ impl Client {
         }
     }
 
-    /// How the encoding is called in the protocol.
+    /// Returns the encoding in terms of the protocol.
     pub fn encoding_kind(&self) -> PositionEncodingKind {
         match self.encoding {
             Encoding::Utf8 => PositionEncodingKind::UTF8,
@@ -32,7 +32,7 @@ impl Client {
     }
 }
 
-/// UTF-8 where the client can count it, wherever it stands in its list: texts are kept in it.
+/// Selects UTF-8 if the client supports it, at any position in its list: texts are stored in UTF-8.
 fn encoding(capabilities: &ClientCapabilities) -> Encoding {
     let offered = capabilities.general.as_ref().and_then(|general| general.position_encodings.as_deref());
     match offered {

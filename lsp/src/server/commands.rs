@@ -1,6 +1,6 @@
-//! What clients ask to be done: run a model, run a test, show the plan, stop.
+//! Commands of clients: run a model, run a test, show the plan, cancel.
 //!
-//! The first argument of each is the document, as clients call it.
+//! The first argument of each is the URI of the document.
 
 use super::Shared;
 use super::background::may_read;
@@ -15,13 +15,13 @@ use tower_lsp_server::Client;
 use tower_lsp_server::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp_server::ls_types::{ExecuteCommandOptions, ExecuteCommandParams, MessageType, Uri};
 
-/// Runs a model; answers when it is done, with what it gave.
+/// Runs a model; answers with its results after the run.
 pub const RUN: &str = "calyx.run";
 /// Runs a test, whose name is the second argument; answers whether it passed.
 pub const TEST: &str = "calyx.test";
-/// Gives the plan of a model's analysis as text.
+/// Returns the plan of a model's analysis as text.
 pub const PLAN: &str = "calyx.plan";
-/// Stops the run of a model.
+/// Cancels the run of a model.
 pub const CANCEL: &str = "calyx.cancel";
 
 pub fn offered() -> ExecuteCommandOptions {
@@ -72,7 +72,8 @@ fn refused(message: String) -> Error {
     Error { code: ErrorCode::ServerError(-32803), message: message.into(), data: None }
 }
 
-/// The file of a document. What runs is what is on the disk, so that must be what the editor shows.
+/// Returns the file of a document. Runs use the file on disk, so this requires that the editor has
+/// saved it.
 fn saved(shared: &Shared, uri: &Uri) -> Result<PathBuf> {
     let path = path_of(uri).ok_or_else(|| refused("save the model to a file first".to_owned()))?;
     let shown = shared.workspace().documents().get(uri).map(|document| document.text.clone());
@@ -86,10 +87,10 @@ fn saved(shared: &Shared, uri: &Uri) -> Result<PathBuf> {
     }
 }
 
-/// How often a plan is begun again because a text has changed meanwhile.
+/// Largest number of attempts to compute a plan, each after a change of a text.
 const MOST_ATTEMPTS: usize = 5;
 
-/// The plan of a model as it is in the editor.
+/// Returns the plan of a model as it is in the editor.
 fn plan(shared: &Shared, uri: &Uri) -> Result<String> {
     for _ in 0..MOST_ATTEMPTS {
         let Some(view) = shared.workspace().view(Some(uri)) else {
@@ -98,7 +99,7 @@ fn plan(shared: &Shared, uri: &Uri) -> Result<String> {
         let name = Path::new(&*view.file).file_name().unwrap_or_default().display().to_string();
         let checked = view.snapshot.database.attempt(|database| database.check(&view.file));
         let known = view.snapshot.elaborated.get(&view.file).cloned();
-        // A text that changes need not wait for the rest.
+        // Released early, so that a change of a text need not wait.
         drop(view);
         let checked = match checked {
             Ok(Some(checked)) => checked,

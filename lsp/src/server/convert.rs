@@ -1,4 +1,4 @@
-//! Between places of [`ide`] and those of the protocol.
+//! Conversion between positions of [`ide`] and of the protocol.
 
 use super::view::View;
 use crate::ide;
@@ -10,7 +10,7 @@ use tower_lsp_server::ls_types::{
 };
 
 impl View {
-    /// Where a cursor is; `None` if its file is no part of the project.
+    /// Converts the position of a cursor; `None` if its file is not part of the project.
     pub fn position(&self, params: &TextDocumentPositionParams) -> Option<ide::Position> {
         let file = self.name(&params.text_document.uri)?;
         let offset = self.offset(&file, params.position)?;
@@ -21,12 +21,12 @@ impl View {
         Some(self.file(file)?.text.offset(position, self.client.encoding))
     }
 
-    /// The bytes of a selection.
+    /// Converts the range of a selection to bytes.
     pub fn bytes(&self, file: &str, range: Range) -> Option<Bytes<u32>> {
         Some(self.file(file)?.text.bytes(range, self.client.encoding))
     }
 
-    /// Bytes of a file as clients name them.
+    /// Converts a byte range of a file to a range of the protocol.
     pub fn range(&self, file: &str, bytes: Bytes<u32>) -> Option<Range> {
         Some(self.file(file)?.text.range(bytes, self.client.encoding))
     }
@@ -40,13 +40,13 @@ impl View {
         Some(TextEdit { range, new_text: edit.replacement.clone() })
     }
 
-    /// Edits of one file; those of others are left out.
+    /// Converts the edits of one file; omits those of other files.
     pub fn text_edits(&self, file: &str, edits: &[ide::Edit]) -> Vec<TextEdit> {
         edits.iter().filter(|edit| *edit.file == *file).filter_map(|edit| self.text_edit(edit)).collect()
     }
 
-    /// Edits of any files, for the versions they were computed for. Edits of the library are left out: it is not theirs to
-    /// change.
+    /// Converts edits of any files, for the document versions they were computed for. Omits edits
+    /// of the library, which is read-only.
     pub fn workspace_edit(&self, edits: &[ide::Edit]) -> WorkspaceEdit {
         let mut by_file: BTreeMap<Uri, Vec<TextEdit>> = BTreeMap::new();
         for edit in edits {

@@ -1,6 +1,6 @@
-//! Diagnostics, sent after every change: a thread of its own checks what changed and publishes what it finds.
+//! Publishes diagnostics after every change, on a separate thread.
 //!
-//! Nothing is waited for: a check that a newer edit supersedes is given up at once and begun again with the newer text.
+//! Checks never delay edits: a newer edit cancels a check, which restarts with the newer text.
 
 use super::Shared;
 use super::background::Background;
@@ -23,7 +23,7 @@ use tower_lsp_server::ls_types::{
     Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, NumberOrString, Uri,
 };
 
-/// Rouses the thread.
+/// Signal that wakes the thread.
 #[derive(Default)]
 pub(crate) struct PublishSignal {
     state: Mutex<SignalState>,
@@ -43,7 +43,7 @@ impl PublishSignal {
         self.set(SignalState::Roused);
     }
 
-    /// Ends the thread.
+    /// Stops the thread.
     pub fn stop(&self) {
         self.set(SignalState::Stopped);
     }
@@ -56,7 +56,7 @@ impl PublishSignal {
         self.roused.notify_all();
     }
 
-    /// Sleeps until something has changed; returns whether to go on.
+    /// Waits for a change; returns false at shutdown.
     fn wait(&self) -> bool {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         while *state == SignalState::Asleep {
@@ -70,13 +70,13 @@ impl PublishSignal {
     }
 }
 
-/// Starts the thread that publishes.
+/// Starts the thread that publishes diagnostics.
 pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io::Result<()> {
     thread::Builder::new().name("diagnostics".to_owned()).spawn(move || {
         let mut publisher = Publisher { shared: &shared, client, runtime, shown: BTreeMap::new() };
         let mut kept = VecDeque::new();
         while shared.wake.wait() {
-            // One at a time: a view that waits for its turn would hold up who edits its project.
+            // One project at a time: a waiting view would block edits of its project.
             let log = &shared.log;
             let next = || isolated(log, "choosing a project", || shared.workspace().next_changed());
             while let Some(changed) = next().flatten() {
@@ -91,21 +91,21 @@ pub(crate) fn start(shared: Arc<Shared>, client: Client, runtime: Handle) -> io:
     Ok(())
 }
 
-/// Checked programs are large, and the database lets go of an old one just when a text changes and the client waits. So they are kept until
-/// it has, and are taken apart on this thread.
+/// Number of retained checked programs. They are large, and the database releases an old one when a
+/// text changes, while the client waits. Retained programs are dropped later, on this thread.
 const KEPT: usize = 2;
 
-/// Sends what is found, and knows what was sent.
+/// Publisher of diagnostics, with a record of the published ones.
 struct Publisher<'a> {
     shared: &'a Shared,
     client: Client,
     runtime: Handle,
-    /// Files that show diagnostics, by project.
+    /// Files with published diagnostics, by project.
     shown: BTreeMap<Key, BTreeSet<Uri>>,
 }
 
 impl Publisher<'_> {
-    /// Checks a project and sends what is found. Returns what was checked.
+    /// Checks a project and publishes its diagnostics. Returns the checked programs.
     fn publish(&mut self, changed: Changed) -> Vec<Arc<Checked>> {
         let view = match changed {
             Changed::Project(view) => view,
@@ -120,7 +120,7 @@ impl Publisher<'_> {
         let mut kept = Vec::new();
         let checked =
             catch_unwind(AssertUnwindSafe(|| of_project(&view, &self.shared.background, &mut kept)));
-        // Nothing may hold a view while a message waits to be sent, or while the workspace is asked for.
+        // Views must be released before a message is sent or the workspace is locked.
         drop(view);
         match checked {
             Ok(Ok(found)) => {
@@ -137,7 +137,7 @@ impl Publisher<'_> {
                 }
                 self.remember(&home);
             }
-            // At once again, with the newer text.
+            // Retried immediately, with the newer text.
             Ok(Err(Superseded)) => self.shared.workspace().mark_dirty(&home),
             Err(panic) => self.shared.log.error(&format!("checking failed: {}", reason(&*panic))),
         }
@@ -148,11 +148,12 @@ impl Publisher<'_> {
         self.runtime.block_on(self.client.publish_diagnostics(uri, found, version));
     }
 
-    /// Has the types noted of what open files declare, for completion in texts that are newer than what was checked.
+    /// Records the types of declarations in open files, for completion in texts that are newer than
+    /// the last check.
     fn remember(&self, home: &Key) {
         let views = self.shared.workspace().views();
         let Some(view) = views.into_iter().find(|view| view.project == *home) else { return };
-        // Who supersedes this has the project checked again, and its types noted then.
+        // A change that supersedes this check triggers a new one, which records the types.
         let noted = catch_unwind(AssertUnwindSafe(|| {
             view.snapshot.database.attempt(|database| {
                 let own = view.documents.values().filter(|document| document.home == view.project);
@@ -166,11 +167,11 @@ impl Publisher<'_> {
     }
 }
 
-/// What there is to say about each file.
+/// Findings by file, with the version of the document.
 type Found = BTreeMap<Uri, (Option<i32>, Vec<Diagnostic>)>;
 
-/// Everything wrong with the files of a project. Open files are there even if nothing is. Has models elaborated whose program is a
-/// new one. What was checked is kept.
+/// Returns the findings in the files of a project; open files are included even without findings.
+/// Submits models with a new program for elaboration. Appends the checked programs to `kept`.
 fn of_project(
     view: &View,
     background: &Background,
@@ -187,7 +188,7 @@ fn of_project(
     let mut findings = Findings::new(view);
     for (model, checked) in &checked {
         findings.add(&checked.files, &checked.diagnostics);
-        // What only imports a module describes nothing.
+        // A model that only imports a module describes no gears.
         if view.file(model).is_some() {
             background.submit(&view.project, model, checked, view.snapshot.elaborated.get(model));
         }
@@ -199,11 +200,11 @@ fn of_project(
     Ok(findings.found)
 }
 
-/// Findings as they are gathered.
+/// Findings during collection.
 struct Findings<'a> {
     view: &'a View,
     found: Found,
-    /// A module says the same to all who import it.
+    /// Findings so far: a module has the same findings in all models that import it.
     seen: BTreeSet<(String, u32, u32, String, String)>,
 }
 
@@ -219,7 +220,7 @@ impl<'a> Findings<'a> {
         for finding in findings {
             let span = finding.primary.span;
             let Some(file) = source(files, span) else { continue };
-            // Of the library nothing can be mended here.
+            // Findings in the library cannot be fixed by the user.
             if view.file(&file.name).is_none_or(|file| file.of_library) {
                 continue;
             }
@@ -240,7 +241,7 @@ fn source(files: &[SourceFile], span: Span) -> Option<&SourceFile> {
     files.get(span.file.0 as usize)
 }
 
-/// A finding as clients show it; `None` if its file is no part of the project.
+/// Converts a finding; `None` if its file is not part of the project.
 pub fn to_protocol(view: &View, files: &[SourceFile], finding: &Finding) -> Option<Diagnostic> {
     let span = finding.primary.span;
     let file = source(files, span)?;
@@ -278,12 +279,12 @@ pub fn to_protocol(view: &View, files: &[SourceFile], finding: &Finding) -> Opti
     })
 }
 
-/// Whether what is found can be taken away, so that editors fade it out: unused names, unreachable statements, unused values.
+/// Returns true for unused names, unreachable statements and unused values, which editors fade out.
 fn is_unused(code: &str) -> bool {
     matches!(code, "W0201" | "W0202" | "W0203")
 }
 
-/// The change that mends a finding, for clients that send it back.
+/// Returns the fix of a finding as data that clients send back.
 fn fix(view: &View, files: &[SourceFile], finding: &Finding) -> Option<serde_json::Value> {
     let fix = finding.fix.as_ref()?;
     let location = view.location(&source(files, fix.span)?.name, fix.span.start..fix.span.end)?;

@@ -1,11 +1,11 @@
-//! Finds the messages in the bytes of a client.
+//! Splits the byte stream of a client into messages.
 //!
-//! The library below ends its input at the first message that it cannot decode. Therefore it reads
-//! the output of [`Reader`]: every well-formed message, and for every malformed one a request
-//! [`MALFORMED`], which the server answers with the error of the protocol.
+//! The crate `tower_lsp_server` ends its input at the first message that it cannot decode.
+//! Therefore it reads the output of [`Reader`]: every well-formed message, and for every malformed
+//! one a request [`MALFORMED`], which the server answers with the error of the protocol.
 //!
 //! After an error [`Framing`] searches for the next header. A JSON text cannot contain
-//! `Content-Length: 12` with a raw end of line, because strings escape control characters. So this
+//! `Content-Length: 12` with a raw line break, because strings escape control characters. So this
 //! line begins a message wherever it is found, also within the body of a message whose length is
 //! wrong.
 
@@ -26,15 +26,15 @@ const LONGEST_NUMBER: usize = 20;
 
 const LENGTH: &str = "content-length";
 
-/// Splits a stream of bytes into messages.
+/// Splitter of a byte stream into messages.
 #[derive(Debug, Default)]
 pub struct Framing {
-    /// Bytes that have arrived and belong to no message yet.
+    /// Received bytes that belong to no message yet.
     buffer: Vec<u8>,
     state: State,
-    /// Bytes of the body that contain no header.
+    /// Number of bytes of the body that contain no header.
     searched: usize,
-    /// The bytes before the next header belong to an error that has been reported.
+    /// True if the bytes before the next header belong to an error that has been reported.
     reported: bool,
 }
 
@@ -42,22 +42,22 @@ pub struct Framing {
 enum State {
     #[default]
     Header,
-    /// A body of so many bytes. A body in an encoding that is not supported is skipped.
+    /// Body of this length. A body in an unsupported encoding is skipped.
     Body { length: usize, unsupported: Option<String> },
-    /// Everything before the next header is skipped.
+    /// Skips everything before the next header.
     Searching,
 }
 
 /// A header section.
 enum Header {
-    /// Its end has not arrived.
+    /// The end of the header has not arrived.
     Incomplete,
     Complete {
         size: usize,
         length: usize,
         unsupported: Option<String>,
     },
-    /// `garbage`: the bytes state no length at all.
+    /// `garbage`: the bytes contain no length at all.
     Malformed {
         problem: String,
         garbage: bool,
@@ -69,7 +69,7 @@ impl Framing {
         self.buffer.extend_from_slice(bytes);
     }
 
-    /// The next message as JSON, or the error to answer; `None` until more bytes arrive.
+    /// Returns the next message as JSON, or the error to answer; `None` until more bytes arrive.
     pub fn next(&mut self) -> Option<Result<String, Malformed>> {
         loop {
             match &mut self.state {
@@ -128,7 +128,7 @@ impl Framing {
         }
     }
 
-    /// Takes the body of a message, all of which has arrived.
+    /// Takes the body of a message, which has arrived completely.
     fn body(&mut self, length: usize, unsupported: Option<String>) -> Result<String, Malformed> {
         let decoded = match unsupported {
             Some(problem) => Err(Malformed::unparsable(problem)),
@@ -149,7 +149,7 @@ impl Framing {
         decoded
     }
 
-    /// The next message begins before the end of this one.
+    /// Reports a message that is interrupted by the next header.
     fn cut_short(&mut self, length: usize, start: usize) -> Malformed {
         self.consume(start);
         self.state = State::Searching;
@@ -165,7 +165,7 @@ impl Framing {
     }
 }
 
-/// Reads a header section. Lines may end with a line feed alone, and empty lines may precede it.
+/// Parses a header section. Lines may end with a line feed alone, and empty lines may precede it.
 fn header(bytes: &[u8]) -> Header {
     let malformed = |problem: String, garbage: bool| Header::Malformed { problem, garbage };
     let (mut at, mut lines) = (0, 0);
@@ -210,7 +210,7 @@ fn header(bytes: &[u8]) -> Header {
     }
 }
 
-/// Name and value of a line of a header.
+/// Returns name and value of a header line.
 fn field(line: &[u8]) -> Option<(&str, &str)> {
     let (name, value) = std::str::from_utf8(line).ok()?.split_once(':')?;
     let proper = !name.is_empty() && name.bytes().all(is_of_name);
@@ -242,7 +242,7 @@ fn is_utf8(value: &str) -> bool {
     })
 }
 
-/// The beginning of some bytes, for a message to the user.
+/// Returns the beginning of some bytes, for a message to the user.
 fn shown(bytes: &[u8]) -> String {
     const MOST: usize = 40;
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * MOST)]);
@@ -254,13 +254,13 @@ fn shown(bytes: &[u8]) -> String {
     shown
 }
 
-/// Start of a header that states a length.
+/// Result of the search for a header that states a length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Found {
     At(usize),
-    /// The bytes end within what may be a header.
+    /// The bytes end within a possible header, which starts here.
     Perhaps(usize),
-    /// There is none, and none begins before this byte.
+    /// There is no header, and none starts before this byte.
     NoneBefore(usize),
 }
 
@@ -278,7 +278,7 @@ fn find_header(bytes: &[u8], from: usize) -> Found {
     Found::NoneBefore(bytes.len())
 }
 
-/// Returns true if the bytes begin with a line that states a length; `None` if they end too early.
+/// Returns true if the bytes start with a line that states a length; `None` if they end too early.
 fn is_header(bytes: &[u8]) -> Option<bool> {
     let name = bytes.iter().zip(LENGTH.bytes()).take_while(|(a, b)| a.eq_ignore_ascii_case(b)).count();
     if name < LENGTH.len() {
@@ -303,7 +303,7 @@ fn is_header(bytes: &[u8]) -> Option<bool> {
     }
 }
 
-/// Skips bytes of a kind, at most [`LONGEST_NUMBER`]; `None` if nothing follows them.
+/// Skips at most [`LONGEST_NUMBER`] bytes of a kind; `None` if nothing follows them.
 fn skip(bytes: &[u8], of_kind: impl Fn(u8) -> bool) -> Option<(usize, &[u8])> {
     let count = bytes.iter().take(LONGEST_NUMBER).take_while(|&&byte| of_kind(byte)).count();
     (count < bytes.len()).then(|| (count, &bytes[count..]))

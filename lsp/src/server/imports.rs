@@ -1,10 +1,10 @@
-//! Which modules a text imports, read off without parsing it.
+//! Imports of a text, found without parsing it.
 //!
-//! The database knows better, but parses first; which files belong together must be known before a text is handed to it,
-//! while the client waits to send its next message. What is found here may be too much (an import inside a comment), never
-//! too little.
+//! The database determines imports exactly but must parse first. The files of a project must be
+//! known before their texts are passed to the database, while the client waits to send its next
+//! message. The result may have too many imports (one inside a comment), never too few.
 
-/// Dotted paths of the modules that a text seems to import, sorted.
+/// Returns the dotted paths of the modules that a text seems to import, sorted.
 pub fn imports(text: &str) -> Vec<String> {
     let mut found: Vec<String> = text
         .match_indices("import")
@@ -25,7 +25,7 @@ fn is_of_name(character: char) -> bool {
     character.is_alphanumeric() || character == '_'
 }
 
-/// The path after the keyword.
+/// Returns the path after the keyword.
 fn path(rest: &str) -> Option<String> {
     let mut rest = rest.strip_prefix(char::is_whitespace)?;
     let mut names = Vec::new();

@@ -1,8 +1,9 @@
-//! The door: messages as they arrive, one after another.
+//! Entry point of messages, in order of arrival.
 //!
-//! The crate below polls answers concurrently and in any order, but calls this service in the order of the wire.
-//! So texts change inside `call`, before anything is awaited, and a request takes its views of the texts there too. Its answer is
-//! computed on a thread of its own from the start: a view waiting in a queue would hold up the next change of a text.
+//! The protocol crate polls answers concurrently and in any order, but calls this service in the
+//! order of arrival. Therefore texts change inside `call`, before any await point, and a request
+//! takes its views of the texts there too. Its answer is computed immediately on a separate thread:
+//! a view in a queue would block the next change of a text.
 
 use super::Shared;
 use super::backend::Backend;
@@ -28,7 +29,7 @@ use tower_lsp_server::ls_types::notification::{
 use tower_lsp_server::ls_types::{InitializeParams, Uri};
 use tower_lsp_server::{ExitedError, LspService};
 
-/// What the protocol allows at a time.
+/// State of the protocol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// Before `initialize`.
@@ -38,7 +39,7 @@ pub enum Phase {
     ShutDown,
 }
 
-/// Requests under way.
+/// Requests in progress.
 #[derive(Clone, Default)]
 struct Pending(Arc<Mutex<HashMap<Id, Arc<Cancel>>>>);
 
@@ -48,7 +49,8 @@ impl Pending {
     }
 }
 
-/// Applies what changes texts, starts what asks about them, and leaves the rest to the service below.
+/// Service that applies changes of texts, starts queries about them, and passes other messages to
+/// the inner service.
 pub struct Ingress {
     pub(super) inner: LspService<Backend>,
     pub(super) shared: Arc<Shared>,
@@ -67,8 +69,8 @@ impl Service<Request> for Ingress {
         self.inner.poll_ready(context)
     }
 
-    /// A defect in the service of one message is answered or logged: it must not end the loop that
-    /// reads messages.
+    /// Handles a message. A panic is answered or logged: it must not end the loop that reads
+    /// messages.
     fn call(&mut self, request: Request) -> Answer {
         self.shared.record(&request);
         let (method, id) = (request.method().to_owned(), request.id().cloned());
@@ -98,7 +100,7 @@ impl Ingress {
     fn dispatch(&mut self, request: Request) -> Answer {
         let phase = self.shared.phase();
         match (request.method(), phase) {
-            // Notifications of these names are not in the protocol.
+            // The protocol has no notifications of these names.
             ("initialize" | "shutdown", _) if request.id().is_none() => Box::pin(ready(Ok(None))),
             (MALFORMED, _) => {
                 let error = Malformed::answer(request.params());
@@ -135,7 +137,7 @@ impl Ingress {
         }
     }
 
-    /// Starts to answer a question about texts.
+    /// Starts a query about texts.
     fn ask(&mut self, request: Request, phase: Phase) -> Answer {
         let (method, id, params) = request.into_parts();
         let (Some(id), Some(route)) = (id, self.router.route(&method).cloned()) else {
@@ -163,15 +165,15 @@ impl Ingress {
         let answering = tokio::task::spawn_blocking(move || job.run(&shared, views));
         let pending = self.pending.clone();
         Box::pin(async move {
-            // An attempt that panics has an error of its own. The rest is a panic between attempts,
-            // or a runtime that shuts down.
+            // A panic of an attempt is answered by its own error. This error covers a panic between
+            // attempts and a runtime that shuts down.
             let result = answering.await.unwrap_or_else(|_| Err(Error::internal_error()));
             pending.lock().remove(&id);
             Ok(Some(Response::from_parts(id, result)))
         })
     }
 
-    /// Applies a notification that changes texts, or stops a run; returns whether it is one.
+    /// Applies a notification that changes texts or stops a run; returns true if it is one.
     fn apply(&self, request: &Request) -> bool {
         let method = request.method();
         let params = request.params().cloned().unwrap_or_default();
@@ -231,8 +233,8 @@ impl Ingress {
     }
 }
 
-/// The document that a request is about. What an earlier answer has kept with an item comes before where the item is, which need not
-/// be open.
+/// Returns the document of a request. The document stored with an item by an earlier answer takes
+/// precedence over the item's own, which need not be open.
 fn document_of(params: &Value) -> Option<Uri> {
     let places = ["/textDocument/uri", "/item/data/uri", "/item/uri", "/data/uri"];
     let uri = places.iter().find_map(|place| params.pointer(place)?.as_str());

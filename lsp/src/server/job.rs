@@ -1,4 +1,4 @@
-//! One request on its way to an answer.
+//! Execution of one request.
 
 use super::Shared;
 use super::log::Log;
@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tower_lsp_server::jsonrpc::{Error, Result};
 use tower_lsp_server::ls_types::Uri;
 
-/// Lets a client take its question back.
+/// Cancellation of a request by the client.
 #[derive(Default)]
 pub struct Cancel {
     asked: AtomicBool,
@@ -32,7 +32,7 @@ impl Cancel {
         self.asked.load(Ordering::SeqCst)
     }
 
-    /// From now on views are stopped if they are no longer wanted.
+    /// Registers the views to be cancelled.
     fn watch(&self, views: &[View]) {
         let mut cancellers = self.cancellers.lock().unwrap_or_else(PoisonError::into_inner);
         *cancellers = views.iter().map(|view| view.snapshot.database.canceller()).collect();
@@ -42,22 +42,22 @@ impl Cancel {
     }
 }
 
-/// A question and what it was asked about.
+/// A request and its subject.
 pub struct Job {
     pub method: String,
     pub params: Value,
     pub route: Route,
     pub uri: Option<Uri>,
-    /// The version of the document when the question was asked.
+    /// Version of the document at the time of the request.
     pub version: Option<i32>,
     pub cancel: Arc<Cancel>,
 }
 
-/// How often a question is asked again because something else changed.
+/// Largest number of attempts to answer a request, each after a change of another document.
 const MOST_ATTEMPTS: usize = 5;
 
 impl Job {
-    /// What the question is answered on, as everything is now.
+    /// Returns the current views on which to answer the request.
     pub fn views(&self, shared: &Shared) -> Vec<View> {
         let workspace = shared.workspace();
         match &self.route {
@@ -66,8 +66,8 @@ impl Job {
         }
     }
 
-    /// Answers on the views taken when the question arrived. If they are superseded, and the document it is about is still the
-    /// same, on new ones.
+    /// Answers on the views taken at the arrival of the request. If these are superseded and the
+    /// document itself is unchanged, retries on new views.
     pub fn run(self, shared: &Shared, mut views: Vec<View>) -> Result<Value> {
         for _ in 0..MOST_ATTEMPTS {
             self.cancel.watch(&views);
@@ -87,11 +87,12 @@ impl Job {
         Err(Error::content_modified())
     }
 
-    /// `None` if the answer is superseded. The views are gone afterwards, as whoever changes a text waits for that.
+    /// Tries to answer; `None` if a change supersedes the views. The views are dropped on return,
+    /// because a change of a text waits for that.
     fn attempt(&self, shared: &Shared, views: Vec<View>) -> Option<Result<Value>> {
         let params = self.params.clone();
         let answered = catch_unwind(AssertUnwindSafe(|| match (&self.route, views.as_slice()) {
-            // Of a document that is not known nothing can be said.
+            // There is no answer about an unknown document.
             (Route::OfDocument(_), []) => Ok(Ok(Value::Null)),
             (Route::OfDocument(answer), [view, ..]) => {
                 view.snapshot.database.attempt(|_| with_deep_stack(|| answer(view, params)))
@@ -107,7 +108,7 @@ impl Job {
     }
 }
 
-/// Logs the panic of a task, and returns the error that answers whoever waits for it.
+/// Logs the panic of a task, and returns the error for the waiting client.
 pub fn failed(log: &Log, task: &str, panic: &(dyn Any + Send)) -> Error {
     let message = format!("{task} failed: {}", reason(panic));
     log.error(&message);
@@ -116,12 +117,12 @@ pub fn failed(log: &Log, task: &str, panic: &(dyn Any + Send)) -> Error {
     error
 }
 
-/// Runs a task of a thread that serves all projects, and logs its panic: the thread must live on.
+/// Runs a task of a thread that serves all projects, and logs a panic: the thread must survive it.
 pub fn isolated<T>(log: &Log, task: &str, run: impl FnOnce() -> T) -> Option<T> {
     catch_unwind(AssertUnwindSafe(run)).map_err(|panic| failed(log, task, &*panic)).ok()
 }
 
-/// What a panic says of itself.
+/// Returns the message of a panic.
 pub fn reason(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("a defect without a message")

@@ -1,4 +1,5 @@
-//! The library's own source, which is part of the program: shown to clients as read-only files in a cache folder.
+//! Source of the library, which is part of the executable: shown to clients as read-only files in a
+//! cache folder.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -8,26 +9,26 @@ use std::path::{Path, PathBuf};
 /// A file of the library.
 #[derive(Clone, Debug)]
 pub struct LibraryFile {
-    /// As imported; of the prelude, whatever.
+    /// Dotted path of the module; arbitrary for the prelude.
     pub path: String,
-    /// As shown to people: `<library>/gears.cx`.
+    /// Display name: `<library>/gears.cx`.
     pub name: String,
     pub text: String,
 }
 
-/// What every model sees and what it may import from anywhere.
+/// The prelude, which every model includes, and the modules that all models can import.
 #[derive(Clone, Debug)]
 pub struct Library {
     prelude: LibraryFile,
     modules: Vec<LibraryFile>,
-    /// Where its files are shown to clients; `None` if there is no place for them.
+    /// Folder of the files for clients; `None` if there is no cache folder.
     folder: Option<PathBuf>,
 }
 
 impl Library {
-    /// A library whose files are shown in a folder of their own below `cache`.
+    /// Creates a library whose files are in a separate folder below `cache`.
     pub fn new(prelude: LibraryFile, modules: Vec<LibraryFile>, cache: Option<&Path>) -> Library {
-        // Another text is another folder: one that a client has open does not change under it.
+        // Each version has its own folder, so that an open file does not change.
         let mut hasher = DefaultHasher::new();
         for file in [&prelude].into_iter().chain(&modules) {
             (&file.name, &file.text).hash(&mut hasher);
@@ -52,13 +53,13 @@ impl Library {
         [&self.prelude].into_iter().chain(&self.modules)
     }
 
-    /// The file that clients know by a path.
+    /// Returns the file at a path of the cache folder.
     pub fn at(&self, path: &Path) -> Option<&LibraryFile> {
         let folder = self.folder.as_deref()?;
         self.files().find(|file| shown(folder, file).is_some_and(|shown| shown == path))
     }
 
-    /// Where clients find a file by its name, which is written if it is not there.
+    /// Returns the path of a file by its name; writes the file if it does not exist.
     pub fn path(&self, name: &str) -> Option<PathBuf> {
         let file = self.files().find(|file| file.name == name)?;
         let path = shown(self.folder.as_deref()?, file)?;
@@ -71,7 +72,7 @@ fn shown(folder: &Path, file: &LibraryFile) -> Option<PathBuf> {
     Some(folder.join(Path::new(&file.name).file_name()?))
 }
 
-/// Writes a file that nobody is to change, all at once: another server may be writing the same.
+/// Writes a read-only file atomically: another server may write the same file.
 fn write(path: &Path, text: &str) -> io::Result<()> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
@@ -84,7 +85,7 @@ fn write(path: &Path, text: &str) -> io::Result<()> {
     fs::rename(&fresh, path)
 }
 
-/// Where programs of this user keep what can be made again.
+/// Returns the user's cache folder.
 pub fn cache_folder() -> Option<PathBuf> {
     let absolute = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
     let folder = absolute("XDG_CACHE_HOME")

@@ -1,4 +1,4 @@
-//! What the server says of itself: on standard error, and in the log of the client.
+//! Log of the server: standard error, and the log of the client.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,7 +6,7 @@ use tokio::runtime::Handle;
 use tower_lsp_server::Client;
 use tower_lsp_server::ls_types::MessageType;
 
-/// How much is said.
+/// Log level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
     Error,
@@ -38,7 +38,7 @@ impl fmt::Display for Level {
     }
 }
 
-/// Where messages go.
+/// Destination of log messages.
 #[derive(Clone)]
 pub struct Log {
     level: Level,

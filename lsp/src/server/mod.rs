@@ -1,10 +1,11 @@
-//! The Language Server Protocol: messages in, messages out.
+//! Implementation of the Language Server Protocol.
 //!
-//! [`framing`] reads messages off the stream and reports those that are malformed.
-//! [`ingress`] takes messages in the order they arrive: texts change there ([`workspace`]), and requests take the [`view`] they are
-//! answered on. [`router`] knows which of the [`handlers`] answers what; [`job`] runs it on a thread of its own. [`diagnostics`]
-//! follow every change, those of gears from the [`background`]. [`commands`] run models,
-//! in processes of their own. Types of the protocol are named here and nowhere else.
+//! [`framing`] reads messages from the stream and reports malformed ones. [`ingress`] handles
+//! messages in order of arrival: it applies changes of texts ([`workspace`]) and takes the [`view`]
+//! for each request. [`router`] maps requests to [`handlers`]; [`job`] runs each on a separate
+//! thread. [`diagnostics`] are published after every change, those of gears by the [`background`]
+//! elaboration. [`commands`] run models, in separate processes. Protocol types are used in this
+//! module only.
 
 mod backend;
 mod background;
@@ -46,34 +47,34 @@ use tower_lsp_server::jsonrpc::Request;
 use tower_lsp_server::{LspService, Server};
 use workspace::Workspace;
 
-/// How a server is set up.
+/// Options of a server.
 pub struct Options {
     pub library: Library,
     pub log: Level,
-    /// The `calyx` command, which runs models.
+    /// Path of the `calyx` command, which runs models.
     pub executable: PathBuf,
-    /// A file for the messages that arrive, one JSON object a line, to go with a bug report.
+    /// File that records the messages from the client, one JSON object per line, for bug reports.
     pub record: Option<PathBuf>,
 }
 
-/// Serves a client on standard input and output until it says `exit` or is gone. Returns whether it left as it should, after
-/// `shutdown`.
+/// Serves a client on standard input and output until it sends `exit` or disconnects. Returns true
+/// after a correct shutdown.
 ///
 /// # Errors
-/// No threads to be had, or the file to record in cannot be written.
+/// Threads cannot be created, or the record file cannot be written.
 pub fn stdio(options: Options) -> io::Result<bool> {
-    // A change of a text may keep the thread waiting that reads messages, so there is another one.
+    // A change of a text may block the thread that reads messages, so there is a second one.
     let runtime = Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
     let left = runtime.block_on(serve(tokio::io::stdin(), tokio::io::stdout(), options, handlers::router()));
-    // Standard input may never end, and nobody waits for other answers.
+    // Standard input may never end, and no other answers are needed.
     runtime.shutdown_background();
     left
 }
 
-/// Serves a client on any pair of streams; to be run on a runtime with several threads.
+/// Serves a client on any pair of streams; requires a runtime with several threads.
 ///
 /// # Errors
-/// The file to record in cannot be written.
+/// The record file cannot be written.
 pub async fn serve(
     input: impl AsyncRead + Unpin,
     output: impl AsyncWrite,
@@ -95,7 +96,7 @@ pub async fn serve(
     let ingress = Ingress::new(service, shared.clone(), router);
     let log = shared.log.clone();
     let input = Reader::new(input, move |reason: &str| log.error(reason));
-    /// Answers are computed elsewhere; this is how many may wait to be sent.
+    /// Largest number of answers that wait to be sent; they are computed elsewhere.
     const MOST_ANSWERS: usize = 256;
     Server::new(input, output, socket).concurrency_level(MOST_ANSWERS).serve(ingress).await;
     if shared.phase() == Phase::Running {
@@ -106,7 +107,7 @@ pub async fn serve(
     Ok(shared.phase() == Phase::ShutDown)
 }
 
-/// What all parts of a server know.
+/// State shared by all parts of the server.
 pub(crate) struct Shared {
     workspace: Mutex<Workspace>,
     phase: Mutex<Phase>,
@@ -132,8 +133,8 @@ impl Shared {
         }
     }
 
-    /// The workspace, for a moment. Never to be asked for by who holds a view: whoever changes a text has the workspace, and waits
-    /// until there are no views.
+    /// Locks the workspace. Must not be called by a thread with a view: a thread that changes a
+    /// text holds this lock and waits until all views are dropped.
     pub fn workspace(&self) -> MutexGuard<'_, Workspace> {
         self.workspace.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -149,7 +150,7 @@ impl Shared {
     fn record(&self, request: &Request) {
         if let Some(file) = &self.record {
             let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
-            // A record that cannot be written is no reason to stop.
+            // Errors of the record are ignored.
             let _ = writeln!(file, "{request}");
         }
     }

@@ -1,4 +1,4 @@
-//! Models of one folder and the modules they import, in one database.
+//! Project: the models of one folder and the modules they import, in one database.
 
 use super::imports::imports;
 use super::library::Library;
@@ -13,13 +13,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What a file is to the others of its project.
+/// Role of a file in its project.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Role {
     Model,
-    /// Imported by this dotted path.
+    /// Module with this dotted path.
     Module(String),
-    /// Seen by all.
+    /// Prelude, visible to all files.
     Prelude,
 }
 
@@ -28,38 +28,40 @@ pub enum Role {
 pub struct File {
     pub text: Arc<Text>,
     pub role: Role,
-    /// Part of the program, not of what its user writes.
+    /// True for library files, which the user cannot change.
     pub of_library: bool,
 }
 
-/// Files by their names as shown to people.
+/// Files by display name.
 pub type Files = BTreeMap<Arc<str>, File>;
 
-/// Where the texts of files beside a model come from.
+/// Source of the texts of imported files.
 pub trait Sources {
-    /// The text of an open file.
+    /// Returns the text of an open file.
     fn text(&self, path: &Path) -> Option<Arc<Text>>;
-    /// Modules that closed models of a folder import: such files are modules although nobody who is open says so.
+    /// Returns the modules that closed models of a folder import: such files are modules although
+    /// no open file imports them.
     fn imported_in(&self, folder: &Path) -> BTreeSet<String>;
-    /// Files and directories outside of the folder that models may read.
+    /// Returns files and directories outside of the folder that models may read.
     fn allowed(&self) -> &[PathBuf];
 }
 
-/// Models that share a folder, and what they import.
+/// Models that share a folder, and the modules they import.
 pub struct Project {
-    /// `None` for a text that is not in a file, and for the library itself.
+    /// `None` for a text without a file, and for the library itself.
     folder: Option<PathBuf>,
     database: Database,
     files: Arc<Files>,
-    /// Open files that are home here, in the order they were opened; what else is there is there because these import it.
+    /// Open files of this project, in the order they were opened. Its other files are imported by
+    /// these.
     opened: Vec<Arc<str>>,
-    /// Modules that are open: each has a model that only imports it, so that it is checked.
+    /// Open modules: each has a generated model that only imports it, so that it is checked.
     importers: BTreeSet<String>,
     elaborated: Arc<BTreeMap<Arc<str>, Arc<Elaborated>>>,
     library: Arc<Library>,
 }
 
-/// The library as a database asks for it.
+/// The library as a loader of the database.
 struct LibraryLoader<'a>(&'a Library);
 
 impl Loader for LibraryLoader<'_> {
@@ -91,14 +93,14 @@ impl Project {
             elaborated: Arc::default(),
             library: library.clone(),
         };
-        // What could be imported can be offered.
+        // Completion offers all modules that can be imported.
         for module in library.modules() {
             project.put_library(&module.path);
         }
         project
     }
 
-    /// The project of the library's own files, which are checked too.
+    /// Creates the project of the library's own files, which are checked too.
     pub fn of_library(library: &Arc<Library>) -> Project {
         let mut project = Project::new(None, library);
         for module in library.modules() {
@@ -107,12 +109,12 @@ impl Project {
         project
     }
 
-    /// Everything as it is now. A text that changes waits until all snapshots are gone.
+    /// Returns a snapshot. A change of a text waits until all snapshots are dropped.
     pub fn snapshot(&self) -> Snapshot {
         Snapshot { database: self.database.clone(), elaborated: self.elaborated.clone() }
     }
 
-    /// Keeps what elaboration says of a model.
+    /// Stores the result of an elaboration.
     pub fn set_elaborated(&mut self, model: &Arc<str>, elaborated: Elaborated) {
         if self.files.get(model).is_some_and(|file| file.role == Role::Model) {
             Arc::make_mut(&mut self.elaborated).insert(model.clone(), Arc::new(elaborated));
@@ -123,7 +125,8 @@ impl Project {
         &self.files
     }
 
-    /// Names of the models to check: those that are open, and one for every open module.
+    /// Returns the names of the models to check: open models, and the generated models of open
+    /// modules.
     pub fn models(&self) -> Vec<Arc<str>> {
         let is_model = |name: &&Arc<str>| self.files.get(*name).is_some_and(|file| file.role == Role::Model);
         let open = self.opened.iter().filter(is_model).cloned();
@@ -138,7 +141,7 @@ impl Project {
         self.opened.is_empty()
     }
 
-    /// Takes a file in, or lets it go. [`Project::settle`] is to follow.
+    /// Adds or removes an open file. [`Project::settle`] must be called afterwards.
     pub fn set_opened(&mut self, name: &Arc<str>, open: bool) {
         self.opened.retain(|opened| opened != name);
         if open {
@@ -146,8 +149,8 @@ impl Project {
         }
     }
 
-    /// Changes the text of a file that is there. Returns whether it imports others than before, so that [`Project::settle`] is to
-    /// follow.
+    /// Changes the text of an existing file. Returns true if its imports changed, so that
+    /// [`Project::settle`] must be called.
     pub fn change(&mut self, name: &Arc<str>, text: &Arc<Text>) -> bool {
         let Some(file) = self.files.get(name) else { return false };
         let same = imports(file.text.content()) == imports(text.content());
@@ -155,11 +158,11 @@ impl Project {
         !same
     }
 
-    /// Finds out which files belong here and what each of them is, and tells the database.
+    /// Determines the files of the project and their roles, and updates the database.
     pub fn settle(&mut self, sources: &dyn Sources) {
         let opened = self.opened.clone();
         let Some(folder) = self.folder.clone() else {
-            // A text that is in no folder can import the library only.
+            // A text without a folder can import library modules only.
             for name in &opened {
                 if let Some(text) = sources.text(Path::new(&**name)) {
                     self.put(name, &text, Role::Model, false);
@@ -211,7 +214,7 @@ impl Project {
         }
     }
 
-    /// Puts a module of the library in place, and those it imports. Returns whether there is such a module.
+    /// Adds a module of the library, and those it imports. Returns true if there is such a module.
     fn put_library(&mut self, path: &str) -> bool {
         let library = self.library.clone();
         let Some(module) = library.module(path) else { return false };
@@ -231,7 +234,7 @@ impl Project {
         match &role {
             Role::Model => self.database.set_model(name, text.content()),
             Role::Module(path) => self.database.set_module(path, name, text.content()),
-            // Of the library, and never changed.
+            // Library files never change.
             Role::Prelude => return,
         }
         let file = File { text: text.clone(), role, of_library };
@@ -267,7 +270,7 @@ impl Project {
         }
     }
 
-    /// Has a module checked although no open model imports it.
+    /// Generates a model that imports a module, so that the module is checked.
     fn import(&mut self, path: &str) {
         self.database.set_model(&importer(path), &format!("import {path};\n"));
         self.importers.insert(path.to_owned());
@@ -278,7 +281,7 @@ fn importer(path: &str) -> String {
     format!("<importer of {path}>")
 }
 
-/// The file of a module, as [`Loader`] of the command line finds it.
+/// Returns the file of a module, with the same rule as [`Loader`] of the command line.
 pub fn module_path(folder: &Path, path: &str) -> PathBuf {
     let mut file = folder.to_path_buf();
     file.extend(path.split('.'));
@@ -290,21 +293,21 @@ fn name_of(folder: &Path, path: &str) -> Arc<str> {
     module_path(folder, path).display().to_string().into()
 }
 
-/// The dotted path by which a file can be imported by the models of a folder.
+/// Returns the dotted path by which models of a folder can import a file.
 pub fn dotted(folder: &Path, file: &Path) -> Option<String> {
     let below = file.strip_prefix(folder).ok()?.with_extension("");
     let names: Option<Vec<&str>> = below.iter().map(|name| name.to_str()).collect();
     names.map(|names| names.join("."))
 }
 
-/// Modules imported by the models in a folder, as they are on the disk.
+/// Returns the modules imported by the models in a folder, as they are on disk.
 pub fn imported_by_files(folder: &Path, allowed: &[PathBuf]) -> BTreeSet<String> {
-    /// A folder with more files is no folder of models.
+    /// Largest number of files read in a folder.
     const MOST_FILES: usize = 200;
     let Ok(entries) = fs::read_dir(folder) else { return BTreeSet::new() };
     let paths = entries.flatten().map(|entry| entry.path());
     let models = paths.filter(|path| path.extension().is_some_and(|extension| extension == "cx"));
-    // The name of a module, whether it is one or not.
+    // File name of a module; the file need not exist.
     let name = |path: PathBuf| path.file_stem()?.to_str().map(str::to_owned);
     let texts = models
         .take(MOST_FILES)

@@ -1,4 +1,4 @@
-//! Which function answers which request.
+//! Mapping from requests to handler functions.
 
 use super::view::View;
 use serde_json::Value;
@@ -7,30 +7,31 @@ use std::sync::Arc;
 use tower_lsp_server::jsonrpc::{Error, Result};
 use tower_lsp_server::ls_types::request::Request;
 
-/// Params in, result out, both as JSON.
+/// Handler with JSON params and JSON result.
 type Answer<On> = Arc<dyn Fn(&On, Value) -> Result<Value> + Send + Sync>;
 
-/// How the requests of one method are answered.
+/// Handler of a method.
 #[derive(Clone)]
 pub(super) enum Route {
-    /// On a view of the project of the document it is about.
+    /// Answers on a view of the project of the document.
     OfDocument(Answer<View>),
-    /// On views of all projects.
+    /// Answers on views of all projects.
     OfWorkspace(Answer<[View]>),
 }
 
-/// Requests by their methods. Answers are computed on threads of their own, several at a time; when a text changes meanwhile they are
-/// interrupted in the middle of what they ask the database.
+/// Handlers by method. Answers are computed concurrently on separate threads; a change of a text
+/// cancels their database queries.
 #[derive(Clone, Default)]
 pub struct Router {
     routes: HashMap<&'static str, Route>,
 }
 
 impl Router {
-    /// Answers a request about one document: its params have a `textDocument`, or an `item` or `data` with a `uri`. Any
-    /// other is about the document that was edited last.
+    /// Registers a handler of requests about one document: their params have a `textDocument`, or
+    /// an `item` or `data` with a `uri`. Requests without these are about the document that was
+    /// edited last.
     ///
-    /// About a document that is not known nothing is said.
+    /// The answer about an unknown document is null.
     pub fn on<R: Request>(
         &mut self,
         answer: impl Fn(&View, R::Params) -> Result<R::Result> + Send + Sync + 'static,
@@ -39,7 +40,7 @@ impl Router {
         self.routes.insert(R::METHOD, Route::OfDocument(Arc::new(route)));
     }
 
-    /// Answers a request about everything that is open.
+    /// Registers a handler of requests about all open projects.
     pub fn on_all<R: Request>(
         &mut self,
         answer: impl Fn(&[View], R::Params) -> Result<R::Result> + Send + Sync + 'static,

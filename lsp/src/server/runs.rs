@@ -1,4 +1,5 @@
-//! Models that run, each in a process of its own: the editor stays quick, and what runs can be stopped at any time.
+//! Runs of models in separate processes, so that the editor remains responsive and runs can be
+//! stopped at any time.
 
 use super::Shared;
 use calyx_elaborate::results::{RunSummary, default_directory};
@@ -20,7 +21,7 @@ use tower_lsp_server::ls_types::{
     WorkDoneProgressBegin, WorkDoneProgressCreateParams, WorkDoneProgressEnd, WorkDoneProgressReport,
 };
 
-/// The runs under way.
+/// Current runs.
 #[derive(Default)]
 pub(crate) struct Runs {
     under_way: Mutex<HashMap<Uri, Run>>,
@@ -32,7 +33,7 @@ struct Run {
     stop: Arc<Notify>,
 }
 
-/// Which run is to stop.
+/// Selection of the run to stop.
 pub(crate) enum Stop {
     Model(Uri),
     Token(ProgressToken),
@@ -43,7 +44,7 @@ impl Runs {
         self.under_way.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Stops a run; returns whether there was one.
+    /// Stops a run; returns true if there was one.
     pub fn stop(&self, which: &Stop) -> bool {
         let runs = self.lock();
         let run = match which {
@@ -53,7 +54,7 @@ impl Runs {
         run.inspect(|run| run.stop.notify_one()).is_some()
     }
 
-    /// Enters a run, unless the model runs already.
+    /// Registers a run, unless the model is already running.
     fn enter(&self, uri: &Uri) -> Option<(ProgressToken, Arc<Notify>)> {
         let mut runs = self.lock();
         if runs.contains_key(uri) {
@@ -67,7 +68,7 @@ impl Runs {
     }
 }
 
-/// Takes a run out of the list however it ends.
+/// Guard that unregisters a run when it is dropped.
 struct RegisteredRun<'a> {
     runs: &'a Runs,
     uri: &'a Uri,
@@ -79,13 +80,13 @@ impl Drop for RegisteredRun<'_> {
     }
 }
 
-/// What a run has left.
+/// Results of a run.
 pub(crate) struct Finished {
     pub directory: PathBuf,
     pub message: String,
 }
 
-/// A line that a run writes on standard error: progress, or a message.
+/// Line that a run writes on standard error: progress, or a message.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 struct Line {
@@ -97,7 +98,7 @@ struct Line {
     message: String,
 }
 
-/// Runs a model to its end. An error says in a sentence why there are no results.
+/// Runs a model to its end. An error states in a sentence why there are no results.
 pub(crate) async fn run(
     shared: &Shared,
     client: &Client,
@@ -138,7 +139,8 @@ async fn solve(shared: &Shared, client: &Client, model: &Path, bar: &Bar) -> Res
         .spawn()
         .map_err(|error| format!("the run cannot be started: {error}"))?;
     let printed = child.stdout.take();
-    // What the model prints belongs into the log; reading goes on beside, or the model would wait.
+    // The text that the model prints goes to the log. It is read concurrently, because a full pipe
+    // would block the model.
     let log = shared.log.clone();
     let printing = tokio::spawn(async move {
         let mut lines = printed.map(|printed| BufReader::new(printed).lines());
@@ -171,13 +173,13 @@ async fn solve(shared: &Shared, client: &Client, model: &Path, bar: &Bar) -> Res
     }
 }
 
-/// How a test went.
+/// Result of a test.
 pub(crate) struct Tested {
     pub passed: bool,
     pub message: String,
 }
 
-/// Runs the tests of a file whose names contain something.
+/// Runs the tests of a file whose names contain a text.
 pub(crate) async fn test(shared: &Shared, model: &Path, name: &str) -> Result<Tested, String> {
     let mut child = command(shared, model)
         .args(["test", "--filter", name])
@@ -210,7 +212,8 @@ pub(crate) async fn test(shared: &Shared, model: &Path, name: &str) -> Result<Te
     Ok(Tested { passed, message })
 }
 
-/// This program, to be run in the folder of a model, and to be ended with whoever waits for it.
+/// Returns the command to run this program in the folder of a model; the process is killed when its
+/// handle is dropped.
 fn command(shared: &Shared, model: &Path) -> Command {
     let mut command = Command::new(&shared.executable);
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).kill_on_drop(true);
@@ -220,13 +223,13 @@ fn command(shared: &Shared, model: &Path) -> Command {
     command
 }
 
-/// Options that allow the run what the server allows.
+/// Returns the options that allow the run the paths that the server allows.
 fn allow_paths(shared: &Shared) -> Vec<OsString> {
     let allowed = shared.workspace().allowed.clone();
     allowed.iter().flat_map(|path| ["--allow-path".into(), path.clone().into_os_string()]).collect()
 }
 
-/// Has hints asked for again: the outputs have values now.
+/// Requests a refresh of inlay hints, because outputs have new values.
 async fn refresh(shared: &Shared, client: &Client) {
     let facts = shared.workspace().client.clone();
     let workspace = facts.capabilities.workspace.as_ref();
@@ -238,7 +241,7 @@ async fn refresh(shared: &Shared, client: &Client) {
     }
 }
 
-/// Progress as the client shows it; nothing if it does not.
+/// Progress display of the client; does nothing if the client has none.
 struct Bar {
     token: Option<ProgressToken>,
 }

@@ -1,23 +1,23 @@
-//! A text with its lines, and the two ways of naming a place in it: byte offsets here, lines and units of an encoding in
-//! the protocol.
+//! A text with its lines, and the conversion between byte offsets and positions of the protocol,
+//! which are lines and code units of an encoding.
 //!
-//! A client may name any place, also one that is not there: what lies behind the end of a line or of the text, or in the
-//! middle of a character, is moved to the nearest place before it. Nothing here fails.
+//! Positions from clients are clamped: a position past the end of a line or of the text, or in the
+//! middle of a character, moves to the nearest position before it. No function here fails.
 
 use std::ops::Range as Bytes;
 use std::sync::Arc;
 use tower_lsp_server::ls_types::{Position, Range, TextDocumentContentChangeEvent};
 
-/// What a client counts within a line.
+/// Encoding in which a client counts the units of a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     Utf8,
-    /// What every client understands.
+    /// Supported by every client.
     #[default]
     Utf16,
 }
 
-/// A text whose lines are known.
+/// A text with its lines.
 #[derive(Debug)]
 pub struct Text {
     content: Arc<str>,
@@ -51,7 +51,7 @@ impl Text {
         self.content.is_empty()
     }
 
-    /// The bytes of a line without what ends it; lines count from 0.
+    /// Returns the byte range of a line without its line terminator; lines count from 0.
     pub fn line(&self, line: u32) -> Bytes<u32> {
         let Some(&start) = self.starts.get(line as usize) else { return self.len()..self.len() };
         let end = self.starts.get(line as usize + 1).copied().unwrap_or(self.len());
@@ -60,12 +60,12 @@ impl Text {
         start..start + content.len() as u32
     }
 
-    /// A part of the text; empty if there is no such part.
+    /// Returns a part of the text; empty if the range is invalid.
     pub fn slice(&self, bytes: Bytes<u32>) -> &str {
         self.content.get(bytes.start as usize..bytes.end as usize).unwrap_or_default()
     }
 
-    /// The byte that a client's position means.
+    /// Converts a position of a client to a byte offset.
     pub fn offset(&self, position: Position, encoding: Encoding) -> u32 {
         let line = self.line(position.line);
         let text = self.slice(line.clone());
@@ -84,7 +84,7 @@ impl Text {
         line.start + within as u32
     }
 
-    /// How a client names a byte.
+    /// Converts a byte offset to a position for a client.
     pub fn position(&self, offset: u32, encoding: Encoding) -> Position {
         let offset = self.content.floor_char_boundary(offset as usize) as u32;
         let line = self.starts.partition_point(|start| *start <= offset).saturating_sub(1) as u32;
@@ -101,13 +101,13 @@ impl Text {
         Range { start: self.position(bytes.start, encoding), end: self.position(bytes.end, encoding) }
     }
 
-    /// The bytes that a client's range means.
+    /// Converts a range of a client to a byte range.
     pub fn bytes(&self, range: Range, encoding: Encoding) -> Bytes<u32> {
         let (start, end) = (self.offset(range.start, encoding), self.offset(range.end, encoding));
         start.min(end)..start.max(end)
     }
 
-    /// The text after changes, each of which is placed in what the ones before it left.
+    /// Returns the text after changes; each refers to the result of the previous ones.
     pub fn changed(
         self: &Arc<Text>,
         changes: &[TextDocumentContentChangeEvent],
@@ -147,7 +147,7 @@ mod tests {
         let text = Text::new("aµ😀b\r\nü\rx\n");
         for encoding in [Encoding::Utf8, Encoding::Utf16] {
             for (offset, _) in text.content.char_indices() {
-                // Between a carriage return and its line feed is no place of its own.
+                // There is no position between a carriage return and its line feed.
                 let expected = if offset == 9 { 8 } else { offset as u32 };
                 let position = text.position(offset as u32, encoding);
                 assert_eq!(text.offset(position, encoding), expected, "{position:?}");
@@ -161,7 +161,8 @@ mod tests {
     #[test]
     fn places_that_are_not_there_are_moved_before() {
         let text = Text::new("aµ😀b\r\nü");
-        // The second half of a surrogate pair, the middle of a character, behind a line, behind the text.
+        // The second half of a surrogate pair, the middle of a character, past the end of a line,
+        // past the end of the text.
         assert_eq!(text.offset(at(0, 3), Encoding::Utf16), 3);
         assert_eq!(text.offset(at(0, 5), Encoding::Utf8), 3);
         assert_eq!(text.offset(at(0, 99), Encoding::Utf16), 8);

@@ -1,4 +1,4 @@
-//! What a request is answered on: everything as it was when the request arrived.
+//! Data on which a request is answered: the state at its arrival.
 
 use super::client::Client;
 use super::library::Library;
@@ -10,11 +10,12 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use tower_lsp_server::ls_types::Uri;
 
-/// A project at one moment. A text that changes waits until all views are gone, so none may be kept.
+/// Snapshot of a project. A change of a text waits until all views are dropped, so a view must not
+/// be stored.
 pub struct View {
-    /// For the questions of [`ide`].
+    /// Snapshot for the queries of [`ide`].
     pub snapshot: ide::Snapshot,
-    /// The file that was asked about; empty if none was.
+    /// File of the request; empty if it has none.
     pub file: Arc<str>,
     pub files: Arc<Files>,
     pub client: Arc<Client>,
@@ -22,7 +23,7 @@ pub struct View {
     pub project: Key,
     /// Models to check.
     pub models: Vec<Arc<str>>,
-    /// Counts changes of anything.
+    /// Counter of all changes.
     pub revision: u64,
     runs: Arc<HashMap<Arc<str>, Arc<RunSummary>>>,
     library: Arc<Library>,
@@ -44,19 +45,19 @@ impl View {
         }
     }
 
-    /// A file by its name as shown to people.
+    /// Returns a file by its display name.
     pub fn file(&self, name: &str) -> Option<&File> {
         self.files.get(name)
     }
 
-    /// What the last run of a model has given, if it has run since the server began.
+    /// Returns the results of the last run of a model, if it has run since the server started.
     pub fn run(&self, model: &str) -> Option<&RunSummary> {
         self.runs.get(model).map(|run| &**run)
     }
 
-    /// What clients call a file.
+    /// Returns the URI of a file.
     pub fn uri(&self, name: &str) -> Option<Uri> {
-        // A client may spell a path in more than one way; it gets back its own.
+        // A client may spell a path in several ways; it receives its own spelling.
         if let Some((uri, _)) = self.documents.iter().find(|(_, document)| *document.name == *name) {
             return Some(uri.clone());
         }
@@ -66,7 +67,7 @@ impl View {
         Uri::from_file_path(name)
     }
 
-    /// The name of the file that a client calls so, if it is part of the project.
+    /// Returns the display name of the file with this URI, if it is part of the project.
     pub fn name(&self, uri: &Uri) -> Option<Arc<str>> {
         if let Some(document) = self.documents.get(uri) {
             return self.files.contains_key(&document.name).then(|| document.name.clone());
@@ -75,7 +76,7 @@ impl View {
         self.files.contains_key(&name).then_some(name)
     }
 
-    /// The version of a file that is open.
+    /// Returns the document version of an open file.
     pub fn version(&self, uri: &Uri) -> Option<i32> {
         self.documents.get(uri).map(|document| document.version)
     }

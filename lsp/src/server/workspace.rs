@@ -1,7 +1,8 @@
-//! Which files there are, open and on the disk, and the projects they make up.
+//! Files, open and on disk, and the projects they belong to.
 //!
-//! A file is at home in the project of the folder it is imported from, else in that of its own folder. Edits are applied here, in
-//! the order they arrive, while the client waits; questions are answered elsewhere, on a [`View`].
+//! A file belongs to the project of a folder that imports it, else to that of its own folder. Edits
+//! are applied here, in order of arrival, while the client waits; requests are answered elsewhere,
+//! on a [`View`].
 
 use super::client::Client;
 use super::library::Library;
@@ -18,56 +19,57 @@ use tower_lsp_server::ls_types::{
     InitializeParams, TextDocumentContentChangeEvent, Uri, WorkspaceFoldersChangeEvent,
 };
 
-/// Which project: models share one if they share their folder.
+/// Key of a project: models share a project if they share their folder.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Key {
     Folder(PathBuf),
-    /// A text that is not in a file, by its name.
+    /// Name of a text without a file.
     Alone(Arc<str>),
     Library,
 }
 
-/// A text as its editor has it.
+/// Open document.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// Its file as shown to people.
+    /// Display name of its file.
     pub name: Arc<str>,
     pub text: Arc<Text>,
     pub version: i32,
     pub home: Key,
 }
 
-/// What has become of a project.
+/// Change of a project.
 pub enum Changed {
     Project(Box<View>),
     /// Its last document was closed.
     Gone(Key),
 }
 
-/// Open documents by what clients call them.
+/// Open documents by URI.
 pub type Documents = HashMap<Uri, Document>;
 
-/// All that the server knows.
+/// State of the workspace.
 pub struct Workspace {
     pub client: Arc<Client>,
     library: Arc<Library>,
-    /// Folders that the client works in.
+    /// Workspace folders of the client.
     roots: Vec<PathBuf>,
-    /// Files and directories outside of models' folders that models may read, as `--allow-path` of
-    /// the command.
+    /// Files and directories outside of models' folders that models may read, as with
+    /// `--allow-path` of the command.
     pub allowed: Arc<[PathBuf]>,
     documents: Arc<Documents>,
     projects: BTreeMap<Key, Project>,
     runs: Arc<HashMap<Arc<str>, Arc<RunSummary>>>,
     disk: Disk,
-    /// Counts changes of any kind.
+    /// Counter of changes of any kind.
     revision: u64,
-    /// Projects that changed since their diagnostics were last computed, and the document that was edited last.
+    /// Projects that changed since their diagnostics were last computed.
     dirty: BTreeSet<Key>,
+    /// Document that was edited last.
     latest: Option<Uri>,
 }
 
-/// What was read from folders, until something there changes.
+/// Cache of folder contents, until a change on disk.
 #[derive(Default)]
 struct Disk {
     imported: HashMap<PathBuf, BTreeSet<String>>,
@@ -79,7 +81,7 @@ impl Disk {
     }
 }
 
-/// Files as a project sees them: open ones as they are in the editor.
+/// Files as a project sees them: open ones with the text of the editor.
 struct FileView<'a> {
     documents: &'a Documents,
     allowed: &'a [PathBuf],
@@ -118,7 +120,7 @@ impl Workspace {
         }
     }
 
-    /// Takes in what the client says of itself.
+    /// Stores the parameters of the client.
     pub fn initialize(&mut self, params: &InitializeParams) {
         self.client = Arc::new(Client::new(&params.capabilities));
         let folders = params.workspace_folders.iter().flatten();
@@ -126,23 +128,23 @@ impl Workspace {
         let options = params.initialization_options.as_ref();
         let paths = options.and_then(|options| options.get("allowPaths")?.as_array());
         let paths = paths.into_iter().flatten().filter_map(|path| path.as_str());
-        // A path that is not there allows nothing.
+        // A path that does not exist is ignored.
         self.allowed = paths.filter_map(|path| allowed_path(path).ok()).collect();
     }
 
-    /// The client works in other folders than before.
+    /// Updates the workspace folders.
     pub fn change_roots(&mut self, event: &WorkspaceFoldersChangeEvent) {
         let gone: Vec<PathBuf> = event.removed.iter().filter_map(|folder| path_of(&folder.uri)).collect();
         self.roots.retain(|root| !gone.contains(root));
         self.roots.extend(event.added.iter().filter_map(|folder| path_of(&folder.uri)));
     }
 
-    /// The version of a document that is open.
+    /// Returns the version of an open document.
     pub fn version(&self, uri: &Uri) -> Option<i32> {
         self.documents.get(uri).map(|document| document.version)
     }
 
-    /// The project of a document that is open.
+    /// Returns the project of an open document.
     pub fn home_of(&self, uri: &Uri) -> Option<&Key> {
         self.documents.get(uri).map(|document| &document.home)
     }
@@ -155,7 +157,7 @@ impl Workspace {
         &self.library
     }
 
-    /// What questions about a file are answered on, as everything is now; about the file edited last if none is named.
+    /// Returns a view of the project of a file; of the file edited last if `uri` is `None`.
     pub fn view(&self, uri: Option<&Uri>) -> Option<View> {
         let uri = uri.or(self.latest.as_ref())?;
         let (name, home) = match self.documents.get(uri) {
@@ -165,7 +167,7 @@ impl Workspace {
         self.view_of(&home, name)
     }
 
-    /// A file that is not open but part of a project.
+    /// Returns a file that is part of a project but not open.
     fn closed(&self, uri: &Uri) -> Option<(Arc<str>, Key)> {
         let (name, key) = self.name(uri);
         if key == Key::Library {
@@ -180,7 +182,7 @@ impl Workspace {
         Some(View::new(project, home.clone(), file, self))
     }
 
-    /// Views of all projects.
+    /// Returns views of all projects.
     pub fn views(&self) -> Vec<View> {
         self.projects.keys().filter_map(|key| self.view_of(key, "".into())).collect()
     }
@@ -189,7 +191,8 @@ impl Workspace {
         self.revision
     }
 
-    /// A project that has changed since it was last given here; that of the document edited last before others.
+    /// Returns a project that has changed since it was last returned here; the project of the
+    /// document edited last comes first.
     pub fn next_changed(&mut self) -> Option<Changed> {
         let latest = self.latest.as_ref().and_then(|uri| self.documents.get(uri));
         let latest = latest.map(|document| &document.home).filter(|home| self.dirty.contains(*home));
@@ -201,7 +204,7 @@ impl Workspace {
         })
     }
 
-    /// Puts back what [`Workspace::next_changed`] gave and was not dealt with.
+    /// Returns a project to the queue of [`Workspace::next_changed`].
     pub fn mark_dirty(&mut self, home: &Key) {
         self.dirty.insert(home.clone());
     }
@@ -221,7 +224,7 @@ impl Workspace {
             Key::Library => Project::of_library(library),
         });
         project.set_opened(&name, true);
-        // It may stand for what others have read from the disk.
+        // The document may replace a file that others have read from disk.
         self.settle_all_with(&name, home);
     }
 
@@ -247,18 +250,18 @@ impl Workspace {
         unsettled.into_iter().for_each(|key| self.settle(key));
     }
 
-    /// Keeps what a run of a model has given.
+    /// Stores the results of a run.
     pub fn set_run(&mut self, model: &str, summary: RunSummary) {
         Arc::make_mut(&mut self.runs).insert(model.into(), Arc::new(summary));
         self.revision += 1;
     }
 
-    /// What models have given when they ran, by their files.
+    /// Returns the results of runs, by model file.
     pub fn runs(&self) -> &Arc<HashMap<Arc<str>, Arc<RunSummary>>> {
         &self.runs
     }
 
-    /// Keeps what elaboration says of a model, to be published.
+    /// Stores the result of an elaboration, to be published.
     pub fn set_elaborated(&mut self, home: &Key, model: &Arc<str>, elaborated: Elaborated) {
         if let Some(project) = self.projects.get_mut(home) {
             project.set_elaborated(model, elaborated);
@@ -272,17 +275,17 @@ impl Workspace {
             project.set_opened(&document.name, false);
         }
         self.changed_on_disk(Path::new(&*document.name));
-        // From now on what others import is what the disk has.
+        // From now on importers use the file on disk.
         self.settle_all_with(&document.name, document.home);
         self.projects.retain(|_, project| !project.is_empty());
     }
 
-    /// A file was written, created or deleted; by whom is not known.
+    /// Handles a file that was written, created or deleted by any program.
     pub fn touched(&mut self, uri: &Uri) {
         let Some(path) = path_of(uri) else { return };
         self.changed_on_disk(&path);
         for key in self.projects.keys().cloned().collect::<Vec<_>>() {
-            // A file that did not exist is wanted by those that name it.
+            // A new file may resolve imports that had failed.
             if let Key::Folder(folder) = &key
                 && path.starts_with(folder)
             {
@@ -319,7 +322,7 @@ impl Workspace {
             Key::Folder(folder) => self.disk.imported(folder, &self.allowed).clone(),
         };
         project.settle(&FileView { documents: &self.documents, allowed: &self.allowed, imported });
-        // What is imported here is at home here, not a model of its own folder.
+        // A file imported by this project belongs to it, not to the project of its own folder.
         let adopted: Vec<(Uri, Document)> = self
             .documents
             .iter()
@@ -347,7 +350,7 @@ impl Workspace {
         }
     }
 
-    /// The name of a file as shown to people, and the project of its own folder.
+    /// Returns the display name of a file, and the project of its own folder.
     fn name(&self, uri: &Uri) -> (Arc<str>, Key) {
         let Some(path) = path_of(uri) else {
             let name: Arc<str> = uri.as_str().into();
@@ -363,9 +366,10 @@ impl Workspace {
         }
     }
 
-    /// The project of the nearest folder whose models import a file, or that of its own folder.
+    /// Returns the project of the nearest folder whose models import a file, or that of its own
+    /// folder.
     fn home(&mut self, name: &Arc<str>, own: Key) -> Key {
-        /// Modules seldom lie deeper below their models.
+        /// Largest depth of modules below their models that is searched.
         const MOST_LEVELS: usize = 4;
         let Key::Folder(folder) = &own else { return own };
         let path = Path::new(&**name);
@@ -384,7 +388,7 @@ impl Workspace {
     }
 }
 
-/// The path of a file.
+/// Returns the path of a file.
 pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     let is_file = uri.scheme().as_str().eq_ignore_ascii_case("file");
     if is_file { uri.to_file_path().map(|path| path.into_owned()) } else { None }

@@ -1,4 +1,4 @@
-//! What can stand at a cursor, by tokens alone: `tests/ide/completion_context.md`.
+//! Syntactic category at a cursor, from tokens alone: `tests/ide/completion_context.md`.
 
 use crate::support;
 use calyx_lang::ast::Bind;

@@ -1,4 +1,5 @@
-//! What is offered, and in which order: `tests/ide/completion.md` and `tests/ide/completion_ranking.md`.
+//! Completion items and their order: `tests/ide/completion.md` and
+//! `tests/ide/completion_ranking.md`.
 
 use crate::support;
 use calyx_lsp::ide::Position;
@@ -6,7 +7,7 @@ use calyx_lsp::ide::completion::{CompletionTrigger, Item, ItemKind, complete};
 
 const ASKED: CompletionTrigger<'static> = CompletionTrigger { typed: None, beside: &Vec::new };
 
-/// As many as a window shows at a glance.
+/// Number of items shown, as many as an editor shows without scrolling.
 const SHOWN: usize = 10;
 
 #[test]
@@ -37,15 +38,15 @@ fn line(item: &Item) -> String {
     line
 }
 
-/// The three that an eye finds first, for each cursor of a table of situations, each in a text of its own: what goes before all lines is
-/// the first block, each line of the second is a statement at its end.
+/// Checks the first three items at each cursor of a table of situations. The first block of a case
+/// precedes each line of the second one, which is a statement at the end of the text.
 #[test]
 fn ranking() {
     support::run("completion_ranking", |case| {
         let (_, lines) = case.files.get(1).expect("a case has a model and lines");
         let mut answer = String::new();
         let model = case.text("model.cx");
-        // A text changes only where nobody else has the database.
+        // A text can be changed only if no other reference to the database exists.
         let mut snapshot = support::of(model).snapshot;
         for line in lines.lines() {
             let (before, after) = line.split_once('|').expect("a line has a cursor");
@@ -60,7 +61,7 @@ fn ranking() {
     });
 }
 
-/// No text makes it fail: every place of cut-up programs is asked about.
+/// Completion succeeds at every position of truncated programs.
 #[test]
 fn every_place_is_answered() {
     let model = include_str!("../../../compiler/templates/spur_pair.cx");

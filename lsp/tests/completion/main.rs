@@ -1,4 +1,4 @@
-//! What can be written at a cursor, and what is called around it. One program, as linking takes longer than testing.
+//! Completion and signature help. One test binary, because linking takes longer than testing.
 
 mod context;
 mod items;

@@ -1,4 +1,4 @@
-//! What is called around a cursor: `tests/ide/signature.md`.
+//! Signature help: `tests/ide/signature.md`.
 
 use crate::support;
 use calyx_lsp::ide::signature::signature;
@@ -10,7 +10,7 @@ fn signatures() {
             let Some(found) = signature(&case.snapshot, cursor) else { return "nothing\n".to_string() };
             let mut text = found.label.clone();
             if let Some(shown) = found.active.and_then(|at| found.parameters.get(at)) {
-                // Under the active parameter.
+                // Marks the active parameter.
                 let mark = "^".repeat(shown.label.len());
                 text.push_str(&format!("\n{}{mark}\n{}", " ".repeat(shown.label.start), shown.doc));
             }

@@ -1,4 +1,4 @@
-//! Questions that nobody waits for any more, and questions that fail.
+//! Cancelled and failing requests.
 
 use crate::client::Client;
 use calyx_lsp::server::handlers::router;
@@ -11,10 +11,10 @@ use tower_lsp_server::ls_types::request::Request;
 
 const MODEL: &str = "untitled:model";
 
-/// A request that asks the database until somebody stops it.
+/// Request that queries the database until it is cancelled.
 enum Endless {}
 
-/// A request with a defect.
+/// Request whose handler panics.
 enum Defect {}
 
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -39,7 +39,7 @@ fn params(uri: &str) -> Value {
     json!({ "textDocument": { "uri": uri } })
 }
 
-/// A client, and a function that waits until an endless request has begun.
+/// Returns a client, and a function that waits until an endless request has started.
 fn client() -> (Client, impl Fn()) {
     let (begun, wait) = channel();
     let mut router: Router = router();
@@ -62,7 +62,7 @@ fn a_client_takes_its_question_back() {
     begun();
     client.notify("$/cancelRequest", json!({ "id": id }));
     assert_eq!(client.answer(id).expect_err("cancelled")["code"], -32800);
-    // Of one that is answered or unknown nothing is heard.
+    // Cancellation of an answered or unknown request has no effect.
     client.notify("$/cancelRequest", json!({ "id": id }));
     client.notify("$/cancelRequest", json!({ "id": "unknown" }));
     assert!(client.leave());

@@ -14,22 +14,22 @@ use std::time::Duration;
 use tokio::io::{AsyncBufReadExt, AsyncReadExt, AsyncWriteExt, BufReader, DuplexStream, WriteHalf};
 use tokio::runtime::Runtime;
 
-/// Whoever waits longer waits for nothing.
+/// Timeout of all waits.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A client and its server, which runs on threads of its own.
+/// A client and its server, which runs on its own threads.
 pub struct Client {
     runtime: Runtime,
     output: Option<WriteHalf<DuplexStream>>,
     messages: Receiver<Value>,
     answers: HashMap<i64, Value>,
-    /// Notifications that nobody has asked for yet, in order.
+    /// Notifications that the test has not consumed yet, in order.
     pub notifications: Vec<Value>,
     last_id: i64,
     server: Option<JoinHandle<bool>>,
 }
 
-/// The library as it is in the sources, with its cache below a folder.
+/// Returns the library from the sources, with its cache below a folder.
 pub fn library(cache: &Path) -> Library {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../stdlib-gears/calyx");
     let file = |path: &str, name: &str| LibraryFile {
@@ -41,14 +41,14 @@ pub fn library(cache: &Path) -> Library {
 }
 
 impl Client {
-    /// A client of a server that is not initialized.
+    /// Creates a client of a server that is not initialized.
     pub fn new(router: Router) -> Client {
         Client::with_cache(router, &std::env::temp_dir().join("calyx-protocol-tests"))
     }
 
     pub fn with_cache(router: Router, cache: &Path) -> Client {
         let (ours, theirs) = tokio::io::duplex(1 << 20);
-        // Models run in processes of the real command, which is tested beside it.
+        // Models run in processes of the real command, which is tested in the compiler crate.
         let executable = PathBuf::from("calyx-is-not-here");
         let options = Options { library: library(cache), log: Level::Error, executable, record: None };
         let server = std::thread::spawn(move || {
@@ -78,7 +78,7 @@ impl Client {
         }
     }
 
-    /// A client that is past `initialized`, with capabilities of its own.
+    /// Creates an initialized client with these capabilities.
     pub fn ready(capabilities: Value) -> Client {
         Client::ready_with(router(), capabilities)
     }
@@ -93,7 +93,7 @@ impl Client {
         self.initialize_with(capabilities, Value::Null)
     }
 
-    /// The same with options for the server.
+    /// Initializes the server with capabilities and options.
     pub fn initialize_with(&mut self, capabilities: Value, options: Value) -> Value {
         let asked = json!({ "capabilities": capabilities, "initializationOptions": options });
         let answer = self.ask("initialize", asked);
@@ -111,7 +111,7 @@ impl Client {
         self.runtime.block_on(output.write_all(bytes)).expect("the server reads");
     }
 
-    /// Removes and returns the errors that answer messages which could not be read.
+    /// Removes and returns the errors that answer malformed messages.
     pub fn refusals(&mut self) -> Vec<Value> {
         let refused = |message: &mut Value| message.get("error").is_some();
         self.notifications.extract_if(.., refused).collect()
@@ -131,7 +131,7 @@ impl Client {
         self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
     }
 
-    /// Sends a request; its answer may come at any time.
+    /// Sends a request without waiting for its answer.
     pub fn request(&mut self, method: &str, params: Value) -> i64 {
         self.last_id += 1;
         let id = self.last_id;
@@ -161,7 +161,7 @@ impl Client {
         self.answer(id)
     }
 
-    /// Takes one message in. What the server asks of the client is granted.
+    /// Receives one message. Requests of the server are granted.
     fn receive(&mut self) {
         let received = self.messages.recv_timeout(PATIENCE);
         let message =
@@ -207,7 +207,7 @@ impl Client {
         loop {
             if let Some(at) = self.notifications.iter().position(wanted) {
                 let message = self.notifications.remove(at);
-                // What was published before is history.
+                // Drops earlier diagnostics of the document.
                 let mut index = 0;
                 self.notifications.retain(|earlier| {
                     index += 1;
@@ -225,12 +225,12 @@ impl Client {
         self.diagnostics_when(uri, |params| params["version"] == version)
     }
 
-    /// Waits until the codes of the diagnostics of a document are these.
+    /// Waits until the diagnostics of a document have these codes.
     pub fn codes_become(&mut self, uri: &str, expected: &[&str]) {
         self.diagnostics_when(uri, |params| codes(params["diagnostics"].as_array()) == expected);
     }
 
-    /// Says `shutdown` and `exit`. Returns whether the server left content.
+    /// Sends `shutdown` and `exit`. Returns true after a correct shutdown of the server.
     pub fn leave(mut self) -> bool {
         self.ask("shutdown", Value::Null).expect("a server that runs can be shut down");
         self.exit()
@@ -241,7 +241,7 @@ impl Client {
         self.join()
     }
 
-    /// Is gone without a word.
+    /// Closes the connection without `shutdown`.
     pub fn vanish(mut self) -> bool {
         if let Some(mut output) = self.output.take() {
             self.runtime.block_on(output.shutdown()).expect("a stream can be closed");
@@ -254,7 +254,7 @@ impl Client {
     }
 }
 
-/// The codes of diagnostics.
+/// Returns the codes of diagnostics.
 pub fn codes(diagnostics: Option<&Vec<Value>>) -> Vec<&str> {
     diagnostics.into_iter().flatten().filter_map(|diagnostic| diagnostic["code"].as_str()).collect()
 }
@@ -277,7 +277,7 @@ async fn read(input: &mut (impl AsyncBufReadExt + Unpin)) -> Option<Value> {
     serde_json::from_slice(&body).ok()
 }
 
-/// A folder for the files of a test.
+/// Folder for the files of a test.
 pub struct Folder(tempfile::TempDir);
 
 impl Folder {
@@ -293,7 +293,7 @@ impl Folder {
         format!("file://{}", self.path(file).display())
     }
 
-    /// Writes a file; returns its URI.
+    /// Writes a file and returns its URI.
     pub fn write(&self, file: &str, text: &str) -> String {
         let path = self.path(file);
         if let Some(folder) = path.parent() {

@@ -1,4 +1,4 @@
-//! Commands, as far as no model runs: that takes the real command, beside which it is tested.
+//! Commands without a run of a model; runs require the real command and are tested with it.
 
 use crate::client::{Client, Folder};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! What is published about a text.
+//! Published diagnostics.
 
 use crate::client::{Client, codes};
 use serde_json::json;
@@ -65,7 +65,7 @@ fn what_only_elaboration_shows_follows_and_stays_while_the_text_is_broken() {
     let lines = ["var a = 1;", "assert(a > 2);", "print(a);"];
     client.open(MODEL, &lines.join("\n"));
     client.codes_become(MODEL, &["E0705"]);
-    // Broken elsewhere, it cannot be elaborated again.
+    // The edit also breaks another line, so the model cannot be elaborated again.
     client.set(MODEL, 2, &["var a = 1;", "// One line more.", "assert(a > 2);", "print(b);"].join("\n"));
     let found = client.diagnostics(MODEL, 2);
     assert_eq!(codes(Some(&found)), ["E0201"], "what lies between two changes is taken for changed");
@@ -78,7 +78,7 @@ fn what_only_elaboration_shows_follows_and_stays_while_the_text_is_broken() {
     let [.., assertion] = found.as_slice() else { panic!("{found:?}") };
     assert_eq!(assertion["code"], "E0705");
     assert_eq!(assertion["range"]["start"]["line"], 2);
-    // Where it is mended nothing is said any more, even before it is elaborated.
+    // The finding at the fixed line disappears before the next elaboration.
     client.set(MODEL, 5, "print(b);\nvar a = 1;\nassert(a > 0);\nprint(a);");
     client.codes_become(MODEL, &["E0201"]);
     client.set(MODEL, 6, "var a = 1;\nassert(a > 3);\nprint(a);");

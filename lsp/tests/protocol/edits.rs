@@ -1,4 +1,4 @@
-//! Texts that change, in both encodings.
+//! Edits, in both encodings.
 
 use crate::client::Client;
 use calyx_lang::parser;
@@ -11,7 +11,7 @@ use tower_lsp_server::ls_types::request::Request;
 
 const MODEL: &str = "untitled:model";
 
-/// The text as the server has it, and its tree as the database has it.
+/// Requests the text of the server, and its tree from the database.
 enum Text {}
 
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -36,7 +36,7 @@ fn client(capabilities: Value) -> Client {
     Client::ready_with(router, capabilities)
 }
 
-/// What the server has is what a fresh parse of it gives.
+/// Returns the text of the server, which must equal a fresh parse.
 fn text(client: &mut Client) -> String {
     let answer = client.ask("test/text", json!({ "textDocument": { "uri": MODEL } }));
     let (text, tree): (String, String) =
@@ -72,7 +72,7 @@ fn positions_count_what_was_agreed() {
             json!([replace(0, quote, quote, "µ"), replace(0, comment, comment + 2, "kl")]),
         );
         assert_eq!(text(&mut client), "var d = \"Ø😀µ\";  // klößer\nprint(d);\n");
-        // Diagnostics count the same.
+        // Diagnostics use the same encoding.
         client.change(MODEL, 3, json!([replace(1, 6, 7, "\"Ø😀\" + e")]));
         let found = client.diagnostics(MODEL, 3);
         let column = if encoding == "utf-16" { 14 } else { 17 };
@@ -97,7 +97,7 @@ fn edits_anywhere_do_no_harm() {
     assert!(client.leave());
 }
 
-/// Numbers that are the same each time.
+/// Reproducible random numbers.
 struct Random(u64);
 
 impl Random {
@@ -140,7 +140,8 @@ const PIECES: &[&str] = &[
     "param ",
 ];
 
-/// The position of a character by a way of its own: count line feeds and UTF-16 units. The texts have no lone carriage return.
+/// Computes the position of a character independently: counts line feeds and UTF-16 units. The
+/// texts have no lone carriage return.
 fn position(text: &str, offset: usize) -> Value {
     let before = &text[..offset];
     let line_start = before.rfind('\n').map_or(0, |at| at + 1);
@@ -166,7 +167,8 @@ fn two_thousand_edits_end_like_a_fresh_start() {
         let mut change = json!({
             "range": { "start": position(&mirror, start), "end": position(&mirror, end) }, "text": piece
         });
-        // A position between a carriage return and its line feed is not one; and now and then all is well again.
+        // A position between a carriage return and its line feed is invalid. Occasionally resets
+        // the text to a valid program.
         let between = |at: usize| mirror[..at].ends_with('\r') && mirror[at..].starts_with('\n');
         let alone = after.replace("\r\n", "").contains('\r');
         if between(start) || between(end) || alone || random.below(60) == 0 {

@@ -1,8 +1,8 @@
-//! Sessions of random messages: right ones, wrong ones, damaged ones, at any time. Whatever comes,
-//! the server answers the next question that is well formed.
+//! Sessions of random messages: valid, invalid and damaged, in any order. The server always answers
+//! the next valid request.
 //!
-//! `CALYX_FUZZ=1000 cargo test -p calyx-lsp --test protocol fuzz` makes that many sessions instead
-//! of a few, and `CALYX_FUZZ_SEED` begins with others.
+//! `CALYX_FUZZ=1000 cargo test -p calyx-lsp --test protocol fuzz` runs that many sessions instead
+//! of a few, and `CALYX_FUZZ_SEED` changes the seed.
 
 use crate::client::Client;
 use calyx_lsp::server::handlers::router;
@@ -70,7 +70,7 @@ const TEXTS: &[&str] = &[
 
 const URIS: &[&str] = &["untitled:a", "untitled:b", "file:///nowhere/c.cx", "file:///", "", "%", "a b"];
 
-/// Xorshift.
+/// Xorshift generator.
 struct Random(u64);
 
 impl Random {
@@ -108,7 +108,7 @@ impl Random {
         json!({ "start": self.position(), "end": self.position() })
     }
 
-    /// Params that fit most methods: those of each are among these.
+    /// Params that are valid for most methods, each of which uses some of them.
     fn params(&mut self) -> Value {
         let document = json!({
             "uri": self.of(URIS), "version": self.number(), "languageId": "calyx", "text": self.of(TEXTS),
@@ -187,11 +187,11 @@ impl Random {
         }
     }
 
-    /// A message of one kind or another, as bytes.
+    /// Returns a random message as bytes.
     fn message(&mut self) -> Vec<u8> {
         let mut message = json!({ "jsonrpc": "2.0", "method": self.of(METHODS), "params": self.params() });
         if !self.one_in(3) {
-            // Those of the questions at the end are positive.
+            // Negative, because the ids of the requests at the end are positive.
             message["id"] = json!(-1 - self.below(50) as i64);
         }
         if self.one_in(20) {
@@ -235,7 +235,7 @@ fn any_messages_leave_the_server_alive() {
         }
         for _ in 0..MESSAGES {
             let message = random.message();
-            // Only a client that says so ends the server.
+            // Only `exit` ends the server.
             if !message.windows(6).any(|bytes| bytes == b"\"exit\"") {
                 client.send_bytes(&message);
             }

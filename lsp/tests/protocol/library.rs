@@ -1,4 +1,4 @@
-//! The library's own source in the editor.
+//! Library sources in the editor.
 
 use crate::client::{Client, Folder};
 use calyx_lsp::server::handlers::router;
@@ -24,7 +24,7 @@ fn a_name_of_the_library_leads_to_a_file_that_is_read_like_any_other() {
     let path = uri.strip_prefix("file://").expect("a file");
     let text = std::fs::read_to_string(path).expect("it was written");
     assert!(std::fs::metadata(path).expect("it is there").permissions().readonly());
-    // It is no model, and nothing in it is to be mended.
+    // The library is no model, and its findings are not published.
     client.open(&uri, &text);
     assert_eq!(client.diagnostics(&uri, 1), [] as [Value; 0]);
     let range = found.get("range").or(found.get("targetSelectionRange")).expect("a range");

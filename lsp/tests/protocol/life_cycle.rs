@@ -1,4 +1,4 @@
-//! From `initialize` to `exit`.
+//! Life cycle, from `initialize` to `exit`.
 
 use crate::client::Client;
 use calyx_lsp::server::handlers::router;
@@ -31,7 +31,7 @@ fn requests_have_their_time() {
     let mut client = Client::new(router());
     let early = client.ask("textDocument/formatting", formatting("untitled:model"));
     assert_eq!(early.expect_err("not initialized")["code"], -32002);
-    // A notification is passed over.
+    // Notifications are ignored.
     client.open("untitled:model", "var   a = 1;\n");
     client.initialize(json!({}));
     assert_eq!(client.ask("textDocument/formatting", formatting("untitled:model")), Ok(Value::Null));
@@ -61,7 +61,7 @@ fn unknown_and_malformed_messages_change_nothing() {
         client.ask("textDocument/formatting", json!({ "textDocument": { "uri": "untitled:model" } }));
     assert_eq!(malformed.expect_err("no options")["code"], -32602);
     let edits = client.ask("textDocument/formatting", formatting("untitled:model")).expect("it is well");
-    // Of three blanks two go.
+    // Two of three blanks are removed.
     assert_eq!((&edits[0]["newText"], &edits[0]["range"]["start"]["character"]), (&json!(""), &json!(4)));
     assert!(client.leave());
 }

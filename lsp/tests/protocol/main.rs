@@ -1,6 +1,7 @@
-//! The server as clients see it: messages in, messages out, over pipes in memory.
+//! The server as clients see it: messages over in-memory pipes.
 //!
-//! The real command over its standard streams is tested beside the command, in `compiler/tests/lsp.rs`.
+//! The real command over its standard streams is tested with the command, in
+//! `compiler/tests/lsp.rs`.
 
 mod cancellation;
 mod client;

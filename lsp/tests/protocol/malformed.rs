@@ -1,5 +1,5 @@
-//! Messages that are malformed, and messages at the wrong time: each is answered as the protocol
-//! says, and the server serves on.
+//! Malformed messages, and messages at the wrong time: each is answered according to the protocol,
+//! and the server continues.
 
 use crate::client::Client;
 use calyx_lsp::server::handlers::router;
@@ -14,7 +14,7 @@ fn framed(body: &[u8]) -> Vec<u8> {
     message
 }
 
-/// Asks a question that any server that runs answers.
+/// Sends a request that any running server answers.
 fn is_served(client: &mut Client) {
     let params = json!({ "textDocument": { "uri": "untitled:model" } });
     assert_eq!(client.ask("textDocument/documentSymbol", params), Ok(Value::Null));
@@ -47,7 +47,7 @@ fn malformed_messages_are_answered_and_the_server_serves_on() {
     assert!(client.leave());
 }
 
-/// Only a request initializes a server or shuts it down, and only with params that are read.
+/// Only a request with valid params can initialize a server or shut it down.
 #[test]
 fn notifications_are_no_requests() {
     let mut client = Client::new(router());
@@ -61,7 +61,7 @@ fn notifications_are_no_requests() {
     assert!(client.leave());
 }
 
-/// A request whose answer is not computed in a job of its own.
+/// A request that is not answered in a job.
 #[test]
 fn a_defect_in_a_command_is_answered() {
     let mut client = Client::ready(json!({}));
@@ -80,8 +80,8 @@ fn a_stream_that_ends_within_a_message_ends_the_server() {
     assert!(!client.vanish());
 }
 
-/// A defect outside of the computation of an answer: in a change of a text, and in the search for
-/// what a request is about.
+/// Panics outside of the computation of an answer: in a change of a text, and in the search for the
+/// document of a request.
 #[test]
 fn defects_of_notifications_change_nothing_else() {
     let mut router: Router = router();

@@ -1,4 +1,4 @@
-//! Cards, declarations, uses, renames and actions as clients are told of them.
+//! Hover texts, declarations, references, renames and actions as clients receive them.
 
 use crate::client::{Client, Folder};
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 const MODULE: &str = "units mm_N_s;\n/// Twice.\nfunction twice(in x) { return 2*x; }\n";
 const MODEL: &str = "import util;\nimport gears;\nunits mm_N_s;\nvar größe = util.twice(1 mm);\nprint(größe, util.twice(x = größe));\n";
 
-/// A place in a text, in UTF-16 as the protocol has it.
+/// Returns a position in a text, in UTF-16 as in the protocol.
 fn at(uri: &str, text: &str, mark: &str) -> Value {
     let offset = text.find(mark).expect("the mark is there");
     let line = text[..offset].matches('\n').count();
@@ -170,7 +170,7 @@ fn derived_geometry_comes_with_the_elaboration() {
     let model = folder.write("spur_pair.cx", &text);
     let mut client = Client::ready(json!({ "textDocument": { "hover": { "contentFormat": ["markdown"] } } }));
     client.open(&model, &text);
-    // It is known some time after the text; until then a card comes without it.
+    // Geometry is known some time after the edit; until then the hover text omits it.
     for _ in 0..600 {
         let card = client.ask("textDocument/hover", at(&model, &text, "external(")).expect("an answer");
         let shown = card["contents"]["value"].as_str().expect("a card");

@@ -1,4 +1,5 @@
-//! Outline, folds, selections, colours, hints, lenses, links, calls and layout, as clients are told them.
+//! Outline, folds, selections, semantic tokens, hints, lenses, links, calls and formatting as
+//! clients receive them.
 
 use crate::client::{Client, Folder};
 use serde_json::{Value, json};
@@ -68,7 +69,7 @@ fn outline_folds_selections_and_links() {
     assert!(session.client.leave());
 }
 
-/// The tokens as lines: line, character, length, kind.
+/// Returns the tokens as lines: line, character, length, kind.
 fn placed(data: &Value) -> Vec<[u64; 4]> {
     let numbers: Vec<u64> = data.as_array().into_iter().flatten().filter_map(Value::as_u64).collect();
     let (mut line, mut character) = (0, 0);
@@ -85,7 +86,7 @@ fn colours_are_told_whole_in_part_and_as_changes() {
     let mut session = Session::new(MODEL);
     let full = session.ask("semanticTokens/full", json!({}));
     let tokens = placed(&full["data"]);
-    // Characters are counted in UTF-16: the smile is two.
+    // Characters are counted in UTF-16: the emoji counts as two.
     assert!(tokens.contains(&[2, 0, 23, 0]), "{tokens:?}");
     let part = session
         .ask("semanticTokens/range", json!({ "range": { "start": position(3, 0), "end": position(4, 0) } }));
@@ -108,7 +109,7 @@ fn colours_are_told_whole_in_part_and_as_changes() {
     }
     let fresh = session.ask("semanticTokens/full", json!({}));
     assert_eq!(json!(data), fresh["data"]);
-    // An answer that is not known any more.
+    // An unknown previous answer.
     let whole = session.ask("semanticTokens/full/delta", json!({ "previousResultId": "gone" }));
     assert_eq!(whole["data"], fresh["data"]);
     assert!(session.client.leave());

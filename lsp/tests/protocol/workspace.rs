@@ -1,4 +1,4 @@
-//! Several files: open, on the disk, coming and going.
+//! Workspaces with several files: open, on disk, created and deleted.
 
 use crate::client::{Client, Folder};
 use calyx_lsp::server::handlers::router;
@@ -16,7 +16,7 @@ fn a_module_on_the_disk_is_found_and_its_buffer_wins() {
     client.codes_become(&model, &[]);
     client.open(&module, MODULE);
     client.codes_become(&module, &[]);
-    // Before the module is saved its model knows.
+    // The model uses the module before it is saved.
     client.set(&module, 2, &MODULE.replace("twice", "thrice"));
     client.codes_become(&model, &["E0204"]);
     client.close(&module);
@@ -24,8 +24,8 @@ fn a_module_on_the_disk_is_found_and_its_buffer_wins() {
     assert!(client.leave());
 }
 
-/// The rule of `--allow-path`: files outside of the model's folder are read where the client allows
-/// it.
+/// The rule of `--allow-path`: files outside of the model's folder are read only if the client
+/// allows it.
 #[cfg(unix)]
 #[test]
 fn files_elsewhere_are_read_where_the_client_allows_it() {
@@ -57,7 +57,7 @@ fn errors_of_a_module_are_shown_in_the_module() {
     let (model, module) = (folder.write("pair.cx", MODEL), folder.write("util.cx", &broken));
     let mut client = Client::ready(json!({}));
     client.open(&model, MODEL);
-    // Also while it is not open.
+    // Also while the module is closed.
     client.codes_become(&module, &["E0201"]);
     client.open(&module, &broken);
     client.set(&module, 2, MODULE);
@@ -71,7 +71,7 @@ fn a_module_opened_by_itself_is_checked_as_a_module() {
     folder.write("pair.cx", "import parts.util;\noutput o := parts.util.twice(1);\n");
     let module = folder.write("parts/util.cx", MODULE);
     let mut client = Client::ready(json!({}));
-    // What runs belongs to the model; only a module is told so.
+    // Executable statements belong in models; only a module gets this diagnostic.
     client.open(&module, &format!("{MODULE}print(1);\n"));
     client.codes_become(&module, &["E0210"]);
     client.set(&module, 2, MODULE);
@@ -142,7 +142,8 @@ fn files_are_watched_if_the_client_can() {
     assert!(client.leave());
 }
 
-/// Modules are regular files below the folder of their model. Reading a pipe would block the server.
+/// Modules are regular files below the folder of their model. Reading a pipe would block the
+/// server.
 #[cfg(unix)]
 #[test]
 fn pipes_and_links_that_lead_out_are_not_read() {

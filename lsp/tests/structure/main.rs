@@ -1,4 +1,4 @@
-//! What follows from a file's structure: outline, folds, selections, layout, tokens.
+//! Features based on the syntax of a file: outline, folds, selections, formatting, tokens.
 
 mod properties;
 #[path = "../support/mod.rs"]
@@ -25,7 +25,7 @@ fn source(case: &Case) -> Source<'_> {
     Source::of(&case.snapshot, MODEL).expect("the model is known")
 }
 
-/// From the first to the last cursor; the whole model without cursors.
+/// Returns the range from the first to the last cursor; the whole model without cursors.
 fn range(case: &Case) -> Range<u32> {
     match case.cursors.as_slice() {
         [] => 0..case.text(MODEL).len() as u32,
@@ -34,7 +34,7 @@ fn range(case: &Case) -> Range<u32> {
     }
 }
 
-/// The text after changes that do not overlap.
+/// Returns the text after disjoint changes.
 fn changed(text: &str, changes: &[Change]) -> String {
     let mut changes: Vec<&Change> = changes.iter().collect();
     changes.sort_by_key(|change| (change.start, change.end));
@@ -82,7 +82,7 @@ fn outline() {
     });
 }
 
-/// The first line is what is searched for.
+/// The first line is the query.
 #[test]
 fn search() {
     run("workspace_symbols", |case| {
@@ -118,7 +118,7 @@ fn selection() {
     });
 }
 
-/// Without a cursor the file, with two the selection between them.
+/// Formats the file without a cursor, or the selection between two cursors.
 #[test]
 fn formatting() {
     run("formatting", |case| {
@@ -132,13 +132,13 @@ fn formatting() {
     });
 }
 
-/// The character before the cursor was typed.
+/// Simulates that the character before the cursor was typed.
 #[test]
 fn typing() {
     run("typing", |case| {
         let source = source(case);
         let offset = case.cursor().offset;
-        // Blanks behind a line end were put there by the editor.
+        // Blanks after a line break were inserted by the editor.
         let before = source.text[..offset as usize].trim_end_matches(' ');
         let character = before.chars().next_back().expect("something was typed");
         let changes = typed(&source, offset, character);
@@ -146,7 +146,7 @@ fn typing() {
     });
 }
 
-/// Every word with its kind and modifiers.
+/// Lists every word with its kind and modifiers.
 #[test]
 fn tokens() {
     run("semantic_tokens", |case| {
@@ -234,7 +234,7 @@ fn calls() {
     });
 }
 
-/// Hints are shown in the text between «». A block `results` holds `name: value` of the last run.
+/// Hints are shown in the text between «». A block `results` has `name: value` of the last run.
 #[test]
 fn inlay_hints() {
     run("inlay_hints", |case| {

@@ -1,4 +1,4 @@
-//! What holds for every text, also for broken ones.
+//! Properties of all texts, including those with errors.
 
 use super::changed;
 use calyx_lang::check::Loader;
@@ -19,7 +19,7 @@ use calyx_lsp::ide::{Position, Snapshot};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// xorshift64*: small, and the same on every machine.
+/// Xorshift64* generator: reproducible on every machine.
 struct Random(u64);
 
 impl Random {
@@ -31,7 +31,7 @@ impl Random {
     }
 }
 
-/// The models of the repository and the library.
+/// Returns the models of the repository and the library.
 fn programs() -> Vec<String> {
     fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
         let mut entries: Vec<PathBuf> =
@@ -55,7 +55,7 @@ fn programs() -> Vec<String> {
     texts
 }
 
-/// Statements of all kinds, and letters that take several bytes.
+/// Statements of all kinds, with multi-byte characters.
 const EVERYTHING: &str = r#"/// Größe und Maß.
 
 import gears;
@@ -124,7 +124,7 @@ const SNIPPETS: [&str; 32] = [
     "at ",
 ];
 
-/// A text with random edits; mostly broken.
+/// Returns a text with random edits; mostly with errors.
 fn edited(text: &str, random: &mut Random) -> String {
     let mut text = text.to_string();
     for _ in 0..1 + random.below(4) {
@@ -152,12 +152,12 @@ fn edited(text: &str, random: &mut Random) -> String {
     text
 }
 
-/// Runs a check on the programs and on many broken forms of them.
+/// Runs a check on the programs and on many randomly edited versions.
 fn for_all(check: impl Fn(&Source<'_>, &mut Random)) {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
     for text in programs() {
         check(&Source::new(&text), &mut random);
-        // Long texts take as long as many short ones.
+        // Fewer versions of long texts, which take longer.
         for _ in 0..(20_000 / text.len()).clamp(2, 40) {
             check(&Source::new(&edited(&text, &mut random)), &mut random);
         }
@@ -237,7 +237,7 @@ fn selections_grow_to_the_file() {
     });
 }
 
-/// Tokens with their texts: what a program means.
+/// Returns the tokens with their texts, which determine the meaning of a program.
 fn meaning(text: &str) -> Vec<String> {
     let source = Source::new(text);
     source.tokens.tokens.iter().map(|token| format!("{:?} {}", token.kind, source.word(token))).collect()
@@ -273,7 +273,7 @@ fn layout_of_a_selection_is_part_of_that_of_the_file_and_keeps_the_meaning() {
     });
 }
 
-/// A `,` before a closing bracket is no part of the layout.
+/// Removes trailing commas, which the formatter may change.
 fn without_last_commas(words: Vec<String>) -> Vec<String> {
     let closes = |word: &String| word.starts_with("CloseParen") || word.starts_with("CloseBracket");
     let kept = |at: usize| !(words[at].starts_with("Comma") && words.get(at + 1).is_some_and(closes));
@@ -296,7 +296,7 @@ fn typing_keeps_the_meaning() {
             broken.insert(at, '\n');
             let changes = typed(&Source::new(&broken), at as u32 + 1, '\n');
             let text = changed(&broken, &changes);
-            // The line end in a comment breaks it in two, and is the only one that may change something.
+            // A line break in a comment splits it, and is the only one that may change the meaning.
             let in_comment = source.tokens.comments.iter().any(|comment| {
                 comment.kind != CommentKind::Block
                     && comment.span.start as usize + 2 <= at
@@ -329,7 +329,7 @@ fn tokens_are_in_order_and_apart() {
             let text = source.slice(token.start, token.end);
             assert!(!text.is_empty() && !text.contains('\n'), "{token:?} is `{text}`");
         }
-        // A part of the file has its tokens, and some that reach into it.
+        // The tokens of a range include those that overlap its start and end.
         let (a, b) = (place(source, random), place(source, random));
         let range = a.min(b)..a.max(b);
         let part = tokens(source, &[], range.clone());
@@ -342,7 +342,7 @@ fn tokens_are_in_order_and_apart() {
 #[test]
 fn the_difference_of_tokens_makes_the_new_of_the_old() {
     let kinds = |text: &str| {
-        // As clients are told them: by length, so that little changes behind an edit.
+        // Encoded by length as for clients, so that few tokens change after an edit.
         let source = Source::new(text);
         all_tokens(&source).iter().map(|t| (t.end - t.start, t.kind, t.modifiers)).collect::<Vec<_>>()
     };
@@ -361,7 +361,7 @@ fn the_difference_of_tokens_makes_the_new_of_the_old() {
     }
 }
 
-/// The library, and no other module.
+/// A loader with the library only.
 struct LibraryAlone;
 
 impl LibraryAlone {
@@ -414,7 +414,7 @@ fn checked_texts_are_answered_however_broken() {
             let position = Position { file: MODEL.into(), offset };
             let Some(item) = prepare(&snapshot, &position) else { continue };
             for caller in incoming(&snapshot, &item.place) {
-                // Who is said to call a function calls it.
+                // Every reported caller calls the function.
                 let callees = outgoing(&snapshot, &caller.item.place);
                 assert!(callees.iter().any(|callee| callee.item.place == item.place), "{caller:?}\n{text}");
             }

@@ -1,8 +1,9 @@
-//! Fixtures: Markdown files in which every case shows a text with a cursor, and what the editor is told.
+//! Fixtures: Markdown files in which every case has a text with a cursor and the expected answer.
 //!
-//! A case is a `##` heading followed by one or more ```` ```cx ```` blocks and one ```` ```text ```` block. The first block is the model; a word after
-//! `cx` names another file beside it (```` ```cx util.cx ````). `$0` is the cursor and is not part of the text; two of them are a
-//! selection. `CALYX_BLESS=1` writes what is answered into the file.
+//! A case is a `##` heading followed by one or more ```` ```cx ```` blocks and one ```` ```text
+//! ```` block. The first block is the model; a word after `cx` is the name of another file in its
+//! folder (```` ```cx util.cx ````). `$0` is the cursor and not part of the text; two of them are a
+//! selection. `CALYX_BLESS=1` writes the answers into the file.
 
 #![allow(dead_code, reason = "every test uses its part of this")]
 
@@ -16,10 +17,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// One case of a fixture.
+/// A case of a fixture.
 pub struct Case {
     pub heading: String,
-    /// Name and text without cursor marks; the model, `model.cx`, first.
+    /// Name and text without cursor marks; the model, `model.cx`, is first.
     pub files: Vec<(String, String)>,
     /// File and offset of each mark, in order.
     pub cursors: Vec<Position>,
@@ -27,7 +28,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// The first cursor. A case without one asks about the whole model.
+    /// Returns the first cursor. A case without one is about the whole model.
     pub fn cursor(&self) -> &Position {
         self.cursors.first().unwrap_or_else(|| panic!("`{}` has no cursor", self.heading))
     }
@@ -36,7 +37,7 @@ impl Case {
         self.files.iter().find(|(name, _)| name == file).map_or("", |(_, text)| text)
     }
 
-    /// `line:column` from 1, in characters, of a place in a file of the case.
+    /// Formats a position in a file of the case as `line:column`, from 1, in characters.
     pub fn place(&self, file: &str, offset: u32) -> String {
         let before = self.text(file).get(..offset as usize).unwrap_or_default();
         let line = before.matches('\n').count() + 1;
@@ -45,7 +46,8 @@ impl Case {
     }
 }
 
-/// Answers every case of `tests/ide/NAME.md` and compares with what it says.
+/// Computes the answers to all cases of `tests/ide/NAME.md`, and compares them with the expected
+/// ones.
 pub fn run(name: &str, answer: impl Fn(&Case) -> String) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/ide/{name}.md"));
     let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -54,7 +56,7 @@ pub fn run(name: &str, answer: impl Fn(&Case) -> String) {
     let mut wrong = Vec::new();
     let mut rest = text.as_str();
     let mut count = 0;
-    // What stands before the first heading explains the file.
+    // The text before the first heading documents the file.
     let first = rest.find("\n## ").map_or(rest.len(), |at| at + 1);
     blessed.push_str(&rest[..first]);
     rest = &rest[first..];
@@ -82,12 +84,12 @@ pub fn run(name: &str, answer: impl Fn(&Case) -> String) {
     assert!(bless || wrong.is_empty(), "{}\n{}", path.display(), wrong.join("\n"));
 }
 
-/// A case whose model is a text without cursors.
+/// Creates a case whose model is a text without cursors.
 pub fn of(text: &str) -> Case {
     case("a model", &format!("```cx\n{text}```"))
 }
 
-/// Where the content of the ```text block lies.
+/// Returns the range of the content of the ```text block.
 fn text_block(section: &str) -> Option<(usize, usize)> {
     let start = section.find("```text\n")? + "```text\n".len();
     let stop = start + section[start..].find("```")?;
@@ -115,7 +117,7 @@ fn case(heading: &str, section: &str) -> Case {
     Case { heading: heading.to_string(), files, cursors, snapshot }
 }
 
-/// A snapshot of which the model is elaborated, where it can be.
+/// Returns a snapshot with an elaborated model, if the elaboration succeeds.
 pub fn elaborated(snapshot: &Snapshot) -> Snapshot {
     let model = snapshot.database.models().next().expect("a model").to_string();
     let checked = snapshot.database.check(&model).expect("it was set");
@@ -128,14 +130,14 @@ pub fn elaborated(snapshot: &Snapshot) -> Snapshot {
     snapshot
 }
 
-/// A snapshot of these files, by name and text; the first is the model.
+/// Creates a snapshot of files by name and text; the first is the model.
 pub fn snapshot(files: &[(String, String)]) -> Snapshot {
     let loader = Files::new(files);
     let mut database = Database::new(&loader);
     let (model, text) = &files[0];
     database.set_model(model, text);
     database.load_imports(model, &loader);
-    // An editor knows every module there is, imported or not.
+    // An editor knows all modules, imported or not.
     for path in loader.names() {
         let names: Vec<String> = path.split('.').map(str::to_string).collect();
         if let Some((name, text)) = loader.module(&names) {
@@ -145,7 +147,7 @@ pub fn snapshot(files: &[(String, String)]) -> Snapshot {
     Snapshot::new(database)
 }
 
-/// The files after some edits, whose places are those before any of them.
+/// Returns the files after disjoint edits.
 pub fn changed(files: &[(String, String)], edits: &[Edit]) -> Vec<(String, String)> {
     let mut changed = files.to_vec();
     let mut edits: Vec<&Edit> = edits.iter().collect();
@@ -158,7 +160,7 @@ pub fn changed(files: &[(String, String)], edits: &[Edit]) -> Vec<(String, Strin
     changed
 }
 
-/// The library, and the files of a case.
+/// Loader of the library and the files of a case.
 struct Files {
     folder: PathBuf,
     others: BTreeMap<String, String>,

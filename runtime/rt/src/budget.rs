@@ -1,21 +1,21 @@
-//! Limits of a run as users write them, and the memory that the process takes.
+//! Time and memory limits of a run as users write them, and the memory use of the process.
 
 use std::time::Duration;
 
-/// Reads `10s`, `500 ms`, `2 min`, `1 h`; a bare number is in seconds.
+/// Parses a duration such as `10s`, `500 ms`, `2 min` or `1 h`; a bare number is in seconds.
 ///
 /// # Errors
-/// What is wrong with it.
+/// A description of the syntax error.
 pub fn time(text: &str) -> Result<Duration, String> {
     let units = [("ms", 1e-3), ("min", 60.0), ("s", 1.0), ("h", 3600.0)];
     let seconds = quantity(text, &units)?;
     Duration::try_from_secs_f64(seconds).map_err(|_| format!("`{text}` is too long"))
 }
 
-/// Reads `2GB`, `500 MB`, `64 kB`; a bare number is in bytes.
+/// Parses a memory size such as `2GB`, `500 MB` or `64 kB`; a bare number is in bytes.
 ///
 /// # Errors
-/// What is wrong with it.
+/// A description of the syntax error.
 pub fn memory(text: &str) -> Result<u64, String> {
     let units = [("kB", 1e3), ("MB", 1e6), ("GB", 1e9), ("TB", 1e12)];
     Ok(quantity(text, &units)? as u64)
@@ -39,27 +39,27 @@ fn quantity(text: &str, units: &[(&str, f64)]) -> Result<f64, String> {
     }
 }
 
-/// Returns memory that was freed to the system, where the allocator can: it keeps what small values took, and a limit of a run
-/// would count that twice.
+/// Returns freed memory to the system, if the allocator supports that. The allocator retains the
+/// memory of small values, and the memory limit of a run would count it twice.
 pub fn return_freed() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
-    // SAFETY: it touches free memory alone, and may be called at any time.
+    // SAFETY: `malloc_trim` affects free memory only and may be called at any time.
     unsafe {
         libc::malloc_trim(0);
     }
 }
 
-/// Bytes of memory that this process takes, where the system tells.
+/// Returns the resident memory of this process in bytes, if the system reports it.
 pub fn taken() -> Option<u64> {
     told("/proc/self/status", "VmRSS:")
 }
 
-/// Bytes of memory that the machine can still give, where the system tells.
+/// Returns the available memory of the machine in bytes, if the system reports it.
 pub fn available() -> Option<u64> {
     told("/proc/meminfo", "MemAvailable:")
 }
 
-/// What the system says in a file, in kilobytes, under a name.
+/// Reads the entry `name` of a system file, in kilobytes.
 fn told(file: &str, name: &str) -> Option<u64> {
     let said = std::fs::read_to_string(file).ok()?;
     let line = said.lines().find_map(|line| line.strip_prefix(name))?;

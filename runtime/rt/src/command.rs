@@ -1,4 +1,4 @@
-//! A run as a command: what `calyx run` and an executable do with their options, once there is a program.
+//! A run as a command: the part that `calyx run` and executables share once there is a program.
 
 use crate::budget;
 use crate::directory::{self, StageTimes};
@@ -18,48 +18,48 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Results are written.
+/// Exit status: the results are written.
 pub const SUCCESS: u8 = 0;
-/// The model, or its analysis, is wrong.
+/// Exit status: the model or its analysis failed.
 pub const MODEL_ERROR: u8 = 1;
-/// The command was not used as it can be.
+/// Exit status: usage error.
 pub const USAGE: u8 = 2;
 
-/// How a command speaks to whoever gave it.
+/// Output of messages to the user of a command.
 pub trait Messages {
-    /// Why what was given cannot be used.
+    /// Reports an invalid argument.
     fn refused(&self, why: &InvalidParam);
-    /// Why the run failed.
+    /// Reports the failure of the run.
     fn error(&self, error: &RuntimeError);
-    /// What the library found, with places in the source.
+    /// Reports findings of the library, with source locations.
     fn findings(&self, findings: &[Finding]);
-    /// What deserves a second look and has no place in the source.
+    /// Reports a warning without a source location.
     fn warning(&self, text: &str);
-    /// What only people want to know; without the line's end.
+    /// Prints a note for people; without a line break at the end.
     fn note(&self, text: &str);
 }
 
-/// A run that somebody asked for.
+/// A run started from a command line.
 pub struct RunCommand<'c> {
     pub program: Arc<dyn Program>,
     pub arguments: &'c RunArguments,
-    /// What went before, for `timing.json`.
+    /// Stages that preceded the run, for `timing.json`.
     pub before: StageTimes,
-    /// Where results go if nobody says.
+    /// Directory of the results if no option sets it.
     pub default_directory: PathBuf,
     pub messages: &'c dyn Messages,
-    /// Shows no bar, even where people watch.
+    /// Suppresses the progress bar, also on a terminal.
     pub silent: bool,
 }
 
 impl RunCommand<'_> {
-    /// Does what the options say, with the params that they gave: the exit status.
+    /// Runs the model with the given params and returns the exit status.
     pub fn execute(self, given: Vec<ParamAssignment>) -> u8 {
         let RunCommand { program, arguments, before, default_directory, messages, silent } = self;
         let directory = arguments.out.clone().unwrap_or(default_directory);
         let threads = arguments.threads.map_or(0, NonZeroUsize::get);
         if arguments.memory_limit.is_some() {
-            // What checking took is not the run's.
+            // The memory of the type checker must not count for the run.
             budget::return_freed();
         }
         let options = RunOptions {
@@ -140,8 +140,8 @@ fn failed(error: &RunError, directory: &Path, messages: &dyn Messages) -> u8 {
     }
 }
 
-/// Says that a run which failed before its first position left the results of an earlier run as they are, if there are
-/// any: the exit status.
+/// Reports that a run which failed before its first position left the results of an earlier run
+/// unchanged, if there are any. Returns the exit status.
 pub fn refused_by_check(directory: &Path, messages: &dyn Messages) -> u8 {
     if directory.join("run.json").exists() {
         messages.note(&format!(
@@ -152,7 +152,7 @@ pub fn refused_by_check(directory: &Path, messages: &dyn Messages) -> u8 {
     MODEL_ERROR
 }
 
-/// Says that a directory does not take results.
+/// Reports that results cannot be written to a directory.
 pub fn unwritable(path: &Path, error: &io::Error, messages: &dyn Messages) -> u8 {
     messages.refused(&InvalidParam::new(
         format!("cannot write results to {}: {error}", path.display()),
@@ -174,7 +174,7 @@ fn print_document(directory: &Path, messages: &dyn Messages) -> u8 {
     }
 }
 
-/// Prints one JSON document on standard output. Whoever does not want to read to its end may close it.
+/// Prints one JSON document on standard output. A reader that closes the pipe early is no error.
 pub fn print_json(document: &serde_json::Value, messages: &dyn Messages) -> u8 {
     let mut out = io::stdout().lock();
     match serde_json::to_writer_pretty(&mut out, document)

@@ -1,4 +1,5 @@
-//! The run directory: `run.json`, `timing.json` and `steps.csv`, each position on disk before the next begins.
+//! The run directory: `run.json`, `timing.json` and `steps.csv`. Each position is on disk before
+//! the next one starts.
 
 use crate::field_tables::{self, FieldTables};
 use crate::journal::{FoundJournal, Journal};
@@ -23,22 +24,22 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Below a run directory: tables and pictures in the frequency domain.
+/// Folder of tables and plots in the frequency domain, in a run directory.
 pub const SIGNALS: &str = "signals";
-/// In a run directory: all of it for people, see [`crate::page`].
+/// HTML report in a run directory, see [`crate::page`].
 pub const REPORT: &str = "report.html";
 
-/// Names of stages, in order, and the time each took.
+/// Names of stages in order, with the duration of each.
 pub type StageTimes = Vec<(&'static str, Duration)>;
 
-/// The default run directory: beside the model, named after it.
+/// Returns the default run directory: next to the model and named after it.
 pub fn default_directory(model: &Path) -> PathBuf {
     let mut name = model.file_name().unwrap_or_default().to_owned();
     name.push(".run");
     model.with_file_name(name)
 }
 
-/// What `run.json` of a run in a directory says; `None` if there is none.
+/// Reads `run.json` of a directory; `None` if there is none.
 pub fn read_run(directory: &Path) -> io::Result<Option<Value>> {
     match fs::read(directory.join("run.json")) {
         Ok(text) => Ok(Some(serde_json::from_slice(&text)?)),
@@ -47,7 +48,8 @@ pub fn read_run(directory: &Path) -> io::Result<Option<Value>> {
     }
 }
 
-/// The results in a directory as one document: what `run.json` says, and `steps`, the rows of `steps.csv` by column.
+/// Reads the results in a directory as one document: the contents of `run.json`, and `steps` with
+/// the rows of `steps.csv` by column.
 pub fn document(directory: &Path) -> io::Result<Value> {
     let mut document = read_run(directory)?.ok_or(io::ErrorKind::NotFound)?;
     let table = directory.join("steps.csv");
@@ -68,7 +70,7 @@ pub fn document(directory: &Path) -> io::Result<Value> {
     Ok(document)
 }
 
-/// JSON has no infinity: what is not finite is null.
+/// Converts a cell to JSON, which has no infinity: numbers that are not finite become null.
 fn cell_json(column: &str, cell: &str) -> Value {
     match column {
         "point" => json!(cell),
@@ -77,33 +79,35 @@ fn cell_json(column: &str, cell: &str) -> Value {
     }
 }
 
-/// Positions that contact and stress are recorded of, at most, where nobody asks for all of them: enough for every position of a mesh
-/// cycle, and few beside the steps of a long motion.
+/// Largest number of positions whose contact and stress are recorded if not all are requested. It
+/// suffices for every position of a mesh cycle and is small compared to the steps of a long
+/// simulation.
 const RECORDED: usize = 256;
 
-/// What is written of every position beside its row and what the report shows.
+/// Files that a run writes for every position in addition to its row and the data of the report.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Details {
-    /// Tables that are asked for, see [`crate::field_tables`].
+    /// Field tables, see [`crate::field_tables`].
     pub tables: bool,
-    /// Pictures for ParaView, see [`crate::vtu`].
+    /// VTU files for ParaView, see [`crate::vtu`].
     pub pictures: bool,
 }
 
 impl Details {
-    /// Positions whose fields are recorded, at most.
+    /// Returns the largest number of positions whose fields are recorded.
     pub fn positions(self) -> usize {
         if self.tables || self.pictures { usize::MAX } else { RECORDED }
     }
 
-    /// Whether an earlier run has written them of its first positions.
+    /// Returns true if an earlier run has written these files for its first positions.
     pub fn are_in(self, directory: &Path, positions: usize) -> bool {
         (positions == 0 || field_tables::are_in(directory, self.tables))
             && (!self.pictures || vtu::are_in(directory, positions))
     }
 }
 
-/// Writes down positions as they are solved: in tables and pictures for people, and in the journal for a run that goes on.
+/// Writer of solved positions: tables and VTU files for users, and the journal for a run that
+/// resumes.
 pub struct Record {
     table: StepTable,
     tables: FieldTables,
@@ -113,7 +117,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// Begins with the first position.
+    /// Starts a record at the first position.
     pub fn begin(
         directory: &Path,
         outputs: &[OutputDescription],
@@ -129,7 +133,7 @@ impl Record {
         })
     }
 
-    /// Begins behind what an earlier run solved.
+    /// Continues the record of an earlier run after its solved positions.
     pub fn resume(
         directory: &Path,
         outputs: &[OutputDescription],
@@ -169,13 +173,13 @@ impl Record {
     }
 }
 
-/// Writes one row per position as it is solved.
+/// Writer of `steps.csv`, one row per position.
 pub struct StepTable {
     writer: csv::Writer<File>,
 }
 
 impl StepTable {
-    /// Begins the table in a directory with its header. All columns are SI; units stand in `run.json`.
+    /// Creates the table with its header. All columns are in SI; the units are in `run.json`.
     pub fn create(directory: &Path, outputs: &[OutputDescription]) -> io::Result<StepTable> {
         let mut writer = csv::Writer::from_path(directory.join("steps.csv"))?;
         let header = ["step", "time", "cycle", "roll_angle", "point"].into_iter();
@@ -189,7 +193,8 @@ impl StepTable {
         let mut record = vec![index.to_string()];
         record.extend([position.time, position.cycle, position.roll].map(|number| number.to_string()));
         record.push(position.name.clone().into_owned());
-        // The shortest decimal that reads back to the same bits; nothing of an output that the fidelity has no value of.
+        // The shortest decimal that parses to the same bits; empty for an output that the fidelity
+        // level does not support.
         let shown = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
         record.extend(row.outputs.iter().map(|output| shown(output.value)));
         self.writer.write_record(record)?;
@@ -197,8 +202,8 @@ impl StepTable {
     }
 }
 
-/// Writes `run.json` of a run that was ended before its time: what it is of (`run`, see [`head`]), how far it came, and what
-/// ended it.
+/// Writes `run.json` of a run that ended early: its subject (`run`, see [`head`]), its progress,
+/// and the reason.
 pub fn write_unfinished(
     directory: &Path,
     mut run: Value,
@@ -210,8 +215,8 @@ pub fn write_unfinished(
     write_json(directory.join("run.json"), &run)
 }
 
-/// What a run is of, and what the columns of outputs in its table of positions are: of a run that did not come to its end, nothing else
-/// tells.
+/// Returns the subject of a run and the columns of outputs in its table of positions. For an
+/// unfinished run this is the only description of the columns.
 pub fn head(description: &ModelDescription, params: &[ParamValue], overrides: &Override) -> Value {
     let mut head = subject(description, params, overrides);
     let columns = description.outputs.iter().map(|output| (output.name.clone(), column_json(output)));
@@ -219,7 +224,8 @@ pub fn head(description: &ModelDescription, params: &[ParamValue], overrides: &O
     head
 }
 
-/// What a run is of: versions, source and params, and what of the analysis was changed from outside, if anything was.
+/// Returns the subject of a run: versions, source, params, and overrides of the analysis settings,
+/// if any.
 fn subject(description: &ModelDescription, params: &[ParamValue], overrides: &Override) -> Value {
     let mut head = json!({
         "calyx": env!("CARGO_PKG_VERSION"),
@@ -232,14 +238,14 @@ fn subject(description: &ModelDescription, params: &[ParamValue], overrides: &Ov
     });
     if !overrides.is_none() {
         let turned = overrides.turned().into_iter();
-        // Numbers as numbers.
+        // Numbers stay numbers.
         let value = |text: String| serde_json::from_str(&text).unwrap_or(json!(text));
         head["overrides"] = turned.map(|(name, text)| (name.to_owned(), value(text))).collect();
     }
     head
 }
 
-/// Of a run that is not finished: what the columns of its table are.
+/// Key of the table columns in `run.json` of an unfinished run.
 const COLUMNS: &str = "columns";
 
 fn column_json(output: &OutputDescription) -> Value {
@@ -247,8 +253,9 @@ fn column_json(output: &OutputDescription) -> Value {
     json!({ "doc": output.doc, "unit": output.si, "display": display })
 }
 
-/// Writes `run.json` and `timing.json` of a finished run, which is of what `run` says (see [`head`]). `result` is `None` for a model without
-/// an analysis; `signals` are those of [`crate::signals::list`].
+/// Writes `run.json` and `timing.json` of a finished run with the subject `run` (see [`head`]).
+/// `result` is `None` for a model without an analysis; `signals` are those of
+/// [`crate::signals::list`].
 pub fn write_run(
     directory: &Path,
     mut run: Value,
@@ -258,7 +265,7 @@ pub fn write_run(
     warnings: &[String],
     stages: &Stages,
 ) -> io::Result<()> {
-    // Finished, it tells more of its outputs.
+    // A finished run describes its outputs in more detail.
     if let Some(run) = run.as_object_mut() {
         run.remove(COLUMNS);
     }
@@ -292,19 +299,19 @@ pub fn write_run(
     write_json(directory.join("timing.json"), &timing_json(result.map(|result| &result.timing), stages))
 }
 
-/// How long what surrounds the analysis took.
+/// Durations of the stages around the analysis.
 #[derive(Clone, Debug, Default)]
 pub struct Stages {
-    /// What went before, like checking and compiling.
+    /// Stages before the run, such as checking and compiling.
     pub before: StageTimes,
-    /// The program, its analysis included.
+    /// Duration of the program, including its analysis.
     pub program: Duration,
-    /// Positions that an earlier run had solved, whose time is not in this one's.
+    /// Number of positions solved by an earlier run; their time is not included.
     pub solved_before: usize,
 }
 
 fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
-    // Written beside and renamed, so that a reader never sees half a file.
+    // Written to a temporary file and renamed, so that a reader never sees a partial file.
     let unfinished = path.with_extension("json.part");
     let mut file = File::create(&unfinished)?;
     serde_json::to_writer_pretty(&mut file, value)?;
@@ -313,7 +320,7 @@ fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
     fs::rename(unfinished, path)
 }
 
-/// What of the scene is modelled how, and why.
+/// Returns the modelling decisions for the scene, with their reasons.
 fn plan_json(plan: &Plan) -> Value {
     let bodies = plan.bodies.iter().map(|body| {
         let part = json!({ "modelled": !body.left_out, "elastic": body.is_elastic(), "reason": body.reason });
@@ -361,7 +368,7 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
     all
 }
 
-/// What was taken for a tolerance, and what was tried before it.
+/// Returns the result of the tolerance search and its earlier trials.
 fn chosen_json(chosen: &ToleranceOutcome) -> Value {
     let setting = |Setting { fidelity, refinement, cells, positions }: &Setting| json!({ "fidelity": fidelity.name(), "refinement": refinement, "cells": cells, "positions": positions });
     let tried = chosen.tried.iter().map(|Attempt { setting: own, whole, worst: (output, error) }| {
@@ -380,8 +387,9 @@ fn chosen_json(chosen: &ToleranceOutcome) -> Value {
     })
 }
 
-/// Errors are in SI, `relative` in parts of the largest magnitude. `includes_level` says whether the error of the fidelity level itself is
-/// part of them. `rounding` is the magnitude up to which a value may be nothing else.
+/// Returns an error estimate: errors in SI, `relative` as a fraction of the largest magnitude.
+/// `includes_level` states whether the error of the fidelity level is included. `rounding` is the
+/// magnitude up to which a value may be rounding error alone.
 fn error_json(error: &ErrorEstimate, summary: &OutputSummary) -> Value {
     let statistics = |Statistics { min, max, mean, peak_to_peak }: &Statistics| json!({ "min": min, "max": max, "mean": mean, "peak_to_peak": peak_to_peak });
     let parts: Map<_, _> =
@@ -416,14 +424,15 @@ fn param_json(param: &ParamDescription, value: &ParamValue) -> Value {
         ParamValue::Bool(value) => json!({ "value": value }),
         ParamValue::String(text) => json!({ "value": text }),
         ParamValue::Number(si) => {
-            // What the conversion adds in the last digit is not the user's.
+            // Removes the rounding error of the unit conversion.
             let shown: f64 = format!("{:.14e}", from_si(*si, param.unit.factor)).parse().unwrap_or(f64::NAN);
             json!({ "value": si, "display": { "unit": param.unit.name, "value": shown } })
         }
     }
 }
 
-/// The model's hash, and name and hash of every file it consists of, and of the tables it reads at its params' defaults.
+/// Returns the model's hash, and name and hash of each of its files and of each table that it reads
+/// at the params' defaults.
 fn source_json(description: &ModelDescription) -> Value {
     let hash = |file: &FileDescription| text_hash(&file.text);
     let files: Vec<Value> =
@@ -433,7 +442,7 @@ fn source_json(description: &ModelDescription) -> Value {
     json!({ "sha256": description.files.first().map(hash), "files": files, "tables": tables })
 }
 
-/// The hash by which `run.json` tells of which text it is.
+/// Returns the hash that `run.json` stores to identify a text.
 pub fn text_hash(text: &str) -> String {
     hex(&Sha256::digest(text.as_bytes()))
 }

@@ -1,5 +1,5 @@
-//! What instances share: threads and kept structures. Nothing of it is the process's, and two engines know nothing of
-//! each other.
+//! Resources that instances share: threads and the structure cache. None is global, and two engines
+//! are independent.
 
 use crate::error::Error;
 use calyx_abi::RuntimeError;
@@ -9,16 +9,17 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::resources::Resources;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// How an engine is set up.
+/// Configuration of an engine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EngineConfig {
-    /// Threads that analyses share; 0 is one per core.
+    /// Number of threads that analyses share; 0 is one per core.
     pub threads: usize,
-    /// Bytes of structures that are kept for analyses to come: the part of an analysis that takes longest, and the same
-    /// as long as geometry and material are. 0 keeps none.
+    /// Size in bytes of the structure cache in memory. Static condensation is the longest part of
+    /// an analysis, and its result is the same while geometry and material are unchanged. 0
+    /// disables the cache.
     pub kept: usize,
-    /// Where structures are kept on disk, for other processes and runs to come. By default nowhere: a program that embeds models says
-    /// what it writes.
+    /// Structure cache on disk, for other processes and future runs. None by default: the embedding
+    /// program decides which files it writes.
     pub store: Option<Store>,
 }
 
@@ -28,10 +29,11 @@ impl Default for EngineConfig {
     }
 }
 
-/// What instances share: threads, and the structures of gears that were analysed before.
+/// Resources that instances share: threads and the structure cache.
 ///
-/// Most programs have one. Making it is cheap, its threads start with the first analysis; a clone is the same engine, to
-/// be used by any thread. It lives as long as anything that came from it.
+/// Most programs have one. Its creation is cheap; its threads start with the first analysis. A
+/// clone is the same engine and may be used by any thread. The engine lives as long as any object
+/// created from it.
 #[derive(Clone, Debug, Default)]
 pub struct Engine(Arc<Shared>);
 
@@ -68,12 +70,12 @@ impl Engine {
         &self.0.config
     }
 
-    /// Structures that were kept, and how often they served.
+    /// Returns the number of cached structures and the hits.
     pub fn kept(&self) -> CacheCounts {
         self.0.cache.counts()
     }
 
-    /// What an analysis uses of this engine.
+    /// Returns the resources for an analysis.
     pub(crate) fn resources(&self, interrupt: Interrupt) -> Result<Resources, Error> {
         let EngineConfig { kept, store, .. } = &self.0.config;
         let cache = (*kept > 0 || store.is_some()).then(|| self.0.cache.clone());

@@ -1,4 +1,4 @@
-//! Why something that was asked of an instance was not done, as data.
+//! Errors of operations on an instance, as data.
 
 use crate::param_assignment::Origin;
 use crate::params::InvalidParam;
@@ -6,28 +6,28 @@ use calyx_abi::RuntimeError;
 use calyx_abi::error::codes;
 use std::fmt;
 
-/// Why something was not done.
+/// Error of an operation on an instance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
-    /// What was given cannot be used: a name that the model does not have, a unit of another dimension, a value out of
-    /// range.
+    /// An argument is invalid: a name that the model does not have, a unit of another dimension, a
+    /// value out of range.
     Given(InvalidParam),
-    /// The model or its analysis failed, or was ended before its time.
+    /// The model or its analysis failed, or was ended early.
     Model(RuntimeError),
 }
 
-/// Kinds of errors that are met in different ways.
+/// Categories of errors by remedy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {
-    /// Give something else.
+    /// The given value must be changed.
     Given,
-    /// At these params the model cannot be built or solved.
+    /// The model cannot be built or solved with these params.
     Model,
-    /// Somebody cancelled it.
+    /// The run was cancelled.
     Cancelled,
-    /// It used up its time or memory.
+    /// The run exceeded its time or memory limit.
     Limit,
-    /// A defect of Calyx, or this machine refused what a run needs.
+    /// A defect of Calyx, or a resource that the machine refused.
     Internal,
 }
 
@@ -36,7 +36,7 @@ impl Error {
         Error::Given(InvalidParam::new(message, help))
     }
 
-    /// The same error of what was given in a file.
+    /// Adds the location in a file to an error about a given value.
     pub(crate) fn placed(self, origin: Option<&Origin>) -> Error {
         match self {
             Error::Given(refused) => Error::Given(InvalidParam { origin: origin.cloned(), ..refused }),
@@ -54,7 +54,8 @@ impl Error {
         }
     }
 
-    /// The stable code, like `E0603`, by which `calyx explain` says more; what was given wrong has none.
+    /// Returns the stable code, like `E0603`, that `calyx explain` describes. Errors about given
+    /// values have none.
     pub fn code(&self) -> Option<&str> {
         match self {
             Error::Given(_) => None,
@@ -69,7 +70,7 @@ impl Error {
         }
     }
 
-    /// Remedy; empty if there is none.
+    /// Returns the remedy; empty if there is none.
     pub fn help(&self) -> &str {
         match self {
             Error::Given(refused) => &refused.help,

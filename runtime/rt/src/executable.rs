@@ -1,5 +1,5 @@
-//! The command line of a model that is a program of its own: its help is made from the model's words, the rest is what
-//! `calyx run` takes.
+//! Command line of a model compiled to an executable: its help is generated from the model's docs,
+//! and its options are those of `calyx run`.
 
 use crate::command::{MODEL_ERROR, Messages, RunCommand, USAGE, print_json};
 use crate::help;
@@ -22,7 +22,7 @@ use std::os::unix::ffi::OsStringExt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What an executable takes.
+/// Options of an executable.
 #[derive(Parser)]
 #[command(disable_help_subcommand = true)]
 struct Arguments {
@@ -52,7 +52,7 @@ pub unsafe extern "C" fn calyx_rt_main(
     argv: *const *const c_char,
     module: *const ModuleTable,
 ) -> c_int {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     let arguments: Vec<OsString> = (0..argc.max(0) as usize)
         .map(|i| OsString::from_vec(unsafe { CStr::from_ptr(*argv.add(i)) }.to_bytes().to_vec()))
         .collect();
@@ -69,8 +69,8 @@ pub unsafe extern "C" fn calyx_rt_main(
     .unwrap_or(MODEL_ERROR.into())
 }
 
-/// Runs a model as a program: its exit status, 0 when results are written, 1 if the model or its analysis failed, 2 if the
-/// command was not used as it can be. `arguments` begin with the program's name.
+/// Runs a model as a program and returns its exit status: 0 when results are written, 1 if the
+/// model or its analysis failed, 2 for a usage error. `arguments` begin with the program's name.
 pub fn main(program: Arc<dyn Program>, arguments: &[OsString]) -> u8 {
     let description = program.description();
     let parsed = command(description).try_get_matches_from(arguments);
@@ -107,7 +107,7 @@ pub fn main(program: Arc<dyn Program>, arguments: &[OsString]) -> u8 {
     }
 }
 
-/// The command line, with the help of this model.
+/// Builds the command line, with the help of this model.
 fn command(description: &ModelDescription) -> Command {
     let (about, long_about) = match description.doc.trim() {
         "" => ("A model compiled by Calyx.", "A model compiled by Calyx."),
@@ -124,7 +124,8 @@ fn command(description: &ModelDescription) -> Command {
         .help_template("{about-with-newline}\n{usage-heading} {usage}{after-help}\n\n{all-args}")
 }
 
-/// A program that is not beside its model: its tables are its own or in a directory that somebody names.
+/// A program without the directory of its model: its tables are embedded or in a directory given by
+/// the user.
 struct Standalone {
     program: Arc<dyn Program>,
     tables: Option<PathBuf>,
@@ -165,7 +166,7 @@ impl Program for Standalone {
     }
 }
 
-/// What an executable says, on standard error.
+/// Messages of an executable, on standard error.
 struct StandaloneMessages<'d> {
     description: &'d ModelDescription,
 }

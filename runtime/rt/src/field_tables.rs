@@ -1,7 +1,8 @@
-//! Tables of what positions look like: loads along the lines of contact, and where they are asked for pressures cell by cell, stresses in
-//! fillets and places of maxima.
+//! Tables of the fields of positions: line loads along the contact lines and, if requested,
+//! pressures by cell, stresses in fillets and locations of maxima.
 //!
-//! Rows of a position are on disk before its line of the journal, so that a run that goes on finds them; SI throughout.
+//! The rows of a position are on disk before its line of the journal, so that a resumed run finds
+//! them. All columns are in SI.
 
 use calyx_abi::description::OutputDescription;
 use calyx_runtime::observables::{ContactField, Fields, FilletField};
@@ -14,28 +15,29 @@ const PRESSURE: &str = "pressure.csv";
 const ROOT_STRESS: &str = "root_stress.csv";
 const PLACES: &str = "places.csv";
 
-/// Loads along the lines of contact: small, and what the report shows of contact, so every run has it.
+/// Table of line loads along the contact lines. It is small and the report needs it, so every run
+/// writes it.
 pub const LINE_LOAD: &str = "line_load.csv";
-/// Names in a run directory of those that are asked for.
+/// File names of the optional tables in a run directory.
 const ASKED_FOR: [&str; 3] = [PRESSURE, ROOT_STRESS, PLACES];
 
-/// Names of all of them in a run directory.
+/// File names of all tables in a run directory.
 pub const NAMES: [&str; 4] = [LINE_LOAD, PRESSURE, ROOT_STRESS, PLACES];
 
-/// Columns of the patch that a row belongs to.
+/// Columns that identify the contact patch of a row.
 const PATCH: [&str; 6] = ["step", "first_body", "first_tooth", "second_body", "second_tooth", "side"];
-/// What stands in the column `side`: which of a tooth's flanks.
+/// Entry of the column `side` for the driving flank of a tooth.
 pub const DRIVING: &str = "driving";
-/// The same of those behind.
+/// Entry of the column `side` for the opposite flank.
 pub const BACK: &str = "back";
 
-/// The tables of a run, being written.
+/// Writers of the tables of a run.
 pub struct FieldTables {
     line_load: csv::Writer<File>,
     asked_for: Option<OptionalTables>,
 }
 
-/// What is large, and written where it is asked for.
+/// Writers of the large tables, which are written on request.
 struct OptionalTables {
     pressure: csv::Writer<File>,
     root_stress: csv::Writer<File>,
@@ -43,7 +45,7 @@ struct OptionalTables {
 }
 
 impl FieldTables {
-    /// Begins them with their headers, those that are asked for if they are.
+    /// Creates the tables with their headers; the optional ones if `asked_for`.
     pub fn create(directory: &Path, asked_for: bool) -> io::Result<FieldTables> {
         let begin = |name: &str, columns: Vec<&str>| -> io::Result<csv::Writer<File>> {
             let mut writer = csv::Writer::from_path(directory.join(name))?;
@@ -71,7 +73,8 @@ impl FieldTables {
         })
     }
 
-    /// Begins them with what an earlier run has written of its first positions, which are there as [`are_in`] says.
+    /// Continues the tables of an earlier run after its first `solved` positions; [`are_in`] must
+    /// be true.
     pub fn resume(directory: &Path, solved: usize, asked_for: bool) -> io::Result<FieldTables> {
         let append = |name: &str| -> io::Result<csv::Writer<File>> {
             let path = directory.join(name);
@@ -88,7 +91,7 @@ impl FieldTables {
         Ok(FieldTables { line_load: append(LINE_LOAD)?, asked_for: asked_for.then(asked).transpose()? })
     }
 
-    /// Adds a position.
+    /// Appends a position.
     pub fn write(
         &mut self,
         step: usize,
@@ -115,7 +118,7 @@ impl FieldTables {
     }
 }
 
-/// Columns of a patch.
+/// Returns the columns of a contact patch.
 fn patch(step: usize, contact: &ContactField) -> [String; 6] {
     let [first, second] = &contact.bodies;
     let [first_tooth, second_tooth] = contact.teeth.map(|tooth| tooth.to_string());
@@ -123,7 +126,7 @@ fn patch(step: usize, contact: &ContactField) -> [String; 6] {
     [step.to_string(), first.clone(), first_tooth, second.clone(), second_tooth, side.into()]
 }
 
-/// Columns of a place on both flanks.
+/// Returns the columns of a location on both flanks.
 fn on_flanks(first: &Location, second: &Location) -> [String; 5] {
     let [radius, roll, axial] = coordinates(first);
     let [second_radius, second_roll, _] = coordinates(second);
@@ -172,24 +175,25 @@ impl OptionalTables {
     }
 }
 
-/// Whether a run has written its tables into a directory, those that are asked for among them if they are.
+/// Returns true if a run has written its tables into a directory, including the optional ones if
+/// `asked_for`.
 pub fn are_in(directory: &Path, asked_for: bool) -> bool {
     let wanted = ASKED_FOR.iter().filter(|_| asked_for);
     wanted.chain([&LINE_LOAD]).all(|name| directory.join(name).exists())
 }
 
-/// Radius, roll angle and axial place; what a place does not have is left empty.
+/// Returns radius, roll angle and axial coordinate; a coordinate that the location lacks is empty.
 fn coordinates(place: &Location) -> [String; 3] {
     let optional = |number: Option<f64>| number.map(|number| number.to_string()).unwrap_or_default();
     [place.radius.to_string(), optional(place.roll_angle), optional(place.axial)]
 }
 
-/// Leaves of a table its header and the rows of the first positions.
+/// Truncates a table to its header and the rows of the first positions.
 fn keep_first(path: &PathBuf, positions: usize) -> io::Result<()> {
     let text = fs::read_to_string(path)?;
     let belongs = |line: &&str| {
         let step = line.split(',').next().and_then(|step| step.parse::<usize>().ok());
-        // What was being written when the run ended has no end of line.
+        // An incomplete last line has no line break.
         line.ends_with('\n') && step.is_none_or(|step| step < positions)
     };
     fs::write(path, text.split_inclusive('\n').filter(belongs).collect::<String>())

@@ -1,4 +1,4 @@
-//! `--help` of an executable: the model's own words, its params and its outputs.
+//! `--help` of an executable: the docs of the model, its params and its outputs.
 
 use crate::params::{domain, shortest, shown};
 use calyx_abi::Repr;
@@ -7,20 +7,21 @@ use calyx_abi::units::from_si;
 use clap::builder::styling::{AnsiColor, Style};
 use std::fmt::Write;
 
-/// Columns of text at most, as `clap` has it.
+/// Largest width of text in columns, as in `clap`.
 const WIDEST: usize = 100;
 
-/// Names and headings look as those of options do.
+/// Style of headings, as for options.
 const HEADING: Style = Style::new().bold().underline();
+/// Style of names, as for options.
 const NAME: Style = Style::new().bold();
 const ASIDE: Style = AnsiColor::BrightBlack.on_default();
 
-/// Params and outputs, a line each.
+/// Lists params and outputs, one per line.
 pub fn short(description: &ModelDescription) -> String {
     text(description, false)
 }
 
-/// Params and outputs with all that is said of them.
+/// Lists params and outputs with their full docs.
 pub fn long(description: &ModelDescription) -> String {
     text(description, true)
 }
@@ -45,7 +46,7 @@ fn text(description: &ModelDescription, long: bool) -> String {
 /// A param or an output.
 struct Entry<'d> {
     name: &'d str,
-    /// What is said of it on its line.
+    /// Summary on the line of the entry.
     facts: [String; 2],
     doc: &'d str,
 }
@@ -85,7 +86,7 @@ fn section(title: &str, entries: Vec<Entry>, long: bool) -> String {
     text
 }
 
-/// The values a param allows, in the unit of its default.
+/// Describes the range of a param, in the unit of its default.
 fn range(param: &ParamDescription) -> String {
     let shown = |si: f64| shortest(from_si(si, param.unit.factor));
     let range = match (&param.repr, param.low, param.high) {
@@ -110,14 +111,14 @@ fn unit(output: &OutputDescription) -> String {
     if output.unit.name.is_empty() { "number".into() } else { output.unit.name.clone() }
 }
 
-/// Columns of the terminal, as `clap` sees them.
+/// Returns the width of the terminal in columns, as `clap` determines it.
 fn columns() -> usize {
     let terminal = terminal_size::terminal_size().map(|(terminal_size::Width(width), _)| usize::from(width));
     let told = || std::env::var("COLUMNS").ok()?.parse().ok();
     terminal.or_else(told).unwrap_or(WIDEST).clamp(40, WIDEST)
 }
 
-/// The lines of a doc comment, each paragraph filled to so many columns.
+/// Wraps a doc comment to a number of columns, paragraph by paragraph.
 fn wrapped(doc: &str, columns: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for paragraph in doc.split("\n\n") {
@@ -129,7 +130,7 @@ fn wrapped(doc: &str, columns: usize) -> Vec<String> {
     lines
 }
 
-/// A text cut to so many columns.
+/// Truncates a text to a number of columns.
 fn cut(text: &str, columns: usize) -> String {
     if text.chars().count() <= columns {
         return text.into();

@@ -1,4 +1,4 @@
-//! What the program that embeds a model provides to it by name.
+//! Functions, loads and modifications that an embedding program provides to a model by name.
 
 use crate::error::Error;
 use calyx_abi::Context;
@@ -9,13 +9,15 @@ use calyx_gears::host::{ModelHost, Provided};
 use calyx_runtime::load::Load;
 use std::sync::Arc;
 
-/// What an embedding program provides to a model. Cheap to clone; one may serve any number of instances, also at once.
+/// Functions, loads and modifications that an embedding program provides to a model. Cheap to
+/// clone; any number of instances may share one, also concurrently.
 ///
 /// ```
 /// use calyx_rt::Host;
 /// use calyx_runtime::load::Wrench;
 /// let host = Host::new()
-///     // The model declares `host function friction(in sliding: Velocity) -> Number { return 0.05; }`.
+///     // The model declares
+///     // `host function friction(in sliding: Velocity) -> Number { return 0.05; }`.
 ///     .function("friction", |sliding: f64| 0.05 / (1.0 + sliding.abs()))
 ///     // It makes a body with `host_load = "shaking"`.
 ///     .load("shaking", |time: f64| Wrench::of_moment([0.0, 0.0, 20.0 * (50.0 * time).sin()]))
@@ -34,33 +36,36 @@ impl Host {
         Host::default()
     }
 
-    /// Provides a closure in place of the body of the model's `host function` of this name (`module.name` of one in an
-    /// imported module). It takes and gives `f64` in coherent SI units, `bool`, `String`, `[f64; 3]`, and `Vec` of these; it may
-    /// return a `Result`. Its errors and panics are errors of the model at the call. Runs on several threads call it at once.
+    /// Provides a closure that replaces the body of the model's `host function` of this name
+    /// (`module.name` in an imported module). Its arguments and result are `f64` in coherent SI
+    /// units, `bool`, `String`, `[f64; 3]`, and `Vec` of these; it may return a `Result`. Its
+    /// errors and panics become errors of the model at the call. Runs on several threads call it
+    /// concurrently.
     ///
-    /// Whether it fits the model is asked where the host is given to an instance.
+    /// The signature is checked against the model when an instance receives the host.
     #[must_use]
     pub fn function<S>(mut self, name: impl Into<String>, closure: impl HostClosure<S>) -> Host {
         self.functions.add(name, closure);
         self
     }
 
-    /// As [`Host::function`], for a function whose types are known at run time only.
+    /// Provides a function whose types are known at run time only; otherwise as [`Host::function`].
     #[must_use]
     pub fn provided(mut self, name: impl Into<String>, function: host::Provided) -> Host {
         self.functions.add_provided(name, function);
         self
     }
 
-    /// Provides what acts on the bodies that ask for a load of this name, beside their own loads.
+    /// Provides a load for the bodies that request it by name; it acts in addition to their own
+    /// loads.
     #[must_use]
     pub fn load(mut self, name: impl Into<String>, load: impl Load + 'static) -> Host {
         self.scene.loads.insert(name.into(), Arc::new(load));
         self
     }
 
-    /// Provides what is taken off the flanks of gears that ask for a modification of this name: from the roll angle (rad) to the
-    /// amount (m) normal to the involute.
+    /// Provides a flank modification for the gears that request it by name: a function from the
+    /// roll angle (rad) to the removed amount (m) normal to the involute.
     #[must_use]
     pub fn modification(
         mut self,
@@ -73,10 +78,11 @@ impl Host {
         self
     }
 
-    /// What of it a model calls.
+    /// Resolves the functions that a model calls.
     ///
     /// # Errors
-    /// The model has no such function, or one with other arguments or another result; the message shows both.
+    /// The model declares no such function, or one with other arguments or another result; the
+    /// message shows both.
     pub(crate) fn fitted(&self, description: &ModelDescription) -> Result<ResolvedHost, Error> {
         let found = self.functions.resolve(&description.host_functions);
         let functions = found.map_err(|unfit| Error::given(unfit.message, unfit.help))?;
@@ -84,7 +90,7 @@ impl Host {
     }
 }
 
-/// What is provided, as one model uses it.
+/// The host resolved for one model.
 #[derive(Clone, Default)]
 pub(crate) struct ResolvedHost {
     functions: Resolved,
@@ -92,7 +98,7 @@ pub(crate) struct ResolvedHost {
 }
 
 impl ResolvedHost {
-    /// Gives a context what is provided, before the program runs in it.
+    /// Passes the host to a context, before the program runs in it.
     pub(crate) fn provide(&self, context: &mut Context) {
         context.host_functions = self.functions.clone();
         if let Some(host) = context.host::<ModelHost>() {

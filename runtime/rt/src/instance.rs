@@ -1,4 +1,4 @@
-//! A model with values of its own: params are set, it is run, and run again.
+//! A model instance: a program with values of its params, which can be run repeatedly.
 
 use crate::engine::Engine;
 use crate::error::Error;
@@ -23,14 +23,14 @@ use calyx_runtime::tolerance::SearchProgress;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How far a run has come.
+/// Progress of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// What is under way: `structures` or `positions`.
+    /// Current stage: `structures` or `positions`.
     pub stage: &'static str,
-    /// Positions solved.
+    /// Number of positions solved.
     pub done: usize,
-    /// Positions to solve; not known while structures are made.
+    /// Number of positions to solve; unknown during the stage `structures`.
     pub total: Option<usize>,
 }
 
@@ -40,17 +40,18 @@ pub(crate) type RecordSink =
 pub(crate) type SearchProgressSink = Arc<Mutex<dyn FnMut(&SearchProgress) + Send>>;
 type PrintSink = Arc<Mutex<dyn FnMut(&str) + Send>>;
 
-/// A model with values of its own.
+/// A model with its own values of the params.
 ///
-/// Making one copies no code and computes nothing; a model may have any number of them, on any threads. Each run takes
-/// the values set by then, and a run under way is not changed by what is set later.
+/// Creating an instance copies no code and computes nothing. A model may have any number of
+/// instances, on any threads. Each run takes the values at its start; later changes do not affect
+/// it.
 pub struct Instance {
     engine: Engine,
     program: Arc<dyn Program>,
     shape: u64,
-    /// By param.
+    /// Settings by param index.
     settings: Vec<Option<Setting>>,
-    /// What the embedding program provides.
+    /// Functions that the embedding program provides.
     host: ResolvedHost,
     time_limit: Option<Duration>,
     memory_limit: Option<u64>,
@@ -66,7 +67,7 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// An instance with all params at their defaults.
+    /// Creates an instance with all params at their defaults.
     pub fn new(engine: &Engine, program: Arc<dyn Program>) -> Instance {
         let description = program.description();
         let (shape, settings) = (shape(description), vec![None; description.params.len()]);
@@ -94,7 +95,7 @@ impl Instance {
         &self.engine
     }
 
-    /// Names, units, ranges and docs of params and outputs.
+    /// Returns names, units, ranges and docs of the params and outputs.
     pub fn description(&self) -> &ModelDescription {
         self.program.description()
     }
@@ -103,23 +104,27 @@ impl Instance {
         Names { description: self.program.description(), shape: self.shape }
     }
 
+    /// Returns the handle of a param.
+    ///
     /// # Errors
     /// The model has no such param.
     pub fn param(&self, name: &str) -> Result<Param, Error> {
         Param::named(self.description(), name)
     }
 
+    /// Returns the handle of an output.
+    ///
     /// # Errors
     /// The model has no such output.
     pub fn output(&self, name: &str) -> Result<Output, Error> {
         Output::named(self.description(), name)
     }
 
-    /// Sets a param: to a number in the unit of its default, a number and its unit, a truth value, or a text as after
-    /// `--set`.
+    /// Sets a param to a number in the unit of its default, to a number with a unit, to a Boolean,
+    /// or to a text as after `--set`.
     ///
     /// # Errors
-    /// There is no such param, or it does not take such a value.
+    /// There is no such param, or it does not accept the value.
     pub fn set(&mut self, param: impl ParamName, value: impl Into<AssignedValue>) -> Result<(), Error> {
         let index = param.index_in(self.names())?;
         let setting = Setting::new(self.program.description(), index, &value.into(), None)?;
@@ -127,7 +132,8 @@ impl Instance {
         Ok(())
     }
 
-    /// Sets a param to what was given on a command line or in a file; errors tell the place in the file.
+    /// Sets a param to a value from a command line or a file; errors report the location in the
+    /// file.
     ///
     /// # Errors
     /// As for [`Instance::set`].
@@ -147,7 +153,7 @@ impl Instance {
         self.set(param, AssignedValue::Si(si))
     }
 
-    /// Gives a param its default again.
+    /// Resets a param to its default.
     ///
     /// # Errors
     /// There is no such param.
@@ -157,10 +163,10 @@ impl Instance {
         Ok(())
     }
 
-    /// What a param would be in a run, in SI.
+    /// Returns the value that a param would have in a run, in SI.
     ///
     /// # Errors
-    /// There is no such param; or what [`Instance::params`] fails with, if it was not set.
+    /// There is no such param; or an error of [`Instance::params`], if the param is not set.
     pub fn get(&self, param: impl ParamName) -> Result<ParamValue, Error> {
         let index = param.index_in(self.names())?;
         let param = &self.description().params[index];
@@ -171,65 +177,70 @@ impl Instance {
         }
     }
 
-    /// What all params would be in a run, in SI. Defaults may follow what others are set to, so this runs them.
+    /// Returns the values that all params would have in a run, in SI. Defaults may depend on other
+    /// params, so this evaluates them.
     ///
     /// # Errors
-    /// What is set is out of a param's range, or a default or range cannot be computed.
+    /// A set value is out of its param's range, or a default or range cannot be computed.
     pub fn params(&self) -> Result<Vec<ParamValue>, Error> {
         let mut context = self.job().context();
         params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
         Ok(params::values(self.description(), &context))
     }
 
-    /// What the model may call of the program that embeds it.
+    /// Sets the functions of the embedding program that the model may call.
     ///
     /// # Errors
-    /// The model has no function of that name, or one with other arguments or another result.
+    /// The model declares no function of that name, or one with other arguments or another result.
     pub fn set_host(&mut self, host: &Host) -> Result<(), Error> {
         self.host = host.fitted(self.description())?;
         Ok(())
     }
 
-    /// How long each run may take; as long as it likes by default.
+    /// Limits the duration of each run; unlimited by default.
     pub fn limit_time(&mut self, limit: Option<Duration>) {
         self.time_limit = limit;
     }
 
-    /// Bytes that a run's own values may take, and the whole process while it analyses; any number by default.
+    /// Limits memory in bytes: of a run's own values, and of the whole process during the analysis;
+    /// unlimited by default.
     pub fn limit_memory(&mut self, limit: Option<u64>) {
         self.memory_limit = limit;
     }
 
-    /// Ends every run of this instance, from any thread, and stays set: give the instance another one with
-    /// [`Instance::set_cancel`] to run it again.
+    /// Returns the handle that cancels every run of this instance, from any thread. It stays
+    /// cancelled: to run the instance again, replace it with [`Instance::set_cancel`].
     pub fn cancel_handle(&self) -> Cancel {
         self.cancel.clone()
     }
 
-    /// The switch that ends runs from now on. Several instances may have the same.
+    /// Sets the handle that cancels future runs. Several instances may share one.
     pub fn set_cancel(&mut self, cancel: Cancel) {
         self.cancel = cancel;
     }
 
-    /// What takes the lines that the model prints. Without it they are dropped.
+    /// Sets the function that receives the lines that the model prints. Without it they are
+    /// discarded.
     pub fn on_print(&mut self, sink: impl FnMut(&str) + Send + 'static) {
         self.print = Some(Arc::new(Mutex::new(sink)));
     }
 
-    /// What is told when a stage begins and after each position, on the thread of the run.
+    /// Sets the function that receives the progress at the start of a stage and after each
+    /// position, on the thread of the run.
     pub fn on_progress(&mut self, sink: impl FnMut(Progress) + Send + 'static) {
         self.progress = Some(Arc::new(Mutex::new(sink)));
     }
 
-    /// Sets the function that receives each setting before it is tried for a tolerance. It is called
-    /// on the thread of the run.
+    /// Sets the function that receives each setting before the tolerance search tries it. It is
+    /// called on the thread of the run.
     pub fn on_choosing(&mut self, sink: impl FnMut(&SearchProgress) + Send + 'static) {
         self.choosing = Some(Arc::new(Mutex::new(sink)));
     }
 
-    /// What is given each position by its index, with its certificate and, where [`Instance::request_fields`] asks for them, its fields, on
-    /// the thread of the run. Other than [`Instance::run`]
-    /// it holds the run until it is done with the position. An error from it ends the analysis.
+    /// Sets the function that receives each solved position with its index, its certificate and, if
+    /// requested by [`Instance::request_fields`], its fields. It is called on the thread of the
+    /// run. Unlike the iterator of [`Instance::run`], it blocks the run until it returns. An error
+    /// from it ends the analysis.
     pub fn on_solved(
         &mut self,
         sink: impl FnMut(usize, &Solved, Option<&Fields>) -> Result<(), EngineError> + Send + 'static,
@@ -237,33 +248,33 @@ impl Instance {
         self.record = Some(Arc::new(Mutex::new(sink)));
     }
 
-    /// What an earlier run with the same values solved of its first positions: runs begin after them, and their results are
-    /// those of runs that solved them all.
+    /// Sets the first positions as solved by an earlier run with the same values. Runs start after
+    /// them; their results equal those of a run that solves all positions.
     pub fn resume_after(&mut self, solved: Vec<Solved>) {
         self.solved = solved;
     }
 
-    /// Has the fields of so many positions at most, evenly spread from the first on, told to [`Instance::on_solved`], which takes a
-    /// little time for each.
+    /// Requests the fields of at most this many positions for [`Instance::on_solved`], evenly
+    /// spaced from the first one. Each takes a little time.
     pub fn request_fields(&mut self, positions: usize) {
         self.fields = positions;
     }
 
-    /// Has the meshes of elastic bodies, deformed, told among these fields.
+    /// Requests the meshes of elastic bodies with their displacements as part of the fields.
     pub fn request_bodies(&mut self, bodies: bool) {
         self.bodies = bodies;
     }
 
-    /// What takes the place of what the model says of its analysis, in runs from now on.
+    /// Sets the overrides of the model's analysis settings for future runs.
     pub fn override_analysis(&mut self, overrides: Override) {
         self.overrides = overrides;
     }
 
-    /// Runs the model on a thread of its own, position by position: it goes on to the next one when the one before was
-    /// taken.
+    /// Runs the model on its own thread, position by position: the next position starts when the
+    /// iterator has returned the previous one.
     ///
     /// # Errors
-    /// There is no thread for it. What is wrong with the model comes from the iterator.
+    /// The thread cannot be created. The iterator returns errors of the model.
     pub fn run(&self) -> Result<Run, Error> {
         let job = self.job();
         Run::begin(job.cancel.clone(), |steps| stack::beside(move || job.execute(Some(steps))))
@@ -272,7 +283,8 @@ impl Instance {
     /// Runs the model to its end.
     ///
     /// # Errors
-    /// A param is out of its range, the model or its analysis failed, it was cancelled, or a limit was reached.
+    /// A param is out of its range, the model or its analysis failed, the run was cancelled, or a
+    /// limit was reached.
     pub fn solve(&self) -> Result<Results, Error> {
         let job = self.job();
         stack::with_stack(|| job.execute(None))?
@@ -299,7 +311,7 @@ impl Instance {
     }
 }
 
-/// One run, apart from its instance, which may be changed meanwhile.
+/// One run, independent of later changes of its instance.
 struct Job {
     engine: Engine,
     program: Arc<dyn Program>,
@@ -333,7 +345,7 @@ impl Job {
         context
     }
 
-    /// Runs the program; its positions go to `hand_over`.
+    /// Runs the program and sends its positions to `hand_over`.
     fn execute(self, hand_over: Option<Steps>) -> Result<Results, Error> {
         let seen = NanLog::new(self.cancel.clone(), self.limits);
         let (program, settings) = (self.program.clone(), self.settings.clone());
@@ -373,7 +385,8 @@ impl Job {
         }
         let started = Instant::now();
         let outcome = self.program.main(&mut context);
-        // An interrupt that ends the search for a setting also stops the program; the results are there.
+        // An interrupt that ends the tolerance search also stops the program, but the results are
+        // available.
         let chosen = |host: &mut ModelHost| host.result.as_ref()?.chosen.as_ref()?.ended.clone();
         if let Err(error) = outcome {
             let searched = context.host::<ModelHost>().and_then(chosen).is_some();

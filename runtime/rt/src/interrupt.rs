@@ -1,17 +1,18 @@
-//! Ctrl-C: the first one asks the run to end, which keeps what it has written; the second ends the process at once.
+//! Ctrl-C: the first interrupt asks the run to end and keep its files; the second one ends the
+//! process.
 
 use calyx_abi::Cancel;
 use std::sync::OnceLock;
 
-/// Signals come to the process, so this is the process's.
+/// Static, because signals go to the process.
 static INTERRUPTED: OnceLock<Cancel> = OnceLock::new();
 
-/// Set by an interrupt of this process from now on; the same switch however often this is called. For programs that are
-/// their own masters: a library leaves signals alone.
+/// Installs the interrupt handler and returns the handle that it sets, the same at every call. Only
+/// for programs: a library must not change signal handlers.
 pub fn flag() -> Cancel {
     let switch = INTERRUPTED.get_or_init(Cancel::default).clone();
     let handler: extern "C" fn(libc::c_int) = interrupted;
-    // SAFETY: the handler does nothing but what a signal handler may: it stores to an atomic and resets itself.
+    // SAFETY: the handler is async-signal-safe: it stores to an atomic and resets itself.
     unsafe { libc::signal(libc::SIGINT, handler as *const () as libc::sighandler_t) };
     switch
 }

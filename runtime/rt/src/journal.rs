@@ -1,9 +1,10 @@
-//! The journal of a run under way: what a run that goes on after it needs to know, a line of JSON a position, each on disk
-//! before the next position begins.
+//! Journal of a running analysis: the data from which a run resumes, one line of JSON per position,
+//! each on disk before the next position starts.
 //!
-//! The table of positions says less: it lacks places of maxima, warnings and certificates. The first line, the head, says of
-//! which model and params the run is. A line that a kill left half written is dropped, and so is what is behind one that
-//! cannot be read: those positions are solved again, to the same bits. A finished run has no journal.
+//! The table of positions has less: it lacks locations of maxima, warnings and certificates. The
+//! first line, the head, describes the subject of the run. A line that a kill left incomplete is
+//! dropped, and so is everything after a line that cannot be read: those positions are solved
+//! again, to the same bits. A finished run has no journal.
 
 use calyx_runtime::analysis::Position;
 use calyx_runtime::contact::problem::Certificate;
@@ -14,28 +15,28 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Of the lines: a journal of another format is not read.
+/// Version of the line format; a journal of another format is not read.
 const FORMAT: u64 = 2;
 
 pub fn path(directory: &Path) -> PathBuf {
     directory.join("journal.jsonl")
 }
 
-/// A journal as it was found.
+/// Contents of a journal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundJournal {
-    /// What the run was of.
+    /// Subject of the run.
     pub head: Value,
-    /// The positions it completed, from the first on.
+    /// Completed positions, from the first one on.
     pub solved: Vec<Solved>,
-    /// Length of what could be read.
+    /// Length of the readable part, bytes.
     bytes: u64,
 }
 
-/// The journal in a directory; `None` if there is none, or one whose head is not complete.
+/// Reads the journal in a directory; `None` if there is none, or one with an incomplete head.
 ///
 /// # Errors
-/// It is there and cannot be read.
+/// The journal exists and cannot be read.
 pub fn find(directory: &Path) -> io::Result<Option<FoundJournal>> {
     let text = match fs::read(path(directory)) {
         Ok(text) => text,
@@ -55,37 +56,37 @@ pub fn find(directory: &Path) -> io::Result<Option<FoundJournal>> {
     Ok(Some(found))
 }
 
-/// Writes a journal.
+/// Writer of a journal.
 pub struct Journal {
     file: File,
     written: usize,
 }
 
 impl Journal {
-    /// Begins a journal with what the run is of.
+    /// Creates a journal with the subject of the run.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The journal cannot be written.
     pub fn create(directory: &Path, head: &Value) -> io::Result<Journal> {
         let mut file = File::create(path(directory))?;
         write_line(&mut file, &json!({ "journal": FORMAT, "run": head }))?;
         Ok(Journal { file, written: 0 })
     }
 
-    /// Goes on behind what was found.
+    /// Continues after the readable part of a journal.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The journal cannot be written.
     pub fn resume(directory: &Path, found: &FoundJournal) -> io::Result<Journal> {
         let file = OpenOptions::new().append(true).open(path(directory))?;
         file.set_len(found.bytes)?;
         Ok(Journal { file, written: found.solved.len() })
     }
 
-    /// Adds the next position.
+    /// Appends the next position.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The journal cannot be written.
     pub fn write(&mut self, solved: &Solved) -> io::Result<()> {
         write_line(&mut self.file, &JournalEntry::of(self.written, solved))?;
         self.written += 1;
@@ -93,17 +94,17 @@ impl Journal {
     }
 }
 
-/// In one piece, line end and all.
+/// Writes a line with its line break by a single call.
 fn write_line(file: &mut File, line: &impl Serialize) -> io::Result<()> {
     let mut text = serde_json::to_vec(line)?;
     text.push(b'\n');
     file.write_all(&text)
 }
 
-/// Removes the journal of a run that is finished, or of one that is not gone on with.
+/// Removes the journal of a finished run, or of one that is not resumed.
 ///
 /// # Errors
-/// It is there and cannot be removed.
+/// The journal exists and cannot be removed.
 pub fn remove(directory: &Path) -> io::Result<()> {
     match fs::remove_file(path(directory)) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
@@ -111,7 +112,7 @@ pub fn remove(directory: &Path) -> io::Result<()> {
     }
 }
 
-/// The line of a position.
+/// Line of a position.
 #[derive(Serialize, Deserialize)]
 struct JournalEntry {
     step: usize,
@@ -119,17 +120,17 @@ struct JournalEntry {
     cycle: ExactNumber,
     roll: ExactNumber,
     point: String,
-    /// Value, least, place.
+    /// Value, minimum and location of each output.
     outputs: Vec<(ExactNumber, Option<ExactNumber>, Option<LocationRecord>)>,
     warnings: Vec<String>,
     /// Complementarity, penetration, tension, equilibrium.
     certificate: [ExactNumber; 4],
-    /// Of a step in time.
+    /// State of a time step.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     state: Vec<ExactNumber>,
 }
 
-/// A place on a body.
+/// Location on a body.
 #[derive(Serialize, Deserialize)]
 struct LocationRecord {
     body: String,
@@ -194,7 +195,8 @@ impl JournalEntry {
     }
 }
 
-/// A number that reads back to the same bits; JSON has no infinity, so what is not finite is a text.
+/// Number that parses to the same bits. JSON has no infinity, so a number that is not finite is a
+/// text.
 #[derive(Clone, Copy)]
 struct ExactNumber(f64);
 
@@ -268,7 +270,7 @@ mod tests {
             };
             assert_eq!((&found.head, &found.solved[..]), (&head, &all[..whole - 1]));
             assert!(found.solved.iter().all(|solved| solved.row.outputs[2].value.is_sign_negative()));
-            // Going on leaves the journal that an uninterrupted run writes.
+            // A resumed run leaves the journal that an uninterrupted run writes.
             let mut journal = Journal::resume(directory, &found).unwrap();
             all[whole - 1..].iter().for_each(|solved| journal.write(solved).unwrap());
             assert!(fs::read(path(directory)).unwrap() == text, "cut off after {length} bytes");

@@ -1,8 +1,8 @@
-//! Runs a compiled model: takes its params, runs its program, hands over its positions, shows progress and writes the run
-//! directory.
+//! Runtime of compiled models: sets the params, runs the program, returns the solved positions,
+//! reports progress and writes the run directory.
 //!
-//! The same code serves programs that embed models ([`Instance`]), `calyx run`, which compiles in memory, and
-//! executables linked from object files.
+//! The same code serves programs that embed models ([`Instance`]), `calyx run`, which compiles in
+//! memory, and executables linked from object files.
 
 pub mod budget;
 pub mod c_api;

@@ -1,4 +1,4 @@
-//! A model whose machine code is linked into this program: its table, as a [`Program`].
+//! A model whose machine code is linked into this program: its module table as a [`Program`].
 
 use crate::program::{ParamFunction, Program};
 use calyx_abi::call::KernelFn;
@@ -8,21 +8,21 @@ use calyx_gears::library::FINGERPRINT;
 use std::fmt;
 use std::sync::Arc;
 
-/// The fingerprint of the engine in this library, by which `calyx build` knows whether a library fits.
+/// Fingerprint of the engine in this library, by which `calyx build` checks compatibility.
 #[unsafe(no_mangle)]
 pub static CALYX_RT_ABI: u64 = FINGERPRINT.0;
 
-/// A model whose code is part of this program.
+/// A model whose code is linked into this program.
 pub(crate) struct LinkedProgram {
     module: &'static ModuleTable,
     description: ModelDescription,
 }
 
-/// Why a linked model cannot be run.
+/// Reason why a linked model cannot be run.
 pub(crate) enum NotLinked {
-    /// It was compiled against another engine.
+    /// The model was compiled against another engine.
     Version(Fingerprint),
-    /// Its description cannot be read.
+    /// The description cannot be parsed.
     Damaged(serde_json::Error),
 }
 
@@ -57,7 +57,7 @@ impl LinkedProgram {
     }
 }
 
-/// A kernel in the program's code.
+/// A kernel in the linked code.
 struct LinkedKernel {
     function: KernelFn,
     inputs: usize,
@@ -70,7 +70,7 @@ impl Kernel for LinkedKernel {
             inputs.len() >= self.inputs && outputs.len() >= self.outputs,
             "a kernel was given too few values"
         );
-        // SAFETY: the lengths were just checked against the description that was compiled with the code.
+        // SAFETY: the lengths were checked against the description that was compiled with the code.
         unsafe { (self.function)(inputs.as_ptr(), outputs.as_mut_ptr()) }
     }
     fn inputs(&self) -> usize {
@@ -110,13 +110,13 @@ impl Program for LinkedProgram {
         let Some(function) = (unsafe { *self.module.param_functions.add(3 * param + which as usize) }) else {
             return Ok(None);
         };
-        // SAFETY: a param's function takes nothing and returns one slot.
+        // SAFETY: a param's function takes no arguments and returns one slot.
         let result = unsafe { stack::run(context, function, &[], 1) }?;
         Ok(result.first().copied())
     }
 
     fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
-        // SAFETY: the top level takes and returns nothing.
+        // SAFETY: the top level takes no arguments and returns nothing.
         unsafe { stack::run(context, self.module.main, &[], 0) }.map(|_| ())
     }
 }

@@ -1,15 +1,15 @@
-//! The modes about the first position as a table of the run directory, where the model asks for it.
+//! Table of the modes at the first position, if the model requests it.
 
 use calyx_runtime::observables::{ModeKind, ModesTable};
 use std::io;
 use std::path::Path;
 
-/// Its name in a run directory.
+/// File name in a run directory.
 pub const NAME: &str = "modes.csv";
-/// Modes that people are told of.
+/// Number of modes in the summary.
 const SHOWN: usize = 12;
 
-/// Writes the table: a row a mode, frequencies in Hz.
+/// Writes the table with one row per mode; frequencies in Hz.
 pub fn write(directory: &Path, table: &ModesTable) -> io::Result<()> {
     let mut writer = csv::Writer::from_path(directory.join(NAME))?;
     let columns = ["mode", "frequency", "kind", "translation", "rotation", "elastic"];
@@ -24,7 +24,7 @@ pub fn write(directory: &Path, table: &ModesTable) -> io::Result<()> {
     writer.flush()
 }
 
-/// The lowest modes in a line.
+/// Formats the lowest modes in one line.
 pub fn summary(table: &ModesTable) -> String {
     let mode = |mode: &calyx_runtime::observables::ModeRow| {
         let kind = mode.kind.map(|kind| format!(" {}", kind.name())).unwrap_or_default();

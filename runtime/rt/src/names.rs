@@ -1,19 +1,20 @@
-//! Params and outputs of a model by name, or by a handle that spares looking the name up.
+//! Params and outputs of a model by name, or by a handle that avoids the lookup.
 
 use crate::error::Error;
 use crate::params::{index_of, output_of};
 use calyx_abi::description::{ModelDescription, UnitDescription};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// A param of a model. It fits every instance of the model, and of every model with the same params and outputs.
+/// Handle of a param. It is valid for every instance of the model, and for every model with the
+/// same params and outputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Param {
     index: usize,
     model: u64,
 }
 
-/// An output of a model. It fits the results of every instance of the model, and of every model with the same params and
-/// outputs.
+/// Handle of an output. It is valid for the results of every instance of the model, and for every
+/// model with the same params and outputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Output {
     index: usize,
@@ -21,50 +22,54 @@ pub struct Output {
 }
 
 impl Param {
+    /// Looks up a param by name.
+    ///
     /// # Errors
     /// The model has no such param.
     pub fn named(description: &ModelDescription, name: &str) -> Result<Param, Error> {
         Ok(Param { index: index_of(description, name)?, model: shape(description) })
     }
 
-    /// Its place in [`ModelDescription::params`].
+    /// Returns the index into [`ModelDescription::params`].
     pub fn index(self) -> usize {
         self.index
     }
 }
 
 impl Output {
+    /// Looks up an output by name.
+    ///
     /// # Errors
     /// The model has no such output.
     pub fn named(description: &ModelDescription, name: &str) -> Result<Output, Error> {
         Ok(Output { index: output_of(description, name)?, model: shape(description) })
     }
 
-    /// Its place in [`ModelDescription::outputs`].
+    /// Returns the index into [`ModelDescription::outputs`].
     pub fn index(self) -> usize {
         self.index
     }
 }
 
-/// A model, and what tells its handles from those of others.
+/// A model with the shape that distinguishes its handles from those of other models.
 #[derive(Clone, Copy)]
 pub struct Names<'m> {
     pub(crate) description: &'m ModelDescription,
     pub(crate) shape: u64,
 }
 
-/// Names a param: a text, or a [`Param`].
+/// Name of a param: a text or a [`Param`].
 pub trait ParamName: Copy {
-    /// Its place in [`ModelDescription::params`].
+    /// Returns the index into [`ModelDescription::params`].
     ///
     /// # Errors
     /// The model has no such param.
     fn index_in(self, names: Names) -> Result<usize, Error>;
 }
 
-/// Names an output: a text, or an [`Output`].
+/// Name of an output: a text or an [`Output`].
 pub trait OutputName: Copy {
-    /// Its place in [`ModelDescription::outputs`].
+    /// Returns the index into [`ModelDescription::outputs`].
     ///
     /// # Errors
     /// The model has no such output.
@@ -114,7 +119,8 @@ fn foreign(what: &str, names: Names) -> Error {
     )
 }
 
-/// Names and units of a model's params and outputs as one number: equal where a handle of one model fits another.
+/// Hashes the names and units of a model's params and outputs. Handles of one model are valid for
+/// another if the hashes are equal.
 pub(crate) fn shape(description: &ModelDescription) -> u64 {
     let mut hasher = DefaultHasher::new();
     let mut add = |name: &str, unit: &UnitDescription| {

@@ -1,15 +1,16 @@
-//! Notes of a run: the inputs at which kernels gave NaN, so that an error can say where that arose.
+//! Log of the inputs at which kernels returned NaN, so that an error can report the origin of the
+//! NaN.
 
 use calyx_abi::limits::Limits;
 use calyx_abi::{Cancel, Kernel};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Inputs at which the kernels of one run gave NaN. Clones share their notes.
+/// Inputs at which the kernels of one run returned NaN. Clones share the log.
 #[derive(Clone, Default)]
 pub struct NanLog {
     state: Arc<Mutex<State>>,
-    /// What ends the run, and whatever is done to explain how it ended.
+    /// Cancellation of the run, and of the computations that explain its failure.
     pub cancel: Cancel,
     pub limits: Limits,
 }
@@ -21,24 +22,24 @@ struct State {
 }
 
 impl NanLog {
-    /// Notes of a run that ends by these.
+    /// Creates a log for a run with this cancellation and these limits.
     pub fn new(cancel: Cancel, limits: Limits) -> NanLog {
         NanLog { cancel, limits, ..NanLog::default() }
     }
 
-    /// Kernels, one per site, that note it when NaN comes out of them.
+    /// Wraps the kernels, one per site, so that they record inputs with a NaN result.
     pub fn watched(&self, kernels: Vec<Arc<dyn Kernel>>) -> Vec<Arc<dyn Kernel>> {
         let watch =
             |(site, kernel)| Arc::new(Watched { kernel, site, seen: self.clone() }) as Arc<dyn Kernel>;
         kernels.into_iter().enumerate().map(watch).collect()
     }
 
-    /// Inputs at which the kernel of a site gave NaN last.
+    /// Returns the last inputs at which the kernel of a site returned NaN.
     pub fn inputs(&self, site: usize) -> Option<Vec<f64>> {
         self.with(|state| state.inputs.get(&site).cloned())
     }
 
-    /// The site whose kernel gave NaN last.
+    /// Returns the site whose kernel returned NaN last.
     pub fn last(&self) -> Option<usize> {
         self.with(|state| state.last)
     }

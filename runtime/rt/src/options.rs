@@ -1,4 +1,4 @@
-//! What can be asked of a run on a command line: one set of options for `calyx run` and for executables.
+//! Command-line options of a run, shared by `calyx run` and executables.
 
 use crate::budget;
 use crate::param_assignment::ParamAssignment;
@@ -110,13 +110,14 @@ const PARAMS: &str = "Params";
 const RESULTS: &str = "Results";
 const LIMITS: &str = "Limits";
 const KEPT: &str = "Structure cache";
-/// Names the directory of kept structures, or is "off".
+/// Environment variable with the directory of the structure cache, or "off".
 const CACHE_VARIABLE: &str = "CALYX_CACHE";
-/// Of kept structures on disk, bytes: some dozens of pairs of gears in space.
+/// Limit of the structure cache on disk in bytes: some dozens of 3-D gear pairs.
 const CACHE_LIMIT: u64 = 4 << 30;
 
 impl RunArguments {
-    /// Where structures are kept on disk; `None` if that is not wanted or the user has no place for such files.
+    /// Returns the structure cache on disk; `None` if it is disabled or the user has no cache
+    /// directory.
     pub fn store(&self) -> Option<Store> {
         let directory = match &self.cache {
             _ if self.no_cache => return None,
@@ -126,27 +127,27 @@ impl RunArguments {
         Some(Store::new(directory, CACHE_LIMIT))
     }
 
-    /// What is given for params: of the file first, then what counts more.
+    /// Returns the assignments of params: those of the file first, then those that override it.
     ///
     /// # Errors
-    /// The file cannot be read, or is not one of params.
+    /// The file cannot be read, or is not a params file.
     pub fn given(&self) -> Result<Vec<ParamAssignment>, InvalidParam> {
         given_of(self.params.as_deref(), &self.set)
     }
 }
 
-/// What is given for params: of the file first, then what counts more.
+/// Returns the assignments of params: those of the file first, then those that override it.
 ///
 /// # Errors
-/// The file cannot be read, or is not one of params.
+/// The file cannot be read, or is not a params file.
 pub fn given_of(file: Option<&Path>, set: &[ParamAssignment]) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let mut given = file.map(params_file::read).transpose()?.unwrap_or_default();
     given.extend(set.iter().cloned());
     Ok(given)
 }
 
-/// Where the user's cache is: the directory that the environment names, else the user's own; `None` if nothing is to be kept or there is no
-/// place for such files.
+/// Returns the directory of the structure cache: the one of the environment variable, else one in
+/// the user's cache directory. `None` if the cache is disabled or there is no such directory.
 fn cache_directory() -> Option<PathBuf> {
     match std::env::var_os(CACHE_VARIABLE).filter(|name| !name.is_empty()) {
         Some(name) if name == "off" => None,
@@ -155,7 +156,7 @@ fn cache_directory() -> Option<PathBuf> {
     }
 }
 
-/// Where the rates are kept that this machine was measured to have.
+/// Returns the path of the file with the measured computing rates of this machine.
 pub fn rates_file() -> Option<PathBuf> {
     Some(cache_directory()?.join("rates.json"))
 }

@@ -1,38 +1,38 @@
-//! Values given for params: on a command line, in a file, or by the program that runs the model.
+//! Values assigned to params: on a command line, in a file, or by an embedding program.
 
 use calyx_abi::description::{FileDescription, ParamValue};
 use std::fmt;
 use std::sync::Arc;
 
-/// A value for a param.
+/// Value assigned to a param.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParamAssignment {
-    /// Of the param.
+    /// Name of the param.
     pub name: String,
     pub value: AssignedValue,
-    /// Where the value stands, if it was given in a file.
+    /// Location of the value, if in a file.
     pub origin: Option<Origin>,
-    /// Where the name stands.
+    /// Location of the name.
     pub name_origin: Option<Origin>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum AssignedValue {
-    /// As typed on a command line, whatever the param is: `500`, `0.5 mm`, `TRUE`, `plane`.
+    /// Text of a command line, for a param of any kind: `500`, `0.5 mm`, `TRUE`, `plane`.
     Text(String),
-    /// In the unit of the param's default.
+    /// Number in the unit of the param's default.
     Number(f64),
-    /// In the unit named, like `lbf*inch`.
+    /// Number in the given unit, like `lbf*inch`.
     Quantity(f64, String),
-    /// In the coherent SI unit.
+    /// Number in the coherent SI unit.
     Si(f64),
     Bool(bool),
-    /// A quantity like `0.5 mm`, or the value of a param that is a string; never a truth value.
+    /// Quantity such as `0.5 mm`, or the value of a string param; never a Boolean.
     String(String),
 }
 
 impl ParamAssignment {
-    /// A value as typed on a command line.
+    /// Creates an assignment from the text of a command line.
     pub fn text(name: impl Into<String>, text: impl Into<String>) -> ParamAssignment {
         ParamAssignment {
             name: name.into(),
@@ -42,15 +42,15 @@ impl ParamAssignment {
         }
     }
 
-    /// A value of a program.
+    /// Creates an assignment from a value of a program.
     pub fn value(name: impl Into<String>, value: impl Into<AssignedValue>) -> ParamAssignment {
         ParamAssignment { name: name.into(), value: value.into(), origin: None, name_origin: None }
     }
 
-    /// Reads `NAME=VALUE`.
+    /// Parses `NAME=VALUE`.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// A description of the syntax error.
     pub fn name_and_value(text: &str) -> Result<ParamAssignment, String> {
         let (name, value) = text.split_once('=').ok_or("there is no `=`; give it like `--set torque=500`")?;
         Ok(ParamAssignment::text(name.trim(), value.trim()))
@@ -75,28 +75,28 @@ impl From<bool> for AssignedValue {
     }
 }
 
-/// As typed on a command line.
+/// Converts the text of a command line.
 impl From<&str> for AssignedValue {
     fn from(text: &str) -> AssignedValue {
         AssignedValue::Text(text.into())
     }
 }
 
-/// As typed on a command line.
+/// Converts the text of a command line.
 impl From<String> for AssignedValue {
     fn from(text: String) -> AssignedValue {
         AssignedValue::Text(text)
     }
 }
 
-/// A number and its unit.
+/// Converts a number and its unit.
 impl From<(f64, &str)> for AssignedValue {
     fn from((number, unit): (f64, &str)) -> AssignedValue {
         AssignedValue::Quantity(number, unit.into())
     }
 }
 
-/// What [`Instance::get`](crate::Instance::get) gave can be set again.
+/// Converts a value of [`Instance::get`](crate::Instance::get), so that it can be set again.
 impl From<ParamValue> for AssignedValue {
     fn from(value: ParamValue) -> AssignedValue {
         match value {
@@ -107,7 +107,7 @@ impl From<ParamValue> for AssignedValue {
     }
 }
 
-/// As messages quote it.
+/// Formats the value as messages quote it.
 impl fmt::Display for AssignedValue {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
@@ -120,11 +120,12 @@ impl fmt::Display for AssignedValue {
     }
 }
 
-/// A place in a file of params.
+/// Location in a params file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origin {
     pub file: Arc<FileDescription>,
-    /// Bytes of the file's text.
+    /// First byte in the file's text.
     pub start: usize,
+    /// End of the bytes in the file's text, exclusive.
     pub end: usize,
 }

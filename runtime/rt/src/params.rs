@@ -1,4 +1,4 @@
-//! The params of a run: defaults, given values, ranges.
+//! Values of the params of a run: defaults, assigned values, ranges.
 
 use crate::error::Error;
 use crate::param_assignment::{AssignedValue, Origin, ParamAssignment};
@@ -10,13 +10,13 @@ use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::{from_si, to_si};
 use calyx_abi::{Context, Repr, Slot, stack};
 
-/// Why a value given for a param from outside cannot be used.
+/// Reason why an assigned value is invalid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvalidParam {
     pub message: String,
     /// Remedy; empty if there is none.
     pub help: String,
-    /// Where it was given, if in a file.
+    /// Location of the assignment, if in a file.
     pub origin: Option<Origin>,
 }
 
@@ -26,7 +26,7 @@ impl InvalidParam {
     }
 }
 
-/// What a param is set to.
+/// Value that a param is set to.
 #[derive(Clone, Debug)]
 pub(crate) struct Setting {
     pub value: ParamValue,
@@ -34,11 +34,12 @@ pub(crate) struct Setting {
 }
 
 impl Setting {
-    /// A param by its place, and what is given for it. A range that depends on other params is left to be asked when those
-    /// are known.
+    /// Checks a value for the param at an index. A range that depends on other params is checked
+    /// later, when those are known.
     ///
     /// # Errors
-    /// It takes values of another kind or dimension, whole numbers only, other strings, or others than this number.
+    /// The param has another kind or dimension, takes whole numbers only, takes other strings, or
+    /// excludes this number.
     pub fn new(
         description: &ModelDescription,
         param: usize,
@@ -57,10 +58,11 @@ impl Setting {
     }
 }
 
-/// Fills the params of a context from the defaults and from `given` (the last of a name counts).
+/// Fills the params of a context from the defaults and from `given` (the last one of a name
+/// counts).
 ///
 /// # Errors
-/// A name is not known, a value does not fit its param, or an expression of the model failed.
+/// A name is unknown, a value is invalid for its param, or an expression of the model failed.
 pub fn apply(program: &dyn Program, given: &[ParamAssignment], context: &mut Context) -> Result<(), Error> {
     let description = program.description();
     let mut settings = vec![None; description.params.len()];
@@ -71,8 +73,8 @@ pub fn apply(program: &dyn Program, given: &[ParamAssignment], context: &mut Con
     resolve(program, &settings, context)
 }
 
-/// Fills the params of a context from the defaults and from what is set, by param. Defaults are computed in order, so one
-/// that uses an earlier param follows what that is set to.
+/// Fills the params of a context from the defaults and from `settings`, indexed by param. Defaults
+/// are computed in order, so one that depends on an earlier param uses the value set for that.
 ///
 /// # Errors
 /// A value is out of range, or an expression of the model failed.
@@ -89,7 +91,7 @@ pub(crate) fn resolve(
     context.allowed = program.description().allowed.clone();
     context.params = vec![f64::NAN; description.params.len()];
     context.param_slots = vec![0; description.params.len()];
-    // One stack for all functions of the params.
+    // All functions of the params share one stack.
     stack::with_stack(|| {
         for (index, param) in description.params.iter().enumerate() {
             set(program, index, param, settings.get(index).and_then(Option::as_ref), context)?;
@@ -129,7 +131,7 @@ fn set(
     Ok(())
 }
 
-/// The params of a context, in order.
+/// Returns the params of a context, in order.
 pub(crate) fn values(description: &ModelDescription, context: &Context) -> Vec<ParamValue> {
     let slots = description.params.iter().zip(&context.param_slots);
     slots.map(|(param, &slot)| value_of(param, slot, context)).collect()
@@ -143,7 +145,7 @@ fn value_of(param: &ParamDescription, slot: Slot, context: &Context) -> ParamVal
     }
 }
 
-/// The param of this name.
+/// Returns the index of the param with this name.
 pub(crate) fn index_of(description: &ModelDescription, name: &str) -> Result<usize, Error> {
     let found = description.params.iter().position(|param| param.name == name);
     found.ok_or_else(|| {
@@ -152,7 +154,7 @@ pub(crate) fn index_of(description: &ModelDescription, name: &str) -> Result<usi
     })
 }
 
-/// The output of this name.
+/// Returns the index of the output with this name.
 pub(crate) fn output_of(description: &ModelDescription, name: &str) -> Result<usize, Error> {
     let found = description.outputs.iter().position(|output| output.name == name);
     found.ok_or_else(|| {
@@ -161,7 +163,7 @@ pub(crate) fn output_of(description: &ModelDescription, name: &str) -> Result<us
     })
 }
 
-/// A name that the model has no param or output by.
+/// Returns the error for a name of which the model has no param or output.
 fn unknown<'n>(what: &str, name: &str, names: impl Iterator<Item = &'n str> + Clone) -> Error {
     let near = names
         .clone()
@@ -179,7 +181,7 @@ fn unknown<'n>(what: &str, name: &str, names: impl Iterator<Item = &'n str> + Cl
     Error::given(format!("the model has no {what} called `{name}`"), help)
 }
 
-/// The ends of a number's range, in SI.
+/// Bounds of a numeric range, in SI.
 type Ends = (Option<f64>, Option<f64>);
 
 fn range(
@@ -198,7 +200,7 @@ fn range(
     Ok((end(ParamFunction::Low)?, end(ParamFunction::High)?))
 }
 
-/// The value as the param holds it, in SI.
+/// Converts the assigned value to the representation of the param, in SI.
 fn read(
     param: &ParamDescription,
     value: &AssignedValue,
@@ -253,7 +255,7 @@ fn read_number(
         AssignedValue::Bool(_) => Err("it is a number".into()),
     };
     let quantity = quantity.map_err(|why| refused(&why))?;
-    // A bare value is in the unit the default is written in.
+    // A bare number is in the unit of the default.
     let value = if quantity.unit { quantity.value } else { to_si(quantity.value, param.unit.factor) };
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
         return Err(refused(&other_kind(param, quantity.dimension, &description.known_dimensions)));
@@ -270,7 +272,7 @@ fn read_number(
 /// Reports whether one of two quantities, each with the text of its unit, counts cycles (in Hz) and
 /// the other angles.
 fn lacks_turn(first: (&str, Exponents), second: (&str, Exponents)) -> bool {
-    /// The place of angle among the exponents.
+    /// Index of the angle exponent.
     const ANGLE: usize = 3;
     let angles = |(_, dimension): (&str, Exponents)| dimension[ANGLE].0 != 0;
     let cycles = |(text, dimension): (&str, Exponents)| {
@@ -280,7 +282,7 @@ fn lacks_turn(first: (&str, Exponents), second: (&str, Exponents)) -> bool {
     angles(first) && cycles(second) || cycles(first) && angles(second)
 }
 
-/// Why a quantity of another dimension is not one of the param's.
+/// Describes the mismatch between a quantity's dimension and the param's.
 fn other_kind(param: &ParamDescription, given: Exponents, known: &[DimensionDescription]) -> String {
     let unit = param.unit.name.as_str();
     match (quantity::kind(given, known), quantity::kind(param.unit.dimension, known)) {
@@ -306,7 +308,8 @@ fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), I
     Err(InvalidParam::new(message, "give a value within the range, or widen the range in the model"))
 }
 
-/// What a param takes at the defaults of the others, and how to give it.
+/// Describes the accepted values, with the other params at their defaults, and the syntax of the
+/// assignment.
 fn takes(param: &ParamDescription) -> String {
     let (name, unit) = (&param.name, &param.unit.name);
     let domain = match domain(param, param.low, param.high) {
@@ -324,7 +327,7 @@ fn takes(param: &ParamDescription) -> String {
     format!("`{name}` takes {domain}, like `--set {name}={example}`{bare}")
 }
 
-/// The values a param allows, in the unit of its default; empty if any will do.
+/// Describes the range of a param, in the unit of its default; empty if it is unlimited.
 pub fn domain(param: &ParamDescription, low: Option<f64>, high: Option<f64>) -> String {
     let whole = if param.integral { "whole numbers " } else { "" };
     match (&param.repr, low, high) {
@@ -339,12 +342,13 @@ pub fn domain(param: &ParamDescription, low: Option<f64>, high: Option<f64>) -> 
     }
 }
 
-/// A number in the unit of the param's default.
+/// Formats a number in the unit of the param's default.
 pub fn shown(param: &ParamDescription, si: f64) -> String {
     format!("{} {}", shortest(from_si(si, param.unit.factor)), param.unit.name).trim_end().to_owned()
 }
 
-/// A number for people: what a conversion adds in the sixteenth digit is not shown.
+/// Formats a number for people, without the rounding error that a unit conversion adds in the
+/// sixteenth digit.
 pub fn shortest(value: f64) -> String {
     let rounded: f64 = format!("{value:.12e}").parse().unwrap_or(value);
     if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {

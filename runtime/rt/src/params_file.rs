@@ -1,5 +1,5 @@
-//! Files of params, `--params FILE.json` or `FILE.toml`: names and values, each with its place, so that what is wrong with one
-//! is shown where it stands.
+//! Params files, `--params FILE.json` or `FILE.toml`: names and values with their locations, so
+//! that errors point into the file.
 
 use crate::param_assignment::{AssignedValue, Origin, ParamAssignment};
 use crate::params::InvalidParam;
@@ -13,13 +13,13 @@ use std::path::Path;
 use std::sync::Arc;
 use toml::de::{DeTable, DeValue};
 
-/// A key of JSON files by which editors find the schema; it is no param.
+/// Key of JSON files by which editors find the schema; it is not a param.
 pub const SCHEMA_KEY: &str = "$schema";
 
-/// What a file says, in its order.
+/// Reads the assignments of a file, in its order.
 ///
 /// # Errors
-/// It cannot be read, or is not a table of numbers, texts and truth values.
+/// The file cannot be read, or is not a table of numbers, texts and Booleans.
 pub fn read(path: &Path) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let parse = match path.extension().and_then(|extension| extension.to_str()) {
         Some("json") => json,
@@ -34,7 +34,7 @@ pub fn read(path: &Path) -> Result<Vec<ParamAssignment>, InvalidParam> {
     };
     let bytes = std::fs::read(path).map_err(|error| unreadable(path, &error.to_string()))?;
     let text = String::from_utf8(bytes).map_err(|_| unreadable(path, "it is not UTF-8 text"))?;
-    // Windows' editors begin files so; neither format knows of it.
+    // Windows editors write a byte order mark; neither format allows it.
     let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
     parse(&Arc::new(FileDescription { name: path.display().to_string(), text }))
 }
@@ -43,7 +43,7 @@ fn unreadable(path: &Path, why: &str) -> InvalidParam {
     InvalidParam::new(format!("cannot read {}: {why}", path.display()), "give the path of a file of params")
 }
 
-/// Something wrong at a place of the file.
+/// Returns an error at a location of the file.
 fn wrong(file: &Arc<FileDescription>, at: Range<usize>, message: String, help: &str) -> InvalidParam {
     let origin = Origin { file: file.clone(), start: at.start, end: at.end };
     InvalidParam { origin: Some(origin), ..InvalidParam::new(message, help) }
@@ -61,14 +61,14 @@ fn given(
 
 const KINDS: &str = "a param is a number, a text like \"0.5 mm\", or true or false";
 
-/// Names and values of a file `{"torque": 500}`.
+/// Parses names and values of a JSON file, `{"torque": 500}`.
 fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let text = file.text.as_str();
     let mut reader = serde_json::Deserializer::from_str(text);
     let entries = reader.deserialize_map(Entries).and_then(|entries| reader.end().map(|()| entries));
     let entries = entries.map_err(|error| {
         let at = offset(text, error.line(), error.column());
-        // What is wrong without its place, which is shown.
+        // The message without its location, which is reported separately.
         let message = error.to_string();
         let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(message, _)| message);
         let help = "params are one object: `{\"torque\": 500, \"tip_radius\": \"0.5 mm\"}`";
@@ -82,7 +82,7 @@ fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
         let before = text[..start].trim_end().trim_end_matches(':').trim_end();
         let of_name = match before.strip_suffix(&format!("\"{name}\"")) {
             Some(rest) => rest.len()..before.len(),
-            // A name with escapes.
+            // A name with escape sequences.
             None => of_value.clone(),
         };
         if all.iter().any(|known| known.name == name) {
@@ -92,7 +92,7 @@ fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
             Some(b't') => AssignedValue::Bool(true),
             Some(b'f') => AssignedValue::Bool(false),
             Some(b'"') => AssignedValue::String(serde_json::from_str(value).unwrap_or_default()),
-            // The decimal is read as on a command line, to the same bits.
+            // Parsed as on a command line, to the same bits.
             Some(b'-' | b'0'..=b'9') => AssignedValue::Number(value.parse().unwrap_or(f64::NAN)),
             other => {
                 let kind = match other {
@@ -108,7 +108,7 @@ fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
     Ok(all)
 }
 
-/// The byte at a line and column, both from 1, the column in bytes.
+/// Returns the byte offset of a line and column, both counted from 1, the column in bytes.
 fn offset(text: &str, line: usize, column: usize) -> usize {
     let begin: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     let mut at = (begin + column.saturating_sub(1)).min(text.len());
@@ -118,7 +118,7 @@ fn offset(text: &str, line: usize, column: usize) -> usize {
     at
 }
 
-/// An object's names and the texts of their values.
+/// Names of an object and the texts of their values.
 struct Entries;
 
 impl<'de> Visitor<'de> for Entries {
@@ -137,7 +137,7 @@ impl<'de> Visitor<'de> for Entries {
     }
 }
 
-/// Names and values of a file `torque = 500`.
+/// Parses names and values of a TOML file, `torque = 500`.
 fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let table = DeTable::parse(&file.text).map_err(|error| {
         let help = "write a param a line: `torque = 500`, `tip_radius = \"0.5 mm\"`";
@@ -172,7 +172,7 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
             Err(kind) => return Err(wrong(file, at[0].clone(), format!("`{name}` is {kind}"), KINDS)),
         }
     }
-    // The table is sorted by name; people read from the top.
+    // The table is sorted by name; errors are reported in the order of the file.
     all.sort_by_key(|given| given.origin.as_ref().map(|origin| origin.start));
     Ok(all)
 }

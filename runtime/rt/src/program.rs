@@ -1,4 +1,4 @@
-//! A compiled model as the runner sees it, wherever its code is: in memory, linked in, or interpreted.
+//! Interface of compiled models, independent of their code: in memory, linked, or interpreted.
 
 use crate::nan_log::NanLog;
 use crate::param_assignment::ParamAssignment;
@@ -7,7 +7,7 @@ use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Which function of a param.
+/// Kind of function of a param.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ParamFunction {
     Default = 0,
@@ -15,14 +15,15 @@ pub enum ParamFunction {
     High = 2,
 }
 
-/// A compiled model. It keeps nothing of a run, so that any number of them go on at once.
+/// A compiled model. It has no state of a run, so any number of runs may use it concurrently.
 pub trait Program: Send + Sync {
     fn description(&self) -> &ModelDescription;
 
-    /// One per symbolic site, in order.
+    /// Returns the kernels, one per symbolic site, in order.
     fn kernels(&self) -> Vec<Arc<dyn Kernel>>;
 
-    /// The default of a param, or an end of its range; `None` if it has none. May read the params before it.
+    /// Computes the default of a param, or a bound of its range; `None` if it has none. May read
+    /// the params before it.
     fn param_function(
         &self,
         param: usize,
@@ -30,14 +31,15 @@ pub trait Program: Send + Sync {
         context: &mut Context,
     ) -> Result<Option<Slot>, RuntimeError>;
 
-    /// Tables that travel with the program; `None` if it reads all of them from [`Program::directory`].
+    /// Returns the tables that are part of the program; `None` if it reads all of them from
+    /// [`Program::directory`].
     fn tables(&self) -> Option<Arc<[FileDescription]>> {
         let tables = &self.description().tables;
         (!tables.is_empty()).then(|| tables.clone())
     }
 
-    /// The directory below which the program may read files; `None` if there is none. The model's own, unless it is a text
-    /// that came from no file.
+    /// Returns the directory below which the program may read files: the directory of the model.
+    /// `None` for a model that does not come from a file.
     fn directory(&self) -> Option<PathBuf> {
         let model = Path::new(&self.description().name);
         let beside = model.parent().filter(|_| model.is_file())?;
@@ -47,8 +49,8 @@ pub trait Program: Send + Sync {
     /// Runs the model's top level.
     fn main(&self, context: &mut Context) -> Result<(), RuntimeError>;
 
-    /// Notes at the error that a run ended with what can be said of its cause. `given` is what was set, and `seen` what
-    /// its kernels did.
+    /// Adds the cause of the failure to an error, as far as it can be determined. `given` are the
+    /// assigned params and `seen` is the log of its kernels.
     fn explain(&self, error: &mut RuntimeError, given: &[ParamAssignment], seen: &NanLog) {
         let _ = (error, given, seen);
     }

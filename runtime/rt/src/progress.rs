@@ -1,4 +1,4 @@
-//! Progress with the time that remains: a bar on a terminal, or one JSON object a line for programs.
+//! Progress with the remaining time: a bar on a terminal, or one JSON object per line for programs.
 
 use calyx_runtime::tolerance::SearchProgress;
 use clap::ValueEnum;
@@ -16,23 +16,24 @@ pub enum ProgressFormat {
     Human,
     /// One JSON object per line: stage, done, total, seconds_left
     ///
-    /// When a stage begins, and after each position. What is not known is null.
+    /// Printed at the start of a stage and after each position. Unknown values are null.
     Json,
 }
 
-/// Shows the stage under way and, once positions are being solved, how many are left.
+/// Display of the current stage and, during the stage `positions`, of the remaining ones.
 pub struct Progress {
     bar: ProgressBar,
     quiet: bool,
-    /// Standard output is for something else than what the program prints.
+    /// Redirects the text that the program prints to standard error.
     print_to_error: bool,
-    /// The stage under way and when it began, for programs that watch.
+    /// Current stage and its start time, for JSON lines.
     lines: Option<Mutex<(&'static str, Instant)>>,
 }
 
 impl Progress {
-    /// Draws on standard error; draws no bar if `quiet` or if that is no terminal. What the program prints goes to standard
-    /// output, or with `print_to_error` to standard error.
+    /// Creates a display on standard error; without a bar if `quiet` or if that is no terminal. The
+    /// text that the program prints goes to standard output, or with `print_to_error` to standard
+    /// error.
     pub fn new(format: ProgressFormat, quiet: bool, print_to_error: bool) -> Progress {
         let json = format == ProgressFormat::Json;
         let target = if quiet || json { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
@@ -50,7 +51,7 @@ impl Progress {
         }
     }
 
-    /// Shows a setting that is tried for a tolerance, and the best one before it.
+    /// Shows the setting that the tolerance search tries, and the best one before it.
     pub fn choosing(&self, choosing: &SearchProgress) {
         if let Some(lines) = &self.lines {
             let mut line = line("choosing", 0, None, None);
@@ -84,7 +85,7 @@ impl Progress {
         self.bar.finish_and_clear();
     }
 
-    /// Prints what the program prints, without disturbing the bar.
+    /// Prints a line of the program without disturbing the bar.
     pub fn print(&self, line: &str) {
         self.bar.suspend(|| match self.print_to_error {
             true => eprintln!("{line}"),
@@ -92,7 +93,7 @@ impl Progress {
         });
     }
 
-    /// Says what people want to know, on standard error.
+    /// Prints a note for the user on standard error.
     pub fn note(&self, text: &str) {
         if !self.quiet {
             self.bar.suspend(|| eprintln!("{text}"));
@@ -100,19 +101,20 @@ impl Progress {
     }
 }
 
-/// Shows which of several runs is under way, and how long all that are left will take: as predicted, corrected by what those before took.
+/// Display of a campaign of runs: the current run, and the remaining time of all runs, predicted
+/// and corrected by the measured duration of the completed ones.
 pub struct CampaignProgress {
     bar: ProgressBar,
     json: bool,
-    /// Time of each, s.
+    /// Predicted duration of each run, s.
     predicted: Vec<f64>,
     began: Instant,
-    /// The run under way.
+    /// Index of the current run.
     index: Cell<usize>,
 }
 
 impl CampaignProgress {
-    /// Draws on standard error as [`Progress`] does.
+    /// Creates a display on standard error, as [`Progress::new`] does.
     pub fn new(format: ProgressFormat, quiet: bool, predicted: Vec<f64>) -> CampaignProgress {
         let json = format == ProgressFormat::Json;
         let target = if quiet || json { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
@@ -122,7 +124,7 @@ impl CampaignProgress {
         CampaignProgress { bar, json, predicted, began: Instant::now(), index: Cell::new(0) }
     }
 
-    /// A run begins.
+    /// Starts a run.
     pub fn begin(&self, index: usize, name: &str) {
         self.index.set(index);
         let left = seconds_left(&self.predicted, index, self.began.elapsed().as_secs_f64());
@@ -142,16 +144,17 @@ impl CampaignProgress {
     }
 }
 
-/// What is left of runs of these predicted times when the first `done` have taken `elapsed`, s.
+/// Estimates the remaining time from the predicted durations, when the first `done` runs have taken
+/// `elapsed`, s.
 fn seconds_left(predicted: &[f64], done: usize, elapsed: f64) -> f64 {
     let (before, after) = predicted.split_at(done.min(predicted.len()));
     let (before, after): (f64, f64) = (before.iter().sum(), after.iter().sum());
-    // A prediction is told by more than its first moments.
+    // The first moments of a run are too short to correct the prediction.
     let scale = if before > 0.0 && elapsed > 0.5 { elapsed / before } else { 1.0 };
     after * scale
 }
 
-/// A line for programs; what is left takes as long as what was done.
+/// Formats a JSON line; the remaining time is extrapolated from the elapsed one.
 fn line(stage: &str, done: usize, total: Option<usize>, elapsed: Option<Duration>) -> serde_json::Value {
     let left = elapsed.zip(total).filter(|_| done > 0);
     let left =

@@ -1,5 +1,5 @@
-//! Errors and warnings of a running model as text with the source line, for executables that carry no compiler.
-//! Control characters of the source become visible signs.
+//! Errors and warnings of a running model as text with the source line, for executables without a
+//! compiler. Control characters of the source are replaced by visible symbols.
 
 use crate::param_assignment::Origin;
 use crate::params::InvalidParam;
@@ -12,7 +12,7 @@ use calyx_abi::visible::visible;
 use calyx_gears::error::Severity;
 use serde_json::json;
 
-/// `error[E0670]: ...` with the place, its line underlined, and the remedy.
+/// Formats `error[E0670]: ...` with the location, the underlined source line, and the remedy.
 pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDescription) -> String {
     let mut error = error.clone();
     let is_library =
@@ -47,10 +47,11 @@ pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDesc
     visible(&text).into_owned()
 }
 
-/// Codes of errors that NaN causes: of a frame, an output, an argument. Its source is found by interpreting the program.
+/// Codes of errors that NaN causes: in a frame, an output, an argument. Its origin is found by
+/// interpreting the program.
 const NOT_A_NUMBER: [&str; 3] = ["E0710", "E0721", codes::NOT_A_NUMBER];
 
-/// `error: ...` with the place in the file of params, if it came from one, and the remedy.
+/// Formats `error: ...` with the location in the params file, if there is one, and the remedy.
 pub fn refused(refused: &InvalidParam) -> String {
     let mut text = format!("error: {}\n", refused.message);
     let place = refused.origin.as_ref();
@@ -62,32 +63,32 @@ pub fn refused(refused: &InvalidParam) -> String {
     visible(&text).into_owned()
 }
 
-/// The place for programs, as those of diagnostics.
+/// Returns the location as JSON, in the format of diagnostics.
 pub fn place_json(origin: &Origin) -> serde_json::Value {
     let Origin { file, start, end } = origin;
     let (line, column) = line_column(file, *start);
     json!({ "file": file.name, "line": line, "column": column, "byte_start": start, "byte_end": end })
 }
 
-/// Line and column, counted from 1, of a byte of a file.
+/// Returns line and column, counted from 1, of a byte of a file.
 pub(crate) fn line_column(file: &FileDescription, start: usize) -> (usize, usize) {
     let before = file.text.get(..start).unwrap_or_default();
     (before.matches('\n').count() + 1, before.chars().rev().take_while(|c| *c != '\n').count() + 1)
 }
 
-/// `--> file:line:column`, and the line with a mark under the bytes from `start` to `end`; `None` if the file has no
-/// such bytes.
+/// Formats `--> file:line:column` and the line with a mark under the bytes from `start` to `end`;
+/// `None` if the file is shorter.
 fn excerpt(file: &FileDescription, start: usize, end: usize) -> Option<String> {
     let (before, after) = (file.text.get(..start)?, file.text.get(start..)?);
     let number = before.matches('\n').count() + 1;
     let begin = before.rfind('\n').map_or(0, |at| at + 1);
     let line = &file.text[begin..start + after.find('\n').unwrap_or(after.len())];
     let indent = before[begin..].chars().count();
-    // What continues on the next line is marked to the end of this one.
+    // A range of several lines is marked to the end of the first one.
     let marked =
         file.text.get(start..end.min(begin + line.len())).map_or(1, |text| text.chars().count().max(1));
     let margin = " ".repeat(number.to_string().len());
-    // Tabs stay tabs under tabs, so that the mark stands where the text does.
+    // Tabs are kept, so that the mark is aligned with the text.
     let fill: String = line.chars().take(indent).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
     Some(format!(
         "  --> {}:{number}:{}\n {margin} |\n {number} | {line}\n {margin} | {fill}{}\n",
@@ -134,7 +135,8 @@ mod tests {
             problem(Severity::Error, &called, &description),
             format!("{expected}  in `f`, called at m.cx:2:2\n")
         );
-        // What blames an argument is placed on it, and a warning has a warning's code.
+        // An error about an argument is located at the argument, and a warning has the code of a
+        // warning.
         let calls = vec![CallDescription {
             place: (0, 13, 24),
             arguments: vec![("x".into(), (0, 22, 23))],
@@ -144,7 +146,7 @@ mod tests {
         let description = ModelDescription { calls, ..description };
         let warning = expected.replacen("error[E", "warning[W", 1);
         assert_eq!(problem(Severity::Warning, &blamed, &description), warning);
-        // A place that is not in the file is left out.
+        // A location outside of the file is omitted.
         let nowhere = RuntimeError { place: Some((0, 400, 401)), ..error };
         assert_eq!(problem(Severity::Error, &nowhere, &description), "error[E0701]: index 3\n  help: less\n");
     }

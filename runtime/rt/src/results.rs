@@ -1,4 +1,4 @@
-//! What a run yields.
+//! Results of a run.
 
 use crate::error::Error;
 use crate::names::{Names, Output, OutputName};
@@ -16,7 +16,7 @@ use calyx_runtime::summary::Harmonic;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// What a run yields: of a model without an analysis, only what it found and printed.
+/// Results of a run; for a model without an analysis only findings and printed lines.
 pub struct Results {
     program: Arc<dyn Program>,
     shape: u64,
@@ -28,7 +28,7 @@ pub struct Results {
 }
 
 impl Results {
-    /// Takes from a context what its program has left there.
+    /// Takes the results that the program has left in a context.
     pub(crate) fn of(
         program: Arc<dyn Program>,
         shape: u64,
@@ -57,23 +57,25 @@ impl Results {
         Names { description: self.program.description(), shape: self.shape }
     }
 
+    /// Returns the handle of an output.
+    ///
     /// # Errors
     /// The model has no such output.
     pub fn output(&self, name: &str) -> Result<Output, Error> {
         Output::named(self.description(), name)
     }
 
-    /// What the params were, in order, in SI.
+    /// Returns the values of the params, in order, in SI.
     pub fn params(&self) -> &[ParamValue] {
         &self.params
     }
 
-    /// All there is of the analysis; `None` for a model without one.
+    /// Returns the result of the analysis; `None` for a model without one.
     pub fn analysis(&self) -> Option<&AnalysisResult> {
         self.analysis.as_ref()
     }
 
-    /// Every solved position, in order.
+    /// Returns the solved positions, in order.
     pub fn steps(&self) -> impl ExactSizeIterator<Item = Step> + '_ {
         let rows = self.analysis.as_ref().map_or(&[][..], |result| &result.rows);
         rows.iter().enumerate().map(|(index, row)| Step {
@@ -85,7 +87,8 @@ impl Results {
         })
     }
 
-    /// An output over all positions, in the unit the model shows it in.
+    /// Returns the summary of an output over all positions, in the unit in which the model shows
+    /// it.
     ///
     /// # Errors
     /// The model has no such output.
@@ -95,7 +98,7 @@ impl Results {
         Ok(shown(summary, unit))
     }
 
-    /// An output over all positions, in SI.
+    /// Returns the summary of an output over all positions, in SI.
     ///
     /// # Errors
     /// The model has no such output.
@@ -103,10 +106,10 @@ impl Results {
         Ok(self.summarised(output)?.1)
     }
 
-    /// An output over all positions, in a unit of one's choice, like `N*m`.
+    /// Returns the summary of an output over all positions, in the given unit, like `N*m`.
     ///
     /// # Errors
-    /// The model has no such output, or it is of another dimension.
+    /// The model has no such output, or it has another dimension.
     pub fn summary_in(&self, output: impl OutputName, unit: &str) -> Result<OutputSummary, Error> {
         let (index, summary) = self.summarised(output)?;
         Ok(shown(summary, factor(self.description(), index, unit)?))
@@ -119,37 +122,38 @@ impl Results {
         Ok((index, summary))
     }
 
-    /// What the model asked of its outputs in the frequency domain, in SI.
+    /// Returns the signals in the frequency domain that the model requests, in SI.
     pub fn signals(&self) -> &[Signal] {
         &self.signals
     }
 
-    /// The worst residuals of all positions; `None` for a model without an analysis.
+    /// Returns the largest residuals over all positions; `None` for a model without an analysis.
     pub fn certificate(&self) -> Option<&Certificate> {
         self.analysis.as_ref().map(|result| &result.certificate)
     }
 
-    /// How it was analysed, and which inputs that leaves out; `None` for a model without an analysis.
+    /// Returns the modelling decisions and the inputs that they ignore; `None` for a model without
+    /// an analysis.
     pub fn plan(&self) -> Option<&Plan> {
         self.analysis.as_ref().map(|result| &result.plan)
     }
 
-    /// How long the stages of the analysis took; `None` for a model without one.
+    /// Returns the durations of the stages of the analysis; `None` for a model without one.
     pub fn timing(&self) -> Option<&Timing> {
         self.analysis.as_ref().map(|result| &result.timing)
     }
 
-    /// How long the model ran, its analysis included.
+    /// Returns the duration of the program, including its analysis.
     pub fn time(&self) -> Duration {
         self.time
     }
 
-    /// What the library found, with places in the source.
+    /// Returns the findings of the library, with source locations.
     pub fn findings(&self) -> &[Finding] {
         &self.findings
     }
 
-    /// Every distinct warning of the positions, once.
+    /// Returns each distinct warning of the positions once.
     pub fn warnings(&self) -> Vec<String> {
         let mut all: Vec<String> = Vec::new();
         let rows = self.analysis.iter().flat_map(|result| &result.rows);
@@ -175,8 +179,9 @@ fn shown(summary: &OutputSummary, unit: f64) -> OutputSummary {
     }
 }
 
-/// The error of a model that declares outputs without an analysis that yields them; `failed`: it
-/// caught the error of one. The place is the end of the model, where an analysis would stand.
+/// Returns the error of a model that declares outputs without an analysis of them. `failed` states
+/// that the model caught the error of an analysis. The location is the end of the model, where an
+/// analysis would be.
 pub fn no_analysis(description: &ModelDescription, failed: bool) -> RuntimeError {
     let end = description.files.first().map_or(0, |file| file.text.trim_end().len() as u32);
     let (message, help) = match failed {

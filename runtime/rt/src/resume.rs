@@ -1,4 +1,5 @@
-//! Going on with an earlier run: what its directory holds of it, and whether it is a run of the same model and params.
+//! Resuming an earlier run: finds its state in the directory, and checks that model and params are
+//! the same.
 
 use crate::directory::read_run;
 use crate::journal::{self, FoundJournal};
@@ -8,18 +9,18 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::Path;
 
-/// What there is of an earlier run.
+/// State of an earlier run.
 pub enum EarlierRun {
     Nothing,
-    /// Positions to go on after.
+    /// Solved positions, after which the run can resume.
     Unfinished(FoundJournal),
-    /// Nothing is left to be done.
+    /// The earlier run is complete.
     Finished,
 }
 
-/// Why an earlier run is not gone on with.
+/// Reason why an earlier run cannot be resumed.
 pub enum ResumeError {
-    /// It was another run.
+    /// The earlier run has another subject.
     Other(InvalidParam),
     Io(io::Error),
 }
@@ -30,10 +31,12 @@ impl From<io::Error> for ResumeError {
     }
 }
 
-/// Looks in a directory for the run that `head` (see [`crate::directory::head`]) says what it is of.
+/// Searches a directory for an earlier run with the subject `head` (see
+/// [`crate::directory::head`]).
 ///
 /// # Errors
-/// There is a run of another model, of other params, or by another version of Calyx; or it cannot be read.
+/// The directory has a run of another model, of other params, or by another version of Calyx; or it
+/// cannot be read.
 pub fn find(directory: &Path, head: &Value) -> Result<EarlierRun, ResumeError> {
     let same = |then: &Value| match differences(then, head) {
         differences if differences.is_empty() => Ok(()),
@@ -42,11 +45,12 @@ pub fn find(directory: &Path, head: &Value) -> Result<EarlierRun, ResumeError> {
             "resume with the same model and params, or start a new run without --resume",
         ))),
     };
-    // The journal goes last: where there is one, a run may have been ended among its final files.
+    // The journal is removed last, so a run with a journal may have been ended while it wrote its
+    // final files.
     if let Some(found) = journal::find(directory)? {
         return same(&found.head).map(|()| EarlierRun::Unfinished(found));
     }
-    // Results that miss their tolerance are those of a search that was ended.
+    // Results that miss their tolerance belong to a search that was ended.
     let finished = |run: &Value| run.get("incomplete").is_none() && run["chosen"]["met"] != false;
     match read_run(directory)?.filter(finished) {
         Some(run) => same(&run).map(|()| EarlierRun::Finished),
@@ -54,10 +58,10 @@ pub fn find(directory: &Path, head: &Value) -> Result<EarlierRun, ResumeError> {
     }
 }
 
-/// What is not the same of two runs, in words.
+/// Describes the differences between the subjects of two runs.
 fn differences(then: &Value, now: &Value) -> Vec<String> {
     let mut all = Vec::new();
-    // Numbers as they are written, wherever they come from.
+    // Numbers are compared in their written form, independent of their source.
     let written = |value: &Value| value.to_string();
     if written(&then["calyx"]) != written(&now["calyx"]) {
         all.push(format!(
@@ -105,7 +109,7 @@ fn text(value: &Value) -> &str {
     value.as_str().unwrap_or("?")
 }
 
-/// A param of `run.json` in its own unit.
+/// Formats a param of `run.json` in its own unit.
 fn shown(param: &Value) -> String {
     let value = if param["display"].is_null() { &param["value"] } else { &param["display"]["value"] };
     let number = match value {
@@ -140,7 +144,7 @@ mod tests {
     #[test]
     fn what_differs_is_said() {
         assert_eq!(differences(&head(), &head()), Vec::<String>::new());
-        // The same model, elsewhere.
+        // The same model at another path.
         let mut moved = head();
         moved["source"]["files"][0]["name"] = json!("models/pair.cx");
         assert_eq!(differences(&head(), &moved), Vec::<String>::new());

@@ -1,4 +1,4 @@
-//! A run for people and for those who read its directory: an instance, watched and written down.
+//! A complete run: an instance, its progress display, and its run directory.
 
 use crate::directory::{
     Details, REPORT, Record, SIGNALS, StageTimes, Stages, head, write_run, write_unfinished,
@@ -27,37 +27,37 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-/// What a run is to do.
+/// Options of a run.
 #[derive(Clone, Debug, Default)]
 pub struct RunOptions {
     pub engine: Engine,
-    /// Where results go.
+    /// Directory of the results.
     pub directory: PathBuf,
-    /// Values given for params; the last of a name counts.
+    /// Values assigned to params; the last one of a name counts.
     pub given: Vec<ParamAssignment>,
-    /// Nothing but what the program prints, and errors.
+    /// Suppresses all output except errors and the text that the program prints.
     pub quiet: bool,
-    /// How progress is shown; for people it is silent if `quiet`.
+    /// Format of the progress display; `quiet` suppresses the human-readable one.
     pub progress: ProgressFormat,
-    /// What the program prints goes to standard error.
+    /// Redirects the text that the program prints to standard error.
     pub print_to_error: bool,
-    /// What went before, for `timing.json`.
+    /// Stages that preceded the run, for `timing.json`.
     pub before: StageTimes,
-    /// How long the run may take.
+    /// Limit of the duration of the run.
     pub time_limit: Option<Duration>,
-    /// Bytes that it may take: of the program's values, and of the process while it analyses.
+    /// Limit of memory in bytes: of the program's values, and of the process during the analysis.
     pub memory_limit: Option<u64>,
-    /// Replaces files with names of results in a directory that no run has written.
+    /// Replaces files that bear the names of results but were not written by a run.
     pub force: bool,
-    /// Goes on after the positions that an earlier run completed.
+    /// Resumes after the positions that an earlier run completed.
     pub resume: bool,
     /// Writes the fields of every position as tables.
     pub fields: bool,
-    /// Writes pictures of every position for ParaView.
+    /// Writes a VTU file of every position, for ParaView.
     pub vtu: bool,
-    /// What takes the place of what the model says of its analysis.
+    /// Settings that override the analysis settings of the model.
     pub overrides: Override,
-    /// Set from outside, it ends the run soon; what was written is kept.
+    /// Cancellation from outside: ends the run soon; the files written so far are kept.
     pub cancel: Cancel,
 }
 
@@ -67,17 +67,18 @@ impl RunOptions {
     }
 }
 
-/// Why a run did not finish.
+/// Reason why a run did not finish.
 #[derive(Debug)]
 pub enum RunError {
-    /// What was given, the model or its analysis.
+    /// Error in the given values, the model or its analysis.
     Run(Error),
-    /// It was ended from outside or by a limit, and the positions solved until then are in its directory.
+    /// The run was ended from outside or by a limit. The positions solved until then are in its
+    /// directory.
     Ended {
         error: Box<RuntimeError>,
         positions: usize,
     },
-    /// Results cannot be written to the directory. Nothing in it was changed.
+    /// Results cannot be written to the directory; the directory is unchanged.
     Directory(DirectoryError),
     Io {
         path: PathBuf,
@@ -85,20 +86,20 @@ pub enum RunError {
     },
 }
 
-/// What a finished run says for people.
+/// Text for the user about a finished run.
 #[derive(Default)]
 pub struct RunReport {
-    /// The table of outputs; empty for a model without an analysis.
+    /// Table of outputs; empty for a model without an analysis.
     pub summary: String,
-    /// What deserves a second look.
+    /// Warnings about the results.
     pub warnings: Vec<String>,
-    /// What the library found, with places in the source.
+    /// Findings of the library, with source locations.
     pub findings: Vec<Finding>,
-    /// An earlier run had done everything; this one did nothing.
+    /// True if an earlier run was complete, so that this one did nothing.
     pub finished_before: bool,
-    /// The directory of the results. No other run writes to it until this is dropped.
+    /// Directory of the results, locked against other runs until this is dropped.
     pub directory: Option<Arc<RunDirectory>>,
-    /// The search for a setting ended early: the results do not meet the tolerance.
+    /// True if the tolerance search ended early: the results do not meet the tolerance.
     pub tolerance_missed: bool,
 }
 
@@ -108,8 +109,8 @@ impl From<DirectoryError> for RunError {
     }
 }
 
-/// Runs a model and writes its run directory. Results of an earlier run there are removed when the first position is solved;
-/// a run that fails before leaves them as they are.
+/// Runs a model and writes its run directory. Results of an earlier run in the directory are
+/// removed when the first position is solved; a run that fails before that leaves them unchanged.
 pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport, RunError> {
     let path = options.directory.as_path();
     let unwritable = |error| RunError::Io { path: path.to_owned(), error };
@@ -131,7 +132,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let found = match earlier(options, &head)? {
         EarlierRun::Finished => {
             progress.finish();
-            // It may have been ended before its last file.
+            // The earlier run may have been ended before it wrote its last file.
             if !path.join(REPORT).exists() {
                 page::write_locked(&directory).map_err(unwritable)?;
             }
@@ -168,7 +169,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         write_steps(instance, &directory, &head, found.as_ref(), (options.details(), progress.clone()));
     progress.finish();
     let results = match outcome {
-        // What was solved until somebody ended the run is worth keeping, with what it is of.
+        // The positions solved before a cancellation are kept, with the description of their run.
         Err(RunError::Run(Error::Model(error))) if error.status() == Status::Cancelled && solved > 0 => {
             let written = write_unfinished(path, head, solved, &error);
             written.and_then(|()| page::write_locked(&directory)).map_err(unwritable)?;
@@ -196,7 +197,7 @@ fn begin(directory: &RunDirectory, details: Details) -> io::Result<()> {
     directory.claim_all(asked_for)
 }
 
-/// Writes what is known at the end of a run.
+/// Writes the final files of a run.
 fn write_results(
     directory: &RunDirectory,
     head: Value,
@@ -222,7 +223,7 @@ fn write_results(
     page::write_locked(directory).map(drop)
 }
 
-/// What people are told of a finished run.
+/// Builds the report of a finished run.
 fn report(description: &ModelDescription, results: &Results) -> RunReport {
     let result = results.analysis();
     let modes = result.and_then(|result| result.modes.as_ref());
@@ -240,7 +241,7 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
     }
 }
 
-/// The run that is to be gone on with, if there is one.
+/// Finds the earlier run to resume, if there is one.
 fn earlier(options: &RunOptions, head: &Value) -> Result<EarlierRun, RunError> {
     if !options.resume {
         return Ok(EarlierRun::Nothing);
@@ -254,12 +255,14 @@ fn earlier(options: &RunOptions, head: &Value) -> Result<EarlierRun, RunError> {
         EarlierRun::Unfinished(found) => found.solved.len(),
         EarlierRun::Finished => 1,
     };
-    // What an earlier run has not written of its positions can only be had by solving them again.
+    // If requested details of the earlier positions are missing, the positions must be solved
+    // again.
     let complete = options.details().are_in(&options.directory, positions);
     Ok(if complete { found } else { EarlierRun::Nothing })
 }
 
-/// Runs the instance with each position on disk before the next one begins: how many there are, and how it ended.
+/// Runs the instance and writes each position to disk before the next one begins. Returns the
+/// number of positions and the outcome of the run.
 fn write_steps(
     mut instance: Instance,
     directory: &Arc<RunDirectory>,
@@ -288,7 +291,7 @@ fn write_steps(
         let mut written = writing.lock().unwrap_or_else(PoisonError::into_inner);
         written.write(&directory, &outputs, &head, details, (index, solved, fields)).map_err(|error| {
             written.failure = Some(error);
-            // The run ends with what is kept; this ends the analysis.
+            // The run reports the stored I/O error; this error only ends the analysis.
             EngineError::new("E0712", "the results cannot be written", "")
         })
     });
@@ -300,10 +303,10 @@ fn write_steps(
     }
 }
 
-/// What of a run is on disk.
+/// Positions that a run has written to disk.
 struct Written {
     record: Option<Record>,
-    /// Positions.
+    /// Number of positions.
     solved: usize,
     failure: Option<io::Error>,
 }
@@ -317,7 +320,7 @@ impl Written {
         details: Details,
         (index, solved, fields): (usize, &Solved, Option<&Fields>),
     ) -> io::Result<()> {
-        // A model may go on after an analysis that failed, and begin another.
+        // A model may continue after an analysis that failed, and start another.
         let record = match self.record.take().filter(|_| index > 0) {
             Some(record) => record,
             None => {

@@ -1,10 +1,11 @@
-//! Ownership of a directory of results: which of its files a run wrote, and which process writes there now.
+//! Ownership of a results directory: the files that a run wrote, and the process that writes now.
 //!
-//! A run replaces and removes only files that an earlier run wrote. The file [`MARKER`] lists them: its first line
-//! identifies the directory, and each file is listed before it is created. Everything else in the directory belongs to the
-//! user. The process that writes locks the marker with a lock of the operating system, which ends with the process however
-//! that ends. A kill at any moment leaves a marker that can be read: lines are appended, and an incomplete last line counts
-//! as none.
+//! A run replaces and removes only files that an earlier run wrote. The file [`MARKER`] lists them:
+//! its first line identifies the directory, and each file is listed before it is created.
+//! Everything else in the directory belongs to the user. The writing process locks the marker with
+//! a lock of the operating system, which is released when the process ends for any reason. After a
+//! kill at any moment the marker is readable: lines are appended, and an incomplete last line is
+//! ignored.
 
 use crate::directory::REPORT;
 use crate::journal;
@@ -21,16 +22,16 @@ mod owner;
 
 pub use error::DirectoryError;
 
-/// The marker's name in the directory.
+/// File name of the marker.
 pub const MARKER: &str = ".calyx-run";
-/// A line of the marker that lists a file begins with this.
+/// Prefix of the marker lines that list a file.
 const FILE: &str = "file ";
-/// A line of the marker that says who writes begins with this.
+/// Prefix of the marker lines that describe the writing process.
 const OWNER: &str = "locked by ";
-/// Attempts to lock a marker that other processes remove.
+/// Number of attempts to lock a marker that other processes remove.
 const ATTEMPTS: usize = 100;
 
-/// A kind of directory of results.
+/// Kind of results directory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Written by `calyx run` or an executable.
@@ -40,7 +41,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The first line of the marker.
+    /// Returns the first line of the marker.
     fn header(self) -> &'static str {
         match self {
             Kind::Run => "Calyx run directory, format 1. A run replaces only the files listed here.\n",
@@ -50,8 +51,8 @@ impl Kind {
         }
     }
 
-    /// The names that are the same for every model. If one of them exists and is not listed, nothing is written: readers of
-    /// the directory would mistake it for a result.
+    /// Returns the file names that are the same for every model. If one of them exists and is not
+    /// listed, nothing is written: readers of the directory would mistake it for a result.
     fn fixed_names(self) -> &'static [&'static str] {
         match self {
             Kind::Run => &FILES_OF_A_RUN,
@@ -59,7 +60,7 @@ impl Kind {
         }
     }
 
-    /// Directories in which other names are listed.
+    /// Returns the folders whose file names depend on the model.
     fn folders(self) -> &'static [&'static str] {
         match self {
             Kind::Run => &[crate::directory::SIGNALS, crate::vtu::FOLDER],
@@ -67,7 +68,8 @@ impl Kind {
         }
     }
 
-    /// The names that a version without markers wrote, if the directory has a summary that only such a version wrote.
+    /// Returns the names that a version without markers wrote, if the directory has a summary that
+    /// only such a version wrote.
     fn names_without_marker(self, directory: &Path) -> Option<BTreeSet<String>> {
         let read = |name: &str| -> Option<Value> {
             serde_json::from_slice(&fs::read(regular(directory.join(name))?).ok()?).ok()
@@ -100,7 +102,8 @@ impl Kind {
         Some(names)
     }
 
-    /// Whether a listed name is one that this kind of directory has: a marker from elsewhere must not name other files.
+    /// Returns true if this kind of directory may contain the listed name: a marker from elsewhere
+    /// must not list other files.
     fn allows(self, name: &str) -> bool {
         let parts: Vec<Component> = Path::new(name).components().collect();
         match parts[..] {
@@ -113,7 +116,8 @@ impl Kind {
     }
 }
 
-/// Files at the top of a run directory. Those that end in `.part` are renamed when they are complete.
+/// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
+/// complete.
 const FILES_OF_A_RUN: [&str; 15] = [
     "run.json",
     "journal.jsonl",
@@ -132,39 +136,39 @@ const FILES_OF_A_RUN: [&str; 15] = [
     "report.html.part",
 ];
 
-/// A directory of results that this process alone writes to, until this value is dropped.
+/// A results directory that is locked by this process until the value is dropped.
 #[derive(Debug)]
 pub struct RunDirectory {
     path: PathBuf,
     kind: Kind,
-    /// Files that no run wrote may be replaced.
+    /// Allows to replace files that no run wrote.
     force: bool,
-    /// The directory did not exist before.
+    /// True if this process created the directory.
     created: bool,
-    /// The marker did not exist before.
+    /// True if this process created the marker.
     marked: bool,
     marker: Mutex<Marker>,
 }
 
-/// The marker, locked.
+/// A locked marker.
 #[derive(Debug)]
 struct Marker {
     file: File,
     /// Names that may be replaced.
     owned: BTreeSet<String>,
-    /// Those of them that the file lists.
+    /// Subset of `owned` that the file lists.
     listed: BTreeSet<String>,
-    /// Something was removed or listed.
+    /// True if something was removed or listed.
     used: bool,
 }
 
 impl RunDirectory {
-    /// Locks a directory for writing, and makes it if it does not exist. Removes and replaces nothing. With `force`, files
-    /// of the user that have names of results become files of the run.
+    /// Locks a directory for writing, and creates it if it does not exist. Removes and replaces
+    /// nothing. With `force`, files of the user with names of results become files of the run.
     ///
     /// # Errors
-    /// The directory has files and no marker and is not one of an older version; files that no run wrote are in the way;
-    /// another process writes to it; or it cannot be written.
+    /// The directory has files but no marker, and is not one of an older version; files that no run
+    /// wrote have names of results; another process writes to it; or it cannot be written.
     pub fn lock(path: &Path, kind: Kind, force: bool) -> Result<RunDirectory, DirectoryError> {
         let unwritable = |error| DirectoryError::Io { path: path.to_owned(), error };
         let mut created = false;
@@ -173,7 +177,7 @@ impl RunDirectory {
             fs::create_dir_all(path).map_err(unwritable)?;
             let marker = path.join(MARKER);
             let marked = !exists(&marker);
-            // Nothing is written to a directory that is not a run's, not even a marker for a moment.
+            // Nothing is written to a directory of the user, not even a temporary marker.
             if marked
                 && !force
                 && let Contents::Foreign(files) = contents(path, kind, "").map_err(unwritable)?
@@ -184,7 +188,7 @@ impl RunDirectory {
                 return Err(DirectoryError::Foreign { path: path.to_owned(), kind, files });
             }
             let file = match open(&marker) {
-                // Another process removed the directory, which it had made.
+                // Another process has removed the directory that it had created.
                 Err(error) if error.kind() == ErrorKind::NotFound => continue,
                 Err(error) if error.raw_os_error() == Some(libc::ELOOP) => {
                     return Err(DirectoryError::InTheWay {
@@ -200,11 +204,11 @@ impl RunDirectory {
                     let owner = owner::read(&file);
                     return Err(DirectoryError::InUse { path: path.to_owned(), owner });
                 }
-                // A file system without locks still takes results.
+                // A file system without locks is accepted.
                 Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {}
                 Err(TryLockError::Error(error)) => return Err(unwritable(error)),
             }
-            // The process that had it locked may have removed it meanwhile.
+            // The process that held the lock may have removed the marker meanwhile.
             if !is_at(&file, &marker) {
                 continue;
             }
@@ -244,13 +248,13 @@ impl RunDirectory {
         }
         if !text.starts_with(kind.header()) {
             marked = true;
-            // A version without markers wrote these.
+            // These files were written by a version without markers.
             let lines: String = owned.iter().map(|name| format!("{FILE}{name}\n")).collect();
             file.set_len(0).map_err(unwritable)?;
             append(&file, &(kind.header().to_owned() + &lines)).map_err(unwritable)?;
             listed.clone_from(&owned);
         }
-        // What is replaced by force is listed when it is replaced.
+        // A forced replacement is listed when it happens.
         owned.extend(others);
         append(&file, &owner::line()).map_err(unwritable)?;
         let marker = Mutex::new(Marker { file, owned, listed, used: false });
@@ -269,7 +273,8 @@ impl RunDirectory {
         let mut marker = self.marker();
         let first = FILES_OF_A_RUN.iter().filter(|name| marker.owned.contains(**name));
         let rest = marker.owned.iter().map(String::as_str).filter(|name| !FILES_OF_A_RUN.contains(name));
-        // The summary and the journal go first: neither may remain of a run whose tables are gone.
+        // The summary and the journal are removed first: neither may remain when the tables are
+        // gone.
         for name in first.copied().chain(rest) {
             if self.is_inside(name) {
                 ignore_missing(fs::remove_file(self.path.join(name)))?;
@@ -278,7 +283,7 @@ impl RunDirectory {
         for folder in self.kind.folders() {
             let below = format!("{folder}/");
             if marker.owned.iter().any(|name| name.starts_with(&below)) {
-                // A folder with files of the user stays.
+                // A folder with files of the user remains.
                 let _ = fs::remove_dir(self.path.join(folder));
             }
         }
@@ -299,7 +304,7 @@ impl RunDirectory {
         names.iter().try_for_each(|name| marker.list(name))
     }
 
-    /// Lists a file, which may be created or replaced then: its path.
+    /// Lists a file, which may then be created or replaced, and returns its path.
     ///
     /// # Errors
     /// A file of this name exists that no run wrote, or the marker cannot be written.
@@ -328,8 +333,10 @@ impl RunDirectory {
         names.into_iter().try_for_each(|name| self.claim(name.as_ref()).map(drop))
     }
 
+    /// Checks a folder of this directory for files of the user.
+    ///
     /// # Errors
-    /// Files in a folder below this directory have names that the run may write, and no run wrote them.
+    /// The folder has files with names that the run may write, and no run wrote them.
     pub fn check_folder(&self, folder: &str, may_write: impl Fn(&str) -> bool) -> Result<(), DirectoryError> {
         let below = self.path.join(folder);
         if self.force || !exists(&below) {
@@ -347,7 +354,8 @@ impl RunDirectory {
         if files.is_empty() { Ok(()) } else { in_the_way(files) }
     }
 
-    /// Whether a name is one of this kind of directory and leads to no other place by a symbolic link.
+    /// Returns true if this kind of directory may contain the name and no symbolic link leads it
+    /// elsewhere.
     fn is_inside(&self, name: &str) -> bool {
         let folder = name.split_once('/').map(|(folder, _)| self.path.join(folder));
         let is_folder = |folder: &PathBuf| match folder.symlink_metadata() {
@@ -366,7 +374,7 @@ impl Drop for RunDirectory {
     fn drop(&mut self) {
         let unused = self.marked && !self.marker().used;
         if unused {
-            // Nothing was written: the directory is as it was.
+            // Nothing was written: restores the initial state of the directory.
             let _ = fs::remove_file(self.path.join(MARKER));
             if self.created {
                 let _ = fs::remove_dir(&self.path);
@@ -385,18 +393,18 @@ impl Marker {
     }
 }
 
-/// What a directory has.
+/// Contents of a directory.
 enum Contents {
     Nothing,
-    /// The files that its marker lists, and perhaps others.
+    /// Files that its marker lists, and perhaps others.
     Listed(BTreeSet<String>),
-    /// The files of a version that wrote no markers, and perhaps others.
+    /// Files of a version without markers, and perhaps others.
     Old(BTreeSet<String>),
     /// Files that no run wrote.
     Foreign(Vec<String>),
 }
 
-/// What a directory with this marker has; without one, `marker` is empty.
+/// Classifies the contents of a directory with this marker; `marker` is empty if there is none.
 fn contents(directory: &Path, kind: Kind, marker: &str) -> io::Result<Contents> {
     if let Some(lines) = marker.strip_prefix(kind.header()) {
         let complete = lines.split_inclusive('\n').filter_map(|line| line.strip_suffix('\n'));
@@ -417,7 +425,7 @@ fn contents(directory: &Path, kind: Kind, marker: &str) -> io::Result<Contents> 
     Ok(Contents::Foreign(files))
 }
 
-/// Names of the entries of a directory, in order.
+/// Returns the names of the entries of a directory, sorted.
 fn names_in(directory: &Path) -> io::Result<Vec<String>> {
     let entries = fs::read_dir(directory)?;
     let names = entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
@@ -426,7 +434,7 @@ fn names_in(directory: &Path) -> io::Result<Vec<String>> {
     Ok(names)
 }
 
-/// The fixed names that exist in a directory.
+/// Returns the fixed names that exist in a directory.
 fn present(kind: Kind, directory: &Path) -> BTreeSet<String> {
     let names = kind.fixed_names().iter().filter(|name| exists(&directory.join(name)));
     names.map(|name| (*name).to_owned()).collect()
@@ -436,12 +444,12 @@ fn exists(path: &Path) -> bool {
     path.symlink_metadata().is_ok()
 }
 
-/// A path if a regular file is there, not a symbolic link to one.
+/// Returns the path if it is a regular file and no symbolic link.
 fn regular(path: PathBuf) -> Option<PathBuf> {
     path.symlink_metadata().is_ok_and(|about| about.is_file()).then_some(path)
 }
 
-/// Opens a marker, or makes it; follows no symbolic link.
+/// Opens or creates a marker; follows no symbolic link.
 fn open(marker: &Path) -> io::Result<File> {
     let flags = libc::O_NOFOLLOW | libc::O_NONBLOCK;
     let file = File::options().read(true).append(true).create(true).custom_flags(flags).open(marker)?;
@@ -451,7 +459,7 @@ fn open(marker: &Path) -> io::Result<File> {
     }
 }
 
-/// Whether an open file is the one at a path.
+/// Returns true if an open file is the one at a path.
 fn is_at(file: &File, path: &Path) -> bool {
     let identity = |about: fs::Metadata| (about.dev(), about.ino());
     match (file.metadata(), path.symlink_metadata()) {
@@ -460,7 +468,7 @@ fn is_at(file: &File, path: &Path) -> bool {
     }
 }
 
-/// Longest marker that is read, in bytes: a hundred thousand files.
+/// Maximum length of a marker in bytes: a hundred thousand files.
 const LONGEST: u64 = 16 << 20;
 
 fn read(mut file: &File) -> io::Result<String> {
@@ -470,7 +478,7 @@ fn read(mut file: &File) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// In one piece.
+/// Appends a line by a single write.
 fn append(mut file: &File, line: &str) -> io::Result<()> {
     file.write_all(line.as_bytes())
 }

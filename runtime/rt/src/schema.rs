@@ -1,4 +1,5 @@
-//! What a model's params take, as JSON Schema: for editors of `--params` files and for programs that write them.
+//! JSON Schema of a model's params, for editors of `--params` files and for programs that write
+//! them.
 
 use crate::params::shortest;
 use crate::params_file::SCHEMA_KEY;
@@ -7,11 +8,11 @@ use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue};
 use calyx_abi::units::{from_si, to_si};
 use serde_json::{Map, Value, json};
 
-/// A number and a unit, as far as a pattern can tell.
+/// Pattern of a number and a unit; the pattern does not check the unit.
 const QUANTITY: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(\s*[^\d\s.].*)?$";
 
-/// The schema (2020-12) that every file which `--params` accepts conforms to. Numbers are in the unit of the param's
-/// default, which is its `x-unit`.
+/// Returns the schema (2020-12) to which every file that `--params` accepts conforms. Numbers are
+/// in the unit of the param's default, its `x-unit`.
 pub fn schema(description: &ModelDescription) -> Value {
     let params = description.params.iter().map(|param| (param.name.clone(), of_param(param)));
     let mut properties: Map<String, Value> = params.collect();
@@ -40,10 +41,10 @@ fn of_param(param: &ParamDescription) -> Value {
             }
         }
         _ => {
-            // A string is a quantity with its own unit; bounds are about numbers only.
+            // A string is a quantity with its own unit; bounds apply to numbers only.
             add("type", json!([if param.integral { "integer" } else { "number" }, "string"]));
             add("pattern", json!(QUANTITY));
-            // What follows other params may lie elsewhere in a run.
+            // Bounds that depend on other params may differ in a run.
             if let Some(low) = param.low.filter(|_| param.independent) {
                 add("minimum", number(bound(low, param)));
             }
@@ -71,7 +72,7 @@ fn of_param(param: &ParamDescription) -> Value {
     Value::Object(schema)
 }
 
-/// A number in the unit of the param's default: the short one if it means the same.
+/// Converts a bound to the unit of the param's default, shortened if that yields the same SI value.
 fn bound(si: f64, param: &ParamDescription) -> f64 {
     let factor = param.unit.factor;
     let exact = from_si(si, factor);
@@ -79,7 +80,7 @@ fn bound(si: f64, param: &ParamDescription) -> f64 {
     if to_si(short, factor) == si { short } else { exact }
 }
 
-/// Whole numbers without `.0`.
+/// Formats whole numbers without `.0`.
 fn number(value: f64) -> Value {
     if value.fract() == 0.0 && value.abs() < 1e15 { json!(value as i64) } else { json!(value) }
 }
@@ -128,7 +129,7 @@ mod tests {
         ModelDescription { params: vec![tip, steps, kind, edges], ..ModelDescription::default() }
     }
 
-    /// What of the standard the schema makes use of, by its words.
+    /// Validates a value against the keywords of the standard that the schema uses.
     fn conforms(value: &Value, schema: &Value) -> bool {
         let is = |kind: &str| match kind {
             "integer" => value.as_f64().is_some_and(|number| number.fract() == 0.0),

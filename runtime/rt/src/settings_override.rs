@@ -1,9 +1,9 @@
-//! The analysis as options change it, whatever the model says.
+//! Command-line options that override the analysis settings of a model.
 
 use calyx_runtime::settings_override::Override;
 use clap::Args;
 
-/// Options that take the place of what a model says of its analysis.
+/// Options that override analysis settings.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Overrides of the analysis settings in the model")]
 pub struct OverrideArguments {
@@ -43,7 +43,7 @@ pub struct OverrideArguments {
     error_estimates: Option<Turned>,
 }
 
-/// A knob as one option turns it.
+/// Setting changed by one option.
 type Turned = Override;
 
 fn parse_setting(name: &str, text: &str) -> Result<Turned, String> {
@@ -52,7 +52,7 @@ fn parse_setting(name: &str, text: &str) -> Result<Turned, String> {
 }
 
 impl OverrideArguments {
-    /// What the options say.
+    /// Combines the options.
     pub fn to_override(&self) -> Override {
         let parse_setting = |turned: &Option<Turned>| turned.unwrap_or_default();
         Override {

@@ -1,8 +1,8 @@
-//! Words of a shell's command line, for commands that are shown to be copied.
+//! Quoting for shell command lines that messages show for copying.
 
 use std::path::Path;
 
-/// A text as one word of a POSIX shell: quoted if the shell would read it as anything else.
+/// Formats a text as one word of a POSIX shell: quoted if the shell would parse it differently.
 ///
 /// ```
 /// use calyx_rt::shell::word;
@@ -13,7 +13,7 @@ use std::path::Path;
 pub fn word(text: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "._-/=+:,@%".contains(c);
     if text.chars().any(is_invisible) {
-        // Written as they are, such characters change what a terminal shows.
+        // Such characters would change the display of the terminal.
         let escaped = |c: char| match c {
             '\'' | '\\' => format!("\\{c}"),
             c if is_invisible(c) => c.to_string().bytes().map(|byte| format!("\\x{byte:02x}")).collect(),
@@ -27,13 +27,14 @@ pub fn word(text: &str) -> String {
     }
 }
 
-/// A path as one word that no command reads as an option.
+/// Quotes a path as one word that no command parses as an option.
 pub fn path(path: &Path) -> String {
     let text = path.to_string_lossy();
     if text.starts_with('-') { word(&format!("./{text}")) } else { word(&text) }
 }
 
-/// The path of an executable as a word that runs it: a name without a slash would be looked up elsewhere.
+/// Quotes the path of an executable as a word that runs it: the shell would search for a name
+/// without a slash in `PATH`.
 pub fn command(executable: &Path) -> String {
     match executable.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => path(executable),
@@ -41,7 +42,7 @@ pub fn command(executable: &Path) -> String {
     }
 }
 
-/// Control characters, and those that reorder the text around them.
+/// Returns true for control characters and characters that reorder the text around them.
 fn is_invisible(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
@@ -52,7 +53,6 @@ mod tests {
     use super::*;
     use std::process::Command;
 
-    /// What a shell makes of a word is the text.
     #[test]
     fn a_shell_reads_back_what_was_written() {
         let texts = [
@@ -87,7 +87,7 @@ mod tests {
             let said = Command::new("bash").args(["-c", &format!("printf %s {}", word(text))]).output();
             let said = said.expect("a shell").stdout;
             let expected = text.as_bytes();
-            // `printf` takes a first word that begins with a dash for an option.
+            // `printf` parses a first word with a leading dash as an option.
             if !text.starts_with('-') {
                 assert_eq!(said, expected, "{text:?} as {}", word(text));
             }

@@ -1,5 +1,5 @@
-//! Outputs in the frequency domain as files of the run directory: for each a table and a picture, what they are in `run.json`, and their peaks
-//! for people.
+//! Outputs in the frequency domain: a table and a plot of each in the run directory, their
+//! description in `run.json`, and a summary of their peaks.
 
 mod plot;
 
@@ -31,7 +31,8 @@ pub fn write(directory: &Path, description: &ModelDescription, signals: &[Signal
     Ok(())
 }
 
-/// What of signals stands in `run.json`: of which output and of which kind each is, its files below [`SIGNALS`], and its peaks, in SI.
+/// Returns the description of the signals in `run.json`: output and kind of each, its files below
+/// [`SIGNALS`], and its peaks, in SI.
 pub fn list(description: &ModelDescription, signals: &[Signal]) -> Value {
     let entry = |(name, signal): (&String, &Signal)| {
         let peak = |[frequency, value]: &[f64; 2]| json!({ "frequency": frequency, "value": value });
@@ -49,7 +50,7 @@ pub fn list(description: &ModelDescription, signals: &[Signal]) -> Value {
     names(signals).iter().zip(signals).map(entry).collect()
 }
 
-/// Names of files: of the output and of the kind, with a number where there are several.
+/// Returns file names: name of the output and the kind, with a number to make them unique.
 pub fn names(signals: &[Signal]) -> Vec<String> {
     let own = |signal: &Signal| format!("{}_{}", signal.request.of, signal.request.kind.name());
     let numbered = |(index, signal): (usize, &Signal)| {
@@ -62,13 +63,13 @@ pub fn names(signals: &[Signal]) -> Vec<String> {
     signals.iter().enumerate().map(numbered).collect()
 }
 
-/// Names of the files of all signals, in the run directory.
+/// Returns the file names of all signals, relative to the run directory.
 pub fn files(signals: &[Signal]) -> Vec<String> {
     let of = |name: String| ["csv", "svg"].map(|ending| format!("{SIGNALS}/{name}.{ending}"));
     names(signals).into_iter().flat_map(of).collect()
 }
 
-/// Whether a file in [`SIGNALS`] has a name that a run of this model may write.
+/// Returns true if a run of this model may write a file of this name into [`SIGNALS`].
 pub fn is_name_of_a_run(description: &ModelDescription, file: &str) -> bool {
     let stem = file.strip_suffix(".csv").or_else(|| file.strip_suffix(".svg"));
     stem.is_some_and(|stem| {
@@ -79,7 +80,7 @@ pub fn is_name_of_a_run(description: &ModelDescription, file: &str) -> bool {
     })
 }
 
-/// The largest peaks of each spectrum, in the units of the model.
+/// Formats the largest peaks of each spectrum, in the units of the model.
 pub fn summary(description: &ModelDescription, signals: &[Signal]) -> String {
     let mut text = String::new();
     for (name, signal) in names(signals).iter().zip(signals).filter(|(_, signal)| !signal.peaks.is_empty()) {
@@ -93,7 +94,7 @@ pub fn summary(description: &ModelDescription, signals: &[Signal]) -> String {
     text
 }
 
-/// Four significant digits.
+/// Formats a number with four significant digits.
 fn number(value: f64) -> String {
     shortest(format!("{value:.3e}").parse().unwrap_or(value))
 }
@@ -102,7 +103,7 @@ fn output<'a>(description: &'a ModelDescription, signal: &Signal) -> Option<&'a 
     description.outputs.iter().find(|output| output.name == signal.request.of)
 }
 
-/// Of the values of a signal, by the unit of its output.
+/// Returns the unit of the values of a signal, from the unit of its output.
 fn signal_unit(kind: &SignalKind, unit: &str) -> String {
     let whole =
         |unit: &str| if unit.contains(['*', '/', '^', ' ']) { format!("({unit})") } else { unit.to_owned() };
@@ -119,7 +120,7 @@ fn signal_unit(kind: &SignalKind, unit: &str) -> String {
     }
 }
 
-/// A signal in the unit that the model shows its output in.
+/// A signal in the unit in which the model shows its output.
 struct Shown {
     unit: String,
     factor: f64,
@@ -141,11 +142,12 @@ impl Shown {
     }
 }
 
-/// What a kind is called in pictures, with what people need to know to read it.
+/// Returns title and subtitle of a plot: the kind of the signal, and the parameters needed to
+/// interpret it.
 fn title(signal: &Signal) -> [String; 2] {
     let seen = |window: &Window| {
         let name = Window::ALL.iter().find(|(_, known)| known == window).map_or("", |(name, _)| name);
-        // Named after von Hann.
+        // Capitalized: named after von Hann.
         let name = if *window == Window::Hann { "Hann".to_owned() } else { name.replace('_', " ") };
         format!("{name} window")
     };
@@ -170,14 +172,14 @@ fn title(signal: &Signal) -> [String; 2] {
     [format!("{}: {name}", signal.request.of), format!("{how}, {apart}")]
 }
 
-/// All in SI.
+/// Writes the table of a signal; all columns in SI.
 fn table(path: &Path, signal: &Signal) -> io::Result<()> {
     let mut writer = csv::Writer::from_path(path)?;
     match &signal.table {
         SignalTable::Lines { places, values, phases } => {
             let density =
                 matches!(signal.request.kind, SignalKind::Spectrum { scaling: Scaling::Density, .. });
-            // A density has no phase.
+            // A power spectral density has no phase.
             let columns = if density { 2 } else { 3 };
             let value = if density { "density" } else { "amplitude" };
             writer.write_record(&["frequency", value, "phase"][..columns])?;

@@ -1,4 +1,4 @@
-//! A run taken position by position.
+//! Position-by-position runs.
 
 use crate::error::Error;
 use crate::names::{Names, OutputName};
@@ -14,13 +14,13 @@ use std::iter::FusedIterator;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
-/// Takes positions as they are solved; each waits until it is taken.
+/// Sender of solved positions; it blocks until each is received.
 pub(crate) type Steps = SyncSender<Step>;
 
-/// A run under way: an iterator of its positions.
+/// A run in progress: an iterator over its positions.
 ///
-/// The model runs on a thread of its own and waits after each position until that is taken. Dropping this ends the run
-/// and waits for its thread.
+/// The model runs on its own thread, which waits after each position until that is received.
+/// Dropping the iterator ends the run and waits for the thread.
 ///
 /// ```no_run
 /// # fn show(instance: &calyx_rt::Instance) -> Result<(), calyx_rt::Error> {
@@ -35,9 +35,9 @@ pub(crate) type Steps = SyncSender<Step>;
 /// # }
 /// ```
 pub struct Run {
-    /// Until the last position was taken.
+    /// Receiver; `None` after the last position.
     steps: Option<Receiver<Step>>,
-    /// Until it has ended.
+    /// Thread of the run; `None` after its end.
     thread: Option<LargeStackThread<Result<Results, Error>>>,
     cancel: Cancel,
     ended: Option<Result<Results, Error>>,
@@ -52,21 +52,22 @@ impl Run {
         Ok(Run { steps: Some(steps), thread: Some(thread(sender)?), cancel, ended: None })
     }
 
-    /// Ends this run, from any thread; other runs of the instance go on.
+    /// Returns the handle that cancels this run, from any thread; other runs of the instance
+    /// continue.
     pub fn cancel_handle(&self) -> Cancel {
         self.cancel.clone()
     }
 
-    /// Solves what positions are left, and gives the results of all.
+    /// Solves the remaining positions and returns the results of all.
     ///
     /// # Errors
-    /// What the run failed with, also if the iterator has told it already.
+    /// The error of the run, also if the iterator has already returned it.
     pub fn finish(mut self) -> Result<Results, Error> {
         while self.taken().is_some() {}
         self.ended.take().unwrap_or_else(|| Err(Error::given("the run has no results", "")))
     }
 
-    /// The next position; after the last one, the run has ended.
+    /// Receives the next position; `None` if the run has ended.
     fn taken(&mut self) -> Option<Step> {
         let step = self.steps.as_ref()?.recv().ok();
         if step.is_none() {
@@ -86,7 +87,8 @@ impl Run {
 impl Iterator for Run {
     type Item = Result<Step, Error>;
 
-    /// The next position. If the run fails, its error comes once, and nothing after it.
+    /// Returns the next position. If the run fails, the iterator returns its error once and then
+    /// ends.
     fn next(&mut self) -> Option<Result<Step, Error>> {
         self.steps.as_ref()?;
         match self.taken() {
@@ -107,7 +109,7 @@ impl Drop for Run {
     }
 }
 
-/// A solved position. A view: cheap to clone, and it outlives the run.
+/// A solved position. A view that is cheap to clone and may outlive the run.
 #[derive(Clone)]
 pub struct Step {
     pub(crate) program: Arc<dyn Program>,
@@ -118,22 +120,23 @@ pub struct Step {
 }
 
 impl Step {
-    /// From 0 to [`Step::count`] - 1.
+    /// Returns the index, from 0 to [`Step::count`] - 1.
     pub fn index(&self) -> usize {
         self.index
     }
 
-    /// Positions of the analysis.
+    /// Returns the number of positions of the analysis.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Time (s), part of the mesh cycle, roll angle (rad), and name if it is a characteristic point.
+    /// Returns time (s), fraction of the mesh cycle, roll angle (rad), and name if it is a
+    /// characteristic point.
     pub fn position(&self) -> &Position {
         &self.row.position
     }
 
-    /// An output in the unit the model shows it in.
+    /// Returns an output in the unit in which the model shows it.
     ///
     /// # Errors
     /// The model has no such output.
@@ -143,7 +146,7 @@ impl Step {
         Ok(from_si(self.observed(index), unit))
     }
 
-    /// An output in the coherent SI unit.
+    /// Returns an output in the coherent SI unit.
     ///
     /// # Errors
     /// The model has no such output.
@@ -151,16 +154,16 @@ impl Step {
         Ok(self.observed(self.output(output)?))
     }
 
-    /// An output in a unit of one's choice, like `N*m`.
+    /// Returns an output in the given unit, like `N*m`.
     ///
     /// # Errors
-    /// The model has no such output, or it is of another dimension.
+    /// The model has no such output, or it has another dimension.
     pub fn in_unit(&self, output: impl OutputName, unit: &str) -> Result<f64, Error> {
         let index = self.output(output)?;
         Ok(from_si(self.observed(index), factor(self.description(), index, unit)?))
     }
 
-    /// Where on a body the output arose, if it is a maximum over places.
+    /// Returns the location of an output that is a maximum over a body.
     ///
     /// # Errors
     /// The model has no such output.
@@ -169,17 +172,17 @@ impl Step {
         Ok(self.row.outputs.get(index).and_then(|observed| observed.place.as_ref()))
     }
 
-    /// All outputs, in order, in SI.
+    /// Returns all outputs, in order, in SI.
     pub fn outputs(&self) -> &[Observed] {
         &self.row.outputs
     }
 
-    /// What deserves a second look at this position.
+    /// Returns the warnings about this position.
     pub fn warnings(&self) -> &[String] {
         &self.row.warnings
     }
 
-    /// The position and all there is of it.
+    /// Returns all data of the position.
     pub fn row(&self) -> &StepRow {
         &self.row
     }
@@ -197,7 +200,7 @@ impl Step {
     }
 }
 
-/// What a unit is worth in SI, if the output can be shown in it.
+/// Returns the SI value of a unit, if it has the dimension of the output.
 pub(crate) fn factor(description: &ModelDescription, output: usize, unit: &str) -> Result<f64, Error> {
     let Some(OutputDescription { name, unit: shown, .. }) = description.outputs.get(output) else {
         return Ok(1.0);

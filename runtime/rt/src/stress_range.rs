@@ -1,8 +1,9 @@
-//! The largest and the smallest stress that each place of the fillets sees over a run: what fatigue asks for, and a thousandth of what the
-//! stresses of every position take.
+//! Extreme stresses at each point of the fillets over a run: the input of a fatigue assessment, a
+//! thousandth of the size of the stresses of all positions.
 //!
-//! Teeth of a gear are of one shape, and a place is the same on all of them. The table of a run is on disk, whole, before the journal says that
-//! a position is solved. A run that goes on begins with it, and may add a position that is in it already: that changes no extreme.
+//! All teeth of a gear have the same shape, so a point is the same on all of them. The complete
+//! table is on disk before the journal records a position. A resumed run starts with the table, and
+//! may add a position a second time, which does not change the extremes.
 
 use calyx_runtime::observables::{Fields, FilletStress};
 use serde::{Deserialize, Serialize};
@@ -11,18 +12,18 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Its name in a run directory.
+/// File name in a run directory.
 pub const NAME: &str = "root_stress_range.csv";
 
-/// A place of the fillets of a body, and what it has seen. SI.
+/// Extreme stresses at a point of the fillets of a body, in SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StressExtremes {
     pub body: String,
-    /// The flank that the fillet lies beside: 0 or 1.
+    /// Flank next to the fillet: 0 or 1.
     pub flank: u32,
-    /// Along the face, from 0; a plane model has one.
+    /// Index along the face, from 0; a plane model has one section.
     pub section: usize,
-    /// Along the profile from the end of the flank, from 0.
+    /// Index along the profile from the end of the flank, from 0.
     pub point: usize,
     /// Distance along the profile from the end of the flank towards the root, m.
     pub depth: f64,
@@ -30,22 +31,22 @@ pub struct StressExtremes {
     pub radius: f64,
     /// Axial coordinate from the middle of the face, m; `None` in a plane model.
     pub axial: Option<f64>,
-    /// The largest of the largest principal stresses, Pa.
+    /// Maximum of the largest principal stress, Pa.
     pub largest: f64,
-    /// The smallest of the smallest principal stresses, Pa.
+    /// Minimum of the smallest principal stress, Pa.
     pub smallest: f64,
 }
 
 type Key = (String, u32, usize, usize);
 
-/// Of the fillets of a run.
+/// Extreme stresses of the fillets of a run.
 pub struct StressRange {
     path: PathBuf,
     places: BTreeMap<Key, StressExtremes>,
 }
 
 impl StressRange {
-    /// Begins with nothing.
+    /// Starts an empty table.
     pub fn create(directory: &Path) -> io::Result<StressRange> {
         let path = directory.join(NAME);
         match fs::remove_file(&path) {
@@ -54,14 +55,14 @@ impl StressRange {
         }
     }
 
-    /// Begins with what an earlier run has written into the directory.
+    /// Starts with the table that an earlier run has written into the directory.
     pub fn resume(directory: &Path) -> io::Result<StressRange> {
         let seen = read(directory)?.into_iter();
         let key = |seen: &StressExtremes| (seen.body.clone(), seen.flank, seen.section, seen.point);
         Ok(StressRange { path: directory.join(NAME), places: seen.map(|seen| (key(&seen), seen)).collect() })
     }
 
-    /// Adds a position. Without stresses there is no table.
+    /// Adds a position. If there are no stresses, no table is written.
     pub fn add(&mut self, fields: &Fields) -> io::Result<()> {
         for fillet in &fields.fillets {
             for (section, stresses) in fillet.sections.iter().enumerate() {
@@ -91,7 +92,7 @@ impl StressRange {
         seen.smallest = seen.smallest.min(smallest);
     }
 
-    /// Beside, and renamed: whoever reads finds the whole of it.
+    /// Writes to a temporary file and renames it, so that readers never see a partial table.
     fn write(&self) -> io::Result<()> {
         let unfinished = self.path.with_extension("csv.part");
         let mut writer = csv::Writer::from_path(&unfinished)?;
@@ -101,7 +102,7 @@ impl StressRange {
     }
 }
 
-/// What a run has written; nothing where it has not.
+/// Reads the table of a run; empty if there is none.
 pub fn read(directory: &Path) -> io::Result<Vec<StressExtremes>> {
     let path = directory.join(NAME);
     if !path.exists() {
@@ -144,7 +145,7 @@ mod tests {
         let expected = fs::read_to_string(directory.join(NAME)).unwrap();
         let [seen] = &read(directory).unwrap()[..] else { panic!("{expected}") };
         assert_eq!((seen.largest, seen.smallest, seen.flank), (7e6, -5e6, 1));
-        // Ended after the second, which is solved again.
+        // Interrupted after the second position, which is solved again.
         let mut ended = StressRange::create(directory).unwrap();
         positions[..2].iter().for_each(|position| ended.add(position).unwrap());
         let mut again = StressRange::resume(directory).unwrap();

@@ -1,4 +1,4 @@
-//! The summary people read after a run.
+//! Summary table after a run.
 
 use crate::params::shortest;
 use calyx_abi::description::ModelDescription;
@@ -6,10 +6,10 @@ use calyx_abi::units::from_si;
 use calyx_runtime::estimate::Part;
 use calyx_runtime::results::{AnalysisResult, Location, OutputSummary};
 
-/// One line per output, in the model's units, with the position of its maximum.
+/// Formats one line per output, in the model's units, with the position of its maximum.
 pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> String {
     let at = if passes_no_cycle(result) { "maximum at time" } else { "maximum at roll" };
-    // Of a run that estimates none there is no column of errors.
+    // Without error estimates there is no column of errors.
     let estimated = result.summaries.iter().any(|summary| summary.error.is_some());
     let with_error = |mut cells: Vec<String>, error: String| {
         if estimated {
@@ -42,7 +42,8 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     without_level.unwrap_or_default() + &align(&rows) + &chosen.unwrap_or_default()
 }
 
-/// The line above the table that says which errors its column leaves out; `None` if the column has all, or if there is none.
+/// Returns the line above the table that states which errors its column excludes; `None` if it
+/// includes all, or if there is no such column.
 fn without_level(result: &AnalysisResult) -> Option<String> {
     let estimates = || result.summaries.iter().filter_map(|summary| summary.error.as_ref());
     let shown = || estimates().filter(|error| !error.parts.is_empty());
@@ -64,8 +65,8 @@ fn without_level(result: &AnalysisResult) -> Option<String> {
     ))
 }
 
-/// The estimated error of the largest magnitude, as a part of it, or in the output's unit where there is nothing that it is a part of: two digits are
-/// more than an estimate can tell.
+/// Formats the estimated error of the largest magnitude as a fraction of it, or in the output's
+/// unit if there is no such magnitude. Two digits, which is more than the accuracy of an estimate.
 fn error(summary: &OutputSummary, factor: f64) -> String {
     let known = summary.error.as_ref().filter(|error| !summary.max.is_nan() && !error.parts.is_empty());
     let Some(error) = known else { return String::new() };
@@ -83,12 +84,13 @@ fn error(summary: &OutputSummary, factor: f64) -> String {
     }
 }
 
-/// Whether positions are places in time alone, as those of a dynamic analysis.
+/// Returns true if positions differ in time alone, as in a dynamic analysis.
 fn passes_no_cycle(result: &AnalysisResult) -> bool {
     result.rows.iter().all(|row| row.position.cycle == 0.0 && row.position.roll == 0.0)
 }
 
-/// Five significant digits; a word of an output that the fidelity has no value of.
+/// Formats five significant digits, or a word for an output that the fidelity level does not
+/// support.
 fn number(value: f64) -> String {
     if value.is_nan() {
         return "none".into();
@@ -97,8 +99,8 @@ fn number(value: f64) -> String {
     shortest(rounded)
 }
 
-/// Roll angle of the position, its name if it has one, and body and tooth of the place. Radius and roll angle of the
-/// place itself stand in `run.json`: the table is to fit a terminal.
+/// Formats roll angle and name of the position, and body and tooth of the location. Radius and roll
+/// angle of the location are in `run.json` only: the table must fit a terminal.
 fn place(result: &AnalysisResult, step: usize, place: Option<&Location>) -> String {
     let Some(row) = result.rows.get(step) else { return String::new() };
     let mut text = match passes_no_cycle(result) {
@@ -122,7 +124,7 @@ fn align(rows: &[Vec<String>]) -> String {
     for row in rows {
         for (column, cell) in row.iter().enumerate() {
             let fill = " ".repeat(widths[column] - cell.chars().count());
-            // Words to the left, numbers to the right.
+            // Text is aligned left, numbers right.
             match column {
                 _ if column == last => text += cell,
                 2.. => text += &format!("{fill}{cell}  "),

@@ -1,5 +1,6 @@
-//! Pictures of positions for ParaView: the pressed cells of the flanks, the stresses in fillets and the meshes of elastic bodies, as VTK's XML
-//! files of unstructured grids, with a collection that gives each its time.
+//! VTU files of positions for ParaView: contact pressure on the flanks, stresses in fillets and
+//! meshes of elastic bodies, as unstructured grids of VTK's XML format, with a PVD collection that
+//! assigns the times.
 
 mod content;
 mod grid;
@@ -10,15 +11,15 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The directory of the files below a run directory.
+/// Folder of the files in a run directory.
 pub const FOLDER: &str = "vtu";
 
-/// A kind of pictures of a position.
+/// Kind of VTU file.
 struct Kind {
     name: &'static str,
     of: fn(&Fields) -> Grid,
-    /// Whether there is one of every position. Of others there is none where it would have no points: readers take such a grid for a
-    /// broken file.
+    /// True if every position has a file of this kind. Other kinds omit files without points, which
+    /// readers reject as broken.
     always: bool,
 }
 
@@ -28,21 +29,21 @@ const KINDS: [Kind; 3] = [
     Kind { name: "bodies", of: content::bodies, always: false },
 ];
 
-/// The pictures of a run, being written into `vtu` of its directory.
+/// Writer of the VTU files of a run, in folder [`FOLDER`] of its directory.
 pub struct VtuFiles {
     folder: PathBuf,
     times: Vec<f64>,
 }
 
 impl VtuFiles {
-    /// Begins behind positions of an earlier run, at these times (s).
+    /// Continues after the positions of an earlier run, at these times (s).
     pub fn begin(directory: &Path, times: Vec<f64>) -> io::Result<VtuFiles> {
         let folder = folder(directory);
         fs::create_dir_all(&folder)?;
         Ok(VtuFiles { folder, times })
     }
 
-    /// Adds a position at a time (s).
+    /// Writes the files of a position at a time (s).
     pub fn write(&mut self, step: usize, time: f64, fields: &Fields) -> io::Result<()> {
         self.times.push(time);
         for kind in &KINDS {
@@ -55,7 +56,7 @@ impl VtuFiles {
         Ok(())
     }
 
-    /// The list of the pictures of a kind, if there are any.
+    /// Writes the PVD collection of a kind, if it has files.
     fn collect(&self, kind: &str) -> io::Result<()> {
         let there = |step: usize| self.folder.join(name(kind, step)).exists();
         let steps = self.times.iter().enumerate().filter(|(step, _)| there(*step));
@@ -83,19 +84,19 @@ fn name(kind: &str, step: usize) -> String {
     format!("{kind}-{step:04}.vtu")
 }
 
-/// Whether a run has written the pictures of its first positions into a directory.
+/// Returns true if a run has written the files of its first positions into a directory.
 pub fn are_in(directory: &Path, positions: usize) -> bool {
     positions == 0 || folder(directory).join(name(KINDS[0].name, positions - 1)).exists()
 }
 
-/// Names of the files that are written of a position, in the run directory.
+/// Returns the names of the files that may exist for a position, relative to the run directory.
 pub fn files_of(step: usize) -> impl Iterator<Item = String> {
     KINDS.iter().flat_map(move |kind| {
         [format!("{FOLDER}/{}", name(kind.name, step)), format!("{FOLDER}/{}.pvd", kind.name)]
     })
 }
 
-/// Whether a file in [`FOLDER`] has a name that a run writes.
+/// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
     KINDS.iter().any(|kind| {
         name.strip_prefix(kind.name)
@@ -103,7 +104,7 @@ pub fn is_name_of_a_run(name: &str) -> bool {
     })
 }
 
-/// Names of the files in [`FOLDER`] that have names of a run, in the run directory.
+/// Returns the files in [`FOLDER`] that a run may have written, relative to the run directory.
 pub fn files_in(directory: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder(directory)).into_iter().flatten().flatten();
     let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
@@ -159,7 +160,7 @@ mod tests {
         assert_eq!(numbers(&text, "Name=\"pressure\""), [0.30000000000000004]);
         assert_eq!(numbers(&text, "Name=\"types\""), [9.0]);
         assert_eq!(numbers(&text, "Name=\"connectivity\""), [0.0, 1.0, 2.0, 3.0]);
-        // Two lines along one section; two rows of two quadrilaterals between three.
+        // Two lines along one section; two rows of two quadrilaterals between three sections.
         assert_eq!(root_stress(&fields(1)).cells, [(LINE, vec![0, 1]), (LINE, vec![1, 2])]);
         let quadrilaterals = root_stress(&fields(3)).cells;
         assert_eq!(quadrilaterals.len(), 4);
@@ -180,7 +181,7 @@ mod tests {
         let grid = bodies(&Fields { bodies: vec![body], ..fields(1) });
         assert_eq!(grid.cells, [(QUADRILATERAL, vec![3, 2, 1, 0]), (HEXAHEDRON, (4..12).collect())]);
         let text = grid.text().unwrap();
-        // Displacements are small beside places: the sum of both has all their digits.
+        // Displacements are small compared to positions: the sum of both keeps all their digits.
         assert_eq!(
             numbers(&text, "Float64\" NumberOfComponents=\"3\"")[..12],
             *grid.points[..4].as_flattened()
@@ -188,7 +189,7 @@ mod tests {
         let single =
             |numbers: &[f64]| numbers.iter().map(|&number| f64::from(number as f32)).collect::<Vec<_>>();
         assert_eq!(numbers(&text, "Name=\"displacement\"")[..3], single(&[1e-6, 0.0, -2.5e-7]));
-        // VTK has the shear in the plane before the others.
+        // VTK stores the in-plane shear before the other shear components.
         assert_eq!(numbers(&text, "Name=\"stress\"")[..6], [1.0, 2.0, 3.0, 6.0, 4.0, 5.0]);
         let von_mises = (0.5 * (1.0 + 1.0 + 4.0) + 3.0 * (16.0 + 25.0 + 36.0_f64)).sqrt();
         assert_eq!(numbers(&text, "Name=\"von_mises\"")[..1], single(&[von_mises]));
@@ -197,7 +198,7 @@ mod tests {
         assert_eq!(numbers(&text, "Name=\"offsets\""), [4.0, 12.0]);
     }
 
-    /// Of none, one, and several blocks, the last one full or not.
+    /// Zero, one and several blocks, the last one full or not.
     #[test]
     fn arrays_of_any_length_are_whole() {
         for count in [1, 7, 16384, 16385, 40000] {
@@ -210,7 +211,7 @@ mod tests {
         assert_eq!(text.matches("format=\"ascii\"></DataArray>").count(), 4, "{text}");
     }
 
-    /// Readers take a grid without points for a broken file.
+    /// Readers reject a grid without points as a broken file.
     #[test]
     fn positions_without_stress_have_no_picture_of_it() {
         let directory = tempfile::tempdir().unwrap();
@@ -227,7 +228,7 @@ mod tests {
             text.matches("<DataSet").count()
         };
         assert_eq!((list("contact"), list("root_stress")), (3, 1));
-        // A run that goes on behind them lists the same.
+        // A resumed run lists the same files.
         let mut pictures = VtuFiles::begin(directory.path(), vec![0.25, 0.5, 0.75]).unwrap();
         pictures.write(3, 1.0, &none).unwrap();
         assert_eq!((list("contact"), list("root_stress")), (4, 1));

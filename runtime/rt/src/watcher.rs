@@ -1,4 +1,5 @@
-//! Watches an analysis for an instance: hands over positions, tells of progress, and ends what is to end.
+//! Monitor of an analysis: passes on positions, reports progress, and stops the analysis on
+//! cancellation or at a limit.
 
 use crate::budget;
 use crate::instance::{Progress, ProgressSink, RecordSink, SearchProgressSink};
@@ -13,7 +14,7 @@ use calyx_runtime::interrupt::{Interrupt, MemoryRequest};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, PoisonError};
 
-/// See the module.
+/// Monitor of an analysis, see the module.
 pub struct Watcher {
     pub program: Arc<dyn Program>,
     pub shape: u64,
@@ -31,13 +32,13 @@ impl Watcher {
     }
 }
 
-/// Bytes for which the system is asked what it has left.
+/// Smallest request in bytes for which the memory of the system is queried.
 const WORTH_ASKING: u64 = 1 << 22;
 
-/// What an analysis asks whether to go on: no, if it was cancelled, has used up its time, or would take more memory than it may or
-/// than there is.
+/// Returns the interrupt of an analysis: it stops the analysis if it was cancelled, has exceeded
+/// its time, or requests more memory than the limit or the machine allows.
 pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
-    // What the process took when nothing was promised.
+    // Memory of the process when nothing was promised.
     let before = AtomicU64::new(0);
     Interrupt::counting(move |MemoryRequest { bytes: wanted, promised }| {
         if cancel.is_cancelled() {
@@ -56,7 +57,7 @@ pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
         if wanted < WORTH_ASKING {
             return Ok(());
         }
-        // What was promised and is taken by now is in what the system says already.
+        // Memory that was promised and is now in use is counted by the system already.
         let now = budget::taken().unwrap_or(0);
         if promised == 0 {
             before.store(now, Ordering::Relaxed);
@@ -71,14 +72,14 @@ pub fn interrupt(cancel: Cancel, limits: Limits) -> Interrupt {
     })
 }
 
-/// Bytes that may still be taken, and what says so.
+/// Returns the bytes that may still be allocated, and the limit that determines them.
 fn room(limits: Limits, taken: u64) -> Option<(u64, &'static str)> {
     let of_run = limits.memory.map(|limit| (limit.saturating_sub(taken), "its memory limit leaves"));
     let of_machine = budget::available().map(|left| (left, "this machine has"));
     of_run.into_iter().chain(of_machine).min_by_key(|(room, _)| *room)
 }
 
-/// What can be done about an analysis that takes too much.
+/// Remedy for an analysis that requires too much memory.
 const TAKE_LESS: &str = "take a coarser fidelity, fewer elements along the face, fewer contact cells or fewer threads, or give it more memory";
 
 fn megabytes(bytes: u64) -> f64 {
@@ -118,7 +119,7 @@ impl Observer for Watcher {
                 if let Some(steps) = &self.hand_over {
                     let (program, row) = (self.program.clone(), Arc::new(solved.row.clone()));
                     let step = Step { program, shape: self.shape, index, count, row };
-                    // Nobody takes steps any more.
+                    // The receiver was dropped.
                     steps.send(step).map_err(|_| cancelled())?;
                 }
                 self.tell(Progress { stage: "positions", done: index + 1, total: Some(count) });

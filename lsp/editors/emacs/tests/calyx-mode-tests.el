@@ -4,8 +4,8 @@
 
 ;; emacs --batch -L .. -l calyx-mode-tests.el --eval "(calyx-tests-run 'mode)"
 ;;
-;; The session with the real server, (calyx-tests-run 'server), needs Eglot, and CALYX
-;; in the environment to name the `calyx' program.
+;; The session with the real server, (calyx-tests-run 'server), requires Eglot, and the
+;; path of the `calyx' program in the environment variable CALYX.
 
 ;;; Code:
 
@@ -73,7 +73,7 @@
   (calyx-tests--faces "/// Torque.\n// plain\nvar a = 1; /* var\n */"
                       "Torque" 'font-lock-doc-face "plain" 'font-lock-comment-face
                       "var a" 'font-lock-keyword-face "var" 'font-lock-comment-face)
-  ;; Texts hold texts, and end with their line.
+  ;; Strings may contain strings, and end with their line.
   (calyx-tests--faces "print(\"{\"ab\" : 4}|\", x);\nvar open = \"never {\nvar next = 1;"
                       "ab" 'font-lock-string-face "|" 'font-lock-string-face ", x" nil
                       "never" 'font-lock-string-face "var" 'font-lock-keyword-face)

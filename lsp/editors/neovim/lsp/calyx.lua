@@ -1,4 +1,4 @@
--- For Neovim 0.11 and later without `setup`: `vim.lsp.enable('calyx')` reads this file.
+-- Configuration that `vim.lsp.enable('calyx')` reads, for Neovim 0.11 and later without `setup`.
 
 return {
   cmd = { 'calyx', 'lsp' },

@@ -1,4 +1,5 @@
--- The editor under test: this plugin, nothing of the user's, and the server that CALYX names.
+-- Configuration of the tested editor: this plugin, no user configuration, and the server given by
+-- the environment variable CALYX.
 
 local plugin = vim.fn.fnamemodify(debug.getinfo(1, 'S').source:sub(2), ':p:h:h')
 vim.opt.runtimepath:prepend(plugin)
@@ -7,7 +8,7 @@ vim.opt.completeopt = { 'menuone', 'noselect' }
 vim.cmd('filetype plugin indent on')
 vim.cmd('syntax on')
 
--- What the session asks about afterwards.
+-- State that the session checks.
 _G.seen = { published = 0, messages = {} }
 
 local publish = vim.lsp.handlers['textDocument/publishDiagnostics']

@@ -1,8 +1,9 @@
--- A session at the keyboard, without a screen: an outer Neovim types into an inner one, which talks to the real server.
+-- Headless session: an outer Neovim types into an inner one, which uses the real server.
 --
 --   CALYX=target/debug/calyx nvim --headless -u NONE -c 'luafile lsp/editors/neovim/tests/session.lua'
 --
--- Prints a line a step and leaves with status 1 at the first that fails. The model is opened from `examples/` and never written.
+-- Prints one line per step and exits with status 1 at the first failure. The model is opened from
+-- `examples/` and never written.
 
 local here = vim.fn.fnamemodify(debug.getinfo(1, 'S').source:sub(2), ':p:h')
 local model = vim.fn.fnamemodify(here .. '/../../../../examples/spur_pair.cx', ':p')
@@ -13,7 +14,7 @@ local function say(text)
   io.stdout:flush()
 end
 
--- The inner editor --------------------------------------------------------------------------------------------------------
+-- The inner editor --------------------------------------------------------------------------------
 
 local editor = vim.fn.jobstart({
   vim.v.progpath, '--embed', '--headless', '-u', here .. '/init.lua', '-i', 'NONE', model,
@@ -35,7 +36,7 @@ local function lua(code, ...)
   return answer
 end
 
---- Keys as they would be typed.
+--- Types keys.
 local function type_keys(keys)
   vim.rpcrequest(editor, 'nvim_input', keys)
 end
@@ -56,7 +57,7 @@ local function fail(what, detail)
   vim.cmd('cquit 1')
 end
 
---- Waits until a question is answered with something true, and returns the answer.
+--- Waits until a query returns a true value, and returns that value.
 local function eventually(what, ask, detail)
   local answer
   local done = vim.wait(patience, function()
@@ -78,7 +79,7 @@ local function step(what, body)
   say(string.format('ok %s (%d ms)', what, (vim.loop.hrtime() - began) / 1e6))
 end
 
--- What is looked at -------------------------------------------------------------------------------------------------------
+-- Queries of its state ----------------------------------------------------------------------------
 
 local function text()
   return table.concat(vim.rpcrequest(editor, 'nvim_buf_get_lines', 0, 0, -1, false), '\n')
@@ -99,7 +100,7 @@ local function errors()
   return vim.tbl_filter(function(d) return d.severity == 1 end, diagnostics())
 end
 
---- The cursor onto the first place of a text, `inside` characters into it.
+--- Moves the cursor to the first occurrence of a text, `inside` characters after its start.
 local function go_to(needle, inside)
   local found = lua([[
     local needle, inside = ...
@@ -115,7 +116,7 @@ local function go_to(needle, inside)
   return found
 end
 
---- Text of the floating windows, such as a hover's.
+--- Text of the floating windows, such as hover texts.
 local function floats()
   return lua([[
     local texts = {}
@@ -129,7 +130,7 @@ local function floats()
   ]])
 end
 
--- The session -------------------------------------------------------------------------------------------------------------
+-- The session -------------------------------------------------------------------------------------
 
 local original
 
@@ -184,7 +185,7 @@ step('a named argument is completed in half-typed code', function()
     local info = lua("return vim.fn.complete_info({ 'pum_visible', 'items' })")
     return info.pum_visible == 1 and info.items
   end, text)
-  -- What is offered first is what the call still lacks.
+  -- The first item is the missing argument of the call.
   assert((items[1].abbr or items[1].word):match('^tip_radius'), vim.inspect(items[1]))
   type_keys('<C-n><C-y>')
   eventually('it is put in', function() return text():find('\n%s+tip_radius') end, text)

@@ -1,6 +1,7 @@
-// The commands of the palette, the title bar and the code lenses. Two names each: `calyx.run` and its like are the
-// server's, which lenses carry and the language client registers; `calyx.runModel` and its like are the editor's, which exist before
-// the server does.
+// The commands of the palette, the title bar and the code lenses. Each has two names: `calyx.run`
+// etc. are the commands of the server, which code lenses contain and the language client
+// registers; `calyx.runModel` etc. are the commands of the editor, which exist before the server
+// starts.
 
 import * as vscode from "vscode";
 import { ExecuteCommandRequest, type LanguageClient } from "vscode-languageclient/node";
@@ -9,14 +10,14 @@ import { said, type Server } from "./server";
 import * as settings from "./settings";
 import type { Status } from "./status";
 
-/** Commands the server carries out. Their first argument is the model's URI. */
+/** Commands that the server executes. Their first argument is the model's URI. */
 const RUN = "calyx.run";
 const PLAN = "calyx.plan";
 const CANCEL = "calyx.cancel";
-/** Its second argument is the test's name. */
+/** Server command whose second argument is the test's name. */
 const TEST = "calyx.test";
 
-/** What the status item says meanwhile of those that take a while. */
+/** Status text during commands that take long. */
 const DOING: Readonly<Record<string, string>> = { [RUN]: "Running", [PLAN]: "Planning", [TEST]: "Testing" };
 
 export class Commands {
@@ -40,7 +41,7 @@ export class Commands {
     ];
   }
 
-  /** A command of the server's that a code lens or a fix asks for. */
+  /** Executes a command of the server from a code lens or a fix. */
   async fromLens(server: Server, command: string, args: unknown[]): Promise<unknown> {
     const client = server.client;
     if (client === undefined) {
@@ -77,7 +78,7 @@ export class Commands {
   async #carryOut(client: LanguageClient, command: string, model: vscode.Uri, args: unknown[]): Promise<unknown> {
     const document = vscode.workspace.textDocuments.find((open) => open.uri.toString() === model.toString());
     if (command !== PLAN && document?.isDirty === true && settings.saveBeforeRun(model)) {
-      // A refused save, or one that was given up, is a reason not to run.
+      // If the save fails or is cancelled, the command is not executed.
       if (!(await document.save())) {
         return undefined;
       }

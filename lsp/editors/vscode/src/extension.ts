@@ -1,4 +1,4 @@
-// Where the editor begins and ends with the extension: parts are made here and handed to each other.
+// Activation and deactivation of the extension: creates and connects its parts.
 
 import * as vscode from "vscode";
 import { Commands } from "./commands";

@@ -1,5 +1,5 @@
-// Finds the `calyx` program: what the setting says, else `calyx` on the PATH, else where `cargo install` puts it.
-// An editor that was not started from a shell often has a PATH without the latter.
+// Finds the `calyx` program: the path of the setting, else `calyx` in the PATH, else in the folder
+// of `cargo install`. If an editor is not started from a shell, its PATH often lacks that folder.
 
 import { constants } from "node:fs";
 import { access, stat } from "node:fs/promises";
@@ -8,15 +8,15 @@ import * as path from "node:path";
 
 const PROGRAM = "calyx";
 
-/** What the search was about and where it was: `file` is undefined if nothing was found. */
+/** Result of the search; `file` is undefined if the program was not found. */
 export interface Search {
   readonly file: string | undefined;
-  /** As people would say it: the setting's text or `calyx`. */
+  /** Display name: the text of the setting, or `calyx`. */
   readonly wanted: string;
   readonly places: readonly string[];
 }
 
-/** Looks for the program. `folder` is the workspace's, if there is one. */
+/** Searches for the program. `folder` is the workspace folder, if there is one. */
 export async function locate(setting: string, folder: string | undefined): Promise<Search> {
   const wanted = setting === "" ? PROGRAM : expand(setting, folder);
   if (path.isAbsolute(wanted) || wanted.includes("/") || wanted.includes(path.sep)) {

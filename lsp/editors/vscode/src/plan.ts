@@ -1,4 +1,4 @@
-// The plan of a model as a read-only document beside it. Asking again shows the new plan in the same place.
+// Shows the plan of a model as a read-only document next to it. A new plan replaces the old one.
 
 import * as vscode from "vscode";
 

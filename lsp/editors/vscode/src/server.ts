@@ -1,4 +1,4 @@
-// The server's life: found, started, restarted, stopped; and what the editor does on its behalf.
+// Life cycle of the server process, and the client side of its requests.
 
 import * as vscode from "vscode";
 import {
@@ -15,17 +15,17 @@ import { locate, type Search } from "./locate";
 import * as settings from "./settings";
 import type { Status } from "./status";
 
-/** Models on disk and new ones that have no file yet. */
+/** Models on disk and untitled models. */
 export const SELECTOR = [
   { language: "calyx", scheme: "file" },
   { language: "calyx", scheme: "untitled" },
 ];
 
-/** How often the server may end by itself before the editor stops starting it. */
+/** Largest number of crashes within the interval after which the server is restarted. */
 const ENDINGS = 4;
 const ENDINGS_WITHIN_MS = 3 * 60 * 1000;
 
-/** What is done with a command of the server's, whether a code lens or a fix asks for it. */
+/** Handler of the server's commands from code lenses and fixes. */
 export type OnCommand = (command: string, args: unknown[], next: ExecuteCommandSignature) => unknown;
 
 export class Server implements vscode.Disposable {
@@ -34,7 +34,7 @@ export class Server implements vscode.Disposable {
   readonly #status: Status;
   readonly #onCommand: OnCommand;
   #client: LanguageClient | undefined;
-  /** Starting and stopping take turns: a restart during a start waits for it. */
+  /** Queue of starts and stops: a restart during a start waits for it. */
   #turn: Promise<void> = Promise.resolve();
   #endings: number[] = [];
 
@@ -43,7 +43,7 @@ export class Server implements vscode.Disposable {
     this.#onCommand = onCommand;
   }
 
-  /** The client if the server answers. */
+  /** The client, if the server is running. */
   get client(): LanguageClient | undefined {
     return this.#client?.state === State.Running ? this.#client : undefined;
   }
@@ -96,7 +96,7 @@ export class Server implements vscode.Disposable {
     const client = this.#client;
     this.#client = undefined;
     if (client !== undefined) {
-      // One that has crashed or hangs refuses to stop, which ends it as well.
+      // A server that has crashed or hangs does not stop; disposing the client kills it.
       await client.dispose().catch((error: unknown) => this.output.warn(`stopping: ${said(error)}`));
     }
   }
@@ -137,7 +137,7 @@ export class Server implements vscode.Disposable {
     };
   }
 
-  /** The server's process is gone without having been told to stop. */
+  /** Handles a crash of the server process. */
   #ended(): { action: CloseAction; message?: string; handled?: boolean } {
     const now = Date.now();
     this.#endings = this.#endings.filter((then) => now - then < ENDINGS_WITHIN_MS);
@@ -187,7 +187,7 @@ export class Server implements vscode.Disposable {
   }
 }
 
-/** An error in words. */
+/** Returns the message of an error. */
 export function said(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }

@@ -1,10 +1,10 @@
-// The extension's settings, read where they are used so that a change holds at once.
+// Settings of the extension, read at each use so that changes take effect immediately.
 
 import * as vscode from "vscode";
 
 export const SECTION = "calyx";
 
-/** Settings the server is started with: a change of one restarts it. */
+/** Settings of the server's start: a change of one restarts the server. */
 export const OF_THE_START = ["calyx.server.path", "calyx.server.arguments"] as const;
 
 function section(scope?: vscode.Uri): vscode.WorkspaceConfiguration {

@@ -1,4 +1,4 @@
-// What the status bar says about the server while a model is edited.
+// State of the server in the status bar of models.
 
 import * as vscode from "vscode";
 

@@ -1,4 +1,4 @@
-// What `language-configuration.json` says about words and indentation, on lines as they are typed.
+// Tests words and indentation of `language-configuration.json` on lines as they are typed.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -27,7 +27,7 @@ test("open brackets indent, closing ones do not", () => {
   assert.ok(!regex(decreaseIndentPattern).test("    a = b;"));
 });
 
-/** What the first rule that fits does at the end of a line. */
+/** Returns the effect of the first matching rule at the end of a line. */
 function onEnter(line, previous = "") {
   const fits = ({ beforeText, afterText, previousLineText }) =>
     regex(beforeText).test(line) &&

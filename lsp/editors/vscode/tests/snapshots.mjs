@@ -1,5 +1,6 @@
-// How the project's own models are highlighted, line by line, compared with `tests/snapshots/`; `--update` writes what is found.
-// Of library and examples alike, nothing may be shown as wrong, and nothing may be left open at the end.
+// Compares the highlighting of the project's models, line by line, with `tests/snapshots/`;
+// `--update` writes the snapshots. The library and the examples must have no invalid scopes and no
+// scopes that are open at the end.
 
 import { existsSync, readFileSync, readdirSync, unlinkSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -13,7 +14,7 @@ const project = join(here, "../../../..");
 const kept = join(here, "snapshots");
 const update = process.argv.includes("--update");
 
-/** Scopes that every text is full of and that say little. */
+/** Ubiquitous scopes, which are omitted. */
 const DULL = /^(source|meta|punctuation|keyword\.operator\.(arithmetic|comparison))(\.|$)/;
 
 async function grammar() {
@@ -32,7 +33,7 @@ async function grammar() {
   return registry.loadGrammar("source.calyx");
 }
 
-/** Every line, and below it what its pieces are. */
+/** Formats each line, and below it the scopes of its tokens. */
 function highlighted(grammar, text, complain) {
   const out = [];
   let state = textmate.INITIAL;

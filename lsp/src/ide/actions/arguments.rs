@@ -1,4 +1,4 @@
-//! Names for arguments that are given in order, and arguments that are missing.
+//! Actions that name positional arguments, and that add missing arguments.
 
 use super::{Action, ActionRequest, fix, rewrite};
 use crate::ide::Edit;
@@ -7,7 +7,7 @@ use calyx_lang::ast::{Argument, Expr, ExprKind};
 use calyx_lang::common_units::written;
 use calyx_lang::diagnostic::Diagnostic;
 
-/// How what is called by an expression takes its arguments.
+/// Returns the signature of the callee expression.
 pub(super) fn callable(asked: &ActionRequest, callee: &Expr) -> Option<Callable> {
     let name = match &callee.kind {
         ExprKind::Name(name) => name,
@@ -21,8 +21,8 @@ pub(super) fn callable(asked: &ActionRequest, callee: &Expr) -> Option<Callable>
     }
 }
 
-/// Names the arguments of the call at the cursor: all, or those from the cursor's on, since no argument without a name follows
-/// one that has one.
+/// Names the arguments of the call at the cursor: all, or those from the cursor on, because
+/// positional arguments cannot follow named ones.
 pub(super) fn naming(asked: &ActionRequest, found: &mut Vec<Action>) {
     let around = super::EnclosingNodes::new(&asked.tree.module, asked.range.clone());
     let Some((_, callee, arguments)) = around.call() else { return };
@@ -65,7 +65,8 @@ fn listed<'p>(parameters: impl ExactSizeIterator<Item = &'p CallParameter>) -> S
     parameters.take(3).map(|parameter| &*parameter.name).collect::<Vec<_>>().join(", ") + more
 }
 
-/// Writes the arguments that a call needs and does not have, each with a value of its type that is plainly to be replaced.
+/// Adds the missing required arguments of a call, each with an obvious placeholder value of its
+/// type.
 pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     if problem.code != "E0206" || !problem.message.contains(" lacks ") {
         return;
@@ -110,7 +111,8 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     );
 }
 
-/// A value of a parameter's type: of a handle the nearest variable that holds one, of a number 0 in the file's unit.
+/// Returns a placeholder of a parameter's type: for a handle the nearest variable of its type, for
+/// a number 0 in the file's unit.
 fn sample(asked: &ActionRequest, parameter: &CallParameter, offset: u32) -> String {
     if let Some(choice) = parameter.choices.first() {
         return format!("\"{choice}\"");

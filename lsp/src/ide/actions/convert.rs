@@ -1,4 +1,4 @@
-//! The same quantity in another unit: `25.4 mm` becomes `1 inch`.
+//! Actions that convert a quantity to another unit: `25.4 mm` becomes `1 inch`.
 
 use super::{Action, ActionRequest, rewrite};
 use crate::ide::numbers::{LiteralWithUnit, needs_parentheses};
@@ -6,17 +6,18 @@ use crate::ide::walk::Node;
 use calyx_lang::analysis::NameKind;
 use calyx_lang::ast::ExprKind;
 
-/// Units offered for one quantity.
+/// Largest number of units offered for one quantity.
 const MOST_UNITS: usize = 5;
 
-/// Digits of a number that comes out even.
+/// Largest number of digits of a preferred result.
 const MOST_DIGITS: usize = 12;
 
 pub(super) fn converting(asked: &ActionRequest, found: &mut Vec<Action>) {
     let database = &asked.snapshot.database;
     let is_unit = |start| database.name_at(&asked.file, start).is_none_or(|name| name.kind == NameKind::Unit);
     let around = super::EnclosingNodes::new(&asked.tree.module, asked.range.clone());
-    // The outermost product that is nothing but a literal and its units; a cursor in one unit of several means all.
+    // The outermost product of a literal and units only; a cursor in one of several units refers to
+    // all.
     let measured = around.expressions().find_map(|e| Some((e, LiteralWithUnit::new(e, &is_unit)?)));
     let Some((e, measured)) = measured.filter(|(e, _)| !matches!(e.kind, ExprKind::Number(_))) else {
         return;
@@ -28,7 +29,7 @@ pub(super) fn converting(asked: &ActionRequest, found: &mut Vec<Action>) {
         return;
     }
     let mut offered = measured.elsewhere(system);
-    // What comes out even is likelier to be wanted; the order of units stays otherwise.
+    // Short results come first; otherwise the order of units is kept.
     offered.sort_by_key(|(_, text, _)| text.bytes().filter(u8::is_ascii_digit).count() > MOST_DIGITS);
     for (_, text, exact) in offered.into_iter().take(MOST_UNITS) {
         let compound = text.contains(['*', '/']);
@@ -42,7 +43,7 @@ pub(super) fn converting(asked: &ActionRequest, found: &mut Vec<Action>) {
     }
 }
 
-/// The size of a unit is its definition; it says what it says.
+/// Returns true for the definition of a unit, whose size is not converted.
 fn is_unit_declaration(statement: &calyx_lang::ast::Stmt) -> bool {
     matches!(statement.kind, calyx_lang::ast::StmtKind::Unit(_))
 }

@@ -1,4 +1,4 @@
-//! Declares an unknown name, and takes back a declaration's `private`.
+//! Actions that declare an unknown name, or make a private declaration public.
 
 use super::{Action, ActionRequest, fix};
 use crate::ide::Edit;
@@ -21,7 +21,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
         return;
     }
     let around = asked.around(place);
-    // `b = 3;` for `var b = 3;`
+    // Inserts `var`: `b = 3;` becomes `var b = 3;`.
     let assigned = around.statements().next_back().filter(|statement| match &statement.kind {
         StmtKind::Assign { place: Expr { kind: ExprKind::Name(target), .. }, .. } => target.span == place,
         _ => false,
@@ -34,7 +34,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
         );
         return;
     }
-    // What is called is a function, what has members may be a module.
+    // A called name is a function, a name with members may be a module.
     let called = around.expressions().rev().nth(1).is_some_and(|outer| match &outer.kind {
         ExprKind::Call { callee, .. } => callee.span == place,
         ExprKind::Field { base, .. } => base.span == place,
@@ -76,12 +76,12 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     }
 }
 
-/// Whether something stands on the line before the statement.
+/// Returns true if there is code before the statement on its line.
 fn line_has_code(asked: &ActionRequest, line: u32, start: u32) -> bool {
     asked.text.get(line as usize..start as usize).is_none_or(|before| !before.trim().is_empty())
 }
 
-/// The dimension of the parameter that takes a name as its argument.
+/// Returns the dimension of the parameter whose argument is the name.
 fn demanded(asked: &ActionRequest, given: &GivenValue, start: u32) -> Option<Dimension> {
     let (Receiver::Argument(argument) | Receiver::Positional(argument)) = given.to else { return None };
     let whole = given.value.span.start == start && matches!(given.value.kind, ExprKind::Name(_));
@@ -103,7 +103,7 @@ fn demanded(asked: &ActionRequest, given: &GivenValue, start: u32) -> Option<Dim
     parameter?.dimension
 }
 
-/// `const` becomes `var` where a constant is assigned.
+/// Changes `const` to `var` if a constant is assigned to.
 fn variable_for_constant(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     for label in &problem.labels {
         let around = asked.around(label.span);
@@ -119,7 +119,7 @@ fn variable_for_constant(asked: &ActionRequest, problem: &Diagnostic, found: &mu
     }
 }
 
-/// Takes back the `private` of what another module hides.
+/// Removes the `private` of a declaration in another module.
 fn public(asked: &ActionRequest, problem: &Diagnostic) -> Option<Action> {
     let place = problem.primary.span;
     let around = asked.around(place);

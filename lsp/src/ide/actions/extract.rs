@@ -1,7 +1,8 @@
-//! Puts an expression into a variable of its own, and a variable's expression in its place.
+//! Actions that extract an expression into a variable, and that inline a variable.
 //!
-//! Offered only where the program certainly means the same afterwards: what is moved does nothing but compute, what it names
-//! does not change in between, and a literal without unit keeps the unit it has by its use.
+//! They are offered only if they certainly preserve the meaning: the moved expression has no side
+//! effects, the values of its names do not change in between, and a literal without a unit keeps
+//! the unit of its context.
 
 use super::unused::{computes, is_written, without_declaration};
 use super::{Action, ActionKind, ActionRequest, rewrite};
@@ -67,7 +68,7 @@ fn trimmed(asked: &ActionRequest) -> Span {
     Span { start, end: start + text.trim().len() as u32, ..Span::default() }
 }
 
-/// Whether an expression is computed once, when its statement begins.
+/// Returns true if an expression is evaluated once, at the start of its statement.
 fn evaluates_first(statement: &Stmt, e: &Expr) -> bool {
     let inside = |outer: &Expr| outer.span.start <= e.span.start && e.span.end <= outer.span.end;
     match &statement.kind {
@@ -80,7 +81,7 @@ fn evaluates_first(statement: &Stmt, e: &Expr) -> bool {
     }
 }
 
-/// Whether computing an expression earlier changes nothing.
+/// Returns true if an earlier evaluation of an expression yields the same result.
 fn is_movable(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> bool {
     let perhaps = around.expressions().filter(|outer| outer.span != e.span).any(|outer| {
         matches!(&outer.kind, ExprKind::If { .. } | ExprKind::Binary { op: BinaryOp::And | BinaryOp::Or, .. })
@@ -89,7 +90,7 @@ fn is_movable(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> bool 
     Node::Expression(e).walk(&mut |node| {
         indexes |= matches!(node, Node::Expression(Expr { kind: ExprKind::Index { .. }, .. }));
     });
-    // What is handed back is a place, not a value.
+    // An `out` argument is a place, not a value.
     let handed_back = around.expressions().rev().filter(|outer| outer.span != e.span).any(|outer| {
         let ExprKind::Call { callee, arguments } = &outer.kind else { return false };
         let Some(callable) = super::arguments::callable(asked, callee) else { return false };
@@ -105,7 +106,7 @@ fn is_movable(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> bool 
     computes(asked, e) && !(perhaps && indexes) && !handed_back
 }
 
-/// Whether a literal without unit in it may have its dimension by its use.
+/// Returns true if the expression has a literal whose unit may depend on its context.
 fn may_be_bare(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Number(value) => *value != 0.0,
@@ -119,7 +120,7 @@ fn may_be_bare(e: &Expr) -> bool {
     }
 }
 
-/// Whether params in an expression stay symbols where it stands.
+/// Returns true if params in an expression remain symbolic at its position.
 fn keeps_symbols(asked: &ActionRequest, around: &EnclosingNodes, statement: &Stmt) -> bool {
     matches!(statement.kind, StmtKind::Output { .. })
         || around.given().is_some_and(|given| given.bind == Bind::Symbolic)
@@ -132,7 +133,7 @@ fn keeps_symbols(asked: &ActionRequest, around: &EnclosingNodes, statement: &Stm
         })
 }
 
-/// Whether something called takes expressions rather than values.
+/// Returns true if a callee takes expressions instead of values.
 fn takes_symbols(asked: &ActionRequest, callee: &Expr) -> bool {
     let built_in =
         ["derivative", "gradient", "velocity", "acceleration", "angular_velocity", "angular_acceleration"];
@@ -147,7 +148,7 @@ fn declared_in(statement: &Stmt, start: u32) -> bool {
     statement.span.start <= start && start < statement.span.end
 }
 
-/// The name of what takes the value, or one that says nothing.
+/// Returns the name of the receiver of the value, or a generic name.
 fn fresh_name(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> String {
     let given = around.given().filter(|given| given.value.span == e.span);
     let base = match given.map(|given| given.to) {
@@ -162,7 +163,7 @@ fn fresh_name(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> Strin
     let base = base.unwrap_or_else(|| "value".into());
     let visible = asked.snapshot.database.visible(&asked.file, e.span.start);
     let taken = |name: &str| {
-        // An argument's name is no variable.
+        // The name of an argument is no variable.
         let declared = visible.iter().any(|known| *known.name == *name);
         declared || (name == "value" && is_written(asked, name))
     };
@@ -197,7 +198,7 @@ fn inlined(asked: &ActionRequest) -> Option<Action> {
     {
         return None;
     }
-    // What it names is the same wherever it is used.
+    // Names in the expression must have the same meaning at all uses.
     let inside = database.names_in(&asked.file, e.span.start..e.span.end);
     let inside: Vec<Name> =
         inside.into_iter().filter(|name| e.span.start <= name.start && name.end <= e.span.end).collect();
@@ -258,7 +259,8 @@ fn inlined(asked: &ActionRequest) -> Option<Action> {
     Some(Action { kind: ActionKind::Inline, ..rewrite(title, edits) })
 }
 
-/// Uses that need a name: `..record`, `x[i]` that may be handed back, and strings.
+/// Returns true for uses that require a name: `..record`, `x[i]` as a possible `out` argument, and
+/// strings.
 fn is_special(asked: &ActionRequest, around: &EnclosingNodes, user: &Expr) -> bool {
     let spread = around.nodes.iter().any(|node| matches!(node, Node::Argument(argument) if argument.spread));
     let in_text = around.expressions().any(|outer| matches!(outer.kind, ExprKind::String(_)));

@@ -1,4 +1,4 @@
-//! What the compiler itself offers: fixes it is certain of, and what may be meant.
+//! Fixes and suggestions of compiler diagnostics.
 
 use super::{Action, ActionKind, ActionRequest, fix};
 use crate::ide::{Edit, Snapshot, problems};
@@ -20,7 +20,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
             found.push(fix(title, compatible(&asked.file, asked.text, alike)));
         }
     }
-    // What deserves a name of its own in the menu is the only thing there is to do.
+    // A single suggestion needs no separate name in the menu.
     let only = problem.fix.is_none() && problem.suggestions.len() == 1;
     for offer in &problem.suggestions {
         let action = fix(capitalised(&offer.title), vec![edit(offer)]);
@@ -28,7 +28,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     }
 }
 
-/// Everything that is certain to fix in a file; `None` if there is nothing.
+/// Returns all certain fixes of a file as one action; `None` if there are none.
 pub fn fix_all(snapshot: &Snapshot, file: &str) -> Option<Action> {
     let text = snapshot.database.text(file)?;
     if file.starts_with('<') {
@@ -41,7 +41,8 @@ pub fn fix_all(snapshot: &Snapshot, file: &str) -> Option<Action> {
     (!action.edits.is_empty()).then_some(action)
 }
 
-/// The changes that can be made together, in order. Of two that overlap the first is made.
+/// Returns the edits that can be applied together, in order. Of two overlapping ones, the first is
+/// applied.
 fn compatible(file: &Arc<str>, text: &str, mut fixes: Vec<&Fix>) -> Vec<Edit> {
     fixes.sort_by_key(|fix| (fix.span.start, fix.span.end));
     let mut edits: Vec<Edit> = Vec::new();
@@ -57,7 +58,7 @@ fn compatible(file: &Arc<str>, text: &str, mut fixes: Vec<&Fix>) -> Vec<Edit> {
     edits
 }
 
-/// With a capital at its beginning, as menus have it.
+/// Capitalizes a title for menus.
 fn capitalised(title: &str) -> String {
     let mut characters = title.chars();
     let first = characters.next().map(|c| c.to_uppercase().collect::<String>()).unwrap_or_default();

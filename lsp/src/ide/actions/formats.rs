@@ -1,4 +1,4 @@
-//! A unit that fits what a format shows.
+//! Actions that replace the unit of a format by a suitable one.
 
 use super::{Action, ActionRequest, fix};
 use crate::ide::walk::Node;
@@ -6,7 +6,7 @@ use calyx_lang::ast::{Expr, ExprKind, Format, StringPart};
 use calyx_lang::common_units::usual;
 use calyx_lang::diagnostic::Diagnostic;
 
-/// Units offered for one format.
+/// Largest number of units offered for one format.
 const MOST_UNITS: usize = 4;
 
 pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
@@ -34,7 +34,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     }
     let before = asked.text.get(..unit.span.start as usize).unwrap_or_default();
     let kept = before.trim_end_matches([' ', '\t']);
-    // Without digits nothing is left of the format.
+    // Without digits the format is empty.
     let kept = kept.strip_suffix(':').unwrap_or(kept).trim_end_matches([' ', '\t']).len() as u32;
     found.push(fix("Leave the unit out", vec![asked.edit(kept, unit.span.end, "")]));
 }

@@ -1,4 +1,4 @@
-//! Imports the module that a name is missing from.
+//! Actions that import the module of an unknown name.
 
 use super::{Action, ActionRequest, fix};
 use crate::ide::Edit;
@@ -7,7 +7,7 @@ use calyx_lang::ast::StmtKind;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::lexer::CommentKind;
 
-/// Modules offered for one name.
+/// Largest number of modules offered for one name.
 const MOST_MODULES: usize = 4;
 
 pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
@@ -30,7 +30,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
             .iter()
             .any(|statement| matches!(&statement.kind, StmtKind::Import(path) if dotted(path) == module))
     };
-    // `gears.rack` without `import gears;`, `parts.rims` named as `rims`.
+    // `gears.rack` without `import gears;`, `parts.rims` written as `rims`.
     let modules = database.modules();
     let named = modules.iter().filter(|module| module.rsplit('.').next() == Some(name) && !imported(module));
     for module in named.take(MOST_MODULES) {
@@ -41,7 +41,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     exported.sort_by(|a, b| a.0.cmp(&b.0));
     for (module, visible) in exported.into_iter().take(MOST_MODULES) {
         let short = module.rsplit('.').next().unwrap_or_default();
-        // A unit is known by its own name.
+        // Units are always unqualified.
         let unit = visible.kind == NameKind::Unit;
         let start = problem.primary.span.start;
         let qualified = (!unit).then(|| asked.edit(start, start, format!("{short}.")));
@@ -56,7 +56,8 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     }
 }
 
-/// The edit that imports a module: behind the other imports, else before everything but what documents the file.
+/// Returns the edit that imports a module: after the other imports, else before everything except
+/// the documentation of the file.
 fn statement(asked: &ActionRequest, module: &str) -> Edit {
     let statements = &asked.tree.module.statements;
     let imports = statements.iter().rfind(|statement| matches!(statement.kind, StmtKind::Import(_)));
@@ -69,7 +70,7 @@ fn statement(asked: &ActionRequest, module: &str) -> Edit {
     asked.edit(start, start, format!("import {module};\n{gap}"))
 }
 
-/// Where the comments begin that stand directly above a statement.
+/// Returns the start of the comments directly above a statement.
 fn documented(asked: &ActionRequest, first: u32) -> u32 {
     let Some(tokens) = asked.snapshot.database.tokens(&asked.file) else { return first };
     let mut from = first;

@@ -1,6 +1,7 @@
-//! What can be done about what is at the cursor: quick fixes and small rewrites, one file a kind.
+//! Code actions at a cursor: quick fixes and rewrites, one file per kind.
 //!
-//! A quick fix mends a diagnostic. It is preferred if the compiler is certain of it. A rewrite keeps the meaning of the program.
+//! A quick fix resolves a diagnostic; it is preferred if the compiler is certain of it. A rewrite
+//! preserves the meaning of the program.
 
 mod arguments;
 mod convert;
@@ -29,46 +30,46 @@ pub use fixes::fix_all;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ActionKind {
-    /// Mends a diagnostic.
+    /// Resolves a diagnostic.
     QuickFix,
-    /// Says the same in another way.
+    /// Changes the program without changing its meaning.
     Rewrite,
     Extract,
     Inline,
-    /// Everything that is certain to fix in a file.
+    /// All certain fixes of a file.
     FixAll,
 }
 
-/// A change that is offered.
+/// A code action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Action {
-    /// As a menu entry says it.
+    /// Title in menus.
     pub title: String,
     pub kind: ActionKind,
-    /// The one to take where several are offered.
+    /// True for the default among several actions.
     pub preferred: bool,
     pub edits: Vec<Edit>,
-    /// Code and place of the diagnostic that it mends.
+    /// Code and range of the diagnostic that it resolves.
     pub resolves: Option<(String, Range<u32>)>,
 }
 
-/// What is asked: a range of a file and what is known of it.
+/// A range of a file with the results of its analysis.
 struct ActionRequest<'a> {
     snapshot: &'a Snapshot,
     file: Arc<str>,
     range: Range<u32>,
     text: &'a str,
     tree: Arc<Parsed>,
-    /// Of the whole file.
+    /// Diagnostics of the whole file.
     problems: Vec<Diagnostic>,
 }
 
-/// What can be done about a range of a file, the likeliest first.
+/// Returns the actions for a range of a file, the most likely first.
 pub fn actions(snapshot: &Snapshot, file: &str, range: Range<u32>) -> Vec<Action> {
     let database = &snapshot.database;
     let (Some(text), Some(tree)) = (database.text(file), database.tree(file)) else { return Vec::new() };
     if file.starts_with('<') {
-        // The library is not the user's to change.
+        // The library is read-only.
         return Vec::new();
     }
     let problems = problems::of_file(snapshot, file);
@@ -125,13 +126,13 @@ impl<'a> ActionRequest<'a> {
         Edit { file: self.file.clone(), start, end, replacement: replacement.into() }
     }
 
-    /// The unit system in which the file shows numbers, and whether it names one.
+    /// Returns the unit system in which the file shows numbers, and whether the file selects one.
     fn system(&self) -> (UnitSystem, bool) {
         let named = super::numbers::system(&self.tree.module);
         (named.unwrap_or_default(), named.is_some())
     }
 
-    /// Where the line of an offset begins, and the blanks it begins with.
+    /// Returns the start of the line of an offset, and its indentation.
     fn line(&self, offset: u32) -> (u32, &'a str) {
         let before = self.text.get(..offset as usize).unwrap_or_default();
         let start = before.rfind('\n').map_or(0, |end| end + 1);
@@ -141,12 +142,12 @@ impl<'a> ActionRequest<'a> {
     }
 }
 
-/// A quick fix.
+/// Creates a quick fix.
 fn fix(title: impl Into<String>, edits: Vec<Edit>) -> Action {
     Action { title: title.into(), kind: ActionKind::QuickFix, preferred: false, edits, resolves: None }
 }
 
-/// A rewrite.
+/// Creates a rewrite.
 fn rewrite(title: impl Into<String>, edits: Vec<Edit>) -> Action {
     Action { kind: ActionKind::Rewrite, ..fix(title, edits) }
 }

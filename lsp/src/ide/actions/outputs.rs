@@ -1,14 +1,15 @@
-//! Outputs that a model lacks: without any its analysis shows nothing, and a symbolic name that nobody uses was meant as one.
+//! Actions that add missing outputs: a model without outputs shows no results, and an unused
+//! symbolic name was probably meant as one.
 
 use super::{Action, ActionRequest, fix, rewrite};
 use calyx_lang::analysis::NameKind;
 use calyx_lang::ast::{Bind, ExprKind, Stmt, StmtKind};
 use calyx_lang::diagnostic::Diagnostic;
 
-/// Outputs offered for one model.
+/// Largest number of outputs offered for one model.
 const MOST_OUTPUTS: usize = 6;
 
-/// A symbolic name without use: it becomes an output.
+/// Changes an unused symbolic name to an output.
 pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Action>) {
     if problem.code != "W0201" {
         return;
@@ -25,7 +26,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     let Some((Bind::Symbolic, value)) = all.first().and_then(|decl| decl.init.as_ref()) else { return };
     let name = asked.slice(place);
     let known = asked.snapshot.database.name_at(&asked.file, place.start);
-    // Frames and vectors are no outputs.
+    // Frames and vectors cannot be outputs.
     let other = known.and_then(|known| known.ty).is_some_and(|ty| {
         ["Vector", "Transform", "Array", "[", "Bool", "String"].iter().any(|other| ty.starts_with(other))
     });
@@ -36,7 +37,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     found.push(fix(format!("Make `{name}` an output"), vec![edit]).preferred());
 }
 
-/// A model that analyses and has no outputs: what can be observed of what it has.
+/// Offers the available observables as outputs of a model that has an analysis but no outputs.
 pub(super) fn missing(asked: &ActionRequest, found: &mut Vec<Action>) {
     let statements = &asked.tree.module.statements;
     let has_output = statements.iter().any(|statement| matches!(statement.kind, StmtKind::Output { .. }));

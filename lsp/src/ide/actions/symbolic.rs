@@ -1,4 +1,5 @@
-//! `=` and `:=` exchanged: where a symbol is lost, where a value was meant.
+//! Actions that replace `=` by `:=`, if a symbolic dependence is lost, or the reverse, if a value
+//! is required.
 
 use super::{Action, ActionRequest, fix};
 use crate::ide::enclosing::{GivenValue, Receiver};
@@ -22,7 +23,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
             let between = asked.edit(given.name.end, given.value.span.start, " = ");
             found.push(fix("Use `=`: this has a value at once", vec![between]).preferred());
         }
-        // The value was taken before: where it is declared it would have to stay an expression.
+        // The value was captured earlier: the earlier declaration must keep the expression.
         "E0509" if problem.primary.message.contains("was computed from") => {
             let captured = problem
                 .labels
@@ -36,7 +37,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     }
 }
 
-/// `=` becomes `:=`.
+/// Replaces `=` by `:=`.
 fn keep(asked: &ActionRequest, given: &GivenValue, verb: &str) -> Option<Action> {
     let Receiver::Variable(_, decl) = given.to else { return None };
     if given.bind != Bind::Evaluate {
@@ -46,7 +47,7 @@ fn keep(asked: &ActionRequest, given: &GivenValue, verb: &str) -> Option<Action>
     Some(fix(format!("{verb} `{}` with `:=`, which keeps the expression", decl.name.name), vec![between]))
 }
 
-/// `var x = observable;` becomes an output.
+/// Changes `var x = observable;` to an output.
 fn as_output(asked: &ActionRequest, given: &GivenValue) -> Option<Action> {
     let Receiver::Variable(statement, decl) = given.to else { return None };
     let StmtKind::Var(all) = &statement.kind else { return None };

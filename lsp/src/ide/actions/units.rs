@@ -1,4 +1,4 @@
-//! Writes the unit that a bare literal has by its use.
+//! Action that writes the unit which a bare literal has from its context.
 
 use super::{Action, ActionRequest, rewrite};
 use crate::ide::numbers::needs_parentheses;

@@ -1,4 +1,4 @@
-//! Removes what nobody reads.
+//! Actions that remove unused declarations.
 
 use super::{Action, ActionRequest, fix};
 use crate::ide::Edit;
@@ -52,14 +52,15 @@ fn variable(asked: &ActionRequest, place: Span, found: &mut Vec<Action>) {
     }
 }
 
-/// Whether an identifier stands anywhere in the file.
+/// Returns true if an identifier occurs anywhere in the file.
 pub(super) fn is_written(asked: &ActionRequest, name: &str) -> bool {
     asked.snapshot.database.tokens(&asked.file).is_some_and(|tokens| {
         tokens.tokens.iter().any(|token| token.kind == Kind::Identifier && asked.slice(token.span) == name)
     })
 }
 
-/// Removes a variable's declaration and all that is assigned to it, if computing that does nothing else.
+/// Removes a variable's declaration and all assignments to it, if their values have no side
+/// effects.
 fn removed(asked: &ActionRequest, place: Span, references: impl Iterator<Item = u32>) -> Option<Vec<Edit>> {
     let mut edits = Vec::new();
     for start in references {
@@ -83,7 +84,7 @@ fn removed(asked: &ActionRequest, place: Span, references: impl Iterator<Item = 
     apart.then_some(edits)
 }
 
-/// Whether evaluating does nothing but compute.
+/// Returns true if an expression has no side effects.
 pub(super) fn computes(asked: &ActionRequest, e: &Expr) -> bool {
     only_computes(e, &|callee| match &callee.kind {
         ExprKind::Name(name) => {
@@ -96,7 +97,8 @@ pub(super) fn computes(asked: &ActionRequest, e: &Expr) -> bool {
     })
 }
 
-/// The edit that takes a variable out of its `var`; with `pure`, only if its first value does nothing but compute.
+/// Returns the edit that removes a variable from its `var`; with `pure`, only if its initial value
+/// has no side effects.
 pub(super) fn without_declaration(asked: &ActionRequest, place: Span, pure: bool) -> Option<Edit> {
     let around = asked.around(place);
     let statement = around.whole_statement()?;
@@ -116,7 +118,7 @@ pub(super) fn without_declaration(asked: &ActionRequest, place: Span, pure: bool
     }
 }
 
-/// `var x = f();` becomes `f();`
+/// Changes `var x = f();` to `f();`.
 fn without_name(asked: &ActionRequest, place: Span) -> Option<Edit> {
     let around = asked.around(place);
     let statement = around.whole_statement()?;
@@ -127,7 +129,8 @@ fn without_name(asked: &ActionRequest, place: Span) -> Option<Edit> {
     call.then(|| asked.edit(statement.span.start, value.span.start, ""))
 }
 
-/// The edit that removes a statement with what documents it, and its lines if nothing else stands on them.
+/// Returns the edit that removes a statement with its documentation, and its lines if they are
+/// otherwise empty.
 pub(super) fn removal(asked: &ActionRequest, statement: &Stmt) -> Edit {
     let mut start = statement.span.start;
     if let Some(tokens) = asked.snapshot.database.tokens(&asked.file) {

@@ -1,4 +1,4 @@
-//! The products that two vectors have, where `*` was written.
+//! Actions that replace `*` of two vectors by one of their products.
 
 use super::{Action, ActionRequest, fix};
 use calyx_lang::ast::{BinaryOp, Expr, ExprKind};

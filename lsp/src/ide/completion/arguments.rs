@@ -1,4 +1,4 @@
-//! Arguments by name of the call the cursor is in: those not given yet.
+//! Completion of named arguments of the call at the cursor.
 
 use super::context::{CompletionSite, Operator, Slot, Value};
 use super::item::{AfterInsert, Insert, Item, ItemKind, Rank, Subject, escaped};
@@ -7,10 +7,10 @@ use crate::ide::shape::{self, Shape};
 use calyx_lang::analysis::{CallParameter, NameKind};
 use calyx_lang::lexer::Kind;
 
-/// With no more parameters than this, what is given is seen without names.
+/// Largest number of required parameters for which positional arguments are clear.
 const FEW: usize = 2;
 
-/// Names of parameters, and records whose fields are parameters.
+/// Offers names of parameters, and records whose fields are parameters.
 pub fn arguments(request: &Request<'_>, items: &mut Vec<Item>) {
     let CompletionSite::Value(Value { slot: Slot::Argument { name: None, .. }, operator: Operator::None }) =
         &request.context.spot
@@ -24,10 +24,10 @@ pub fn arguments(request: &Request<'_>, items: &mut Vec<Item>) {
         return;
     }
     let required = called.callable.parameters.iter().filter(|parameter| is_required(parameter)).count();
-    // What the library made is seen to be the gear or the mesh.
+    // A handle of the library shows its meaning, so it is passed by position.
     let plain = matches!(&request.expected.shape, Shape::Named(name) if name != "String" && name != "Bool");
     let origin = if called.in_order && plain && required <= FEW { 3 } else { 0 };
-    // Where all that is required is given, what follows is said by name.
+    // After all required arguments, optional ones are passed by name.
     let optional =
         called.active.and_then(|at| called.callable.parameters.get(at)).is_some_and(|p| !is_required(p));
     for &at in &called.left {
@@ -62,11 +62,11 @@ fn argument(request: &Request<'_>, called: &Called, parameter: &CallParameter, r
     item
 }
 
-/// What stands in for the value until it is written.
+/// Returns the placeholder of the value, and the command to run after insertion.
 fn placeholder(parameter: &CallParameter) -> (String, AfterInsert) {
     if !parameter.choices.is_empty() {
         let mut choices: Vec<&str> = parameter.choices.iter().map(String::as_str).collect();
-        // The default first.
+        // The default comes first.
         let default = parameter.default.as_deref().unwrap_or_default().trim_matches('"');
         choices.sort_by_key(|choice| *choice != default);
         let choices: Vec<String> = choices.into_iter().map(choice).collect();
@@ -86,14 +86,14 @@ fn placeholder(parameter: &CallParameter) -> (String, AfterInsert) {
     }
 }
 
-/// Text as it stands in a list of choices of a snippet.
+/// Escapes a text for a choice of a snippet.
 fn choice(text: &str) -> String {
     escaped(text).replace(',', "\\,").replace('|', "\\|")
 }
 
-/// Type, unit, default and range: `Length [inch] = 0.02 inch in 0 inch .. 1 inch`.
+/// Formats type, unit, default and range: `Length [inch] = 0.02 inch in 0 inch .. 1 inch`.
 pub fn detail(request: &Request<'_>, parameter: &CallParameter) -> String {
-    // A letter stands for any type.
+    // A single letter is a type variable.
     let mut detail = if parameter.ty.len() > 1 { parameter.ty.clone() } else { String::new() };
     let dimension = parameter.dimension.or_else(|| shape::dimension(&parameter.ty));
     if let Some(dimension) = dimension.filter(|dimension| !dimension.is_none()) {
@@ -111,7 +111,7 @@ pub fn detail(request: &Request<'_>, parameter: &CallParameter) -> String {
     detail.trim_start().to_string()
 }
 
-/// `..size`, where each field of the record is a parameter.
+/// Offers `..size`, if the fields of the record are parameters.
 fn spreads(request: &Request<'_>, called: &Called, items: &mut Vec<Item>) {
     for (order, known) in request.visible.iter().enumerate() {
         let value = matches!(known.kind, NameKind::Variable | NameKind::Parameter | NameKind::Const);

@@ -1,4 +1,4 @@
-//! What can stand at a cursor: the one place that decides which sources of items are asked.
+//! Determines the syntactic category at a cursor, and thereby which sources of items are used.
 
 mod value;
 
@@ -9,16 +9,16 @@ use calyx_lang::ast::Bind;
 use calyx_lang::lexer::{Kind, Tokens};
 use std::ops::Range;
 
-/// What can stand at the cursor.
+/// Syntactic category at the cursor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CompletionSite {
-    /// Nothing is offered: in comments, numbers and texts, and where a new name is declared.
+    /// No completion: in comments, numbers and texts, and for a new name in a declaration.
     Nothing,
-    /// The beginning of a statement.
+    /// Start of a statement.
     Statement,
-    /// One of a few words, e.g. after `private`.
+    /// One of a few words, such as after `private`.
     Words(Vec<&'static str>),
-    /// `import parts.`: what is written of the path.
+    /// `import parts.`: the written part of the path.
     Import(Vec<String>),
     /// `units `
     System,
@@ -30,64 +30,64 @@ pub enum CompletionSite {
     Type,
     /// `module.` in a type.
     TypeMember(String),
-    /// Behind a `.`: the tokens of what stands before it, and the value that is being written.
+    /// After a `.`: the tokens of the base, and the value that contains them.
     Member(Range<usize>, Value),
-    /// Behind a number; the words are those of [`CompletionSite::After`].
+    /// After a number; the words are those of [`CompletionSite::After`].
     Unit(Value, Vec<&'static str>),
-    /// In a format: the tokens of the value that is shown.
+    /// In a format: the tokens of the formatted value.
     FormatUnit(Range<usize>),
-    /// Between the quotes of a string that is a whole value; where its text lies.
+    /// Between the quotes of a string that is the whole value; the range of its text.
     Text(Value, Range<usize>),
-    /// Where a value begins.
+    /// Start of a value.
     Value(Value),
-    /// Behind a value, where a few words go on.
+    /// After a value, where one of these words may follow.
     After(Vec<&'static str>),
 }
 
-/// A value that is being written.
+/// An incomplete value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
     pub slot: Slot,
     pub operator: Operator,
 }
 
-/// What a value is for.
+/// Receiver of a value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Slot {
-    /// Of a call; the name is given if it is written.
+    /// Argument of a call, with its name if it is written.
     Argument {
         call: Call,
         name: Option<(String, Bind)>,
     },
-    /// `[...]` where the value inside is expected to be an element.
+    /// `[...]`, where the value inside is an element.
     Element(Box<Value>),
-    /// Parentheses.
+    /// Parentheses: the same value.
     Same(Box<Value>),
     Condition,
-    /// A whole number, e.g. an index.
+    /// An integer, such as an index.
     Count,
-    /// `var`, `param`, `const`, `output` and a name.
+    /// Initial value in `var`, `param`, `const` or `output` with a name.
     Initial {
         keyword: Kind,
         name: String,
         bind: Bind,
     },
-    /// An end of a range or a choice of the param or parameter whose default these tokens are.
+    /// Bound of a range or choice of the param or parameter whose default has these tokens.
     Bound {
         name: String,
         default: Range<usize>,
     },
-    /// Assigned to the place of these tokens.
+    /// Assignment to the place of these tokens.
     Assigned {
         place: Range<usize>,
         bind: Bind,
     },
-    /// Of a parameter or field with this type.
+    /// Value of a parameter or field with this type.
     Annotated {
         annotation: Option<Range<usize>>,
         bind: Bind,
     },
-    /// The whole of a symbolic function.
+    /// Body of a symbolic function.
     SymbolicBody,
     Returned,
     Thrown,
@@ -98,14 +98,14 @@ pub enum Slot {
     Free,
 }
 
-/// What stands before the operand at the cursor.
+/// Operator before the operand at the cursor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operator {
-    /// Nothing: the operand is all there is so far.
+    /// No operator: the first operand.
     None,
-    /// Both operands have one dimension; the tokens of the left one.
+    /// Operator whose operands have the same dimension; the tokens of the left one.
     Alike(Range<usize>),
-    /// A product or quotient; the tokens before the operator, and whether it divides.
+    /// Product or quotient; the tokens before the operator, and true for a division.
     Factor(Range<usize>, bool),
     /// `^`
     Exponent,
@@ -113,7 +113,7 @@ pub enum Operator {
     Truth,
 }
 
-/// A cursor and what can stand there.
+/// A cursor and its syntactic category.
 pub struct Context<'a> {
     pub around: CursorContext<'a>,
     pub statement: Statement,
@@ -139,12 +139,12 @@ impl<'a> Context<'a> {
         context
     }
 
-    /// Whether the cursor is inside a function.
+    /// Returns true if the cursor is inside a function.
     pub fn in_function(&self) -> bool {
         self.blocks.iter().any(|block| block.kind == BlockKind::Function)
     }
 
-    /// Whether the cursor is in the arguments of one of these functions.
+    /// Returns true if the cursor is in the arguments of one of these functions.
     pub fn takes_expression(&self, functions: &[&str]) -> bool {
         let calls = self.statement.open.iter().filter(|open| open.kind == Bracket::Call);
         calls
@@ -152,7 +152,7 @@ impl<'a> Context<'a> {
             .any(|name| functions.contains(&self.around.source(name)))
     }
 
-    /// Whether `:=` keeps what is being written, or something around it.
+    /// Returns true if `:=` binds the incomplete value, or an expression around it.
     pub fn is_symbolic(&self) -> bool {
         let open = &self.statement.open;
         let ends = std::iter::once(self.around.before).chain(open.iter().map(|open| open.at));
@@ -181,7 +181,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// A statement without open brackets.
+    /// Classifies a cursor in a statement without open delimiters.
     fn plain_statement(&self, end: usize) -> CompletionSite {
         let start = self.statement.start;
         if start == end {
@@ -190,7 +190,8 @@ impl<'a> Context<'a> {
                 _ => CompletionSite::Statement,
             };
         }
-        // A name on a line of its own begins a statement, though the line above is not ended.
+        // A name at the start of a line starts a statement, even if the previous line is
+        // incomplete.
         if self.around.cursor_begins_line() && self.around.ends_expression(end - 1) {
             return CompletionSite::Statement;
         }
@@ -232,8 +233,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The word a statement begins with. Words such as `import` are told from names only by the name that follows, which may
-    /// not be there yet.
+    /// Returns the keyword at the start of a statement. Contextual keywords such as `import` are
+    /// distinguished from names only by the name that follows, which may be missing.
     fn word(&self, start: usize, end: usize) -> Option<Kind> {
         let kind = self.kind(start)?;
         if kind != Kind::Identifier || end != start + 1 {
@@ -261,7 +262,8 @@ impl<'a> Context<'a> {
         names.map(|at| self.around.source(at).to_string()).collect()
     }
 
-    /// `in name: Type = default in range` as far as it is written, in a list of parameters.
+    /// Classifies a cursor in a parameter declaration, `in name: Type = default in range` as far as
+    /// it is written.
     fn parameter(&self, open: usize) -> CompletionSite {
         let end = self.around.before;
         let start = self.after_comma(open + 1, end);
@@ -274,7 +276,8 @@ impl<'a> Context<'a> {
         CompletionSite::Nothing
     }
 
-    /// `name: Type = default in range` as far as it is written; a type is told before.
+    /// Classifies a cursor in `name: Type = default in range` as far as it is written; the type is
+    /// handled by the caller.
     fn declared(&self, start: usize, end: usize) -> CompletionSite {
         let assigned = (start..end).find(|&at| matches!(self.kind(at), Some(Kind::Assign | Kind::Bind)));
         let domain = (start..end).any(|at| self.kind(at) == Some(Kind::In));
@@ -298,10 +301,10 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The inside of a string.
+    /// Classifies a cursor in a string.
     fn text(&self, text: Range<usize>, open: Option<usize>) -> CompletionSite {
         match open {
-            // Texts are not parts of expressions, but for comparisons.
+            // Texts are operands of comparisons only.
             Some(open) => match self.value(0, open) {
                 Value { operator: Operator::Factor(..) | Operator::Exponent | Operator::Truth, .. } => {
                     CompletionSite::Nothing
@@ -312,7 +315,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Whether a type belongs before the token `end`.
+    /// Classifies a cursor before the token `end` if a type is expected there.
     fn type_spot(&self, end: usize) -> Option<CompletionSite> {
         let last = end.checked_sub(1)?;
         let begun = match self.kind(last)? {
@@ -334,7 +337,8 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// Whether what is written before a token, up to a `:`, `->` or `dimension name =`, is part of a type.
+    /// Returns true if the tokens before `end`, back to a `:`, `->` or `dimension name =`, are part
+    /// of a type.
     fn in_type(&self, end: usize) -> bool {
         let mut at = end;
         while let Some(before) = at.checked_sub(1) {
@@ -361,7 +365,7 @@ impl<'a> Context<'a> {
         false
     }
 
-    /// Whether a `:` stands before a type, and not after a label or a `case`.
+    /// Returns true if a `:` precedes a type, and does not end a label or a `case`.
     fn annotates(&self, colon: usize) -> bool {
         let Some(before) = colon.checked_sub(2) else { return false };
         if self.kind(colon - 1) != Some(Kind::Identifier) {
@@ -377,7 +381,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// An operand of an expression, in the brackets `open[depth]`.
+    /// Classifies a cursor at an operand of an expression, in the delimiters `open[depth]`.
     fn operand(&self, depth: usize, end: usize) -> CompletionSite {
         let value = self.value(depth, end);
         let start = self.region(depth, end);
@@ -394,7 +398,7 @@ impl<'a> Context<'a> {
             },
             Some(Kind::CloseParen) if self.closes_condition(last) => CompletionSite::Value(value),
             _ if self.around.ends_expression(last) => self.behind(depth, start, end),
-            // `(2 mm)^`, `2 mm^`: a number is typed here.
+            // `(2 mm)^`, `2 mm^`: a number is expected.
             Some(Kind::Caret) if last >= 2 && self.kind(last - 2) == Some(Kind::Number) => {
                 CompletionSite::Nothing
             }
@@ -402,14 +406,14 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// `x at ` before the name that makes `at` a word.
+    /// Returns true if `at` is a keyword although no name follows it: `x at `.
     fn is_bare_at(&self, at: usize, start: usize) -> bool {
         at > start && self.around.source(at) == "at" && self.around.ends_expression(at - 1)
     }
 
-    /// Words that go on behind a value.
+    /// Returns the category after a value, where keywords may follow.
     fn behind(&self, depth: usize, start: usize, end: usize) -> CompletionSite {
-        // Two operands in a row, on two lines: a `,`, a `;` or an operator is missing.
+        // Two consecutive operands on two lines: a `,`, a `;` or an operator is missing.
         if self.around.cursor_begins_line() && depth < self.statement.open.len() {
             let outer = self.around.indentation(self.around.range(self.statement.start).start);
             let begins = self.around.indentation(self.around.word.start) <= outer;
@@ -431,9 +435,9 @@ impl<'a> Context<'a> {
         CompletionSite::After(words)
     }
 
-    /// Whether an `if (c) a` of an expression lacks its `else`.
+    /// Returns true if an `if (c) a` expression lacks its `else`.
     fn has_open_choice(&self, start: usize, end: usize) -> bool {
-        // `if` at the beginning of a statement is the statement.
+        // `if` at the start of a statement is a statement.
         let count = |kind| (start..end).filter(|&at| self.kind(at) == Some(kind)).count();
         count(Kind::If) > count(Kind::Else)
     }
@@ -461,14 +465,14 @@ impl<'a> Context<'a> {
                 _ => break,
             }
         }
-        // The operator before the base decides what is expected.
+        // The operator before the base determines the expected type.
         let value = Value { operator: self.operator(self.region(0, first), first), ..value };
         CompletionSite::Member(first..dot, value)
     }
 }
 
 impl Value {
-    /// Whether `:=` keeps the expression that the value is part of.
+    /// Returns true if `:=` binds the expression that contains the value.
     pub fn is_symbolic(&self) -> bool {
         match &self.slot {
             Slot::Argument { name: Some((_, bind)), .. }
@@ -481,7 +485,7 @@ impl Value {
         }
     }
 
-    /// Whether nothing but the operand at the cursor is written of the value.
+    /// Returns true if the value consists of the operand at the cursor only.
     pub fn is_first(&self) -> bool {
         self.operator == Operator::None
     }

@@ -1,4 +1,4 @@
-//! What is said of an item when it is looked at; computed for one item, not for all.
+//! Documentation of a completion item, computed on request for one item.
 
 use super::item::Subject;
 use super::keywords;
@@ -6,7 +6,7 @@ use calyx_lang::analysis::{CallParameter, NameKind};
 use calyx_lang::db::Database;
 use calyx_lang::units::Unit;
 
-/// Markdown on what an item is about.
+/// Returns the documentation of an item's subject as Markdown.
 pub fn documentation(database: &Database, subject: &Subject) -> Option<String> {
     match subject {
         Subject::Declaration(place) if place.end == 0 => database.module_doc(&place.file),
@@ -39,7 +39,7 @@ pub fn documentation(database: &Database, subject: &Subject) -> Option<String> {
     }
 }
 
-/// What a parameter is, what it is if left out, and what it may be.
+/// Describes a parameter with its default and range.
 pub fn parameter_text(parameter: &CallParameter) -> String {
     let mut parts = Vec::new();
     if let Some(doc) = parameter.doc.as_deref().filter(|doc| !doc.is_empty()) {

@@ -1,4 +1,4 @@
-//! Names of modules that are not imported yet: what is chosen brings its `import` along.
+//! Completion of names in modules that are not imported; the chosen item adds the `import`.
 
 use super::item::{Item, Rank};
 use super::names;
@@ -7,10 +7,10 @@ use crate::ide::Edit;
 use crate::ide::cursor::CursorContext;
 use calyx_lang::lexer::Kind;
 
-/// Letters that must be typed: a list of all modules' names helps nobody.
+/// Smallest number of typed letters: a list of all names would be useless.
 const LEAST_TYPED: usize = 2;
 
-/// What modules that are not imported declare.
+/// Offers the declarations of modules that are not imported.
 pub fn not_imported(request: &Request<'_>, items: &mut Vec<Item>) {
     let around = &request.context.around;
     if around.prefix().chars().count() < LEAST_TYPED {
@@ -20,7 +20,7 @@ pub fn not_imported(request: &Request<'_>, items: &mut Vec<Item>) {
     let own = request.database.module_of(request.file);
     for path in request.database.modules() {
         let name = path.rsplit('.').next().unwrap_or(&path).to_string();
-        // Another name in the way would be meant instead.
+        // Skips names that are shadowed.
         if imported.contains(&path) || own.as_deref() == Some(&*path) || request.find(&name).is_some() {
             continue;
         }
@@ -37,12 +37,12 @@ pub fn not_imported(request: &Request<'_>, items: &mut Vec<Item>) {
     }
 }
 
-/// The modules that a file imports.
+/// Returns the modules that a file imports.
 pub fn imported(around: &CursorContext<'_>) -> Vec<String> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(kind) = around.kind(at) {
-        // The one that is being written is not there yet.
+        // The incomplete import at the cursor does not count.
         if kind == Kind::Import && !(at < around.before && around.statement(around.before).start == at) {
             found.push(path(around, at + 1));
         }
@@ -59,7 +59,7 @@ fn path(around: &CursorContext<'_>, from: usize) -> String {
     names.collect()
 }
 
-/// The edit that imports a module: below the last import, else above all that the file does.
+/// Returns the edit that imports a module: after the last import, else before all statements.
 pub fn import(file: &str, around: &CursorContext<'_>, path: &str) -> Edit {
     let tokens = (0..).map_while(|at| around.kind(at).map(|kind| (at, kind)));
     let last = tokens.filter(|(_, kind)| *kind == Kind::Import).last();
@@ -75,11 +75,11 @@ pub fn import(file: &str, around: &CursorContext<'_>, path: &str) -> Edit {
     Edit { file: file.into(), start: offset as u32, end: offset as u32, replacement }
 }
 
-/// Where a file's first statement begins, its comments included: behind what documents the file itself.
+/// Returns the start of the first statement with its comments, after the documentation of the file.
 fn head(around: &CursorContext<'_>) -> usize {
     let mut offset = 0;
     let mut rest = around.text;
-    // A block of comments with an empty line after it speaks of the file.
+    // A block of comments followed by an empty line documents the file.
     let block: usize =
         rest.split_inclusive('\n').take_while(|line| line.starts_with("//")).map(str::len).sum();
     let behind = rest.get(block..).unwrap_or_default();

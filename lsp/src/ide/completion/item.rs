@@ -1,16 +1,17 @@
-//! What is offered: plain data, which the server turns into messages.
+//! Completion items: plain data, which the server converts to messages.
 
 use crate::ide::Edit;
 use calyx_lang::analysis::{NameKind, SourceRange};
 
-/// Everything that can be written at a cursor, best first.
+/// Completions at a cursor, best first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Completions {
-    /// The bytes that what is chosen takes the place of.
+    /// Start of the byte range that the chosen item replaces.
     pub start: u32,
+    /// End of the byte range that the chosen item replaces.
     pub end: u32,
     pub items: Vec<Item>,
-    /// There is more than was sent: ask again when more is typed.
+    /// True if items were omitted: request again after more typing.
     pub incomplete: bool,
 }
 
@@ -18,25 +19,25 @@ pub struct Completions {
 pub struct Item {
     pub label: String,
     pub kind: ItemKind,
-    /// One line: type, unit, default.
+    /// Summary in one line: type, unit, default.
     pub detail: String,
     pub insert: Insert,
-    /// What typed letters are compared with, if it is not the label.
+    /// Text that the typed letters are compared with, if it is not the label.
     pub filter: Option<String>,
     pub rank: Rank,
-    /// An `import` that goes with it.
+    /// Edit that adds a required `import`.
     pub import: Option<Edit>,
-    /// What its documentation is asked by.
+    /// Key of its documentation.
     pub subject: Option<Subject>,
-    /// What an editor shows next.
+    /// Command to run after insertion.
     pub then: AfterInsert,
 }
 
-/// What is put in.
+/// Inserted text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Insert {
     pub plain: String,
-    /// With places to fill in, for editors that have them.
+    /// Snippet with placeholders, for editors that support them.
     pub snippet: Option<String>,
 }
 
@@ -60,31 +61,32 @@ pub enum ItemKind {
 pub enum AfterInsert {
     #[default]
     Nothing,
-    /// The parameters of what was put in.
+    /// Shows signature help.
     Signature,
-    /// What can stand where the cursor now is.
+    /// Shows completion at the new cursor.
     Completion,
 }
 
-/// What an item is about, small enough to travel to the editor and back.
+/// Subject of an item, small enough to be part of the item's data.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Subject {
     Declaration(SourceRange),
-    /// A parameter of what is declared at the place, or a field.
+    /// A parameter of the declaration at the position, or a field.
     Parameter(SourceRange, String),
-    /// A function or constant of the language.
+    /// A builtin function or constant.
     Builtin(String),
     Keyword(String),
     Unit(String),
 }
 
-/// Where an item stands among others; less is better.
+/// Rank of an item; lower is better.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Rank {
-    /// How it fits the place.
+    /// Quality of the match with the expected type.
     pub fit: u8,
-    /// How near its origin is: locals, top level, library, language.
+    /// Distance of the origin: locals, top level, library, language.
     pub origin: u8,
+    /// Order among items of equal rank.
     pub order: u32,
 }
 
@@ -129,14 +131,14 @@ impl Item {
         self
     }
 
-    /// What typed letters are compared with.
+    /// Returns the text that typed letters are compared with.
     pub fn key(&self) -> &str {
         self.filter.as_deref().unwrap_or(&self.label)
     }
 }
 
 impl ItemKind {
-    /// As said to people.
+    /// Returns the display name.
     pub fn describe(self) -> &'static str {
         match self {
             ItemKind::Name(kind) => kind.describe(),
@@ -152,7 +154,7 @@ impl ItemKind {
     }
 }
 
-/// Text as it stands for itself in a snippet.
+/// Escapes a text for a snippet.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

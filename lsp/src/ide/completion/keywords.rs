@@ -1,4 +1,4 @@
-//! Words of the language where they can stand, with what usually follows them.
+//! Completion of keywords, with snippets of the usual continuation.
 
 use super::context::{CompletionSite, Value};
 use super::item::{Insert, Item, ItemKind, Rank, Subject};
@@ -7,28 +7,28 @@ use crate::ide::cursor::BlockKind;
 use calyx_lang::lexer::Kind;
 use calyx_lang::units::UnitSystem;
 
-/// Where a statement may stand.
+/// Position of a statement.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum StatementPosition {
-    /// The top level of a model.
+    /// Top level of a model.
     Model,
-    /// The top level of a file that is imported, which runs nothing.
+    /// Top level of a module, which has no executable statements.
     Module,
-    /// A function, or a block of the top level.
+    /// A function, or a block at the top level.
     Block,
 }
 
 struct Keyword {
     label: &'static str,
     detail: &'static str,
-    /// `LENGTH` stands for the system's unit of length.
+    /// `LENGTH` is replaced by the system's unit of length.
     snippet: &'static str,
     stands: &'static [StatementPosition],
 }
 
 use StatementPosition::{Block, Model, Module};
 
-/// In the order of use at the beginning of an empty statement.
+/// Sorted by frequency of use at the start of a statement.
 const STATEMENTS: &[Keyword] = &[
     Keyword { label: "var", detail: "a variable", snippet: "var ${1:name} = $0;", stands: &[Model, Block] },
     Keyword {
@@ -152,7 +152,7 @@ const STATEMENTS: &[Keyword] = &[
     Keyword { label: "goto", detail: "goes to a label", snippet: "goto $0;", stands: &[Model, Block] },
 ];
 
-/// Words at the beginning of a statement.
+/// Offers keywords at the start of a statement.
 pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
     let context = &request.context;
     let around = &context.around;
@@ -169,7 +169,7 @@ pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
             items.push(keyword_item(request, keyword.label, keyword.detail, keyword.snippet, 1, order));
         }
     }
-    // The words that belong to what is around come first.
+    // Keywords related to the enclosing block come first.
     let innermost = context.blocks.first().map(|block| block.kind);
     let within = |kind: BlockKind| {
         context
@@ -201,7 +201,7 @@ pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
     }
 }
 
-/// Whether the statement before the cursor is the first branch of an `if`.
+/// Returns true if the statement before the cursor is the first branch of an `if`.
 fn follows_if(request: &Request<'_>, end: usize) -> bool {
     let around = &request.context.around;
     let Some(last) = end.checked_sub(1) else { return false };
@@ -240,7 +240,7 @@ fn keyword_item(
     item
 }
 
-/// Words that begin a value.
+/// Offers keywords that start a value.
 pub fn values(request: &Request<'_>, items: &mut Vec<Item>) {
     let snippet = "if (${1:condition}) ${2:a} else ${0:b}";
     let mut item = keyword_item(request, "if", "a choice", snippet, 3, 0);
@@ -248,7 +248,7 @@ pub fn values(request: &Request<'_>, items: &mut Vec<Item>) {
     items.push(item);
 }
 
-/// A few words, best first.
+/// Offers these words, best first.
 pub fn words(request: &Request<'_>, words: &[&'static str], items: &mut Vec<Item>) {
     for (order, word) in words.iter().enumerate() {
         let (snippet, detail) = match *word {
@@ -274,12 +274,13 @@ pub fn words(request: &Request<'_>, words: &[&'static str], items: &mut Vec<Item
     }
 }
 
-/// `TRUE` and `FALSE` are constants of the language; here they are what a condition or argument asks for.
+/// Returns true if a condition or argument expects `TRUE` or `FALSE`. Elsewhere these are offered
+/// as constants of the language.
 pub fn is_truth(value: &Value, request: &Request<'_>) -> bool {
     value.is_first() && request.expected.shape.is("Bool") && !request.expected.weak
 }
 
-/// One sentence on a word.
+/// Returns a sentence that documents a keyword.
 pub fn documentation(word: &str) -> Option<&'static str> {
     Some(match word {
         "var" => {

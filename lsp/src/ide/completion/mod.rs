@@ -1,7 +1,8 @@
-//! What can be written at a cursor.
+//! Completion.
 //!
-//! [`context`] tells from the tokens what can stand there, [`request`] what is expected, and a file for each source of items
-//! offers what it has: few right items rather than many. [`ranking`] orders them.
+//! [`context`] determines the syntactic category at the cursor from the tokens, and [`request`] the
+//! expected type. Each source of items has a file, and offers few suitable items rather than many.
+//! [`ranking`] sorts them.
 
 mod arguments;
 pub mod context;
@@ -25,18 +26,18 @@ use calyx_lang::lexer::Kind;
 use context::{CompletionSite, Context, Operator, Slot};
 use request::Request;
 
-/// Characters after which an editor asks without being told to.
+/// Characters that trigger completion.
 pub const TRIGGERS: &[&str] = &[".", "\"", " ", "("];
 
-/// How an editor asks.
+/// Origin of a completion request.
 pub struct CompletionTrigger<'a> {
-    /// The character that asked, where it was not the user.
+    /// Character that triggered the request; `None` for an explicit request.
     pub typed: Option<char>,
-    /// Dotted paths of files that can be imported, beyond those the database knows.
+    /// Dotted paths of importable files, in addition to those in the database.
     pub beside: &'a dyn Fn() -> Vec<String>,
 }
 
-/// What can be written at a cursor.
+/// Returns the completions at a cursor.
 pub fn complete(snapshot: &Snapshot, position: &Position, asked: &CompletionTrigger<'_>) -> Completions {
     let database = &snapshot.database;
     let file = &*position.file;
@@ -64,7 +65,7 @@ pub fn complete(snapshot: &Snapshot, position: &Position, asked: &CompletionTrig
     Completions { start: start as u32, end: end as u32, items, incomplete }
 }
 
-/// Whether what was typed is a reason to offer something: a blank is one in few places.
+/// Returns true if the trigger character is valid in this context: a blank is in few.
 fn answers(context: &Context<'_>, typed: Option<char>) -> bool {
     let around = &context.around;
     let last = around.previous(around.before);
@@ -144,7 +145,7 @@ fn offer(request: &Request<'_>, asked: &CompletionTrigger<'_>, items: &mut Vec<I
     }
 }
 
-/// The second argument of `derivative`.
+/// Returns true for the second argument of `derivative`.
 fn is_differentiated_by(value: &context::Value) -> bool {
     matches!(&value.slot, Slot::Argument { call, name: None }
         if call.active == 1 && call.path.last().is_some_and(|name| name == "derivative"))

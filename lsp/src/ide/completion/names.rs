@@ -1,4 +1,4 @@
-//! Names in scope, and what imported modules have under their own names.
+//! Completion of names in scope, and of qualified names of imported modules.
 
 use super::context::{CompletionSite, Operator, Slot, Value};
 use super::item::{AfterInsert, Insert, Item, ItemKind, Rank, Subject};
@@ -8,17 +8,17 @@ use crate::ide::shape::{Fit, Shape};
 use calyx_lang::analysis::{NameKind, Visible};
 use calyx_lang::lexer::Kind;
 
-/// Builtin functions that make frames, and take expressions.
+/// Builtin functions that create frames and take expressions.
 const FRAMES: &[&str] = &["Rotate", "Translate"];
 
-/// Functions whose argument is an expression, though no `:=` stands before them.
+/// Functions whose argument is an expression, even without `:=`.
 pub const TAKE_EXPRESSIONS: &[&str] =
     &["derivative", "gradient", "velocity", "acceleration", "angular_velocity", "angular_acceleration"];
 
-/// What cannot be right by its type: shown to those who type its name.
+/// Rank of names with a wrong type: shown only after typing their first letters.
 pub const UNFIT: u8 = 4;
 
-/// Names for a value.
+/// Offers names for a value.
 pub fn values(request: &Request<'_>, items: &mut Vec<Item>) {
     let top = top_level(request);
     for (index, known) in request.visible.iter().enumerate() {
@@ -29,13 +29,13 @@ pub fn values(request: &Request<'_>, items: &mut Vec<Item>) {
     qualified(request, items, &|known| fit(request, known));
 }
 
-/// Names that a statement may begin with: what is called or assigned.
+/// Offers names that a statement may start with, for calls and assignments.
 pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
     let top = top_level(request);
     let fit = |known: &Visible| match known.kind {
         NameKind::Function | NameKind::Extern | NameKind::Builtin => {
             let nothing = known.ty.as_deref().is_some_and(|ty| Shape::result(ty).is("nothing"));
-            // A function that gives a value is not called for its own sake.
+            // A function with a result is seldom called as a statement.
             Some(if nothing { 2 } else { UNFIT })
         }
         NameKind::Variable | NameKind::Parameter | NameKind::Symbolic => Some(3),
@@ -50,7 +50,8 @@ pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
     qualified(request, items, &fit);
 }
 
-/// What imported modules have, as `module.name`: found by its own name, or because it gives just what is wanted.
+/// Offers the members of imported modules, as `module.name`. Before the first typed letter, offers
+/// only members of exactly the expected type.
 fn qualified(request: &Request<'_>, items: &mut Vec<Item>, fit: &dyn Fn(&Visible) -> Option<u8>) {
     let typed = !request.context.around.prefix().is_empty();
     for module in request.visible.iter().filter(|known| known.kind == NameKind::Module) {
@@ -65,7 +66,8 @@ fn qualified(request: &Request<'_>, items: &mut Vec<Item>, fit: &dyn Fn(&Visible
     }
 }
 
-/// Parameters of symbolic functions and params, and `Time`: what can stand behind `at`, and what is differentiated by.
+/// Offers params, parameters of symbolic functions, and `Time`: the names that may follow `at` and
+/// the variables of differentiation.
 pub fn symbols(request: &Request<'_>, items: &mut Vec<Item>, assigned: bool) {
     for (order, known) in request.visible.iter().enumerate() {
         let shape = shape(known);
@@ -83,7 +85,7 @@ pub fn symbols(request: &Request<'_>, items: &mut Vec<Item>, assigned: bool) {
     }
 }
 
-/// What a member of a module is for: called like a name.
+/// Offers the members of a module.
 pub fn members(request: &Request<'_>, module: &str, value: &Value, items: &mut Vec<Item>) {
     let Some(path) = callee::module_path(request.database, &request.visible, module) else { return };
     let statement = value.slot == Slot::Free && value.operator == Operator::None;
@@ -99,14 +101,15 @@ pub fn members(request: &Request<'_>, module: &str, value: &Value, items: &mut V
     }
 }
 
-/// How well a name fits the value at the cursor, the best 0; `None` for what cannot stand there.
+/// Returns how well a name matches the value at the cursor, 0 is best; `None` if it is invalid
+/// there.
 pub fn fit(request: &Request<'_>, known: &Visible) -> Option<u8> {
     let expected = &request.expected;
     let shape = shape(known);
     let symbolic = expected.symbolic || request.context.takes_expression(TAKE_EXPRESSIONS);
     match known.kind {
         NameKind::Dimension | NameKind::Unit | NameKind::Field => return None,
-        // It has the value of the engine's steps, which only expressions have.
+        // An output depends on the steps of the analysis, so it is valid in expressions only.
         NameKind::Output if !symbolic => return None,
         NameKind::Module => return Some(3),
         _ if shape.is("nothing") => return None,
@@ -116,15 +119,16 @@ pub fn fit(request: &Request<'_>, known: &Visible) -> Option<u8> {
     let local =
         known.kind == NameKind::Parameter || known.level.is_some_and(|level| level < top_level(request));
     let mut fit = match expected.shape.fit(&shape) {
-        // Names before what must be called with something first, but for frames, which are always made.
+        // Names rank before functions that must be called, except for frames, which are usually
+        // created by a call.
         Fit::Exactly if known.kind == NameKind::Builtin && !shape.is("Transform") => 1,
         Fit::Exactly => 0,
         Fit::Perhaps if known_shape && local => 0,
-        // `abs` gives what it takes, which may be anything.
+        // `abs` has the type of its argument.
         Fit::Perhaps if known_shape && known.declared.is_none() => 2,
         Fit::Perhaps => 1,
         Fit::InPart => 2,
-        // Compared or put in an index, it may give what is wanted.
+        // In a comparison or an index it may have the expected type.
         Fit::Not
             if expected.weak && matches!(shape, Shape::Number(_) | Shape::Vector(_) | Shape::Array(_)) =>
         {
@@ -142,31 +146,31 @@ pub fn fit(request: &Request<'_>, known: &Visible) -> Option<u8> {
     if !symbolic {
         match known.kind {
             NameKind::Constant if &*known.name == "Time" => return Some(5),
-            // Frames are seldom anything but expressions.
+            // Frames are usually expressions.
             NameKind::Symbolic if !shape.is("Transform") => fit += 1,
             _ => {}
         }
     }
-    // A function may call itself, and seldom does.
+    // A recursive call is unlikely.
     if request.is_around(known) {
         fit += 1;
     }
     Some(fit)
 }
 
-/// The type of the value a name gives, called if it is a function.
+/// Returns the type of the value of a name; for a function, of its result.
 pub fn shape(known: &Visible) -> Shape {
     let ty = known.ty.as_deref().unwrap_or_default();
     match known.kind {
         NameKind::Record => Shape::Named(known.name.to_string()),
         kind if callee::is_called(kind) && ty.contains(')') => Shape::result(ty),
-        // Fits every dimension.
+        // Has any dimension.
         NameKind::Constant if matches!(&*known.name, "inf" | "nan") => Shape::Number(None),
         _ => Shape::read(ty),
     }
 }
 
-/// The level of the file's own top-level names.
+/// Returns the scope level of the file's own top-level names.
 fn top_level(request: &Request<'_>) -> u32 {
     request.visible.iter().filter_map(|known| known.level).max().unwrap_or_default()
 }
@@ -179,21 +183,21 @@ fn rank(request: &Request<'_>, known: &Visible, fit: u8, top: u32, index: usize)
         (None, NameKind::Constant) if symbolic && &*known.name == "Time" => 1,
         (Some(_), NameKind::Module) => 4,
         (Some(level), _) if level < top || known.kind == NameKind::Parameter => 1,
-        // A value that is kept as it is now, beside expressions that go on.
+        // A captured value, next to expressions that depend on symbols.
         (Some(_), NameKind::Variable) if symbolic && is_number => 4,
         (Some(_), _) => 2,
         (None, _) if known.declared.is_some() => 4,
         (None, _) if symbolic && FRAMES.contains(&&*known.name) => 3,
         (None, _) => 5,
     };
-    // What is declared nearest comes first; the language's names stand in their own order.
+    // Nearer declarations come first; builtin names keep their order.
     let near = known.declared.as_ref().filter(|place| *place.file == *request.file);
     let order =
         near.map_or(index as u32, |place| (request.context.around.offset as u32).abs_diff(place.start));
     Rank { fit, origin, order }
 }
 
-/// The item of a name; `module` is written before it.
+/// Creates the item of a name; `module` is its prefix.
 pub fn item(request: &Request<'_>, known: &Visible, module: Option<&str>, rank: Rank) -> Item {
     let label = match module {
         Some(module) => format!("{module}.{}", known.name),
@@ -225,7 +229,7 @@ pub fn item(request: &Request<'_>, known: &Visible, module: Option<&str>, rank: 
     item
 }
 
-/// `(x: Length) -> Area`, without what goes without saying and what does not fit in a line.
+/// Formats a signature, `(x: Length) -> Area`, without trivial parts and shortened to one line.
 pub fn signature(ty: &str) -> String {
     const WIDEST: usize = 48;
     let ty = ty.split(" where ").next().unwrap_or(ty);
@@ -248,7 +252,7 @@ pub fn signature(ty: &str) -> String {
     }
 }
 
-/// Whether names of values are offered at all: not behind arguments that have names.
+/// Returns false after named arguments, where positional values are invalid.
 pub fn wanted(request: &Request<'_>) -> bool {
     match &request.context.spot {
         CompletionSite::Value(Value {

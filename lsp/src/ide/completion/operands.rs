@@ -1,4 +1,5 @@
-//! Types of what stands before the cursor, found from its tokens: the statement may have no tree yet, and its names are known.
+//! Types of the expressions before the cursor, inferred from tokens with the types of known names:
+//! the statement may have no tree yet.
 
 use super::request::Request;
 use crate::ide::callee;
@@ -10,7 +11,7 @@ use calyx_lang::units::Unit;
 use std::ops::Range;
 
 impl Request<'_> {
-    /// The type of some tokens that are an expression.
+    /// Returns the type of the expression of some tokens.
     pub fn shape_of(&self, tokens: &Range<usize>) -> Shape {
         let around = &self.context.around;
         if tokens.is_empty() {
@@ -27,9 +28,9 @@ impl Request<'_> {
         self.sum(tokens)
     }
 
-    /// Gives types to names that nothing is known of yet: they were declared a moment ago.
+    /// Infers the types of new names, which the last check does not know.
     pub fn infer(&mut self) {
-        /// More are not written between two checks.
+        /// Largest number of new names between two checks.
         const MOST: usize = 20;
         let unknown = |known: &Visible| {
             let value = matches!(
@@ -46,7 +47,7 @@ impl Request<'_> {
             .map(|(at, _)| at)
             .take(MOST)
             .collect();
-        // The oldest first: the others may name it.
+        // In order of declaration: later ones may use earlier ones.
         for at in new.into_iter().rev() {
             let shown =
                 self.visible.get(at).and_then(|known| self.declared(known)).and_then(|shape| shape.shown());
@@ -56,7 +57,7 @@ impl Request<'_> {
         }
     }
 
-    /// The type of the value that a name is declared with.
+    /// Returns the type of the initial value of a declaration.
     fn declared(&self, known: &Visible) -> Option<Shape> {
         let around = &self.context.around;
         let place = known.declared.as_ref().filter(|place| *place.file == *self.file)?;
@@ -81,7 +82,8 @@ impl Request<'_> {
         Some(self.shape_of(&(start..end)))
     }
 
-    /// A sum has the type of its last term, a comparison is true or not.
+    /// Returns the type of a sum, which is that of its last term, or of a comparison, which is
+    /// Boolean.
     fn sum(&self, tokens: &Range<usize>) -> Shape {
         let around = &self.context.around;
         let mut term = tokens.start;
@@ -110,7 +112,7 @@ impl Request<'_> {
         self.product(&(term..tokens.end))
     }
 
-    /// A product or quotient of names, calls, elements and quantities.
+    /// Returns the type of a product or quotient of names, calls, elements and quantities.
     fn product(&self, tokens: &Range<usize>) -> Shape {
         let around = &self.context.around;
         let mut at = tokens.start;
@@ -137,7 +139,7 @@ impl Request<'_> {
         }
     }
 
-    /// The `*` or `/` that ends the factor beginning at `start`, or the end.
+    /// Returns the `*` or `/` after the factor that starts at `start`, or the end.
     fn factor_end(&self, start: usize, end: usize) -> usize {
         let around = &self.context.around;
         let mut depth = 0_usize;
@@ -154,7 +156,7 @@ impl Request<'_> {
         end
     }
 
-    /// A name with what follows it: members, arguments, indices.
+    /// Returns the type of a name with members, arguments and indices.
     fn postfix(&self, tokens: &Range<usize>) -> Shape {
         let around = &self.context.around;
         match around.kind(tokens.start) {
@@ -223,17 +225,17 @@ impl Request<'_> {
         }
     }
 
-    /// The fields of a record that is the value of a name.
+    /// Returns the fields of a name whose value is a record.
     pub fn fields_of(&self, name: &str) -> Option<Vec<CallParameter>> {
         callee::fields_of(self.database, &self.visible, name)
     }
 
-    /// The fields of a record type.
+    /// Returns the fields of a record type.
     pub fn fields(&self, shape: &Shape) -> Option<Vec<CallParameter>> {
         callee::fields(self.database, &self.visible, shape)
     }
 
-    /// The dimension of a product of numbers and units, and of nothing else.
+    /// Returns the dimension of a product of numbers and units only.
     pub fn quantity(&self, tokens: &Range<usize>) -> Option<Dimension> {
         let around = &self.context.around;
         let mut whole = Dimension::NONE;
@@ -269,13 +271,13 @@ impl Request<'_> {
         Some(whole)
     }
 
-    /// The dimension of a unit, of the language or of the program.
+    /// Returns the dimension of a unit, builtin or declared.
     pub fn unit(&self, name: &str) -> Option<Dimension> {
         Unit::find(name).map(|unit| unit.dimension)
     }
 }
 
-/// The type of a product or quotient, as far as the types of its factors say.
+/// Returns the type of a product or quotient, as far as its factors determine it.
 fn multiplied(left: &Shape, right: &Shape, divides: bool) -> Shape {
     let dimension = |left: &Option<Dimension>, right: &Option<Dimension>| {
         left.zip(*right).map(|(left, right)| if divides { left.over(right) } else { left.times(right) })

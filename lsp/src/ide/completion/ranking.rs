@@ -1,28 +1,29 @@
-//! Which items are shown, and in which order.
+//! Selection and order of completion items.
 //!
-//! Editors compare what was typed with every item and order those that match alike by the order given here. The same comparison is
-//! made here, so that a long list is cut off at its end and not in its midst.
+//! Editors match the typed letters with every item, and sort equal matches by the order given here.
+//! The same match is computed here, so that truncation of a long list removes the worst items.
 
 use super::item::Item;
 use super::names::UNFIT;
 
-/// More than this many are not read by anybody.
+/// Largest number of items.
 const MOST: usize = 200;
 
-/// How typed letters match a name; the best first.
+/// Match of typed letters with a name, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Match {
-    /// The name begins so.
+    /// The name starts with the letters.
     Begins,
-    /// But for the case of its letters.
+    /// The name starts with the letters in another case.
     BeginsInOtherCase,
-    /// One of its words does.
+    /// A word of the name starts with the letters.
     Word,
-    /// The letters stand in it in order, the first at the beginning of a word.
+    /// The letters occur in the name in order, the first at the start of a word.
     Letters,
 }
 
-/// Leaves out what does not match the typed letters, and what does not fit where none are; orders the rest; says whether items were cut off.
+/// Removes items that do not match the typed letters and, if no letters are typed, items of a wrong
+/// type. Sorts the rest, and returns true if it was truncated.
 pub fn rank(items: &mut Vec<Item>, typed: &str) -> bool {
     let mut matched: Vec<(Match, Item)> = std::mem::take(items)
         .into_iter()

@@ -1,4 +1,4 @@
-//! What the sources of items know of a cursor: the names it sees, and what is expected there.
+//! Information about a cursor for the sources of items: visible names, and the expected type.
 
 use super::context::{CompletionSite, Context, Operator, Slot, Value};
 use crate::ide::callee::{self, matched, position};
@@ -11,15 +11,15 @@ use calyx_lang::lexer::Kind;
 use calyx_lang::units::UnitSystem;
 use std::ops::Range;
 
-/// A cursor and what is known around it.
+/// A cursor with its analysis.
 pub struct Request<'a> {
     pub database: &'a Database,
     pub file: &'a str,
     pub context: Context<'a>,
     pub visible: Vec<Visible>,
-    /// The one the file names, or SI.
+    /// Unit system of the file, or SI.
     pub system: UnitSystem,
-    /// The call the cursor is in, its parameters, and the one the cursor gives.
+    /// Innermost call, its parameters, and the active one.
     pub call: Option<Called>,
     pub expected: Expected,
 }
@@ -27,25 +27,26 @@ pub struct Request<'a> {
 /// The innermost call.
 pub struct Called {
     pub callable: Callable,
-    /// Of the parameters.
+    /// Index of the active parameter.
     pub active: Option<usize>,
-    /// Parameters that have no argument yet but for the one the cursor is in.
+    /// Parameters without an argument; the argument at the cursor does not count.
     pub left: Vec<usize>,
-    /// An argument in order may stand here: none before it has a name.
+    /// True if a positional argument is valid: no named argument precedes it.
     pub in_order: bool,
 }
 
-/// What is expected of the value at the cursor.
+/// Expectation for the value at the cursor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
     pub shape: Shape,
-    /// `:=` keeps the expression.
+    /// True if `:=` binds the expression.
     pub symbolic: bool,
-    /// The texts it may be.
+    /// Allowed texts.
     pub choices: Vec<String>,
-    /// A number that only hints at its dimension by its name.
+    /// Dimension suggested by the name only.
     pub hint: Option<Dimension>,
-    /// `shape` is of the whole value; the operand at the cursor may be something else.
+    /// True if `shape` is the type of the whole value, and the operand at the cursor may have
+    /// another one.
     pub weak: bool,
 }
 
@@ -91,7 +92,8 @@ impl<'a> Request<'a> {
         request
     }
 
-    /// Whether the cursor is in what a name declares: a function's body, a record's fields.
+    /// Returns true if the cursor is inside the declaration of a name: a function's body, a
+    /// record's fields.
     pub fn is_around(&self, known: &Visible) -> bool {
         let around = &self.context.around;
         let Some(place) = known.declared.as_ref().filter(|place| *place.file == *self.file) else {
@@ -101,12 +103,12 @@ impl<'a> Request<'a> {
         heads.any(|name| around.range(name).start == place.start as usize)
     }
 
-    /// A name the cursor sees.
+    /// Returns a visible name.
     pub fn find(&self, name: &str) -> Option<&Visible> {
         self.visible.iter().find(|known| *known.name == *name)
     }
 
-    /// The text of some tokens.
+    /// Returns the text of some tokens.
     pub fn source(&self, tokens: &Range<usize>) -> &'a str {
         let around = &self.context.around;
         let Some(last) = tokens.end.checked_sub(1).filter(|last| *last >= tokens.start) else { return "" };
@@ -125,7 +127,7 @@ impl<'a> Request<'a> {
         Some(Called { active, left: matched.left, in_order: matched.in_order, callable })
     }
 
-    /// What is expected of a value's operand at the cursor.
+    /// Returns the expectation for the operand at the cursor.
     fn expected(&self, value: &Value) -> Expected {
         let symbolic = self.context.is_symbolic()
             || self.call.as_ref().is_some_and(|call| {
@@ -159,7 +161,7 @@ impl<'a> Request<'a> {
         }
     }
 
-    /// What is expected of a whole value.
+    /// Returns the expectation for a whole value.
     fn whole(&self, slot: &Slot) -> Expected {
         let of = |shape: Shape| Expected { shape, ..Expected::default() };
         match slot {
@@ -216,7 +218,7 @@ impl<'a> Request<'a> {
         }
     }
 
-    /// What the function around the cursor says it returns.
+    /// Returns the declared result type of the function around the cursor.
     fn returned(&self) -> Shape {
         let around = &self.context.around;
         let mut blocks = self.context.blocks.iter();
@@ -234,7 +236,7 @@ impl<'a> Request<'a> {
         }
     }
 
-    /// The value of the `switch` around the cursor.
+    /// Returns the expectation from the value of the `switch` around the cursor.
     fn switched(&self) -> Expected {
         let around = &self.context.around;
         let mut blocks = self.context.blocks.iter();
@@ -251,7 +253,7 @@ impl<'a> Request<'a> {
         Expected { shape: self.shape_of(&value), choices: self.choices_of(&value), ..Expected::default() }
     }
 
-    /// The texts that a param or parameter may be, as its declaration says.
+    /// Returns the allowed texts of a param or parameter, from its declaration.
     fn choices_of(&self, tokens: &Range<usize>) -> Vec<String> {
         let around = &self.context.around;
         let place = self.find(self.source(tokens)).and_then(|known| known.declared.as_ref());
@@ -272,14 +274,14 @@ impl<'a> Request<'a> {
     }
 }
 
-/// What a parameter expects.
+/// Returns the expectation of a parameter.
 fn parameter(parameter: &CallParameter) -> Expected {
     let shape = match (Shape::read(&parameter.ty), parameter.dimension) {
         (Shape::Number(_), Some(dimension)) => Shape::Number(Some(dimension)),
         (shape, _) => shape,
     };
     let choices = match parameter.choices.is_empty() && holds_text(&shape) {
-        // What the engine allows stands in the documentation alone.
+        // Texts that only the engine checks are listed in the documentation.
         true => quoted(parameter.doc.as_deref().unwrap_or_default()),
         false => parameter.choices.clone(),
     };
@@ -294,12 +296,12 @@ fn holds_text(shape: &Shape) -> bool {
     }
 }
 
-/// The texts between double quotes.
+/// Returns the texts between double quotes.
 fn quoted(text: &str) -> Vec<String> {
     text.split('"').skip(1).step_by(2).map(str::to_string).collect()
 }
 
-/// The factor that makes a product with `left` what is wanted.
+/// Returns the type of the other factor in a product of type `wanted` with `left`.
 fn other_factor(wanted: &Shape, left: &Shape, divides: bool) -> Shape {
     let quotient = |wanted: &Option<Dimension>, left: &Option<Dimension>| {
         wanted.zip(*left).map(|(wanted, left)| if divides { left.over(wanted) } else { wanted.over(left) })
@@ -315,7 +317,7 @@ fn other_factor(wanted: &Shape, left: &Shape, divides: bool) -> Shape {
     }
 }
 
-/// The unit system that the file names.
+/// Returns the unit system of the file.
 fn system(context: &Context<'_>) -> UnitSystem {
     let around = &context.around;
     let mut at = 0;
@@ -328,7 +330,7 @@ fn system(context: &Context<'_>) -> UnitSystem {
     UnitSystem::default()
 }
 
-/// What a gear engineer calls lengths, and other words that say a dimension.
+/// Words for lengths and other quantities in gear engineering, by dimension.
 const WORDS: &[(&str, &[&str])] = &[
     (
         "Length",
@@ -359,7 +361,7 @@ const WORDS: &[(&str, &[&str])] = &[
     ("Time", &["duration"]),
 ];
 
-/// The dimension that a name suggests: the last word of `tip_radius` is a length.
+/// Returns the dimension that the last word of a name suggests: `tip_radius` is a length.
 pub fn hint(name: &str) -> Option<Dimension> {
     let mut words = name.rsplit('_').filter(|word| word.chars().any(char::is_alphabetic));
     let word = words.next()?.to_lowercase();

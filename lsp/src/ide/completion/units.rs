@@ -1,4 +1,5 @@
-//! Units behind numbers and in formats: those of the dimension that is wanted first, in the file's system.
+//! Completion of units after numbers and in formats: first those of the expected dimension and the
+//! file's unit system.
 
 use super::context::{CompletionSite, Operator, Value};
 use super::item::{Insert, Item, ItemKind, Rank, Subject};
@@ -10,7 +11,7 @@ use calyx_lang::dimension::{Dimension, Rational};
 use calyx_lang::lexer::Kind;
 use calyx_lang::units::{Unit, UnitSystem};
 
-/// Products of units that engineers write, in the order in which they are offered.
+/// Compound units common in engineering, in the order they are offered.
 const COMPOUND: &[&str] = &[
     "N*m",
     "N*mm",
@@ -71,24 +72,24 @@ const COMPOUND: &[&str] = &[
     "lbf*inch/s",
 ];
 
-/// Units of other systems than the metric ones.
+/// Units of systems other than metric ones.
 const OF_INCH: &[&str] = &["inch", "ft", "mil", "microinch", "lbm", "slug", "lbf", "psi", "ksi", "Msi", "hp"];
 
-/// Units that gears are rarely measured in.
+/// Units seldom used for gears.
 const SELDOM: &[&str] =
     &["m", "cm", "km", "ft", "J", "bar", "kgf", "MN", "Msi", "slug", "hour", "us", "rev", "arcmin", "arcsec"];
 
-/// What is written of an angle and a speed, whatever the system shows.
+/// Preferred units of angle and angular velocity, in all unit systems.
 const PREFERRED: &[(&str, &str)] = &[("Angle", "deg"), ("AngularVelocity", "rpm")];
 
-/// A unit that can be offered.
+/// A unit to offer.
 struct Offered {
     name: String,
     dimension: Dimension,
     factor: f64,
 }
 
-/// Behind a number, or behind a number with a unit and a `*` or `/`.
+/// Offers units after a number, or after a number with a unit and a `*` or `/`.
 pub fn units(request: &Request<'_>, items: &mut Vec<Item>) {
     let expected = &request.expected;
     match &request.context.spot {
@@ -109,7 +110,7 @@ pub fn units(request: &Request<'_>, items: &mut Vec<Item>) {
     }
 }
 
-/// In a format: of the dimension of what is shown.
+/// Offers units in a format, of the dimension of the formatted value.
 pub fn format_units(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>) {
     let wanted = ExpectedUnit {
         dimension: shape.dimension(),
@@ -122,15 +123,15 @@ pub fn format_units(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>)
 
 struct ExpectedUnit {
     dimension: Option<Dimension>,
-    /// It is demanded, and not only suggested by a name.
+    /// True if the type requires the dimension, false if a name only suggests it.
     sure: bool,
-    /// Units of other dimensions are offered too.
+    /// True if units of other dimensions are offered too.
     rest: bool,
-    /// So are products.
+    /// True if compound units are offered too.
     compound: bool,
 }
 
-/// `None` where no unit belongs behind a number.
+/// Returns the expected unit; `None` if no unit is valid after the number.
 fn wanted(request: &Request<'_>) -> Option<ExpectedUnit> {
     let expected = &request.expected;
     let typed = typed(request);
@@ -143,7 +144,7 @@ fn wanted(request: &Request<'_>) -> Option<ExpectedUnit> {
             Some(ExpectedUnit { dimension: Some(*dimension), sure, rest: typed || !sure, compound: true })
         }
         Shape::Named(name) if name == "String" || (name == "Bool" && !expected.weak) => None,
-        // A dimension of the program's own has units of its own.
+        // A declared dimension has declared units.
         Shape::Named(_) if !expected.weak => {
             Some(ExpectedUnit { dimension: None, sure: true, rest: typed, compound: false })
         }
@@ -155,7 +156,7 @@ fn typed(request: &Request<'_>) -> bool {
     !request.context.around.prefix().is_empty()
 }
 
-/// `10 / inch`: a unit under the line has no number of its own.
+/// Formats `10 / inch`: a unit in the denominator follows the `/` without a number.
 fn insert_behind_number(unit: &Offered) -> String {
     match unit.name.strip_prefix("1/") {
         Some(below) => format!("/ {below}"),
@@ -208,24 +209,26 @@ fn offer(
     own(request, shape, items);
 }
 
-/// A soft angle is no reason to offer radians for a number.
+/// Returns true if a unit has the expected dimension. Dimensions that differ in the exponent of
+/// angle match for rates only, so that radians are not offered for a number.
 fn is_measured(unit: Dimension, wanted: Dimension) -> bool {
     unit == wanted || (unit.fits(wanted) && !wanted.is_none() && !unit.is_none() && is_rate(wanted))
 }
 
-/// Frequencies and speeds of rotation differ in the angle alone.
+/// Returns true for frequency and angular velocity, which differ in the exponent of angle only.
 fn is_rate(dimension: Dimension) -> bool {
     matches!(dimension.known_name(), Some("Frequency" | "AngularVelocity"))
 }
 
-/// All units of the language, and products of them; the system's own unit of the wanted dimension too.
+/// Returns all builtin units and compound units, including the system's own unit of the expected
+/// dimension.
 fn all(request: &Request<'_>, coherent: Option<&str>) -> Vec<Offered> {
     let simple = Unit::all().iter().map(|unit| Offered {
         name: unit.name.to_string(),
         dimension: unit.dimension,
         factor: unit.factor,
     });
-    // A variable that has the name of a unit is the variable, but for right behind a number.
+    // A variable with the name of a unit hides it, except directly after a number.
     let hidden = |name: &str| {
         let mut factors = name.split(['*', '/']).skip(1);
         factors.any(|factor| request.find(factor.split('^').next().unwrap_or(factor)).is_some())
@@ -236,7 +239,7 @@ fn all(request: &Request<'_>, coherent: Option<&str>) -> Vec<Offered> {
     simple.chain(products).collect()
 }
 
-/// `lbf*s^2/inch`
+/// Parses a product of units, such as `lbf*s^2/inch`.
 fn product(name: &str) -> Option<Offered> {
     let mut offered = Offered { name: name.to_string(), dimension: Dimension::NONE, factor: 1.0 };
     let mut divides = false;
@@ -259,13 +262,13 @@ fn is_inch(name: &str) -> bool {
     name.split(['*', '/', '^']).any(|factor| OF_INCH.contains(&factor))
 }
 
-/// Seconds and degrees are of every system.
+/// Returns true for seconds and degrees, which belong to every system.
 fn is_neutral(unit: &Offered) -> bool {
     let dimension = unit.dimension.without_angle();
     dimension.is_none() || matches!(dimension.known_name(), Some("Time" | "Frequency" | "Temperature"))
 }
 
-/// `Moment, 0.112985 N*m`
+/// Formats dimension and value of a unit: `Moment, 0.112985 N*m`.
 fn detail(unit: &Offered) -> String {
     let base = UnitSystem::Si.unit_of(unit.dimension).name;
     match unit.dimension.is_none() {
@@ -275,7 +278,7 @@ fn detail(unit: &Offered) -> String {
     }
 }
 
-/// Six significant digits, as short as they go.
+/// Formats up to six significant digits.
 fn shortest(value: f64) -> String {
     let magnitude = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
     if !(-5..9).contains(&magnitude) {
@@ -288,7 +291,7 @@ fn shortest(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
 }
 
-/// Units that the program and its modules declare.
+/// Offers units that the program and its modules declare.
 fn own(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>) {
     let mut known: Vec<_> =
         request.visible.iter().filter(|known| known.kind == NameKind::Unit).cloned().collect();

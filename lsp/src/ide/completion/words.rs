@@ -1,4 +1,5 @@
-//! Where only a few names can stand: types, modules, unit systems, labels, components and fields, allowed values.
+//! Completion from closed lists: types, modules, unit systems, labels, components and fields,
+//! allowed values.
 
 use super::context::Value;
 use super::item::{Insert, Item, ItemKind, Rank, Subject};
@@ -12,7 +13,7 @@ use calyx_lang::lexer::Kind;
 use calyx_lang::units::UnitSystem;
 use std::collections::BTreeSet;
 
-/// Types that are no dimensions, and what they hold.
+/// Types other than dimensions, with their description.
 const TYPES: &[(&str, &str)] = &[
     ("Bool", "TRUE or FALSE"),
     ("String", "a text"),
@@ -22,11 +23,11 @@ const TYPES: &[(&str, &str)] = &[
     ("Observable", "what the engine observes at each step"),
 ];
 
-/// What gears are described with.
+/// Common dimensions in gear models.
 const USUAL: &[&str] =
     &["Length", "Number", "Angle", "Force", "Moment", "Pressure", "AngularVelocity", "Time", "Stiffness"];
 
-/// Types and dimensions.
+/// Offers types and dimensions.
 pub fn types(request: &Request<'_>, items: &mut Vec<Item>) {
     let around = &request.context.around;
     // Only dimensions have products.
@@ -35,7 +36,7 @@ pub fn types(request: &Request<'_>, items: &mut Vec<Item>) {
     for (order, known) in request.visible.iter().enumerate() {
         let record = known.kind == NameKind::Record && !product && !request.is_around(known);
         if known.kind == NameKind::Dimension || record {
-            // `Error` is seen by all, and rarely meant.
+            // `Error` is visible everywhere and seldom meant.
             let origin = if known.level.is_some() { 0 } else { 3 };
             let mut item = Item::new(known.name.to_string(), ItemKind::Type, rank(origin, order));
             item.detail = known.kind.describe().to_string();
@@ -69,7 +70,7 @@ pub fn types(request: &Request<'_>, items: &mut Vec<Item>) {
     }
 }
 
-/// Names of what the functions of imported modules make.
+/// Returns the types of handles that functions of imported modules return.
 fn handles(request: &Request<'_>) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     for module in request.visible.iter().filter(|known| known.kind == NameKind::Module) {
@@ -87,7 +88,7 @@ fn handles(request: &Request<'_>) -> BTreeSet<String> {
     found
 }
 
-/// `module.` in a type: its records and dimensions.
+/// Offers records and dimensions of a module: `module.` in a type.
 pub fn types_of(request: &Request<'_>, module: &str, items: &mut Vec<Item>) {
     let Some(path) = callee::module_path(request.database, &request.visible, module) else { return };
     for (order, known) in request.database.members(&path).iter().enumerate() {
@@ -101,7 +102,8 @@ pub fn types_of(request: &Request<'_>, module: &str, items: &mut Vec<Item>) {
     }
 }
 
-/// `import `: modules that can be found and are not imported yet, below what is written of the path.
+/// Offers modules after `import ` that exist and are not imported yet, below the written part of
+/// the path.
 pub fn modules(request: &Request<'_>, written: &[String], beside: &[String], items: &mut Vec<Item>) {
     let around = &request.context.around;
     let imported = super::imports::imported(around);
@@ -127,7 +129,7 @@ pub fn modules(request: &Request<'_>, written: &[String], beside: &[String], ite
     }
 }
 
-/// `units `
+/// Offers unit systems after `units `.
 pub fn systems(request: &Request<'_>, items: &mut Vec<Item>) {
     let around = &request.context.around;
     let systems = [UnitSystem::MmNS, UnitSystem::InchLbfS, UnitSystem::Si];
@@ -144,7 +146,7 @@ pub fn systems(request: &Request<'_>, items: &mut Vec<Item>) {
     }
 }
 
-/// `goto `: labels of the function around the cursor, or of the top level.
+/// Offers labels after `goto `: those of the function around the cursor, or of the top level.
 pub fn labels(request: &Request<'_>, items: &mut Vec<Item>) {
     let around = &request.context.around;
     let function =
@@ -169,7 +171,7 @@ pub fn labels(request: &Request<'_>, items: &mut Vec<Item>) {
     }
 }
 
-/// Components of a vector, fields of a record.
+/// Offers components of a vector and fields of a record.
 pub fn parts(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>) {
     if let Shape::Vector(dimension) = shape {
         let detail = dimension.map(|dimension| dimension.to_string()).unwrap_or_default();
@@ -189,9 +191,9 @@ pub fn parts(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>) {
     }
 }
 
-/// The texts that are allowed, with their quotes where the cursor is not between quotes.
+/// Offers the allowed texts, with quotes if the cursor is not between quotes.
 pub fn choices(request: &Request<'_>, quoted: bool, items: &mut Vec<Item>) {
-    // Texts that stand in the same list already are not given twice.
+    // Texts already in the same list are not offered again.
     for (order, choice) in request.expected.choices.iter().enumerate() {
         let label = if quoted { format!("\"{choice}\"") } else { choice.clone() };
         let rank = Rank { order: order as u32, ..Rank::default() };
@@ -201,7 +203,7 @@ pub fn choices(request: &Request<'_>, quoted: bool, items: &mut Vec<Item>) {
     }
 }
 
-/// `TRUE` and `FALSE`, where nothing else is asked for.
+/// Prefers `TRUE` and `FALSE` if nothing else is expected.
 pub fn truths(items: &mut [Item], request: &Request<'_>, value: &Value) {
     if super::keywords::is_truth(value, request) {
         for item in items.iter_mut().filter(|item| matches!(item.label.as_str(), "TRUE" | "FALSE")) {

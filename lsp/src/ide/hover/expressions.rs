@@ -1,4 +1,5 @@
-//! What elaboration knows of a name: the simplified expression that a `:=` name stands for, and the value that a variable ends with.
+//! Hover text from the elaboration of a name: the simplified expression of a `:=` name, and the
+//! final value of a variable.
 
 use super::code;
 use crate::ide::Snapshot;
@@ -9,11 +10,11 @@ use calyx_lang::analysis::SourceRange;
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 
-/// Longer expressions are for `calyx dump`.
+/// Longest displayed expression; longer ones are available from `calyx dump`.
 const LONGEST: usize = 400;
 
-/// The expression that what is declared at a place stands for, simplified, and the symbols it is free in. Nothing if the model
-/// was not elaborated with it.
+/// Returns the simplified expression of the declaration at a position, and its free symbols; `None`
+/// if the model was not elaborated with it.
 pub(super) fn of(snapshot: &Snapshot, place: &SourceRange) -> Option<(Option<String>, String)> {
     let database = &snapshot.database;
     let tree = database.around(&place.file, place.start)?;
@@ -28,7 +29,7 @@ pub(super) fn of(snapshot: &Snapshot, place: &SourceRange) -> Option<(Option<Str
     })
 }
 
-/// The expression, if it is another than what is written.
+/// Returns the expression if it differs from the written one.
 fn expression(found: &Binding, written: &str) -> Option<String> {
     let infix = found.expression.as_ref()?;
     let squeezed = |text: &str| text.split_whitespace().collect::<String>();
@@ -57,7 +58,7 @@ fn symbols(found: &Binding) -> String {
     let mut facts = Vec::new();
     match (free.is_empty(), observed.is_empty()) {
         (true, true) => facts.push("depends on no symbol".to_string()),
-        // What is observed changes from position to position: that is said alone.
+        // Observables vary with the position, which is stated instead.
         (true, false) => {}
         (false, _) => facts.push(format!("depends on {free}")),
     }
@@ -71,8 +72,8 @@ fn symbols(found: &Binding) -> String {
     facts.join(" · ")
 }
 
-/// The value that a variable of a model's top level has in the end, at the params' defaults. Nothing if the text has changed
-/// since.
+/// Returns the final value of a variable at a model's top level, with the params' defaults; `None`
+/// if the text has changed since.
 pub(super) fn value(
     snapshot: &Snapshot,
     place: &SourceRange,

@@ -1,4 +1,4 @@
-//! What follows from the gear or mesh that a call makes, from the latest elaboration.
+//! Hover text with the derived geometry of a gear or mesh, from the latest elaboration.
 
 use crate::ide::Snapshot;
 use crate::ide::elaborated::Elaborated;
@@ -10,11 +10,11 @@ use calyx_lang::analysis::{Name, NameKind, SourceRange};
 use calyx_lang::ast::ExprKind;
 use calyx_lang::units::UnitSystem;
 
-/// Meshes of one gear that are shown.
+/// Largest number of meshes shown for a gear.
 const MOST_MESHES: usize = 3;
 
-/// The derived geometry of what the call of a name makes, or the call that a variable has its value of. Nothing if nothing is known, or
-/// an edit has touched the call since.
+/// Returns the derived geometry of the gear or mesh that a named call creates, or that a variable
+/// is initialized with; `None` if it is unknown, or an edit has touched the call since.
 pub(super) fn of(snapshot: &Snapshot, file: &str, name: &Name, system: UnitSystem) -> Option<String> {
     let (file, offset) = call(snapshot, file, name)?;
     let each = snapshot.elaborated.values();
@@ -22,7 +22,7 @@ pub(super) fn of(snapshot: &Snapshot, file: &str, name: &Name, system: UnitSyste
         let gear = elaborated.gear_at(&snapshot.database, &file, offset);
         let is_this = |span| {
             let now = elaborated.now(&snapshot.database, span);
-            // The smallest call around may be one that this is an argument of.
+            // The smallest call around may have this call as an argument.
             now.is_some_and(|place| callee_end(snapshot, &place) == Some(offset))
         };
         if let Some(gear) = gear.filter(|gear| is_this(gear.span)) {
@@ -33,7 +33,7 @@ pub(super) fn of(snapshot: &Snapshot, file: &str, name: &Name, system: UnitSyste
     })
 }
 
-/// File and end of the name that is called.
+/// Returns file and end of the name of the callee.
 fn call(snapshot: &Snapshot, file: &str, name: &Name) -> Option<(String, u32)> {
     match (name.kind, &name.declared) {
         (NameKind::Extern | NameKind::Function, _) => Some((file.to_string(), name.end)),
@@ -47,7 +47,7 @@ fn call(snapshot: &Snapshot, file: &str, name: &Name) -> Option<(String, u32)> {
     }
 }
 
-/// Where the name that is called ends in the call at a place.
+/// Returns the end of the callee's name in the call at a position.
 fn callee_end(snapshot: &Snapshot, place: &SourceRange) -> Option<u32> {
     let tree = snapshot.database.around(&place.file, place.start)?;
     let around = EnclosingNodes::new(&tree.module, place.start..place.end);
@@ -103,7 +103,7 @@ fn rows<'q>(quantities: impl Iterator<Item = &'q Quantity>, system: UnitSystem) 
     each.collect()
 }
 
-/// The head of a table stands above its rule.
+/// Formats a table; the title is above the header rule.
 fn table(title: &str, rows: &str) -> String {
     format!("| {title} | |\n|---|---|\n{}", rows.trim_end())
 }

@@ -1,4 +1,4 @@
-//! What is known of what is at a cursor, as Markdown: of names, arguments, numbers, units and words of the language.
+//! Hover texts as Markdown: for names, arguments, numbers, units and keywords.
 
 mod expressions;
 mod gears;
@@ -10,26 +10,27 @@ use super::{Position, Snapshot};
 use calyx_lang::lexer::Kind;
 use std::ops::Range;
 
-/// A card about a range of a file.
+/// Hover text for a range of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hover {
     pub range: Range<u32>,
     pub markdown: String,
 }
 
-/// What is known of what is at a cursor.
+/// Returns the hover text at a cursor.
 pub fn hover(snapshot: &Snapshot, at: &Position) -> Option<Hover> {
     let database = &snapshot.database;
     if let Some(name) = database.name_at(&at.file, at.offset) {
         let range = name.start..name.end;
-        // A unit says more together with its number.
+        // A unit is described with its number.
         let markdown = numbers::of_unit(snapshot, at, &name).or_else(|| names::of(snapshot, at, &name))?;
         return Some(Hover { range, markdown });
     }
     numbers::at(snapshot, at).or_else(|| words::at(snapshot, at)).or_else(|| operator(snapshot, at))
 }
 
-/// The type of what an operator makes: a chain of products shows where a dimension goes wrong.
+/// Returns the type of an operator's result: in a chain of products it shows where a dimension is
+/// wrong.
 fn operator(snapshot: &Snapshot, at: &Position) -> Option<Hover> {
     let database = &snapshot.database;
     let tokens = database.tokens(&at.file)?;
@@ -40,12 +41,12 @@ fn operator(snapshot: &Snapshot, at: &Position) -> Option<Hover> {
     Some(Hover { range: typed.start..typed.end, markdown: format!("`{}`", typed.ty) })
 }
 
-/// A block of source.
+/// Formats a block of source code.
 fn code(text: &str) -> String {
     format!("```calyx\n{text}\n```")
 }
 
-/// Paragraphs without the empty ones.
+/// Joins the non-empty paragraphs.
 fn paragraphs(parts: impl IntoIterator<Item = Option<String>>) -> String {
     let parts: Vec<String> = parts.into_iter().flatten().filter(|part| !part.trim().is_empty()).collect();
     parts.join("\n\n")

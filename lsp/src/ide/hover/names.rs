@@ -1,4 +1,4 @@
-//! What a name means: its declaration, type, value and documentation.
+//! Hover text of a name: declaration, type, value and documentation.
 
 use super::words::card;
 use super::{code, expressions, gears, numbers, paragraphs};
@@ -10,10 +10,10 @@ use calyx_lang::dimension::Dimension;
 use calyx_lang::help;
 use calyx_lang::units::UnitSystem;
 
-/// Lines of a declaration that are shown.
+/// Largest number of lines of a declaration.
 const MOST_LINES: usize = 16;
 
-/// A card about a name at a cursor.
+/// Returns the hover text of a name at a cursor.
 pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<String> {
     let database = &snapshot.database;
     let Some(place) = &name.declared else { return of_language(name) };
@@ -33,7 +33,7 @@ pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<Stri
     {
         let value =
             numbers::value(known.si, known.dimension.or(dimension).unwrap_or(Dimension::NONE), system);
-        // What stands there already need not be said again.
+        // Omits a value that is in the declaration.
         if !declaration.header.contains(&format!("= {value}")) {
             facts.truncate(1);
             let ty = facts.pop().unwrap_or_default();
@@ -66,14 +66,14 @@ pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<Stri
     let made = gears::of(snapshot, &at.file, name, system);
     let called = matches!(name.kind, NameKind::Function | NameKind::SymbolicFunction | NameKind::Extern);
     let head = match called {
-        // What parameters are for is said where they are pointed at.
+        // Comments of parameters are shown for the parameters.
         true => code(&shortened(&without_comments(&declaration.header))),
         false => code(&shortened(&declaration.header)),
     };
     Some(paragraphs([Some(head), expression, facts, free, made, declaration.doc]))
 }
 
-/// What every program has.
+/// Returns the hover text of a builtin name.
 fn of_language(name: &Name) -> Option<String> {
     let head = match (name.kind, &name.ty) {
         (NameKind::Builtin, Some(scheme)) => format!("{}{scheme}", name.text),
@@ -84,7 +84,7 @@ fn of_language(name: &Name) -> Option<String> {
     Some(paragraphs([Some(code(&head)), Some(card(help))]))
 }
 
-/// The parameter or field that is declared at a place, as it is called.
+/// Returns the parameter or field declared at a position.
 fn parameter(database: &Database, place: &SourceRange) -> Option<CallParameter> {
     let tree = database.around(&place.file, place.start)?;
     let owner = match find(&tree.module, place.start)?.1 {
@@ -97,14 +97,14 @@ fn parameter(database: &Database, place: &SourceRange) -> Option<CallParameter> 
     callable.parameters.into_iter().find(|parameter| parameter.declared.as_ref() == Some(place))
 }
 
-/// What an argument is: its type, what it is if it is left out, what it may be.
+/// Describes an argument: type, default and range.
 fn of_parameter(parameter: &CallParameter, declaration: &Declaration, system: UnitSystem) -> String {
     let mut facts = Vec::new();
     let written = declaration.header.contains(&format!(": {}", parameter.ty));
     match parameter.ty.as_str() {
         "" | "_" => {}
         _ if written => {}
-        // Letters stand for what a call decides.
+        // Lowercase letters are type variables, determined by the call.
         ty if ty.len() == 1 && ty.starts_with(char::is_lowercase) => {
             facts.push("a number of any dimension".into())
         }
@@ -129,7 +129,7 @@ fn of_parameter(parameter: &CallParameter, declaration: &Declaration, system: Un
     paragraphs([Some(code(&declaration.header)), facts, parameter.doc.clone()])
 }
 
-/// The dimension of the number that a name holds.
+/// Returns the dimension of a numeric name.
 fn dimension(snapshot: &Snapshot, at: &Position, name: &Name, place: &SourceRange) -> Option<Dimension> {
     let database = &snapshot.database;
     let here = database.expressions(&at.file, name.start..name.end);
@@ -145,7 +145,7 @@ fn dimension(snapshot: &Snapshot, at: &Position, name: &Name, place: &SourceRang
     known.or_else(first).or_else(named)
 }
 
-/// Type, and the unit in which the file shows it.
+/// Formats the type, and the unit in which the file shows it.
 fn type_line(
     name: &Name,
     declaration: &Declaration,
@@ -155,7 +155,7 @@ fn type_line(
     let mut facts = Vec::new();
     let Some(ty) = name.ty.as_deref().or(declaration.ty.as_deref()) else { return facts };
     let shown = match name.kind {
-        // Their types are written in the declaration.
+        // Their types are in the declaration.
         NameKind::Extern | NameKind::Record | NameKind::Dimension | NameKind::Unit | NameKind::Module => None,
         NameKind::Function | NameKind::SymbolicFunction => (!declaration.header.contains("->")).then_some(ty),
         _ => Some(ty),
@@ -171,10 +171,10 @@ fn without_comments(header: &str) -> String {
     header.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 
-/// A declaration that fits a card.
+/// Shortens a declaration.
 fn shortened(header: &str) -> String {
     let lines: Vec<&str> = header.lines().collect();
-    // Lines below the first are indented as they stand in the file.
+    // Lines after the first one keep their relative indentation.
     let indent = lines.iter().skip(1).filter(|line| !line.trim().is_empty());
     let indent = indent.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0).saturating_sub(4);
     let shown = lines.iter().enumerate().take(MOST_LINES);

@@ -1,4 +1,4 @@
-//! Numbers and units: the same in other units, and what a unit is.
+//! Hover text of numbers and units: conversions, and definitions of units.
 
 use super::{Hover, paragraphs};
 use crate::ide::enclosing::EnclosingNodes;
@@ -13,13 +13,13 @@ use calyx_lang::ir::DisplayUnit;
 use calyx_lang::lexer::Kind;
 use calyx_lang::units::{Unit, UnitSystem};
 
-/// Other units that are shown for one quantity.
+/// Largest number of other units for one quantity.
 const MOST_UNITS: usize = 5;
 
-/// Digits of a number that is shown as it is.
+/// Largest number of digits shown.
 const MOST_DIGITS: usize = 9;
 
-/// The literal at a cursor.
+/// Returns the hover text of the literal at a cursor.
 pub(super) fn at(snapshot: &Snapshot, at: &Position) -> Option<Hover> {
     let database = &snapshot.database;
     let tokens = database.tokens(&at.file)?;
@@ -34,7 +34,7 @@ pub(super) fn at(snapshot: &Snapshot, at: &Position) -> Option<Hover> {
     if !measured.unit.name.is_empty() {
         return Some(Hover { range, markdown: in_other_units(&measured, system)? });
     }
-    // Without a unit of its own it may have one by its use.
+    // A literal without a unit may have one from its context.
     let typed = database.expressions(&at.file, range.clone());
     let here = typed.iter().find(|typed| (typed.start, typed.end) == (range.start, range.end))?;
     let dimension = here.dimension.filter(|dimension| here.bare && !dimension.is_none())?;
@@ -44,7 +44,7 @@ pub(super) fn at(snapshot: &Snapshot, at: &Position) -> Option<Hover> {
     Some(Hover { range, markdown: paragraphs([Some(by_use), equal(&bare, system)]) })
 }
 
-/// The unit that a name is, and the quantity it belongs to.
+/// Describes the unit of a name, with the quantity it belongs to.
 pub(super) fn of_unit(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<String> {
     if name.kind != NameKind::Unit || name.declared.is_some() {
         return None;
@@ -59,7 +59,7 @@ pub(super) fn of_unit(snapshot: &Snapshot, at: &Position, name: &Name) -> Option
     Some(paragraphs([Some(meaning(&name.text, unit, system)), other]))
 }
 
-/// `lbf`: Force, 4.4482216152605 N.
+/// Formats the definition of a unit: `lbf`: Force, 4.4482216152605 N.
 fn meaning(name: &str, unit: &Unit, system: UnitSystem) -> String {
     let dimension = unit.dimension.known_name().unwrap_or("Number");
     let si = UnitSystem::Si.unit_of(unit.dimension);
@@ -88,7 +88,7 @@ fn system_of(snapshot: &Snapshot, file: &str) -> Option<UnitSystem> {
     Some(snapshot.database.system(file).unwrap_or_default())
 }
 
-/// The widest product of a literal and units around a place.
+/// Returns the largest product of a literal and units around a position.
 fn measured(snapshot: &Snapshot, at: &Position, start: u32) -> Option<(LiteralWithUnit, UnitSystem)> {
     let database = &snapshot.database;
     let tree = database.around(&at.file, start)?;
@@ -98,7 +98,7 @@ fn measured(snapshot: &Snapshot, at: &Position, start: u32) -> Option<(LiteralWi
         .expressions()
         .filter(|e| !matches!(e.kind, ExprKind::Name(_)))
         .find_map(|e| LiteralWithUnit::new(e, &is_unit));
-    // A cursor between two literals belongs to the later one in the tree.
+    // Between two literals, the later one is found in the tree.
     Some((
         found.filter(|found| found.start <= start && start <= found.end)?,
         database.system(&at.file).unwrap_or_default(),
@@ -111,7 +111,7 @@ fn in_other_units(measured: &LiteralWithUnit, system: UnitSystem) -> Option<Stri
     Some(paragraphs([name, equal(measured, system)]))
 }
 
-/// A line with the same quantity in other units.
+/// Formats a line with the same quantity in other units.
 fn equal(measured: &LiteralWithUnit, system: UnitSystem) -> Option<String> {
     let dimension = measured.dimension().filter(|_| measured.value.is_finite())?;
     let others = usual(dimension, system).into_iter().filter(|unit| unit.name != measured.unit.name);
@@ -125,7 +125,7 @@ fn equal(measured: &LiteralWithUnit, system: UnitSystem) -> Option<String> {
     (!shown.is_empty()).then(|| shown.join(" "))
 }
 
-/// A quantity in a unit with as many digits as people read, and whether that is all of them.
+/// Formats a quantity in a unit, rounded for display, and returns whether it is exact.
 fn rounded(si: f64, unit: &DisplayUnit) -> (String, bool) {
     let (exact, _) = in_unit(si, unit.factor);
     let digits = exact.bytes().filter(u8::is_ascii_digit).count();
@@ -136,13 +136,13 @@ fn rounded(si: f64, unit: &DisplayUnit) -> (String, bool) {
     (written(&text, &unit.name), whole)
 }
 
-/// The name of a dimension for people, with the unit it is shown in.
+/// Formats the name of a dimension, with its display unit.
 pub(super) fn shown_in(dimension: Dimension, system: UnitSystem) -> Option<String> {
     let unit = system.unit_of(dimension).name;
     (!unit.is_empty()).then(|| format!("in `{unit}`"))
 }
 
-/// A number known from the text, in the unit of the file.
+/// Formats a number known from the text, in the unit of the file.
 pub(super) fn value(si: f64, dimension: Dimension, system: UnitSystem) -> String {
     rounded(si, &system.unit_of(dimension)).0
 }

@@ -1,16 +1,16 @@
-//! Distinguishes messages of JSON-RPC from other texts.
+//! Validation of JSON-RPC messages.
 
 use serde_json::{Value, json};
 use std::str::from_utf8;
 use tower_lsp_server::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 
-/// Method of the request that stands for a malformed message.
+/// Method of the request that represents a malformed message.
 pub const MALFORMED: &str = "calyx/malformedMessage";
 
 /// Error of a malformed message.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Malformed {
-    /// The code of JSON-RPC.
+    /// Error code of JSON-RPC.
     pub code: i64,
     pub problem: String,
     /// Id of the answer; JSON-RPC requires `null` if the message has no valid one.
@@ -18,23 +18,23 @@ pub struct Malformed {
 }
 
 impl Malformed {
-    /// A message that is no JSON text, or has no header.
+    /// Returns the error of a message that is no JSON text, or has no header.
     pub(super) fn unparsable(problem: String) -> Malformed {
         Malformed { code: ErrorCode::ParseError.code(), problem, id: Id::Null }
     }
 
-    /// A JSON text that is no message.
+    /// Returns the error of a JSON text that is no message.
     fn invalid(problem: impl Into<String>, id: Id) -> Malformed {
         Malformed { code: ErrorCode::InvalidRequest.code(), problem: problem.into(), id }
     }
 
-    /// The request that stands for this message.
+    /// Returns the request that represents this message.
     pub(super) fn request(&self) -> String {
         let params = json!({ "code": self.code, "message": self.problem });
         json!({ "jsonrpc": "2.0", "id": self.id, "method": MALFORMED, "params": params }).to_string()
     }
 
-    /// The answer to a request that stands for a malformed message.
+    /// Returns the answer to a request that represents a malformed message.
     pub fn answer(params: Option<&Value>) -> Error {
         let code = params.and_then(|params| params.get("code")).and_then(Value::as_i64);
         let message = params.and_then(|params| params.get("message")).and_then(Value::as_str);
@@ -47,7 +47,7 @@ impl Malformed {
     }
 }
 
-/// Reads the body of a message. Returns it as JSON that the crate below can decode.
+/// Decodes the body of a message. Returns JSON that the protocol crate can decode.
 pub(super) fn decode(body: &[u8]) -> Result<String, Malformed> {
     let text = from_utf8(body).map_err(|error| {
         let at = error.valid_up_to();
@@ -71,7 +71,7 @@ pub(super) fn decode(body: &[u8]) -> Result<String, Malformed> {
         return refused("`id` must be a string or a whole number of 64 bits");
     }
     let text = message.to_string();
-    // The library below must not fail to decode it: that would end its input.
+    // The protocol crate must not fail to decode the message: that would end its input.
     let decoded = match message.get("method") {
         Some(Value::String(_)) => serde_json::from_value::<Request>(message).map(|_| ()),
         Some(_) => return refused("`method` must be a string"),

@@ -1,4 +1,4 @@
-//! A stream that contains only messages that are well formed.
+//! Stream that contains well-formed messages only.
 
 use super::Framing;
 use std::io;
@@ -6,18 +6,19 @@ use std::pin::Pin;
 use std::task::{Context, Poll};
 use tokio::io::{AsyncRead, ReadBuf};
 
-/// Most bytes taken from the client at a time.
+/// Largest number of bytes read from the client at a time.
 const CHUNK: usize = 16 << 10;
 
-/// Reads from a client.
+/// Reader of the messages of a client.
 pub struct Reader<R, F> {
     inner: R,
     framing: Framing,
-    /// The message being passed on, and how much of it has been.
+    /// Message in transfer.
     message: Vec<u8>,
+    /// Number of bytes of the message already passed on.
     passed: usize,
     ended: bool,
-    /// Receives the reason if the stream ends within a message, or with an error.
+    /// Callback that receives the reason if the stream ends within a message, or with an error.
     report: F,
 }
 

@@ -1,9 +1,10 @@
-//! Streams as data: each malformed message is reported, and the messages after it are read.
+//! Tests on streams as data: each malformed message is reported, and the messages after it are
+//! read.
 
 use super::*;
 use std::fmt::Write;
 
-/// Reads a stream in pieces of so many bytes. Messages are shown by their method or id, errors by
+/// Reads a stream in pieces of `piece` bytes. Messages are shown by their method or id, errors by
 /// their code and id.
 fn read(stream: &[u8], piece: usize) -> String {
     let mut framing = Framing::default();
@@ -33,7 +34,7 @@ fn request(method: &str) -> String {
     framed(&format!(r#"{{"jsonrpc":"2.0","id":1,"method":"{method}"}}"#))
 }
 
-/// A well-formed message before and one after each stream are read whatever it is.
+/// The well-formed messages before and after each stream are always read.
 #[test]
 fn malformed_messages_are_reported_and_skipped() {
     let body = r#"{"jsonrpc":"2.0","id":1,"method":"m"}"#;
@@ -124,7 +125,7 @@ fn a_stream_that_ends_within_a_message_says_so() {
     }
 }
 
-/// Bytes that belong to no message are not kept.
+/// Bytes that belong to no message are not stored.
 #[test]
 fn memory_is_bounded() {
     let mut framing = Framing::default();

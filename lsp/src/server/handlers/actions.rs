@@ -39,7 +39,7 @@ fn kind(of: ActionKind) -> CodeActionKind {
 
 fn code_actions(view: &View, params: CodeActionParams) -> Result<Option<Vec<CodeActionOrCommand>>> {
     let Some(range) = view.bytes(&view.file, params.range) else { return Ok(None) };
-    // A kind stands for all below it: `refactor` for `refactor.extract`.
+    // A kind includes its subkinds: `refactor` includes `refactor.extract`.
     let wanted = |action: &Action| {
         let own = kind(action.kind);
         params.context.only.as_ref().is_none_or(|only| {
@@ -51,7 +51,7 @@ fn code_actions(view: &View, params: CodeActionParams) -> Result<Option<Vec<Code
         })
     };
     let mut found = actions(&view.snapshot, &view.file, range);
-    // What changes a whole file is shown to who asks for it.
+    // Actions on a whole file are returned on request only.
     if params.context.only.is_some() {
         found.extend(fix_all(&view.snapshot, &view.file));
     }

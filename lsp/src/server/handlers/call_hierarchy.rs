@@ -1,4 +1,4 @@
-//! Who calls a function, and whom it calls.
+//! Call hierarchy: callers and callees of a function.
 
 use crate::ide::call_hierarchy::{Calls, Item, incoming, outgoing, prepare};
 use crate::server::router::Router;
@@ -60,8 +60,8 @@ fn ranges(view: &View, file: &str, calls: &Calls) -> Vec<Range> {
     calls.ranges.iter().filter_map(|(start, end)| view.range(file, *start..*end)).collect()
 }
 
-/// An item as clients know it. It remembers its place, and the document that the client asked about first: a file of the library need
-/// not be open.
+/// Converts an item. Its data has its position and the document of the initial request, because a
+/// library file need not be open.
 fn shown(view: &View, item: &Item, asked: &Uri) -> Option<CallHierarchyItem> {
     let SourceRange { file, start, end } = &item.place;
     Some(CallHierarchyItem {
@@ -76,7 +76,7 @@ fn shown(view: &View, item: &Item, asked: &Uri) -> Option<CallHierarchyItem> {
     })
 }
 
-/// The place of an item that a client asks about, and the document it was found from.
+/// Returns the position of an item from a client, and the document of the initial request.
 fn meant(item: &CallHierarchyItem) -> Option<(SourceRange, Uri)> {
     let data = item.data.as_ref()?;
     let offset = |key| data.get(key).and_then(Value::as_u64).map(|offset| offset as u32);

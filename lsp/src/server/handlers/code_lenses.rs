@@ -1,4 +1,4 @@
-//! What can be done with a declaration, shown above it.
+//! Code lenses: actions above a declaration.
 
 use crate::ide::code_lenses::{self, Lens, lenses, uses};
 use crate::ide::source::Source;
@@ -32,7 +32,7 @@ fn of_document(view: &View, params: CodeLensParams) -> Result<Option<Vec<CodeLen
             Lens::Run => (command("▶ Run", RUN, vec![json!(uri)]), None),
             Lens::ExplainPlan => (command("Explain plan", PLAN, vec![json!(uri)]), None),
             Lens::RunTest(name) => (command("▶ Run test", TEST, vec![json!(uri), json!(name)]), None),
-            // Counted when it is seen.
+            // The count is computed when the lens is resolved.
             Lens::Uses(place) => (None, Some(json!({ "uri": uri, "start": place.start, "end": place.end }))),
         };
         Some(CodeLens { range, command, data })
@@ -40,7 +40,7 @@ fn of_document(view: &View, params: CodeLensParams) -> Result<Option<Vec<CodeLen
     Ok(Some(lenses(&source, &view.file).into_iter().filter_map(convert).collect()))
 }
 
-/// Says how often a declaration is used.
+/// Resolves the number of uses of a declaration.
 fn resolve(view: &View, lens: CodeLens) -> Result<CodeLens> {
     let offset = |key| lens.data.as_ref()?.get(key)?.as_u64().map(|offset| offset as u32);
     let (Some(start), Some(end)) = (offset("start"), offset("end")) else { return Ok(lens) };
@@ -50,7 +50,7 @@ fn resolve(view: &View, lens: CodeLens) -> Result<CodeLens> {
         1 => "1 use".to_string(),
         several => format!("{several} uses"),
     };
-    // Showing them is a command of the client's that not every client has.
+    // The command to show references is client-specific and not available everywhere.
     let command = Some(Command { title, command: String::new(), arguments: None });
     Ok(CodeLens { command, data: None, ..lens })
 }

@@ -1,4 +1,4 @@
-//! What can be written at a cursor, and what is called around it.
+//! Completion and signature help.
 
 use crate::ide::completion::{self, AfterInsert, Completions, Item, ItemKind, Subject};
 use crate::ide::signature;
@@ -54,9 +54,9 @@ fn complete(view: &View, params: CompletionParams) -> Result<Option<CompletionRe
     Ok(list(view, uri, &position.file, found).map(CompletionResponse::List))
 }
 
-/// Dotted paths of the files that a model can import because they lie beside it or in a folder beside it.
+/// Returns the dotted paths of the importable files in the folder of a model and its subfolders.
 fn modules_beside(file: &str) -> Vec<String> {
-    /// A folder with more files is no folder of models.
+    /// Largest number of files listed in a folder.
     const MOST_FILES: usize = 200;
     let Some(folder) = Path::new(file).parent() else { return Vec::new() };
     let entries = |folder: &Path| {
@@ -71,13 +71,13 @@ fn modules_beside(file: &str) -> Vec<String> {
     files.filter_map(|path| dotted(folder, path)).collect()
 }
 
-/// What a client can show.
+/// Relevant capabilities of the client.
 struct ClientSupport {
     snippets: bool,
     label_details: bool,
     indents: bool,
     commit_characters: bool,
-    /// Commands it can be sent.
+    /// Commands that the client accepts.
     commands: Vec<String>,
 }
 
@@ -88,7 +88,7 @@ impl ClientSupport {
             document.and_then(|document| document.completion.as_ref());
         let item = completion.and_then(|completion| completion.completion_item.as_ref());
         let modes = item.and_then(|item| item.insert_text_mode_support.as_ref());
-        // As rust-analyzer has it: the client lists its own commands.
+        // As in rust-analyzer: the client lists its own commands.
         let experimental = client.capabilities.experimental.as_ref();
         let commands = experimental.and_then(|value| value.pointer("/commands/commands")?.as_array());
         ClientSupport {
@@ -151,7 +151,8 @@ fn additional(view: &View, file: &str, item: &Item) -> Option<Vec<TextEdit>> {
     Some(view.text_edits(file, &[import]))
 }
 
-/// Only behind a module there is one thing to type.
+/// Returns the dot for modules, after which it is the only continuation; other items have no commit
+/// characters.
 fn commit_characters(kind: ItemKind) -> Option<Vec<String>> {
     (kind == ItemKind::Name(NameKind::Module)).then(|| vec![".".to_owned()])
 }
@@ -182,10 +183,10 @@ fn kind(kind: ItemKind) -> CompletionItemKind {
     }
 }
 
-/// What an item is about, on its way to the client and back.
+/// Subject of an item, stored in its data.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 struct Data {
-    /// Says which project it is about.
+    /// Identifies the project.
     uri: Uri,
     about: About,
 }
@@ -195,7 +196,7 @@ struct Data {
 enum About {
     /// File, start, end.
     Place(String, u32, u32),
-    /// The same and the parameter's name.
+    /// File, start, end, and the parameter's name.
     Parameter(String, u32, u32, String),
     Builtin(String),
     Keyword(String),
@@ -234,7 +235,7 @@ impl Data {
     }
 }
 
-/// Documentation of the one item that is looked at.
+/// Returns the documentation of one item.
 fn resolve(view: &View, mut item: CompletionItem) -> Result<CompletionItem> {
     let data = item.data.clone().and_then(|data| serde_json::from_value::<Data>(data).ok());
     if let Some(data) = data {
@@ -261,7 +262,7 @@ fn signature_help(view: &View, params: SignatureHelpParams) -> Result<Option<Sig
         .unwrap_or(false);
     let parameters = found.parameters.iter().map(|parameter| {
         let text = found.label.get(parameter.label.clone()).unwrap_or_default();
-        // In units of UTF-16, whatever positions are counted in.
+        // Labels are always counted in UTF-16, independent of the position encoding.
         let start =
             found.label.get(..parameter.label.start).map_or(0, |before| before.encode_utf16().count());
         let end = start + text.encode_utf16().count();
@@ -273,7 +274,7 @@ fn signature_help(view: &View, params: SignatureHelpParams) -> Result<Option<Sig
             documentation: (!parameter.doc.is_empty()).then(|| markdown(parameter.doc.clone())),
         }
     });
-    // None of them is one behind the last.
+    // An index past the end means that no parameter is active.
     let active = found.active.unwrap_or(found.parameters.len()) as u32;
     let signature = SignatureInformation {
         documentation: found.doc.clone().map(markdown),

@@ -1,4 +1,4 @@
-//! Laying out texts: whole, in part, and while somebody types.
+//! Formatting of a document, of a range, and on typing.
 
 use crate::ide::formatting::{Change, format_file, format_selection};
 use crate::ide::on_type_formatting::{TRIGGERS, typed};
@@ -28,7 +28,7 @@ pub fn route(router: &mut Router) {
     router.on::<OnTypeFormatting>(on_type);
 }
 
-/// A text with errors of syntax is left as it is: its diagnostics say why.
+/// Formats a document. A text with syntax errors remains unchanged: its diagnostics explain them.
 fn document(view: &View, _: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     Ok(Some(edits(view, &format_file(&source))))
@@ -43,7 +43,7 @@ fn range(view: &View, params: DocumentRangeFormattingParams) -> Result<Option<Ve
 fn on_type(view: &View, params: DocumentOnTypeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     let Some(position) = view.position(&params.text_document_position) else { return Ok(None) };
-    // Some clients name a carriage return with the line feed.
+    // Some clients send a carriage return with the line feed.
     let Some(character) = params.ch.chars().next_back() else { return Ok(None) };
     Ok(Some(edits(view, &typed(&source, position.offset, character))))
 }

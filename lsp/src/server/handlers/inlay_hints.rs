@@ -1,4 +1,4 @@
-//! Hints beside what is written.
+//! Inlay hints.
 
 use crate::ide::inlay_hints::{Hint, HintKind, HintSettings, OutputResult, Results, hints};
 use crate::ide::source::Source;
@@ -27,7 +27,7 @@ fn inlay_hints(view: &View, params: InlayHintParams) -> Result<Option<Vec<InlayH
     Ok(Some(found.into_iter().filter_map(|hint| convert(view, hint)).collect()))
 }
 
-/// What the last run of the model gave.
+/// Returns the results of the last run of the model.
 fn results(view: &View, text: &str) -> Results {
     let Some(run) = view.run(&view.file) else { return Results::default() };
     let outputs = run.outputs.iter().map(|(name, output)| {

@@ -1,8 +1,8 @@
-//! Answers to requests, one file a group of features.
+//! Request handlers, one file per group of features.
 //!
-//! A handler finds its place with [`View`](super::view::View)'s conversions, asks [`ide`](crate::ide), and converts what
-//! it says. A new group has a file here with a function `offer`, which says what it can, and a function `route`, which connects methods
-//! with functions; both are called below.
+//! A handler converts positions with [`View`](super::view::View), queries [`ide`](crate::ide), and
+//! converts the result. Each file has a function `offer`, which sets the capabilities, and a
+//! function `route`, which registers the handlers; both are called below.
 
 mod actions;
 mod call_hierarchy;
@@ -18,7 +18,7 @@ use super::client::Client;
 use super::router::Router;
 use tower_lsp_server::ls_types::ServerCapabilities;
 
-/// Says what is offered.
+/// Sets the capabilities of all handlers.
 pub fn offer(client: &Client, capabilities: &mut ServerCapabilities) {
     actions::offer(capabilities);
     completion::offer(client, capabilities);
@@ -31,7 +31,7 @@ pub fn offer(client: &Client, capabilities: &mut ServerCapabilities) {
     structure::offer(capabilities);
 }
 
-/// The requests that are answered.
+/// Returns the router with all handlers.
 pub fn router() -> Router {
     let mut router = Router::default();
     actions::route(&mut router);

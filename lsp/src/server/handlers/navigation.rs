@@ -1,4 +1,4 @@
-//! Finding one's way: cards, declarations, uses, and other names for things.
+//! Navigation: hover, declarations, references and rename.
 
 use crate::ide::definition::{Definition, definition, type_definition};
 use crate::ide::hover::hover;
@@ -39,7 +39,7 @@ pub fn offer(client: &Client, capabilities: &mut ServerCapabilities) {
 pub fn route(router: &mut Router) {
     router.on::<HoverRequest>(hovered);
     router.on::<GotoDefinition>(|view, params| Ok(defined(view, &params, definition_at)));
-    // A name has one declaration, which defines it.
+    // A name has one declaration, which is its definition.
     router.on::<GotoDeclaration>(|view, params| Ok(defined(view, &params, definition_at)));
     router.on::<GotoTypeDefinition>(|view, params| Ok(defined(view, &params, type_at)));
     router.on::<References>(referred);
@@ -62,7 +62,7 @@ fn hovered(view: &View, params: HoverParams) -> Result<Option<Hover>> {
     }))
 }
 
-/// Markdown of our cards without its marks.
+/// Converts the Markdown of hover texts to plain text.
 fn plain(markdown: &str) -> String {
     let lines = markdown.lines().filter(|line| !line.starts_with("```"));
     lines.map(|line| line.replace('`', "")).collect::<Vec<_>>().join("\n")
@@ -118,7 +118,7 @@ fn highlighted(view: &View, params: DocumentHighlightParams) -> Result<Option<Ve
     Ok(Some(each.collect()))
 }
 
-/// A request that is in order and cannot be done, as the protocol says.
+/// Error code of the protocol for a valid request that cannot be fulfilled.
 const REQUEST_FAILED: i64 = -32803;
 
 fn refused(refusal: Refusal) -> Error {

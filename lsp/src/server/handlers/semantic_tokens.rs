@@ -1,4 +1,4 @@
-//! Colours of words, whole, in part, and as what has changed since the last time.
+//! Semantic tokens: of a document, of a range, and as a difference from the previous answer.
 
 use crate::ide::semantic_tokens::{Difference, KINDS, MODIFIERS, difference, tokens};
 use crate::ide::source::Source;
@@ -39,7 +39,7 @@ pub fn route(router: &mut Router) {
     router.on::<SemanticTokensRangeRequest>(range);
 }
 
-/// What clients were last told of each document that is open.
+/// Last answer for each open document.
 #[derive(Default)]
 struct SentTokens(Mutex<Answers>);
 
@@ -50,7 +50,7 @@ struct Answers {
 }
 
 impl SentTokens {
-    /// Keeps an answer, gives it an id, and forgets documents that have been closed.
+    /// Stores an answer under a new id, and drops those of closed documents.
     fn keep(&self, view: &View, uri: &Uri, data: Vec<SemanticToken>) -> String {
         let mut answers = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         answers.count += 1;
@@ -60,7 +60,7 @@ impl SentTokens {
         id
     }
 
-    /// Takes the answer of an id.
+    /// Takes the answer with an id.
     fn take(&self, uri: &Uri, id: &str) -> Option<Vec<SemanticToken>> {
         let mut answers = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let known = answers.last.get(uri).is_some_and(|(known, _)| known == id);
@@ -79,7 +79,7 @@ fn full(
     Ok(Some(SemanticTokens { result_id, data }.into()))
 }
 
-/// What has changed since an answer, or everything if it is not known any more.
+/// Returns the difference from an earlier answer, or all tokens if that is unknown.
 fn delta(
     told: &SentTokens,
     view: &View,
@@ -90,7 +90,7 @@ fn delta(
     let before = told.take(uri, &params.previous_result_id);
     let result_id = Some(told.keep(view, uri, data.clone()));
     let Some(before) = before else { return Ok(Some(SemanticTokens { result_id, data }.into())) };
-    // The protocol counts numbers, of which a token has five.
+    // Numbers per token in the encoding of the protocol.
     const NUMBERS: u32 = 5;
     let edit = |change: Difference<SemanticToken>| SemanticTokensEdit {
         start: NUMBERS * change.start as u32,
@@ -111,7 +111,7 @@ fn whole(view: &View) -> Option<Vec<SemanticToken>> {
     encoded(view, 0..view.file(&view.file)?.text.len())
 }
 
-/// The tokens of a range, each placed relative to the one before it.
+/// Encodes the tokens of a range, each relative to the previous one.
 fn encoded(view: &View, range: Range<u32>) -> Option<Vec<SemanticToken>> {
     let source = Source::of(&view.snapshot, &view.file)?;
     let names = view.snapshot.database.names_in(&view.file, range.clone());

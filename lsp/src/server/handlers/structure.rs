@@ -1,4 +1,4 @@
-//! Outline, search for declarations, folds, selections, links.
+//! Outline, workspace symbols, folding, selection ranges, links.
 
 use crate::ide::document_links::links;
 use crate::ide::folding::{FoldKind, folds};
@@ -40,7 +40,7 @@ pub fn route(router: &mut Router) {
     router.on::<DocumentLinkRequest>(document_links);
 }
 
-/// As clients draw it.
+/// Converts the kind of a symbol.
 pub(super) fn symbol_kind(kind: SymbolKind) -> ls_types::SymbolKind {
     match kind {
         SymbolKind::Param => ls_types::SymbolKind::PROPERTY,
@@ -108,7 +108,7 @@ fn flatten(view: &View, symbols: Vec<Symbol>, container: Option<&str>, flat: &mu
 }
 
 fn search(views: &[View], params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {
-    // Projects may share files, the library's at least.
+    // Projects may share files, at least those of the library.
     let mut files: HashMap<Arc<str>, (&View, Source<'_>)> = HashMap::new();
     for view in views {
         for name in view.files.keys() {
@@ -164,7 +164,7 @@ fn selection(view: &View, params: SelectionRangeParams) -> Result<Option<Vec<Sel
             let Some(range) = view.range(&view.file, start..end) else { continue };
             around = Some(Box::new(SelectionRange { range, parent: around }));
         }
-        // There is always the file; an answer belongs to each position.
+        // Every position requires an answer; the range of the file always exists.
         answers.push(around.map_or_else(SelectionRange::default, |range| *range));
     }
     Ok(Some(answers))

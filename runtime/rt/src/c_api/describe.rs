@@ -1,4 +1,4 @@
-//! What a model says of itself, for C.
+//! C API: description of the params and outputs of a model.
 
 use super::{CInstance, CStatus, State, c_text, store, text, with};
 use crate::error::Error;
@@ -6,16 +6,16 @@ use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::units::from_si;
 use std::ffi::{CString, c_char};
 
-/// Texts of a param or an output.
+/// C strings of a param or an output.
 struct Texts {
     name: CString,
     doc: CString,
     unit: CString,
 }
 
-/// A description whose texts end with a zero.
+/// Description of a model with C strings.
 pub(super) struct Described {
-    /// With default and range in the param's unit.
+    /// Strings, and default and range in the param's unit.
     params: Vec<(Texts, [f64; 3])>,
     outputs: Vec<Texts>,
 }
@@ -61,23 +61,23 @@ pub struct OutputInfo {
     pub unit: *const c_char,
 }
 
-/// How many params the model has.
+/// Returns the number of params.
 ///
 /// # Safety
 /// `instance` is NULL or alive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_param_count(instance: *const CInstance) -> usize {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { instance.as_ref() }.map_or(0, |instance| instance.described.params.len())
 }
 
-/// How many outputs the model has.
+/// Returns the number of outputs.
 ///
 /// # Safety
 /// `instance` is NULL or alive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_output_count(instance: *const CInstance) -> usize {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { instance.as_ref() }.map_or(0, |instance| instance.described.outputs.len())
 }
 
@@ -86,7 +86,7 @@ fn none_of(index: usize, what: &str, count: usize) -> Error {
     Error::given(format!("the model has {count} {what}s, and none of number {index}"), help)
 }
 
-/// What a param is.
+/// Describes a param.
 ///
 /// # Safety
 /// `instance` is NULL or alive, `info` NULL or valid for writing.
@@ -103,15 +103,15 @@ pub unsafe extern "C" fn calyx_param_at(
         let (default_value, low, high) = (*default_value, *low, *high);
         let [name, doc, unit] = [name, doc, unit].map(|text| text.as_ptr());
         let found = ParamInfo { name, doc, unit, default_value, low, high };
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(info, "the place for the param", found) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// What an output is.
+/// Describes an output.
 ///
 /// # Safety
 /// `instance` is NULL or alive, `info` NULL or valid for writing.
@@ -126,18 +126,19 @@ pub unsafe extern "C" fn calyx_output_at(
         let Texts { name, doc, unit } =
             outputs.get(output).ok_or_else(|| none_of(output, "output", outputs.len()))?;
         let [name, doc, unit] = [name, doc, unit].map(|text| text.as_ptr());
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(info, "the place for the output", OutputInfo { name, doc, unit }) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// The output of a name.
+/// Looks up an output by name.
 ///
 /// # Safety
-/// `instance` is NULL or alive, `name` NULL or a text that ends with a zero, `output` NULL or valid for writing.
+/// `instance` is NULL or alive, `name` NULL or a null-terminated string, `output` NULL or valid for
+/// writing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_output_named(
     instance: *const CInstance,
@@ -145,12 +146,12 @@ pub unsafe extern "C" fn calyx_output_named(
     output: *mut usize,
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         let found = state.instance.output(unsafe { text(name, "the name of the output") }?)?;
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(output, "the place for the output", found.index()) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }

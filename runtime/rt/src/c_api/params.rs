@@ -1,4 +1,4 @@
-//! Params, limits and printing, for C.
+//! C API: params, limits and printing.
 
 use super::{CInstance, CStatus, State, c_text, store, text, with};
 use crate::error::Error;
@@ -8,7 +8,7 @@ use calyx_abi::units::from_si;
 use std::ffi::{c_char, c_int, c_void};
 use std::time::Duration;
 
-/// Sets a param to a value that is read from what C gave.
+/// Sets a param to a value that `value` converts from C.
 ///
 /// # Safety
 /// `instance` as for [`with`], `param` as for [`text`].
@@ -18,29 +18,29 @@ unsafe fn set(
     value: impl FnOnce() -> Result<AssignedValue, Error>,
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         let param = unsafe { text(param, "the name of the param") }?;
         state.instance.set(param, value()?)?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
 /// Sets a param to a number in the unit of its default.
 ///
 /// # Safety
-/// `instance` is NULL or alive, `param` NULL or a text that ends with a zero.
+/// `instance` is NULL or alive, `param` NULL or a null-terminated string.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_set(instance: *mut CInstance, param: *const c_char, value: f64) -> CStatus {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { set(instance, param, || Ok(AssignedValue::Number(value))) }
 }
 
 /// Sets a param to a number in a unit.
 ///
 /// # Safety
-/// As for [`calyx_set`], and `unit` is NULL or a text that ends with a zero.
+/// As for [`calyx_set`], and `unit` is NULL or a null-terminated string.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_set_in(
     instance: *mut CInstance,
@@ -48,11 +48,11 @@ pub unsafe extern "C" fn calyx_set_in(
     value: f64,
     unit: *const c_char,
 ) -> CStatus {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { set(instance, param, || Ok(AssignedValue::Quantity(value, text(unit, "the unit")?.into()))) }
 }
 
-/// Sets a param that is TRUE or FALSE.
+/// Sets a Boolean param.
 ///
 /// # Safety
 /// As for [`calyx_set`].
@@ -62,40 +62,40 @@ pub unsafe extern "C" fn calyx_set_bool(
     param: *const c_char,
     value: c_int,
 ) -> CStatus {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { set(instance, param, || Ok(AssignedValue::Bool(value != 0))) }
 }
 
-/// Sets a param to what a text says.
+/// Sets a param to a value parsed from a text.
 ///
 /// # Safety
-/// As for [`calyx_set`], and `value` is NULL or a text that ends with a zero.
+/// As for [`calyx_set`], and `value` is NULL or a null-terminated string.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_set_text(
     instance: *mut CInstance,
     param: *const c_char,
     value: *const c_char,
 ) -> CStatus {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { set(instance, param, || Ok(AssignedValue::Text(text(value, "the text")?.into()))) }
 }
 
-/// Gives a param its default again.
+/// Resets a param to its default.
 ///
 /// # Safety
 /// As for [`calyx_set`].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_reset(instance: *mut CInstance, param: *const c_char) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         state.instance.reset(unsafe { text(param, "the name of the param") }?)?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// What a param would be in a run, in the unit of its default.
+/// Returns the value that a param would have in a run, in the unit of its default.
 ///
 /// # Safety
 /// As for [`calyx_set`], and `value` is NULL or valid for writing.
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn calyx_get(
     value: *mut f64,
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         let name = unsafe { text(param, "the name of the param") }?;
         let found = state.instance.param(name)?;
         let number = match state.instance.get(found)? {
@@ -119,11 +119,11 @@ pub unsafe extern "C" fn calyx_get(
                 return Err(Error::given(format!("`{name}` is a text, not a number"), ""));
             }
         };
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(value, "the place for the value", number) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
@@ -139,7 +139,7 @@ pub unsafe extern "C" fn calyx_limit_time(instance: *mut CInstance, seconds: f64
         state.instance.limit_time((!limit.is_zero()).then_some(limit));
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
@@ -153,30 +153,31 @@ pub unsafe extern "C" fn calyx_limit_memory(instance: *mut CInstance, bytes: u64
         state.instance.limit_memory((bytes != 0).then_some(bytes));
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// A function of C that takes lines, with what it wants back.
+/// C function that receives a line, with the user pointer of the program.
 type Print = unsafe extern "C" fn(line: *const c_char, user: *mut c_void);
 
 struct Printer(Print, *mut c_void);
 
-// SAFETY: the header says that the function is called by a thread of the run; what `user` points to is the program's own
-// business, and here it is only handed back.
+// SAFETY: the header states that a thread of the run calls the function. The `user` pointer is only
+// passed back; its thread safety is the responsibility of the program.
 unsafe impl Send for Printer {}
 
 impl Printer {
     fn print(&self, line: &str) {
-        // SAFETY: the program gave this function for this, with this pointer.
+        // SAFETY: the program registered this function to be called with this pointer.
         unsafe { (self.0)(c_text(line).as_ptr(), self.1) }
     }
 }
 
-/// Says what takes the lines that the model prints.
+/// Sets the function that receives the lines that the model prints.
 ///
 /// # Safety
-/// As for [`calyx_set`], and `print` is NULL or may be called with `user` until another is given or the instance is freed.
+/// As for [`calyx_set`], and `print` is NULL or may be called with `user` until it is replaced or
+/// the instance is freed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_on_print(
     instance: *mut CInstance,
@@ -190,6 +191,6 @@ pub unsafe extern "C" fn calyx_on_print(
         }
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }

@@ -1,4 +1,4 @@
-//! Runs and what they yield, for C.
+//! C API: runs and their results.
 
 use super::{CInstance, CStatus, State, c_text, lock, store, text, with};
 use crate::error::Error;
@@ -9,14 +9,14 @@ use calyx_abi::Cancel;
 use calyx_runtime::results::OutputSummary;
 use std::ffi::{CString, c_char};
 
-/// How far an instance has come.
+/// State of the runs of an instance.
 #[derive(Default)]
 pub(super) struct Running {
-    /// The run under way.
+    /// Current run.
     run: Option<Run>,
-    /// The position solved last, and the name of its point.
+    /// Last solved position, and the name of its characteristic point.
     step: Option<(Step, CString)>,
-    /// Of the run that was completed last.
+    /// Results of the last completed run.
     results: Option<Results>,
 }
 
@@ -48,7 +48,7 @@ impl From<OutputSummary> for Summary {
     }
 }
 
-/// Solves the next position, of a new run if none is under way.
+/// Solves the next position; starts a new run if there is no current one.
 ///
 /// # Safety
 /// `instance` is NULL or alive.
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn calyx_step(instance: *mut CInstance) -> CStatus {
             let cancel = Cancel::default();
             state.instance.set_cancel(cancel.clone());
             *lock(&instance.cancel) = cancel;
-            // What was read of an earlier run is not of this one.
+            // Discards the state of the previous run.
             state.running = Running { run: Some(state.instance.run()?), ..Running::default() };
         }
         let Some(run) = &mut state.running.run else { return Ok(CStatus::End) };
@@ -80,11 +80,11 @@ pub unsafe extern "C" fn calyx_step(instance: *mut CInstance) -> CStatus {
             }
         }
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// Ends a run under way.
+/// Ends the current run.
 ///
 /// # Safety
 /// As for [`calyx_step`].
@@ -94,17 +94,17 @@ pub unsafe extern "C" fn calyx_stop(instance: *mut CInstance) -> CStatus {
         state.running.run = None;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// Ends the run under way soon. Waits for nobody: the thread that steps holds the state's lock.
+/// Cancels the current run. Does not wait: the thread that steps holds the lock of the state.
 ///
 /// # Safety
 /// As for [`calyx_step`], and the instance is not freed meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_cancel(instance: *const CInstance) -> CStatus {
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     let Some(instance) = (unsafe { instance.as_ref() }) else { return CStatus::Null };
     lock(&instance.cancel).cancel();
     CStatus::Ok
@@ -135,7 +135,7 @@ impl State {
     }
 }
 
-/// The position solved last.
+/// Returns the last solved position.
 ///
 /// # Safety
 /// As for [`calyx_step`], and `position` is NULL or valid for writing.
@@ -152,15 +152,15 @@ pub unsafe extern "C" fn calyx_where(instance: *const CInstance, position: *mut 
             roll_angle: at.roll,
             point: point.as_ptr(),
         };
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(position, "the place for the position", found) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// An output at the position solved last, in the unit the model shows it in.
+/// Returns an output at the last solved position, in the unit in which the model shows it.
 ///
 /// # Safety
 /// As for [`calyx_step`], and `value` is NULL or valid for writing.
@@ -168,18 +168,18 @@ pub unsafe extern "C" fn calyx_where(instance: *const CInstance, position: *mut 
 pub unsafe extern "C" fn calyx_output(instance: *const CInstance, output: usize, value: *mut f64) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
         let number = state.step()?.0.value(state.output(output)?)?;
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(value, "the place for the value", number) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// An output at the position solved last, in a unit.
+/// Returns an output at the last solved position, in the given unit.
 ///
 /// # Safety
-/// As for [`calyx_output`], and `unit` is NULL or a text that ends with a zero.
+/// As for [`calyx_output`], and `unit` is NULL or a null-terminated string.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_output_in(
     instance: *const CInstance,
@@ -188,18 +188,19 @@ pub unsafe extern "C" fn calyx_output_in(
     value: *mut f64,
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         let unit = unsafe { text(unit, "the unit") }?;
         let number = state.step()?.0.in_unit(state.output(output)?, unit)?;
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(value, "the place for the value", number) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// An output over all positions of the run completed last, in the unit the model shows it in.
+/// Returns the summary of an output over all positions of the last completed run, in the unit in
+/// which the model shows it.
 ///
 /// # Safety
 /// As for [`calyx_step`], and `summary` is NULL or valid for writing.
@@ -211,18 +212,19 @@ pub unsafe extern "C" fn calyx_summarize(
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
         let found = state.results()?.summary(state.output(output)?)?;
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(summary, "the place for the summary", found.into()) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }
 
-/// An output over all positions of the run completed last, in a unit.
+/// Returns the summary of an output over all positions of the last completed run, in the given
+/// unit.
 ///
 /// # Safety
-/// As for [`calyx_summarize`], and `unit` is NULL or a text that ends with a zero.
+/// As for [`calyx_summarize`], and `unit` is NULL or a null-terminated string.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn calyx_summarize_in(
     instance: *const CInstance,
@@ -231,13 +233,13 @@ pub unsafe extern "C" fn calyx_summarize_in(
     summary: *mut Summary,
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         let unit = unsafe { text(unit, "the unit") }?;
         let found = state.results()?.summary_in(state.output(output)?, unit)?;
-        // SAFETY: as promised by the caller.
+        // SAFETY: guaranteed by the caller.
         unsafe { store(summary, "the place for the summary", found.into()) }?;
         Ok(CStatus::Ok)
     };
-    // SAFETY: as promised by the caller.
+    // SAFETY: guaranteed by the caller.
     unsafe { with(instance, body) }
 }

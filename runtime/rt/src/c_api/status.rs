@@ -1,4 +1,4 @@
-//! What functions for C return.
+//! C API: status codes.
 
 use crate::error::{Error, ErrorKind};
 use std::ffi::{c_char, c_int};
@@ -30,7 +30,7 @@ impl CStatus {
     }
 }
 
-/// What a status means. Takes any number, for that is what C may pass.
+/// Returns a description of a status. Accepts any number, because C may pass any.
 #[unsafe(no_mangle)]
 pub extern "C" fn calyx_status_message(status: c_int) -> *const c_char {
     let message = match status {

@@ -1,4 +1,4 @@
-//! The page's sections about the run itself: what went in, what was modelled, how well it was solved, how long it took.
+//! Sections of the report about the run itself: inputs, model, solver residuals and timing.
 
 use super::read::{End, Run};
 use super::{accuracy, number, paragraphs, prose};
@@ -14,7 +14,7 @@ fn texts(value: &Value) -> impl Iterator<Item = &str> {
     value.as_array().into_iter().flatten().filter_map(Value::as_str)
 }
 
-/// What everybody wants to know first.
+/// Shows the key facts of the run.
 pub fn facts(run: &Run) -> Markup {
     html! {
         p.facts {
@@ -26,9 +26,9 @@ pub fn facts(run: &Run) -> Markup {
     }
 }
 
-/// What must not be missed: that a run is not whole, what it could not see, what deserves a second look.
+/// Shows the notices: an incomplete run, ignored inputs, warnings.
 pub fn notices(run: &Run) -> Markup {
-    // What has no value stands in a list of its own.
+    // Outputs without values are listed separately.
     let others = texts(&run.head["warnings"]).filter(|warning| !warning.starts_with("E0780:"));
     let warnings: Vec<&str> = others.collect();
     let ignored: Vec<_> = objects(&run.head["ignored_inputs"]).collect();
@@ -73,7 +73,7 @@ pub fn notices(run: &Run) -> Markup {
     }
 }
 
-/// What is modelled at which level, and what is left out.
+/// Shows the fidelity levels of the model, and the inputs they ignore.
 pub fn plan(run: &Run) -> Markup {
     let plan = &run.head["plan"];
     if plan.is_null() {
@@ -108,7 +108,7 @@ pub fn plan(run: &Run) -> Markup {
     }
 }
 
-/// A level of the ladder in words.
+/// Describes a fidelity level.
 fn level(fidelity: &str) -> String {
     let words = match fidelity {
         "rigid" => "rigid surfaces at vanishing load; computes contact points and motion",
@@ -122,7 +122,7 @@ fn level(fidelity: &str) -> String {
     format!("Fidelity \"{fidelity}\": {words}.")
 }
 
-/// Everything that was given.
+/// Lists all params.
 pub fn params(run: &Run) -> Markup {
     let params: Vec<_> = objects(&run.head["params"]).collect();
     if params.is_empty() {
@@ -151,7 +151,7 @@ fn changed(param: &Value) -> bool {
     param["at_default"].as_bool() == Some(false)
 }
 
-/// A param as a command line takes it, without its unit.
+/// Formats a param as on a command line, without its unit.
 fn value(param: &Value) -> String {
     let value = if param["display"].is_null() { &param["value"] } else { &param["display"]["value"] };
     match value {
@@ -162,12 +162,12 @@ fn value(param: &Value) -> String {
     }
 }
 
-/// Below this a residual is that of rounding.
+/// Residuals below this are rounding errors.
 const ROUNDING: f64 = 1e-9;
-/// Below this nobody sees it in a result.
+/// Residuals below this are negligible for the results.
 const NEGLIGIBLE: f64 = 1e-5;
 
-/// The residuals of all contact problems, in words.
+/// Describes the residuals of all contact problems.
 pub fn certificate(run: &Run) -> Markup {
     let certificate = &run.head["certificate"];
     if certificate.is_null() {
@@ -201,7 +201,7 @@ pub fn certificate(run: &Run) -> Markup {
     }
 }
 
-/// A stage as people call it.
+/// Returns the display name of a stage.
 fn stage(name: &str) -> &str {
     match name {
         "program" => "the program",
@@ -211,7 +211,7 @@ fn stage(name: &str) -> &str {
     }
 }
 
-/// How long each stage took.
+/// Lists the duration of each stage.
 pub fn timing(run: &Run) -> Markup {
     let Some(timing) = &run.timing else { return PreEscaped(String::new()) };
     let total = timing["total"].as_f64().unwrap_or(0.0);
@@ -242,7 +242,7 @@ pub fn timing(run: &Run) -> Markup {
     }
 }
 
-/// Versions and hashes, the files, and how to run it again.
+/// Shows the provenance: versions and hashes, the files, and the command to repeat the run.
 pub fn origin(run: &Run) -> Markup {
     let source = &run.head["source"];
     let files = |kind: &str| source[kind].as_array().cloned().unwrap_or_default();
@@ -265,12 +265,12 @@ fn shown(value: &Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), str::to_owned)
 }
 
-/// What gives the same results.
+/// Returns the command that reproduces the results.
 pub fn command(run: &Run) -> String {
     turned(run, None)
 }
 
-/// The same with a knob of the analysis turned.
+/// Returns the same command with one analysis setting changed.
 pub fn turned(run: &Run, overridden_setting: Option<(&str, &str)>) -> String {
     let others = objects(&run.head["overrides"]).filter(|(name, _)| {
         overridden_setting.is_none_or(|overridden_setting| overridden_setting.0 != *name)
@@ -280,18 +280,18 @@ pub fn turned(run: &Run, overridden_setting: Option<(&str, &str)>) -> String {
     [asked("run", run)].into_iter().chain(overrides).chain(turned).collect::<Vec<_>>().join(" ")
 }
 
-/// A knob of the analysis as an option of the command line.
+/// Formats an analysis setting as a command-line option.
 fn option(name: &str, value: &str) -> String {
     format!("--{} {}", name.replace('_', "-"), word(value))
 }
 
-/// The knobs that were turned from outside the model.
+/// Formats the overridden analysis settings.
 fn options(run: &Run) -> String {
     let turned = objects(&run.head["overrides"]).map(|(name, value)| option(name, &shown(value)));
     turned.collect::<Vec<_>>().join(" ")
 }
 
-/// A command of `calyx` with the model and the params that are not at their defaults.
+/// Formats a `calyx` subcommand with the model and the params that are not at their defaults.
 pub fn asked(of: &str, run: &Run) -> String {
     let mut words = vec![format!("calyx {of}"), word(run.text("model"))];
     for (name, param) in objects(&run.head["params"]).filter(|(_, param)| changed(param)) {

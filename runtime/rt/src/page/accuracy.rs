@@ -1,29 +1,33 @@
-//! How wrong each output may be, by what it comes from, and what it would cost to have it half as wrong.
+//! Estimated error of each output by source, and the estimated cost of halving it.
 
 use super::read::{Estimate, Output, Run, Statistics};
 use super::{DIGITS, about, error, number, part_of_value, percent};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
-/// What an error comes from: its name in `run.json` and for people, what halves it, and what that takes.
+/// Source of errors: its name in `run.json` and its display name, the remedy that halves it, and
+/// the cost of that.
 struct Source {
     name: &'static str,
     shown: &'static str,
     remedy: &'static str,
-    /// The option of the command line for it.
+    /// Command-line option of the remedy.
     option: Option<&'static str>,
-    /// Which stage of the run takes how many times as long; none where it is not a stage of this run.
+    /// Stage whose duration increases, and the factor; `None` if it is no stage of this run.
     cost: Option<(&'static str, f64)>,
-    /// Whether it is that of motions in time alone, or of none; either where nothing is said.
+    /// True if the source applies to dynamic analyses only, false if it applies to static ones
+    /// only; `None` for both.
     in_time: Option<bool>,
 }
 
-/// What a level of modelling leaves out, and what its mesh does not resolve, in `run.json`.
+/// Name in `run.json` of the model error of the fidelity level.
 const LEVEL: &str = "level";
+/// Name in `run.json` of the discretization error of its mesh.
 const MESH: &str = "discretization";
 const TIME_STEP: &str = "time_step";
 
-/// Orders are those of the estimates (`calyx_runtime::estimate`); what they cost is measured (`docs/accuracy.md`), to a factor of two.
+/// Orders of convergence are those of the estimates (`calyx_runtime::estimate`); costs are measured
+/// (`docs/accuracy.md`), to a factor of two.
 const SOURCES: [Source; 6] = [
     Source {
         name: MESH,
@@ -76,7 +80,7 @@ const SOURCES: [Source; 6] = [
 ];
 
 impl Source {
-    /// What a part of an output's error comes from.
+    /// Finds the source of an error of an output by name.
     fn of(name: &str, output: &Output) -> Option<&'static Source> {
         let estimate = output.error.as_ref()?;
         let in_time = estimate.parts.iter().any(|(part, _)| part == TIME_STEP)
@@ -85,35 +89,36 @@ impl Source {
     }
 }
 
-/// What makes up less than this part of an error is not worth halving.
+/// Fraction of an error that the sources to halve must cover; the other ones are negligible.
 const WORTH: f64 = 0.8;
 
-/// An error of the value of largest magnitude, as a part of it. Where that is sure, as of a share that comes to 1, the error of the mean.
+/// Returns the error of the value of largest magnitude relative to it. If that value is certain,
+/// such as a load share of 1, uses the error of the mean.
 fn relative(errors: &Statistics, output: &Output) -> f64 {
     let error = if is_sure(output) { errors.mean.unwrap_or(0.0) } else { output.of_largest(errors) };
     let part = error.abs() / output.statistics.magnitude();
     if part < DIGITS { 0.0 } else { part }
 }
 
-/// Whether the value of largest magnitude is off by its last digits at most.
+/// Returns true if the error of the value of largest magnitude is rounding only.
 fn is_sure(output: &Output) -> bool {
     let total = output.error.as_ref().map(|estimate| output.of_largest(&estimate.total));
     total.is_some_and(|total| total.abs() <= DIGITS * output.statistics.magnitude())
 }
 
-/// Whether errors are shown that leave out what the fidelity level itself is off.
+/// Returns true if the displayed errors exclude the error of the fidelity level.
 fn lacks_level(run: &Run) -> bool {
     let shown =
         run.outputs.iter().filter(|output| output.has_values()).filter_map(|output| output.error.as_ref());
     shown.into_iter().any(|error| !error.parts.is_empty() && !error.includes_level())
 }
 
-/// Head of the columns of errors.
+/// Returns the header of the columns of errors.
 pub fn error_header(run: &Run) -> &'static str {
     if lacks_level(run) { "numerical error" } else { "estimated error" }
 }
 
-/// A note on what errors leave out, if they do.
+/// Notes which errors are excluded, if any.
 pub fn without_level(run: &Run) -> Markup {
     html! {
         @if lacks_level(run) {
@@ -125,17 +130,17 @@ pub fn without_level(run: &Run) -> Markup {
     }
 }
 
-/// How far the value of largest magnitude may be off.
+/// Formats the estimated error of the value of largest magnitude.
 pub fn of_largest(output: &Output, estimate: &Estimate) -> String {
     off_by(output, output.of_largest(&estimate.total))
 }
 
-/// An error of an output, without those of its last digits.
+/// Formats an error of an output, without rounding errors.
 fn off_by(output: &Output, off: f64) -> String {
     error(if off.abs() <= DIGITS * output.statistics.magnitude() { 0.0 } else { off })
 }
 
-/// The parts of what an output may be off by that are known, the largest first.
+/// Returns the known sources of an output's error, the largest first.
 fn by_weight(output: &Output) -> Vec<(&'static Source, f64)> {
     let estimate = output.error.as_ref().filter(|estimate| !estimate.is_rounding);
     let parts = estimate.into_iter().flat_map(|estimate| &estimate.parts);
@@ -146,11 +151,12 @@ fn by_weight(output: &Output) -> Vec<(&'static Source, f64)> {
     all
 }
 
-/// What has to be halved for about half of an output's error to be left: the parts that weigh most.
+/// Returns the sources that must be halved to halve an output's error approximately: those with the
+/// largest parts.
 fn to_halve(output: &Output) -> Vec<&'static Source> {
     let mut parts = by_weight(output);
     let of = |wanted: &str| parts.iter().find(|(source, _)| source.name == wanted).map_or(0.0, |part| part.1);
-    // The level above has another mesh, and sees what this one does not resolve: both are one error.
+    // The next level has another mesh and resolves more than this one: both are one error.
     let other = if of(LEVEL) > 0.5 * of(MESH) { MESH } else { LEVEL };
     parts.retain(|(source, part)| source.name != other && *part > 0.0);
     let all: f64 = parts.iter().map(|part| part.1).sum();
@@ -163,7 +169,8 @@ fn to_halve(output: &Output) -> Vec<&'static Source> {
     parts.into_iter().map_while(worth).collect()
 }
 
-/// The stages that take longer for it, and how many times as long; and whether a fidelity is needed of which this run knows no cost.
+/// Returns the stages that take longer and the factors; and true if another fidelity level is
+/// required, whose cost this run does not know.
 fn taking(sources: &[&Source]) -> (Vec<(&'static str, f64)>, bool) {
     let mut stages: Vec<(&str, f64)> = Vec::new();
     for (stage, times) in sources.iter().filter_map(|source| source.cost) {
@@ -175,7 +182,7 @@ fn taking(sources: &[&Source]) -> (Vec<(&'static str, f64)>, bool) {
     (stages, sources.iter().any(|source| source.cost.is_none()))
 }
 
-/// What halving takes, in words.
+/// Describes the cost of halving.
 fn cost(sources: &[&Source]) -> String {
     let (stages, other_level) = taking(sources);
     let longer = |(stage, times): &(&str, f64)| match *times == 1.0 {
@@ -193,16 +200,16 @@ fn names(sources: &[&Source]) -> String {
     sources.iter().map(|source| source.shown).collect::<Vec<_>>().join(", ")
 }
 
-/// Beside the plot of an output: how far it may be off, by what, and what halves that.
+/// Shows the estimated error of an output, its sources, and the remedies, next to the plot.
 pub fn of_output(output: &Output) -> Markup {
     let Some(estimate) = &output.error else { return PreEscaped(String::new()) };
     let parts = by_weight(output);
-    // Nothing, and no estimate finds any of it.
+    // The output is zero and so are all estimates.
     if output.statistics.magnitude() == 0.0 && estimate.total.min == 0.0 && estimate.total.max == 0.0 {
         return PreEscaped(String::new());
     }
     let sources = to_halve(output);
-    // Neither sign nor unit stands on another line than the number.
+    // No line break between sign, number and unit.
     let with_unit =
         |off: f64| format!("{} {}", off_by(output, off), output.unit).trim_end().replace(' ', "\u{a0}");
     let Statistics { min, max, mean, .. } = estimate.total;
@@ -232,9 +239,10 @@ pub fn of_output(output: &Output) -> Markup {
     }
 }
 
-/// What halving costs on the machine that ran this, by the times of its stages (s): beside them, for no two runs have the same.
+/// Estimates the cost of halving on the machine of this run from the durations of its stages (s).
+/// The durations are shown next to the estimates, because they differ between runs.
 pub fn costs(run: &Run, stage: impl Fn(&str) -> Option<f64>) -> Markup {
-    // Outputs of which the same is to be halved.
+    // Outputs with the same sources to halve are grouped.
     let mut groups: Vec<(Vec<&'static Source>, Vec<&str>)> = Vec::new();
     for output in &run.outputs {
         let mut sources = to_halve(output);
@@ -248,7 +256,7 @@ pub fn costs(run: &Run, stage: impl Fn(&str) -> Option<f64>) -> Markup {
             None => groups.push((sources, vec![&output.name])),
         }
     }
-    // Of structures and positions together, before and after.
+    // Times of structures and positions together, before and after.
     let seconds = |sources: &[&Source]| {
         let (stages, other_level) = taking(sources);
         let times =
@@ -277,7 +285,7 @@ pub fn costs(run: &Run, stage: impl Fn(&str) -> Option<f64>) -> Markup {
     }
 }
 
-/// See the module.
+/// Shows the section, see the module.
 pub fn section(run: &Run) -> Markup {
     if run.outputs.is_empty() {
         return PreEscaped(String::new());
@@ -304,7 +312,7 @@ pub fn section(run: &Run) -> Markup {
     }
 }
 
-/// Those that any of the outputs has a part of.
+/// Returns the sources that contribute to any of the outputs.
 fn sources(outputs: &[&Output]) -> Vec<&'static Source> {
     let of = |output: &&Output| -> Vec<&'static str> {
         let parts = output.error.iter().flat_map(|error| &error.parts);
@@ -353,12 +361,12 @@ fn table(run: &Run, outputs: &[&Output]) -> Markup {
     }
 }
 
-/// The value of largest magnitude.
+/// Returns the value of largest magnitude.
 fn largest(output: &Output) -> f64 {
     output.of_largest(&output.statistics)
 }
 
-/// What halves each of the parts, and what that takes.
+/// Lists the remedies of the sources and their costs.
 fn halving(outputs: &[&Output]) -> Markup {
     let sources = sources(outputs);
     html! {
@@ -380,7 +388,7 @@ fn halving(outputs: &[&Output]) -> Markup {
     }
 }
 
-/// What is on top of what was estimated.
+/// Lists the errors that are not estimated.
 fn not_estimated(run: &Run, outputs: &[&Output]) -> Markup {
     let all = || outputs.iter().flat_map(|output| &output.error).flat_map(|error| &error.not_estimated);
     let mut missing: Vec<(&Source, &str)> = Vec::new();
@@ -405,10 +413,10 @@ fn not_estimated(run: &Run, outputs: &[&Output]) -> Markup {
     }
 }
 
-/// A setting that the trade-off command has run.
+/// A setting measured by the trade-off command.
 struct Setting<'j> {
     name: &'j str,
-    /// Cold, s.
+    /// Time without cached structures, s.
     time: f64,
     errors: &'j Value,
 }
@@ -420,7 +428,7 @@ impl<'j> Setting<'j> {
         Some(Setting { name: json["name"].as_str()?, time, errors: &json["errors"] })
     }
 
-    /// Of an output, as a part of its largest magnitude.
+    /// Returns the error of an output relative to its largest magnitude.
     fn error(&self, output: &str) -> Option<f64> {
         self.errors[output]["error"].as_f64()
     }
@@ -430,7 +438,8 @@ impl<'j> Setting<'j> {
     }
 }
 
-/// What the trade-off command has measured: of each output the settings that nothing beats, from cheap to dear.
+/// Shows the results of the trade-off command: the Pareto frontier of each output, from cheap to
+/// expensive.
 fn tradeoff(run: &Run) -> Markup {
     let Some(tradeoff) = &run.tradeoff else { return PreEscaped(String::new()) };
     let all = tradeoff["settings"].as_array().into_iter().flatten();
@@ -444,7 +453,7 @@ fn tradeoff(run: &Run) -> Markup {
         best.sort_by(|one, other| one.time.total_cmp(&other.time));
         best
     };
-    // What has half of the error that this run states.
+    // The cheapest setting with half of the error that this run states.
     let halved = |output: &Output, best: &[&Setting]| -> Option<Markup> {
         let half = Some(0.5 * output.error.as_ref()?.relative).filter(|half| half.is_finite())?;
         let setting =

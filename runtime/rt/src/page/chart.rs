@@ -1,31 +1,33 @@
-//! The plots of the page, as SVG: curves over the positions, bars, and maps of a flank.
+//! Plots of the page, as SVG: curves over the positions, bar charts, and maps of a flank.
 //!
-//! Nothing is filled behind them and few colours are used, by name here and in the page's style, which changes them where paper is dark.
+//! The plots have a transparent background and few colours. The style of the page refers to these
+//! colours by value, to change them in dark mode.
 
 use crate::signals::{label, tick};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::ops::Range;
 
-/// Of a plot, in the units of its drawing: two to a pixel, because `plotters` rounds to whole ones.
+/// Size of a plot in drawing units: two per pixel, because `plotters` rounds to whole ones.
 pub const WIDE: (u32, u32) = (1640, 520);
-/// Of the bars beside one.
+/// Size of the bar chart next to a plot.
 pub const NARROW: (u32, u32) = (640, 520);
-/// Of a map.
+/// Size of a map.
 pub const TALL: (u32, u32) = (1640, 720);
 const FONT: i32 = 32;
-/// Stretches of a curve that are told apart: the least and the largest value of each are drawn.
+/// Number of intervals into which a long curve is divided: the minimum and the maximum of each are
+/// drawn.
 const STRETCHES: usize = 800;
-/// Room for a name above a plot, across.
+/// Width reserved for a name above a plot.
 const NAME: i32 = 104;
-/// Of a letter of it.
+/// Width of a letter of the name.
 const LETTER: i32 = 20;
-/// Curves of so few points show each of them.
+/// Curves with at most this many points show each point.
 const DOTTED: usize = 24;
-/// Of a map's legend.
+/// Width of the legend of a map.
 const LEGEND: u32 = 250;
 
-/// The colours of curves. The page's style knows them.
+/// Colours of curves; the style of the page refers to them.
 const COLOURS: [RGBColor; 6] = [
     RGBColor(31, 95, 168),
     RGBColor(196, 60, 46),
@@ -35,7 +37,7 @@ const COLOURS: [RGBColor; 6] = [
     RGBColor(20, 140, 150),
 ];
 
-/// What an axis shows.
+/// Label of an axis.
 pub struct Axis<'a> {
     pub what: &'a str,
     pub unit: &'a str,
@@ -44,12 +46,12 @@ pub struct Axis<'a> {
 /// A curve of a plot.
 #[derive(Clone, Debug, Default)]
 pub struct Curve {
-    /// In the legend; curves without a name are not in it.
+    /// Name in the legend; curves without a name are not listed.
     pub name: String,
-    /// Of [`COLOURS`].
+    /// Index into [`COLOURS`].
     pub colour: usize,
     pub points: Vec<(f64, f64)>,
-    /// How far the least and the largest value may be off, to both sides; others by what lies between.
+    /// Error bounds of the minimum and the maximum, to both sides; linear in between.
     pub off: Option<[f64; 2]>,
 }
 
@@ -58,7 +60,7 @@ impl Curve {
         self.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()).map(|point| point.1)
     }
 
-    /// How far a value may be off, if anything is known of it and it is not nothing.
+    /// Returns the error bound as a function of the value, if it is known and not zero.
     fn band(&self) -> Option<impl Fn(f64) -> f64> {
         let known = |off: &[f64; 2]| off.iter().all(|off| *off >= 0.0 && off.is_finite()) && *off != [0.0; 2];
         let [of_least, of_largest] = self.off.filter(known)?;
@@ -74,25 +76,26 @@ fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-/// A drawing, and what is to be read beside it.
+/// A drawing with its legend.
 #[derive(Clone, Debug, Default)]
 pub struct Plot {
-    /// Empty if there is nothing to draw.
+    /// SVG text; empty if there is nothing to draw.
     pub svg: String,
-    /// The curves that have names, with their colours: beside the drawing, where they cover nothing.
+    /// Colours and names of the named curves. The page shows them next to the drawing, where they
+    /// cover nothing.
     pub legend: Vec<(usize, String)>,
-    /// The band of what values may be off by goes beyond the drawing.
+    /// True if the error band exceeds the drawing.
     pub band_is_cut: bool,
 }
 
 impl Plot {
-    /// Whether there is nothing to be seen.
+    /// Returns true if there is nothing to show.
     pub fn is_empty(&self) -> bool {
         self.svg.is_empty()
     }
 }
 
-/// A plot of curves; `marks` are places that have names.
+/// Plots curves; `marks` are named positions.
 pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(f64, String)]) -> Plot {
     let points =
         || curves.iter().flat_map(|curve| &curve.points).filter(|(x, y)| x.is_finite() && y.is_finite());
@@ -100,7 +103,7 @@ pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(
     let off = curves.iter().filter_map(|curve| curve.off).flatten();
     let off = off.filter(|off| off.is_finite()).fold(0.0, f64::max);
     let Some(across) = span(points().map(|point| point.0), 0.0) else { return Plot::default() };
-    // However wide the band, the course of a curve is to be seen.
+    // The variation of a curve must remain visible, however wide the band.
     let (least, largest) = ends(heights());
     let is_course = is_course(largest - least, least.abs().max(largest.abs()));
     let seen = if is_course { off.min(largest - least) } else { off };
@@ -119,7 +122,7 @@ pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(
             .y_label_area_size(164)
             .build_cartesian_2d(across.clone(), up.clone())?;
         mesh(&mut chart, x, y, [small(&across), small(&up)])?;
-        // Places that stand together have one line of names.
+        // Adjacent marks share one line of names.
         let mut names: Vec<(i32, String)> = Vec::new();
         for (place, name) in marks.iter().filter(|(place, _)| (across.start..=across.end).contains(place)) {
             let line = [(*place, up.start), (*place, up.end)];
@@ -164,12 +167,12 @@ pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(
     Plot { svg, legend, band_is_cut: curves.iter().any(beyond) }
 }
 
-/// Whether values that differ by so much do so beyond rounding.
+/// Returns true if a difference of values exceeds rounding.
 fn is_course(difference: f64, magnitude: f64) -> bool {
     difference > 1e-9 * magnitude
 }
 
-/// Bars beside each other, by their numbers.
+/// Draws a bar chart with numbered bars.
 pub fn bars(size: (u32, u32), x: &Axis, y: &Axis, bars: &[(u64, f64)]) -> Plot {
     let largest = bars.iter().map(|bar| bar.1).filter(|height| height.is_finite()).fold(0.0, f64::max);
     let last = bars.iter().map(|bar| bar.0).max().unwrap_or(0);
@@ -206,16 +209,17 @@ pub fn bars(size: (u32, u32), x: &Axis, y: &Axis, bars: &[(u64, f64)]) -> Plot {
     Plot { svg, ..Plot::default() }
 }
 
-/// A piece of a map.
+/// A cell of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapCell {
-    /// From and to.
+    /// Lower and upper bound of the abscissa.
     pub x: [f64; 2],
+    /// Lower and upper bound of the ordinate.
     pub y: [f64; 2],
     pub value: f64,
 }
 
-/// A map of a surface: pieces coloured by their values, from nought to the largest.
+/// Draws a map of a surface: cells coloured by their values, from zero to the largest.
 pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[MapCell]) -> Plot {
     let largest =
         pieces.iter().map(|piece| piece.value).filter(|value| value.is_finite()).fold(0.0, f64::max);
@@ -243,7 +247,7 @@ pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[MapCell]) -> Plot {
                 shade(piece.value / largest).filled(),
             )))?;
         }
-        // Over what it shows, so that lines of the frame and ticks are seen.
+        // Drawn over the map, so that frame and ticks are visible.
         mesh(&mut chart, x, y, [small(&across), small(&up)])?;
         let mut key = ChartBuilder::on(&legend)
             .margin(8)
@@ -276,7 +280,7 @@ type Chart<'a, 'b> = ChartContext<
     Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>,
 >;
 
-/// What at an axis is nought but for rounding.
+/// Returns the magnitude on an axis below which a tick is a rounding error of zero.
 fn small(range: &Range<f64>) -> f64 {
     1e-9 * (range.end - range.start)
 }
@@ -300,7 +304,7 @@ fn mesh(chart: &mut Chart<'_, '_>, x: &Axis, y: &Axis, nought: [f64; 2]) -> Resu
 
 type Error = Box<dyn std::error::Error>;
 
-/// Drawing into a text fails on nothing but what cannot be drawn, and then there is no plot.
+/// Draws into a text. Errors mean that the data cannot be drawn, and yield an empty plot.
 fn drawn(
     size: (u32, u32),
     draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Error>,
@@ -313,13 +317,13 @@ fn drawn(
     if outcome.is_ok() { text } else { String::new() }
 }
 
-/// From the least to the largest, and some of it more to both sides; never nothing.
+/// Returns the range of values with a relative margin on both sides; never empty.
 fn span(values: impl Iterator<Item = f64>, more: f64) -> Option<Range<f64>> {
     let (low, high) = ends(values.filter(|value| value.is_finite()));
     if low > high {
         return None;
     }
-    // What changes by rounding alone is drawn as what does not change.
+    // A variation by rounding is drawn as a constant.
     let scale = low.abs().max(high.abs());
     let room = if is_course(high - low, scale) {
         more * (high - low)
@@ -331,7 +335,7 @@ fn span(values: impl Iterator<Item = f64>, more: f64) -> Option<Range<f64>> {
     Some(low - room..high + room)
 }
 
-/// Of many points those that can be seen: of each stretch the least and the largest.
+/// Reduces a curve with many points to the minimum and the maximum of each interval.
 fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let points: Vec<(f64, f64)> =
         points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
@@ -347,7 +351,7 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.chunks(points.len().div_ceil(STRETCHES)).flat_map(stretch).collect()
 }
 
-/// Pieces that follow each other upwards in one colour are one: drawings stay small.
+/// Merges vertically adjacent cells of the same colour, which keeps drawings small.
 fn merged(pieces: &[MapCell], largest: f64) -> Vec<MapCell> {
     let colour = |piece: &MapCell| shade(piece.value / largest);
     let mut all: Vec<MapCell> = Vec::new();
@@ -362,10 +366,11 @@ fn merged(pieces: &[MapCell], largest: f64) -> Vec<MapCell> {
     all
 }
 
-/// Colours that maps have.
+/// Number of colours of maps.
 const SHADES: usize = 40;
 
-/// From pale over red to dark: `part` from 0 to 1, light and dark in the order of values.
+/// Returns a colour of the scale from pale over red to dark, for `part` from 0 to 1. Lightness is
+/// monotonic.
 fn shade(part: f64) -> RGBColor {
     const STOPS: [[f64; 3]; 5] = [
         [235.0, 240.0, 248.0],
@@ -407,7 +412,7 @@ mod tests {
         assert!(curves(WIDE, &axis(), &axis(), &[curve(vec![(f64::NAN, 1.0)])], &[]).is_empty());
         assert!(bars(NARROW, &axis(), &axis(), &[(1, 0.0)]).is_empty());
         assert!(map(&axis(), &axis(), &axis(), &[]).is_empty());
-        // A constant is a line, and what is written in it is text.
+        // A constant is drawn as a line, and labels are escaped.
         let plot = curves(
             WIDE,
             &Axis { what: "a < b", unit: "" },
@@ -419,7 +424,8 @@ mod tests {
         assert!(plot.contains("<polyline") && plot.contains("a &lt; b"), "{plot}");
     }
 
-    /// Of a curve that changes by 1 a band of 50 leaves a third of the height; one of 0.2 is whole, and so is that of a constant.
+    /// A band of 50 around a curve that varies by 1 leaves a third of the height to the curve; a
+    /// band of 0.2 is drawn whole, and so is that of a constant.
     #[test]
     fn a_band_leaves_room_for_its_curve() {
         let heights = |off: f64, end: f64| {

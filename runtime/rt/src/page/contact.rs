@@ -1,5 +1,5 @@
-//! What contact looked like over a run, from the loads along the lines of contact: the pattern on a flank, the load along the face, and
-//! what a pair of teeth carries on its way through the mesh.
+//! Contact over a run, from the line loads along the contact lines: the contact pattern on a flank,
+//! the load distribution along the face, and the load of a tooth pair along the path of contact.
 
 use super::chart::{Axis, Curve, MapCell, Plot, TALL, WIDE, curves, map};
 use super::read::Loaded;
@@ -7,31 +7,32 @@ use super::units::Units;
 use crate::field_tables::BACK;
 use std::collections::BTreeMap;
 
-/// Meshes that are shown, those with the largest pressures.
+/// Number of meshes shown, those with the largest pressures.
 const SHOWN: usize = 4;
-/// Strips along the face that a pattern is drawn in, at most.
+/// Largest number of strips along the face in a contact pattern.
 const STRIPS: usize = 48;
-/// Places farther apart than this many times the usual distance have nothing between them.
+/// Points farther apart than this multiple of the usual distance are not connected.
 const APART: f64 = 3.0;
 
-/// The contact of two bodies, of one side of their teeth.
+/// Contact of two bodies, on one side of their teeth.
 pub struct Mesh {
     pub bodies: [String; 2],
-    /// The side behind those that drive.
+    /// True for the flanks opposite to the driving ones.
     pub back: bool,
     /// Largest pressure away from edges, Pa.
     pub largest: f64,
-    /// Largest pressure on edges and beside them, Pa.
+    /// Largest pressure on and next to edges, Pa.
     pub largest_on_edges: f64,
-    /// The largest pressure at each place of the first body's flank, away from edges.
+    /// Largest pressure at each point of the first body's flank, away from edges.
     pub pattern: Plot,
-    /// The load along the face; empty in a plane model.
+    /// Load distribution along the face; empty in a plane model.
     pub along_face: Plot,
-    /// The load of a pair of teeth along its path of contact.
+    /// Load of a tooth pair along its path of contact.
     pub path: Plot,
 }
 
-/// The meshes of a run, sides of teeth apart, the most pressed first; and how many are left out.
+/// Returns the meshes of a run by side of the teeth, in descending order of pressure; and the
+/// number of omitted ones.
 pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
     let mut by_bodies: BTreeMap<([&str; 2], bool), Vec<&Loaded>> = BTreeMap::new();
     for row in rows {
@@ -63,7 +64,8 @@ pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
     (all.into_iter().take(SHOWN).map(mesh).collect(), left_out)
 }
 
-/// The coordinate along the profile of the first body: its roll angle, or where there is no involute the radius.
+/// Coordinate along the profile of the first body: its roll angle, or the radius if the profile is
+/// no involute.
 struct FaceCurve {
     what: &'static str,
     unit: &'static str,
@@ -118,7 +120,7 @@ fn pattern(rows: &[&Loaded], along: &FaceCurve, body: &str, units: Units) -> Plo
     map(&across, &along.axis(&what), &pressure, &pieces)
 }
 
-/// Strips along the face with what lies in each; `None` in a plane model.
+/// Divides the face into strips with their rows; `None` in a plane model.
 fn strips<'r>(rows: &[&'r Loaded]) -> Option<Vec<([f64; 2], Vec<&'r Loaded>)>> {
     let at = |row: &Loaded| row.axial.unwrap_or(f64::NAN);
     let mut lengths: Vec<f64> = rows.iter().filter(|row| row.axial.is_some()).map(|row| row.length).collect();
@@ -126,14 +128,15 @@ fn strips<'r>(rows: &[&'r Loaded]) -> Option<Vec<([f64; 2], Vec<&'r Loaded>)>> {
     let usual = *lengths.get(lengths.len() / 2)?;
     let low = rows.iter().map(|row| at(row) - 0.5 * usual).fold(f64::INFINITY, f64::min);
     let high = rows.iter().map(|row| at(row) + 0.5 * usual).fold(f64::NEG_INFINITY, f64::max);
-    // A little more than a slice, so that none is without one.
+    // Slightly wider than a slice, so that every strip has one.
     let count = (((high - low) / (1.05 * usual)) as usize).clamp(1, STRIPS);
     let width = (high - low) / count as f64;
     let mut strips: Vec<([f64; 2], Vec<&Loaded>)> =
         (0..count).map(|k| ([low + k as f64 * width, low + (k + 1) as f64 * width], Vec::new())).collect();
     for row in rows.iter().filter(|row| at(row).is_finite()) {
         let place = |z: f64| ((z - low) / width).clamp(0.0, count as f64);
-        // Those of which it covers the middle, and where it is itself: slices of other positions begin and end elsewhere.
+        // The strips whose centre the slice covers, and the strip of its own centre: slices of
+        // other positions have other bounds.
         let half = 0.5 * row.length.max(usual);
         let own = (place(at(row)) as usize).min(count - 1);
         let [from, to] = [at(row) - half, at(row) + half].map(|end| (place(end) + 0.5 - 1e-6) as usize);
@@ -143,12 +146,12 @@ fn strips<'r>(rows: &[&'r Loaded]) -> Option<Vec<([f64; 2], Vec<&'r Loaded>)>> {
     Some(strips)
 }
 
-/// Values in the order of their places, the largest where several are at one.
+/// Sorts values by coordinate and keeps the largest of those at the same coordinate.
 fn seen_along(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     points.retain(|(place, value)| place.is_finite() && value.is_finite());
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return points };
-    // Positions of several pairs, and on both sides of a jump, fall together.
+    // Values of several tooth pairs, and on both sides of a jump, are merged.
     let together = (last.0 - first.0) / 400.0;
     let mut seen: Vec<(f64, f64)> = Vec::new();
     for (place, value) in points {
@@ -160,7 +163,7 @@ fn seen_along(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     seen
 }
 
-/// What each place stands for: half the way to its neighbours, where they are near.
+/// Returns the interval of each point: half way to its neighbours, if they are near.
 fn steps_of(points: &[(f64, f64)]) -> Vec<([f64; 2], f64)> {
     let mut gaps: Vec<f64> = points.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
     gaps.sort_by(f64::total_cmp);
@@ -174,7 +177,7 @@ fn steps_of(points: &[(f64, f64)]) -> Vec<([f64; 2], f64)> {
     };
     let mut steps: Vec<([f64; 2], f64)> =
         (0..points.len()).map(|index| (reach(index), points[index].1)).collect();
-    // Neighbours meet to the bit.
+    // Bounds of neighbours are equal to the bit.
     for index in 1..steps.len() {
         if points[index].0 - points[index - 1].0 <= APART * usual {
             steps[index].0[0] = steps[index - 1].0[1];
@@ -183,13 +186,14 @@ fn steps_of(points: &[(f64, f64)]) -> Vec<([f64; 2], f64)> {
     steps
 }
 
-/// The load along the face: of the position with the largest, a curve a pair of teeth, and the largest of all positions.
+/// Plots the load along the face: one curve per tooth pair at the position with the largest load,
+/// and the envelope of all positions.
 fn along_face(rows: &[&Loaded], units: Units) -> Plot {
     let Some(strips) = strips(rows) else { return Plot::default() };
     let Some(worst) = rows.iter().max_by(|one, other| one.line_load.total_cmp(&other.line_load)) else {
         return Plot::default();
     };
-    // Slices of other positions lie elsewhere: between their middles loads go straight.
+    // Slices of other positions have other centres: loads are interpolated linearly between them.
     type Points = Vec<(f64, f64)>;
     let mut lines: BTreeMap<(usize, [u32; 2]), Points> = BTreeMap::new();
     for row in rows {
@@ -217,7 +221,7 @@ fn along_face(rows: &[&Loaded], units: Units) -> Plot {
     curves(TALL, &across, &Axis { what: "load", unit: units.line_load.name }, &all, &[])
 }
 
-/// On a line through points in the order of their places; `None` beyond its ends.
+/// Interpolates linearly in sorted points; `None` outside.
 fn between(line: &[(f64, f64)], at: f64) -> Option<f64> {
     let behind = line.partition_point(|point| point.0 < at);
     let (x, y) = *line.get(behind)?;
@@ -228,7 +232,8 @@ fn between(line: &[(f64, f64)], at: f64) -> Option<f64> {
     Some(value + (y - value) * (at - before) / (x - before))
 }
 
-/// What a pair of teeth carries on its way: one curve, though every position has several pairs somewhere along it.
+/// Plots the load of a tooth pair along the path of contact: one curve, from several pairs at every
+/// position.
 fn path(rows: &[&Loaded], along: &FaceCurve, body: &str, units: Units) -> Plot {
     let mut of_pairs: BTreeMap<(usize, [u32; 2]), [f64; 2]> = BTreeMap::new();
     for row in rows {
@@ -271,7 +276,7 @@ mod tests {
 
     #[test]
     fn strips_hold_every_slice_and_steps_cover_the_flank() {
-        // Two teeth one after the other over one flank, four slices along the face.
+        // Two teeth that engage in succession, four slices along the face.
         let rows: Vec<Loaded> = (0..20)
             .flat_map(|k| {
                 let place = |s: usize| Some(1e-3 * s as f64 - 1.5e-3);
@@ -299,7 +304,7 @@ mod tests {
         );
     }
 
-    /// Flanks on both sides of teeth have the same roll angles, and nothing to do with each other.
+    /// Flanks on both sides of teeth have the same roll angles but separate maps.
     #[test]
     fn both_sides_of_teeth_have_maps_of_their_own() {
         let on = |side: &str, load: f64| -> Vec<Loaded> {
@@ -311,7 +316,7 @@ mod tests {
         assert!(meshes.iter().all(|mesh| mesh.pattern.svg.contains("<polyline")));
     }
 
-    /// Grids of positions are of different lengths, and their slices an odd number beside each other.
+    /// Grids of positions have different lengths, and an odd number of slices.
     #[test]
     fn no_strip_is_left_out_where_slices_lie_on_its_ends() {
         let rows: Vec<Loaded> = (0..12)
@@ -329,7 +334,8 @@ mod tests {
         }
     }
 
-    /// Slices of a position are wider than the strips: the largest load goes straight between their middles, without steps.
+    /// Slices of a position are wider than the strips: the envelope is linear between their
+    /// centres, without steps.
     #[test]
     fn the_largest_load_along_the_face_has_no_steps() {
         let line = [(0.0, 1.0), (1.0, 3.0), (2.0, 3.0)];

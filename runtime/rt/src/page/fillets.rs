@@ -1,31 +1,35 @@
-//! The stresses that the fillets see over a run: along the profile, and in space over profile and face. A level without meshes knows one place
-//! of a profile: what that sees is drawn along the face, or is two numbers.
+//! Extreme stresses in the fillets over a run: along the profile and, in 3-D models, over profile
+//! and face. A level without meshes has one point per profile: its stresses are plotted along the
+//! face, or are two numbers.
 
 use super::chart::{Axis, Curve, MapCell, Plot, WIDE, curves, map};
 use super::units::Units;
 use crate::stress_range::StressExtremes;
 use std::collections::BTreeMap;
 
-/// Bodies that are shown.
+/// Number of bodies shown.
 const SHOWN: usize = 6;
 
-/// The fillets of a body.
+/// Fillets of a body.
 pub struct Fillets {
     pub body: String,
-    /// Pressure, Pa.
+    /// Largest stress, Pa.
     pub largest: f64,
+    /// Smallest stress, Pa.
     pub smallest: f64,
-    /// Over the distance along the fillet, the largest and smallest along the face; empty where one place of a profile is known.
+    /// Largest and smallest stress over the distance along the fillet, extremes along the face;
+    /// empty if a profile has one point.
     pub along_profile: Plot,
-    /// The largest stress over both; empty in a plane model.
+    /// Largest stress over profile and face; empty in a plane model.
     pub over_face: Plot,
-    /// Where one place of a profile is known, its stresses along the face; empty in a plane model.
+    /// Stresses along the face if a profile has one point; empty in a plane model.
     pub along_face: Plot,
-    /// Radius of that place, m.
+    /// Radius of that point, m.
     pub one_radius: Option<f64>,
 }
 
-/// The bodies of a run that have stresses, the largest stress first; and how many are left out.
+/// Returns the bodies of a run with stresses, in descending order of stress; and the number of
+/// omitted ones.
 pub fn fillets(seen: &[StressExtremes], units: Units) -> (Vec<Fillets>, usize) {
     let mut bodies: BTreeMap<&str, Vec<&StressExtremes>> = BTreeMap::new();
     for seen in seen {
@@ -51,7 +55,7 @@ pub fn fillets(seen: &[StressExtremes], units: Units) -> (Vec<Fillets>, usize) {
     (all, left_out)
 }
 
-/// The flank beside which the largest stress is.
+/// Returns the flank next to the largest stress.
 fn loaded(seen: &[&StressExtremes]) -> u32 {
     seen.iter().max_by(|one, other| one.largest.total_cmp(&other.largest)).map_or(0, |seen| seen.flank)
 }
@@ -66,7 +70,8 @@ fn along_face(seen: &[&StressExtremes], units: Units) -> Plot {
     extremes(seen, &x, units, |seen| Some((seen.section, units.length.of(seen.axial?))))
 }
 
-/// The largest and the smallest stress over what `place` counts and measures, of both flanks; what has no place is left out.
+/// Returns the extremes of the stress over the index and coordinate that `place` returns, for both
+/// flanks; skips points without a coordinate.
 fn extremes(
     seen: &[&StressExtremes],
     x: &Axis<'_>,
@@ -127,7 +132,7 @@ fn over_face(seen: &[&StressExtremes], units: Units) -> Plot {
     map(&x, &y, &Axis { what: "stress", unit: units.stress.name }, &pieces)
 }
 
-/// Half the way to both neighbours.
+/// Returns the midpoints to both neighbours.
 fn between(places: &[f64], index: usize) -> [f64; 2] {
     let here = places[index];
     let half = |other: Option<&f64>| other.map_or(here, |other| 0.5 * (here + other));
@@ -152,7 +157,7 @@ mod tests {
         }
     }
 
-    /// Closed forms know one place of a profile: a plot along it would be a dot.
+    /// Closed-form models have one point per profile: a plot along the profile would be a dot.
     #[test]
     fn one_place_of_a_profile_is_no_plot_along_it() {
         let units = Units::of_system("SI");

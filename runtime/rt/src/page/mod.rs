@@ -1,7 +1,9 @@
-//! `report.html`: a run as a page that people read, print and send on. One file that needs no network, no other file and no script.
+//! `report.html`: a run as one self-contained HTML page that requires no network, other files or
+//! scripts.
 //!
-//! It is made from the files of the run directory alone, so a run of last week, or one that was killed, has the same page as one that ends just
-//! now (`calyx report`). What took how long is all in the section `time`, the only part of it that two runs of one model do not share.
+//! It is generated from the files of the run directory alone, so `calyx report` generates the same
+//! page for an old or a killed run. All durations are in the section `time`, the only part that
+//! differs between two runs of one model.
 
 mod about;
 mod accuracy;
@@ -21,7 +23,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use units::Units;
 
-/// Makes the page of the run in a directory, anew if there is one: its path.
+/// Generates the page of the run in a directory, replaces an earlier page, and returns its path.
 ///
 /// # Errors
 /// There is no run, its files cannot be read, or the page cannot be written.
@@ -33,7 +35,8 @@ pub fn write(directory: &Path) -> io::Result<PathBuf> {
     Ok(path)
 }
 
-/// Makes the page of the run in a locked directory, and lists it as a file of the run: its path.
+/// Generates the page of the run in a locked directory, lists it as a file of the run, and returns
+/// its path.
 ///
 /// # Errors
 /// Fails as [`write()`] does, and if there is a page that no run wrote.
@@ -42,12 +45,12 @@ pub fn write_locked(directory: &RunDirectory) -> io::Result<PathBuf> {
     write(directory.path())
 }
 
-/// Whether there is a run in a directory: its summary or its journal.
+/// Returns true if a directory has a run: its summary or its journal.
 pub fn is_run(directory: &Path) -> bool {
     directory.join("run.json").exists() || crate::journal::path(directory).exists()
 }
 
-/// What plots of outputs go over.
+/// Returns the heading of the output plots, which names their abscissa.
 fn course(run: &Run) -> &'static str {
     match run.positions.len() {
         0 | 1 => "Positions",
@@ -56,7 +59,7 @@ fn course(run: &Run) -> &'static str {
     }
 }
 
-/// What a section is called in the page's address, and on the page.
+/// Anchor, title and content of a section.
 type Section = (&'static str, &'static str, Markup);
 
 fn page(run: &Run) -> Markup {
@@ -108,14 +111,14 @@ fn page(run: &Run) -> Markup {
     }
 }
 
-/// The first sentence of the model's doc comment, and what follows it.
+/// Returns the first sentence of the model's doc comment, and the rest.
 fn title(run: &Run) -> (String, Vec<String>) {
     let mut paragraphs = paragraphs(run.text("doc"));
     if paragraphs.is_empty() {
         return (run.text("model").to_owned(), Vec::new());
     }
     let first = paragraphs.remove(0);
-    // What goes on without a capital is no new sentence.
+    // A sentence starts with a capital.
     let end = first.match_indices(". ").find(|(at, _)| first[at + 2..].starts_with(char::is_uppercase));
     let (sentence, rest) = match end {
         Some((at, _)) => (&first[..at], Some(first[at + 2..].to_owned())),
@@ -124,10 +127,10 @@ fn title(run: &Run) -> (String, Vec<String>) {
     (sentence.trim_end_matches('.').to_owned(), rest.into_iter().chain(paragraphs).collect())
 }
 
-/// A doc comment's text: what stands between backticks is code.
+/// Formats a doc comment; text between backticks is code.
 fn prose(text: &str) -> Markup {
     let pieces: Vec<&str> = text.split('`').collect();
-    // An odd one is none.
+    // Unpaired backticks are plain text.
     if pieces.len().is_multiple_of(2) {
         return html! { (text) };
     }
@@ -136,7 +139,7 @@ fn prose(text: &str) -> Markup {
     } }
 }
 
-/// A doc comment as it is read: lines that follow each other are one.
+/// Splits a doc comment into paragraphs: consecutive lines are joined.
 fn paragraphs(doc: &str) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     let mut open = false;
@@ -154,12 +157,12 @@ fn paragraphs(doc: &str) -> Vec<String> {
     all
 }
 
-/// Whether positions are places in time alone, as those of a motion.
+/// Returns true if positions differ in time alone, as in a dynamic analysis.
 fn by_time(run: &Run) -> bool {
     run.positions.iter().all(|position| position.cycle == 0.0 && position.roll == 0.0)
 }
 
-/// Four significant digits, as people write them.
+/// Formats four significant digits.
 fn number(value: f64) -> String {
     if !value.is_finite() {
         return if value.is_nan() { "–".into() } else { format!("{value}") };
@@ -168,12 +171,12 @@ fn number(value: f64) -> String {
     crate::params::shortest(rounded)
 }
 
-/// What may be off, in two digits, and never nothing.
+/// Formats an error with two digits, and never as zero.
 fn error(value: f64) -> String {
     format!("± {}", crate::params::shortest(format!("{value:.1e}").parse().unwrap_or(value)))
 }
 
-/// A part of a whole.
+/// Formats a fraction in per cent.
 fn percent(part: f64) -> String {
     let percent = 100.0 * part;
     match percent {
@@ -183,10 +186,10 @@ fn percent(part: f64) -> String {
     }
 }
 
-/// What is a smaller part of a value is of its last digits.
+/// Errors below this fraction of a value are rounding errors.
 const DIGITS: f64 = 1e-12;
 
-/// How large an error is beside what it is the error of.
+/// Formats an error relative to its value.
 fn part_of_value(estimate: &read::Estimate) -> String {
     match estimate.is_rounding {
         true => "rounding".into(),
@@ -195,7 +198,8 @@ fn part_of_value(estimate: &read::Estimate) -> String {
     }
 }
 
-/// A plot with what it shows; nothing if it is empty. The text is also what who cannot see it is told.
+/// Shows a plot with a caption; nothing if it is empty. The caption is also the text for screen
+/// readers.
 fn figure(plot: &Plot, caption: &str) -> Markup {
     if plot.is_empty() {
         return PreEscaped(String::new());
@@ -203,24 +207,24 @@ fn figure(plot: &Plot, caption: &str) -> Markup {
     html! { figure { (described(&plot.svg, caption)) (legend(plot)) figcaption { (caption) } } }
 }
 
-/// What the curves of a plot are called.
+/// Shows the legend of a plot.
 fn legend(plot: &Plot) -> Markup {
     html! { @if !plot.legend.is_empty() {
         p.legend { @for (colour, name) in &plot.legend { span class={ "c" (colour) } { (name) } " " } }
     } }
 }
 
-/// A drawing of the page's own, as an image that has a name.
+/// Shows a drawing as an image with an accessible name.
 fn described(svg: &str, name: &str) -> Markup {
     let opening = format!("<svg role=\"img\" aria-label=\"{}\" ", html! { (name) }.into_string());
-    // What is drawn begins with its own opening, and nothing before it belongs into a page.
+    // The element is replaced by one of the page; everything before it does not belong in HTML.
     let svg = svg.find("<svg ").map_or("", |at| &svg[at + 5..]);
     let svg = if svg.is_empty() { String::new() } else { opening + svg };
-    // On a narrow screen a drawing is wider than what shows it.
+    // Wide drawings scroll on a narrow screen.
     html! { @if !svg.is_empty() { div.drawing { (PreEscaped(svg)) } } }
 }
 
-/// All outputs on one screen.
+/// Shows the table of all outputs.
 fn summary(run: &Run) -> Markup {
     if run.outputs.is_empty() {
         return PreEscaped(String::new());
@@ -262,7 +266,7 @@ fn summary(run: &Run) -> Markup {
     }
 }
 
-/// A plot of each output, with its harmonics beside it.
+/// Plots of the outputs, with their harmonics.
 fn plots(run: &Run) -> Markup {
     if run.outputs.is_empty() || run.positions.is_empty() {
         return PreEscaped(String::new());
@@ -293,7 +297,7 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
     let curve = Curve { points, off, ..Curve::default() };
     let y = Axis { what: "", unit: &output.unit };
     let is_rounding = output.error.as_ref().is_some_and(|error| error.is_rounding);
-    // Neither of one position nor of what is the same at all is there a course to be seen.
+    // A single position or a constant has no variation to plot.
     let constant = output.statistics.peak_to_peak == 0.0;
     let course = match is_rounding || constant {
         true => Plot::default(),

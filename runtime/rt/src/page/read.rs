@@ -1,4 +1,5 @@
-//! What a run directory has to show, read from its files: of a run that is finished, was stopped, or is under way or was killed.
+//! Reads the data of the page from the files of a run directory, of a run that is finished,
+//! stopped, in progress or killed.
 
 use super::units::{self, Unit, Units};
 use crate::directory::{SIGNALS, read_run};
@@ -12,34 +13,34 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Lengths below it, m, are rounding.
+/// Lengths below this are rounding errors, m.
 const ROUNDING: f64 = 1e-12;
 
-/// How a run ended.
+/// End of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End {
     Finished,
-    /// By whom or what.
+    /// Stopped; the reason.
     Stopped(String),
-    /// It is under way, or was killed.
+    /// In progress, or killed.
     Open,
 }
 
-/// A run as its files tell it.
+/// A run, read from its files.
 pub struct Run {
-    /// `run.json`, or the journal's head.
+    /// `run.json`, or the head of the journal.
     pub head: Value,
     pub end: End,
     pub timing: Option<Value>,
-    /// The rows of `steps.csv`; empty of a model without an analysis.
+    /// Rows of `steps.csv`; empty for a model without an analysis.
     pub positions: Vec<Position>,
     pub outputs: Vec<Output>,
     pub contact: Vec<Loaded>,
     pub stresses: Vec<StressExtremes>,
     pub pictures: Vec<Picture>,
-    /// The table of modes with its header.
+    /// Table of modes with its header.
     pub modes: Vec<Vec<String>>,
-    /// What the trade-off command measured of this model.
+    /// Results of the trade-off command for this model.
     pub tradeoff: Option<Value>,
     /// Names of the files in the directory.
     pub files: Vec<String>,
@@ -50,41 +51,42 @@ pub struct Run {
 pub struct Position {
     /// Time, s.
     pub time: f64,
+    /// Fraction of the mesh cycle.
     pub cycle: f64,
-    /// Phases, rad.
+    /// Roll angle, rad.
     pub roll: f64,
-    /// Name of a characteristic point, or empty.
+    /// Name of the characteristic point, or empty.
     pub point: String,
 }
 
-/// An output in the unit that the model shows it in.
+/// An output in the unit in which the model shows it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Output {
     pub name: String,
     pub doc: String,
     pub unit: String,
-    /// By position.
+    /// Values by position.
     pub values: Vec<f64>,
     pub statistics: Statistics,
-    /// Where the largest value is, in words.
+    /// Description of the location of the maximum.
     pub place: String,
-    /// Amplitudes by order, of what every mesh cycle repeats.
+    /// Harmonics of the mesh frequency: order and amplitude.
     pub harmonics: Vec<(u64, f64)>,
     pub error: Option<Estimate>,
 }
 
-/// What an output comes to.
+/// Statistics of an output.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
     pub min: f64,
     pub max: f64,
-    /// Not known of a run that has not come to its end.
+    /// `None` for an unfinished run.
     pub mean: Option<f64>,
     pub peak_to_peak: f64,
 }
 
 impl Statistics {
-    /// From JSON in SI.
+    /// Reads statistics from JSON in SI.
     fn of(json: &Value, factor: f64) -> Option<Statistics> {
         let number = |name: &str| Some(from_si(json[name].as_f64()?, factor));
         Some(Statistics {
@@ -95,7 +97,7 @@ impl Statistics {
         })
     }
 
-    /// Of rows, as far as they are.
+    /// Computes statistics of the rows that exist.
     fn of_values(values: &[f64]) -> Statistics {
         let finite = || values.iter().copied().filter(|value| value.is_finite());
         let (min, max) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
@@ -103,28 +105,28 @@ impl Statistics {
         Statistics { min: known(min), max: known(max), mean: None, peak_to_peak: known(max - min) }
     }
 
-    /// The largest magnitude.
+    /// Returns the largest magnitude.
     pub fn magnitude(&self) -> f64 {
         self.min.abs().max(self.max.abs())
     }
 }
 
-/// How wrong an output may be.
+/// Estimated error of an output.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Estimate {
     pub total: Statistics,
-    /// Of the largest magnitude; not a number where that is nothing.
+    /// Error relative to the largest magnitude; NaN if that is zero.
     pub relative: f64,
-    /// Whether values and errors are nothing but rounding.
+    /// True if values and errors are rounding errors only.
     pub is_rounding: bool,
-    /// By what it comes from.
+    /// Errors by source.
     pub parts: Vec<(String, Statistics)>,
-    /// What else is wrong and was not estimated, with the reason; empty of runs that gave none.
+    /// Errors that were not estimated, with the reason; empty for runs that do not report them.
     pub not_estimated: Vec<(String, String)>,
 }
 
 impl Estimate {
-    /// Whether the error of the fidelity level itself is part of it.
+    /// Returns true if the error of the fidelity level itself is included.
     pub fn includes_level(&self) -> bool {
         self.parts.iter().any(|(part, _)| part == "level")
     }
@@ -147,7 +149,7 @@ impl Estimate {
     }
 }
 
-/// A row of `line_load.csv`. SI.
+/// Row of `line_load.csv`, SI.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct Loaded {
     pub step: usize,
@@ -155,7 +157,8 @@ pub struct Loaded {
     pub first_tooth: u32,
     pub second_body: String,
     pub second_tooth: u32,
-    /// [`DRIVING`](crate::field_tables::DRIVING) or [`BACK`](crate::field_tables::BACK); empty of runs that did not tell.
+    /// [`DRIVING`](crate::field_tables::DRIVING) or [`BACK`](crate::field_tables::BACK); empty for
+    /// runs without the column.
     #[serde(default)]
     pub side: String,
     pub first_radius: f64,
@@ -166,27 +169,27 @@ pub struct Loaded {
     pub length: f64,
     pub force: f64,
     pub line_load: f64,
-    /// Away from edges.
+    /// Pressure away from edges.
     pub pressure: f64,
-    /// On edges and beside them; zero of runs that did not separate the two.
+    /// Pressure on and next to edges; zero for runs that did not separate the two.
     #[serde(default)]
     pub edge_pressure: f64,
 }
 
-/// A picture that the run has drawn.
+/// Plot drawn by the run.
 pub struct Picture {
     pub name: String,
-    /// The drawing itself.
+    /// SVG text.
     pub svg: String,
 }
 
 impl Output {
-    /// Whether any position has a value of it: a fidelity may have none.
+    /// Returns true if any position has a value: a fidelity level may not support the output.
     pub fn has_values(&self) -> bool {
         self.values.iter().any(|value| value.is_finite())
     }
 
-    /// Of errors of statistics the one of the value of largest magnitude.
+    /// Returns the error of the value of largest magnitude.
     pub fn of_largest(&self, errors: &Statistics) -> f64 {
         let Statistics { min, max, .. } = self.statistics;
         if max.abs() >= min.abs() { errors.max } else { errors.min }
@@ -194,6 +197,8 @@ impl Output {
 }
 
 impl Run {
+    /// Reads a run.
+    ///
     /// # Errors
     /// There is no run in the directory, or its files are not those of a run.
     pub fn read(directory: &Path) -> io::Result<Run> {
@@ -202,7 +207,7 @@ impl Run {
                 let why = run["incomplete"]["message"].as_str().unwrap_or("it was stopped").to_owned();
                 (run, End::Stopped(why))
             }
-            // The journal goes last.
+            // The journal is removed last.
             (None, Some(run)) => (run, End::Finished),
             (Some(found), _) => (found.head, End::Open),
             (None, None) => {
@@ -235,7 +240,7 @@ impl Run {
         })
     }
 
-    /// A text of the head; empty if it has none.
+    /// Returns a text of the head; empty if it has none.
     pub fn text(&self, name: &str) -> &str {
         self.head[name].as_str().unwrap_or_default()
     }
@@ -254,7 +259,7 @@ fn steps(path: &Path) -> io::Result<(Vec<Position>, Columns)> {
     let mut positions = Vec::new();
     for record in reader.records() {
         let record = record?;
-        // What was being written when the run ended.
+        // A row that was incomplete when the run ended.
         if record.len() < 5 + columns.len() {
             break;
         }
@@ -266,7 +271,7 @@ fn steps(path: &Path) -> io::Result<(Vec<Position>, Columns)> {
     Ok((positions, columns))
 }
 
-/// What `run.json` says of an output, or of one of a run that has not come to its end the head.
+/// Reads an output from `run.json`, or from the head of an unfinished run.
 fn output(head: &Value, name: String, values: Vec<f64>, clock: Unit) -> Output {
     let said = match head["outputs"].get(&name) {
         Some(said) => said,
@@ -289,7 +294,7 @@ fn output(head: &Value, name: String, values: Vec<f64>, clock: Unit) -> Output {
     }
 }
 
-/// Where a maximum is, in words.
+/// Describes the location of a maximum.
 fn place(at: &Value, units: Units, clock: Unit) -> String {
     let mut words = Vec::new();
     match at["roll_angle"].as_f64() {
@@ -304,7 +309,7 @@ fn place(at: &Value, units: Units, clock: Unit) -> String {
     }
     let length = |si: f64| format!("{} {}", super::number(units.length.of(si)), units.length.name);
     words.extend(at["place"]["radius"].as_f64().map(|radius| format!("radius {}", length(radius))));
-    // Mid-face to rounding is mid-face.
+    // A rounding error from mid-face is mid-face.
     let axial = at["place"]["axial"].as_f64().map(|axial| if axial.abs() < ROUNDING { 0.0 } else { axial });
     words.extend(axial.map(|axial| format!("{} from mid-face", length(axial))));
     words.join(", ")
@@ -315,7 +320,7 @@ fn contact(path: &Path) -> io::Result<Vec<Loaded>> {
         return Ok(Vec::new());
     }
     let mut reader = csv::ReaderBuilder::new().flexible(true).from_path(path)?;
-    // A row that was being written when the run ended is none.
+    // Drops a row that was incomplete when the run ended.
     Ok(reader.deserialize().map_while(Result::ok).collect())
 }
 
@@ -328,12 +333,12 @@ fn table(path: &Path) -> io::Result<Vec<Vec<String>>> {
     reader.records().map(|record| Ok(cells(record?))).collect()
 }
 
-/// Those that the run lists, in its order.
+/// Returns the plots that the run lists, in its order.
 fn pictures(directory: &Path, head: &Value) -> io::Result<Vec<Picture>> {
     let listed = head["signals"].as_array().into_iter().flatten();
     let named = listed.filter_map(|signal| signal["picture"].as_str());
     let names = named.filter_map(|path| path.strip_prefix(SIGNALS)?.strip_prefix('/')?.strip_suffix(".svg"));
-    // Nothing from outside of the directory.
+    // Excludes paths outside of the directory.
     let names = names.filter(|name| !name.contains(['/', '\\']));
     names
         .map(|name| {
@@ -343,7 +348,7 @@ fn pictures(directory: &Path, head: &Value) -> io::Result<Vec<Picture>> {
         .collect()
 }
 
-/// What lies beside a run directory of the same model.
+/// Reads the results of the trade-off command next to the run directory.
 fn tradeoff(directory: &Path) -> Option<Value> {
     let name = directory.file_name()?.to_str()?.strip_suffix(".run")?;
     let text = fs::read(directory.with_file_name(format!("{name}.tradeoff")).join("tradeoff.json")).ok()?;
@@ -357,7 +362,7 @@ fn files(directory: &Path) -> io::Result<Vec<String>> {
         let slash = if entry.file_type()?.is_dir() { "/" } else { "" };
         names.push(format!("{}{slash}", entry.file_name().to_string_lossy()));
     }
-    // Itself is there once it is written, and so is what a later command leaves.
+    // Excludes the page itself and temporary files, so that the list is the same for every command.
     let hidden = |name: &str| name.starts_with('.') || name.ends_with(".part");
     names.retain(|name| name != crate::directory::REPORT && !hidden(name));
     names.sort();

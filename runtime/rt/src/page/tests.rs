@@ -1,12 +1,13 @@
-//! Pages of made-up runs: what they say, that they stand alone, and that they are whole HTML.
+//! Pages of made-up runs: their contents, that they are self-contained, and that they are
+//! well-formed HTML.
 
 use super::*;
 use serde_json::{Value, json};
 
-/// Tags that have no end.
+/// Tags without an end tag.
 const VOID: [&str; 4] = ["meta", "br", "hr", "!DOCTYPE"];
 
-/// Every tag is closed, in order, and nothing is fetched.
+/// Checks that every tag is closed in order, and that the page loads nothing.
 fn check(page: &str) {
     let mut open: Vec<&str> = Vec::new();
     let mut rest = page;
@@ -112,7 +113,7 @@ fn a_page_says_what_the_run_was() {
         assert!(page.contains(said), "{said}");
     }
     assert!(!page.contains("not complete") && !page.contains("id=\"stress\""));
-    // Of the same files, the same page; but for what took how long.
+    // The same files yield the same page, except for durations.
     assert_eq!(text(directory.path()), page);
     fs::write(directory.path().join("timing.json"), r#"{ "total": 9.0, "stages": { "positions": 9.0 } }"#)
         .unwrap();
@@ -144,7 +145,7 @@ fn errors_stand_beside_what_they_are_of() {
         "<th>numerical error</th>",
         "The model error of fidelity level <q>plane</q> is not included",
         "Errors that are not estimated:</p><ul class=\"note\"><li>fidelity level: it costs more than the run</li>",
-        // Of what weighs most half is half of nearly all.
+        // Halving the dominant source halves the error approximately.
         "Estimated numerical error: <b>± 0.06 urad</b> at the value of largest magnitude (2 %), ± 0.06 urad at the minimum, ± 0.06 urad for the mean.",
         "Contributions: positions 1.7 %, mesh 0.33 %. <a href=\"#accuracy\">To halve it</a>: positions (positions take 1.4 times as long).",
         "<td class=\"word\">positions</td><td class=\"word\">about <b>2.2 s</b>, now 2 s</td>",
@@ -156,8 +157,9 @@ fn errors_stand_beside_what_they_are_of() {
     assert!(!page.contains("This run has no error estimates"));
 }
 
-/// Errors of the largest and of the least value are two numbers: beside a value stands its own. Of parts that weigh alike all are to be halved, but of the
-/// mesh and the level above, which sees what the mesh does not resolve, the one.
+/// Errors of maximum and minimum differ: each is shown with its own value. All sources with similar
+/// contributions must be halved, but only one of the mesh and the next fidelity level, which has
+/// another mesh.
 #[test]
 fn all_that_weighs_is_to_be_halved() {
     let mut run = run_json();
@@ -186,7 +188,7 @@ fn all_that_weighs_is_to_be_halved() {
     );
 }
 
-/// A share that comes to 1 is sure there, and not elsewhere.
+/// A load share of 1 is certain, unlike its other values.
 #[test]
 fn what_is_sure_at_its_largest_has_an_error_in_the_mean() {
     let mut run = run_json();
@@ -207,7 +209,8 @@ fn what_is_sure_at_its_largest_has_an_error_in_the_mean() {
     }
 }
 
-/// In time what lies between rows is known: it takes keeping more of the steps, and next to nothing.
+/// In a dynamic analysis the values between rows are known: storing more steps costs next to
+/// nothing.
 #[test]
 fn between_kept_steps_all_is_known() {
     let mut run = run_json();
@@ -229,7 +232,7 @@ fn between_kept_steps_all_is_known() {
     assert!(!page.contains("1.4 times as many positions"));
 }
 
-/// One position has no course, and neither has what never changes.
+/// A single position and a constant output have no plot.
 #[test]
 fn what_has_no_course_has_no_plot() {
     let mut run = run_json();
@@ -252,7 +255,7 @@ fn what_has_no_course_has_no_plot() {
     assert!(page.contains("<h2>Positions</h2>") && page.contains("<p><b>3 urad</b></p>"), "{page}");
 }
 
-/// Titles are a sentence; names between backticks are code; short times are told in short units.
+/// Titles are one sentence; names between backticks are code; short times are in small units.
 #[test]
 fn sentences_code_and_times_are_as_people_write_them() {
     let mut run = run_json();
@@ -267,7 +270,7 @@ fn sentences_code_and_times_are_as_people_write_them() {
     }
 }
 
-/// Nobody looks at the course of rounding.
+/// Rounding errors are stated and not plotted.
 #[test]
 fn what_is_rounding_is_said_and_not_drawn() {
     let mut run = run_json();
@@ -276,7 +279,7 @@ fn what_is_rounding_is_said_and_not_drawn() {
     assert!(page.contains("Rounding only") && !page.contains("te in urad"), "{page}");
 }
 
-/// What a fidelity has no value of is said once, and has neither a plot nor an address to go to.
+/// Outputs without values are listed once, with neither plot nor anchor.
 #[test]
 fn outputs_without_values_are_named_once() {
     let mut run = run_json();
@@ -299,7 +302,7 @@ fn outputs_without_values_are_named_once() {
     assert!(!page.contains("output-stress") && !page.contains("E0780"));
 }
 
-/// What lies beside the run directory of a model answers what half of an error costs.
+/// The trade-off results next to the run directory provide the cost of half the error.
 #[test]
 fn a_measured_trade_off_is_shown() {
     let mut run = run_json();

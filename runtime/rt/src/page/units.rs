@@ -1,21 +1,22 @@
-//! The units of what the page shows beside outputs, by the model's system of units.
+//! Units of the quantities that the page shows in addition to outputs, by the model's system of
+//! units.
 
 /// A unit of plots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     pub name: &'static str,
-    /// Number in SI.
+    /// Value of the unit in SI.
     pub size: f64,
 }
 
 impl Unit {
-    /// A number in SI, in this unit.
+    /// Converts a number in SI to this unit.
     pub fn of(self, si: f64) -> f64 {
         si / self.size
     }
 }
 
-/// What plots of contact and stress are in.
+/// Units of plots of contact and stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     pub length: Unit,
@@ -42,13 +43,14 @@ const IMPERIAL: Units = Units {
 };
 
 impl Units {
-    /// Those of a system by its name: `SI`, `mm_N_s`, `inch_lbf_s`.
+    /// Returns the units of a system by its name: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub fn of_system(name: &str) -> Units {
         if name == "inch_lbf_s" { IMPERIAL } else { METRIC }
     }
 }
 
-/// The unit of time in which the longest of these times (s) is a number from 1 to 1000, or seconds.
+/// Returns the unit of time in which the longest of these times (s) is a number from 1 to 1000, or
+/// seconds.
 pub fn clock(times: impl Iterator<Item = f64>) -> Unit {
     const UNITS: [Unit; 3] =
         [Unit { name: "s", size: 1.0 }, Unit { name: "ms", size: 1e-3 }, Unit { name: "us", size: 1e-6 }];

@@ -1,28 +1,29 @@
-//! Why results cannot be written to a directory.
+//! Errors of results directories.
 
 use super::Kind;
 use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
-/// Files that a message names.
+/// Largest number of files that a message lists.
 const NAMED: usize = 4;
 
-/// Why results cannot be written to a directory. Shown, it is one sentence; [`DirectoryError::help`] is the remedy.
+/// Reason why results cannot be written to a directory. Its `Display` is one sentence;
+/// [`DirectoryError::help`] is the remedy.
 #[derive(Debug)]
 pub enum DirectoryError {
-    /// It has files and no marker: they may be the user's.
+    /// The directory has files but no marker: they may belong to the user.
     Foreign { path: PathBuf, kind: Kind, files: Vec<String> },
     /// Files that no run wrote have names of results.
     InTheWay { path: PathBuf, files: Vec<String> },
-    /// Another process writes to it.
+    /// Another process writes to the directory.
     InUse { path: PathBuf, owner: String },
-    /// It cannot be read or written.
+    /// The directory cannot be read or written.
     Io { path: PathBuf, error: io::Error },
 }
 
 impl DirectoryError {
-    /// What the user can do about it.
+    /// Returns the remedy.
     pub fn help(&self) -> &'static str {
         match self {
             DirectoryError::Foreign { .. } => {
@@ -69,7 +70,7 @@ impl fmt::Display for DirectoryError {
 
 impl std::error::Error for DirectoryError {}
 
-/// The first names of a list, and how many more there are.
+/// Lists the first names, and the number of the others.
 fn names(files: &[String]) -> String {
     let named = files.iter().take(NAMED);
     let mut list: Vec<String> = named.map(|name| name.escape_debug().to_string()).collect();

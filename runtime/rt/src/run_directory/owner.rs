@@ -1,16 +1,16 @@
-//! The process that writes to a directory, as a line of its marker.
+//! Marker line that identifies the process that writes to a directory.
 
 use super::{OWNER, read as text_of};
 use std::fs::File;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// The line of this process: its number, its machine and the time.
+/// Returns the line of this process: its id, its machine and the time.
 pub(super) fn line() -> String {
     let since = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
     format!("{OWNER}process {} on {}, since {}\n", std::process::id(), host(), utc(since))
 }
 
-/// What the last such line of a marker says.
+/// Returns the process in the last such line of a marker.
 pub(super) fn read(marker: &File) -> String {
     let text = text_of(marker).unwrap_or_default();
     let mut lines = text.split_inclusive('\n').filter_map(|line| line.strip_suffix('\n'));
@@ -20,10 +20,10 @@ pub(super) fn read(marker: &File) -> String {
     printable.unwrap_or_else(|| "a process that has just begun".into())
 }
 
-/// The machine's name.
+/// Returns the name of the machine.
 fn host() -> String {
     let mut name = [0_u8; 256];
-    // SAFETY: the buffer is as long as it says.
+    // SAFETY: the length matches the buffer.
     let status = unsafe { libc::gethostname(name.as_mut_ptr().cast(), name.len()) };
     let length = name.iter().position(|&byte| byte == 0).unwrap_or(name.len());
     match std::str::from_utf8(&name[..length]) {
@@ -32,7 +32,7 @@ fn host() -> String {
     }
 }
 
-/// Seconds since the beginning of 1970 as date and time.
+/// Formats seconds since 1970 as date and time.
 ///
 /// Source: H. Hinnant, "chrono-Compatible Low-Level Date Algorithms", `civil_from_days`.
 fn utc(seconds: u64) -> String {

@@ -6,7 +6,7 @@ fn lock(directory: &Path) -> Result<RunDirectory, DirectoryError> {
     RunDirectory::lock(directory, Kind::Run, false)
 }
 
-/// A folder with files that have their own names as text.
+/// Creates a folder with files that contain their own names.
 fn folder(files: &[&str]) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     files.iter().for_each(|name| write(folder.path(), name));
@@ -18,7 +18,7 @@ fn write(directory: &Path, name: &str) {
     fs::write(directory.join(name), name).unwrap();
 }
 
-/// Files in a directory and below it, without the marker.
+/// Lists the files in a directory and its folders, without the marker.
 fn files(directory: &Path) -> Vec<String> {
     let mut all = Vec::new();
     for name in names_in(directory).unwrap() {
@@ -32,7 +32,7 @@ fn files(directory: &Path) -> Vec<String> {
     all
 }
 
-/// What a run does: it removes what an earlier one wrote and writes these files.
+/// Simulates a run: removes the files of an earlier one and writes these.
 fn run(directory: &Path, names: &[&str]) {
     let locked = lock(directory).unwrap();
     locked.clear().unwrap();
@@ -52,7 +52,7 @@ fn a_directory_with_files_of_the_user_is_refused_and_unchanged() {
         assert_eq!(names_in(folder.path()).unwrap().len(), own.len());
         own.iter().for_each(|name| assert_eq!(fs::read_to_string(folder.path().join(name)).unwrap(), *name));
     }
-    // Named, as many as fit a line.
+    // The message lists as many as fit a line.
     let folder = folder(&["a", "b", "c", "d", "e", "f"]);
     let said = lock(folder.path()).unwrap_err().to_string();
     assert!(said.ends_with("has files that a run did not write: a, b, c, d, and 2 more"), "{said}");
@@ -69,11 +69,11 @@ fn a_run_replaces_what_a_run_wrote_and_nothing_else() {
     run(&directory, &["run.json"]);
     let kept = ["data/steps.csv", "notes.txt", "run.json", "signals/notes.csv", "vtu/scene.pvsm"];
     assert_eq!(files(&directory), kept);
-    // A file of the user that has the name of a result.
+    // A file of the user with the name of a result.
     write(&directory, "modes.csv");
     let error = lock(&directory).unwrap_err();
     assert!(matches!(&error, DirectoryError::InTheWay { files, .. } if *files == ["modes.csv"]), "{error}");
-    // Forced, it is replaced; what has other names stays.
+    // With force, it is replaced; files with other names remain.
     RunDirectory::lock(&directory, Kind::Run, true).unwrap().clear().unwrap();
     assert_eq!(files(&directory), ["data/steps.csv", "notes.txt", "signals/notes.csv", "vtu/scene.pvsm"]);
 }
@@ -115,7 +115,7 @@ fn nothing_outside_is_reached() {
     let text = format!("{}{FILE}../{}/target\n{FILE}/etc/passwd\n", Kind::Run.header(), "x");
     fs::write(folder.path().join(MARKER), text).unwrap();
     assert!(lock(folder.path()).unwrap().marker().owned.is_empty());
-    // A marker that is a link.
+    // A marker that is a symbolic link.
     fs::remove_file(folder.path().join(MARKER)).unwrap();
     std::os::unix::fs::symlink(outside.path().join("target"), folder.path().join(MARKER)).unwrap();
     assert!(lock(folder.path()).is_err());
@@ -130,7 +130,7 @@ fn one_writes_at_a_time() {
     let DirectoryError::InUse { owner, .. } = lock(&directory).unwrap_err() else { panic!("not locked") };
     assert!(owner.contains(&format!("process {} on ", std::process::id())), "{owner}");
     assert!(owner.ends_with(" UTC"), "{owner}");
-    // Not even by force.
+    // Not even with force.
     assert!(RunDirectory::lock(&directory, Kind::Run, true).is_err());
     // It wrote nothing, so nothing remains.
     drop(first);
@@ -169,7 +169,7 @@ fn threads_that_make_and_remove_a_directory_are_alone_in_it() {
         }
     });
     assert!(entered.into_inner() > 0);
-    // One that another thread entered before it was removed stays, empty.
+    // If another thread locked the directory before its removal, it remains, empty.
     assert!(!directory.exists() || names_in(&directory).unwrap().is_empty());
 }
 
@@ -188,7 +188,7 @@ fn a_marker_that_was_cut_off_is_read_as_far_as_it_goes() {
             Err(error) => assert!(!listed("run.json") || !listed("steps.csv"), "{error}"),
         }
     }
-    // A kill while the header was written: nothing else is there yet.
+    // A kill during the write of the header: the directory is otherwise empty.
     let folder = tempfile::tempdir().unwrap();
     for length in 0..header {
         fs::write(folder.path().join(MARKER), &whole[..length]).unwrap();
@@ -205,17 +205,17 @@ fn runs_of_versions_without_markers_are_recognised() {
     let old =
         folder(&["steps.csv", "signals/te_spectrum.csv", "signals/own.csv", "own.txt", "vtu/contact.pvd"]);
     fs::write(old.path().join("run.json"), run.to_string()).unwrap();
-    // A run that fails before its first position leaves everything as it was.
+    // A run that fails before its first position leaves everything unchanged.
     drop(lock(old.path()).unwrap());
     assert!(!old.path().join(MARKER).exists());
     lock(old.path()).unwrap().clear().unwrap();
     assert_eq!(files(old.path()), ["own.txt", "signals/own.csv"]);
-    // Killed: a journal and no summary.
+    // After a kill: a journal and no summary.
     let killed = folder(&["steps.csv"]);
     let journal = format!("{}\n", json!({ "journal": 2, "run": run }));
     fs::write(killed.path().join("journal.jsonl"), journal).unwrap();
     lock(killed.path()).unwrap();
-    // Somebody else's `run.json`.
+    // A `run.json` of another program.
     for other in [json!({}), json!([1]), json!({ "calyx": "0.1.0", "params": {} })] {
         let foreign = folder(&["steps.csv"]);
         fs::write(foreign.path().join("run.json"), other.to_string()).unwrap();

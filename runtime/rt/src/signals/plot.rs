@@ -1,4 +1,4 @@
-//! Pictures of outputs in the frequency domain.
+//! Plots of outputs in the frequency domain.
 
 use super::{Shown, number, title};
 use calyx_runtime::signal::{Signal, SignalKind, SignalTable};
@@ -8,23 +8,24 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// Of a picture, in pixels.
+/// Size of a plot, pixels.
 const SIZE: (u32, u32) = (960, 540);
-/// Of what of it the magnitudes of a transfer function take, above its phases.
+/// Height of the magnitude panel of a transfer function, above its phase panel, pixels.
 const MAGNITUDES: u32 = 330;
-/// Degrees from one line of phases to the next.
+/// Distance of the grid lines of phases, degrees.
 const QUARTER: f64 = 90.0;
-/// Of the legend of a map.
+/// Width of the legend of a map, pixels.
 const LEGEND: u32 = 130;
-/// Orders of magnitude that line spectra show below the largest value.
+/// Orders of magnitude below the largest value that line spectra show.
 const DECADES: i32 = 5;
-/// The same of maps, of which colours are told apart less well than heights.
+/// Orders of magnitude that maps show; fewer, because colours are harder to distinguish than
+/// heights.
 const DECADES_OF_MAPS: i32 = 3;
-/// Peaks whose frequencies are written beside them.
+/// Largest number of peaks labelled with their frequency.
 const NAMED_PEAKS: usize = 6;
-/// Pixels that such a frequency takes, across and up.
+/// Width and height of such a label, pixels.
 const NAME: [i32; 2] = [70, 16];
-/// Frequencies from here on are in kHz.
+/// Limit from which frequencies are shown in kHz, Hz.
 const MANY_HERTZ: f64 = 1e4;
 
 /// Draws a signal into a file.
@@ -37,7 +38,7 @@ pub(super) fn draw(path: &Path, shown: &Shown, signal: &Signal) -> Result<(), Bo
     let below = area.margin(52, 0, 0, 0);
     match &signal.table {
         SignalTable::Lines { places, values, phases } => match signal.request.kind {
-            // As Bode draws it.
+            // A Bode plot.
             SignalKind::TransferFunction { .. } => {
                 let (above, under) = below.split_vertically(MAGNITUDES);
                 lines(&above, shown, signal, places, values)?;
@@ -53,14 +54,14 @@ pub(super) fn draw(path: &Path, shown: &Shown, signal: &Signal) -> Result<(), Bo
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Frequencies up to one are shown divided by this, in this unit.
+/// Returns divisor and unit for an axis with frequencies up to this one.
 fn hertz(highest: f64) -> (f64, &'static str) {
     if highest >= MANY_HERTZ { (1e3, "kHz") } else { (1.0, "Hz") }
 }
 
-/// A number at an axis.
+/// Formats a number at an axis.
 pub(crate) fn tick(value: f64) -> String {
-    // What steps of an axis add up to has digits of its own.
+    // Removes the rounding error of the accumulated steps of the axis.
     let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
 }
@@ -74,7 +75,7 @@ fn lines(
 ) -> Result<(), Box<dyn Error>> {
     let end = places.last().copied().unwrap_or(1.0);
     let (scale, unit) = hertz(end);
-    // The mean would press all else down.
+    // The mean is omitted: it would dominate the scale.
     let points: Vec<(f64, f64)> = places
         .iter()
         .zip(values)
@@ -110,7 +111,7 @@ fn lines(
     for [place, value] in signal.peaks.iter().take(NAMED_PEAKS) {
         let at = (place / scale, shown.value(*value).abs());
         let (x, y) = chart.backend_coord(&at);
-        // The larger ones come first, and others do not write over them.
+        // Larger peaks are labelled first, and labels do not overlap.
         let free = named.iter().all(|(left, top)| (x - left).abs() > NAME[0] || (y - top).abs() > NAME[1]);
         if !(free && (lowest..=2.0 * largest).contains(&at.1)) {
             continue;
@@ -125,7 +126,7 @@ fn lines(
     Ok(())
 }
 
-/// Phases of a transfer function, in degrees.
+/// Draws the phases of a transfer function, in degrees.
 fn phase(area: &Area<'_>, places: &[f64], phases: &[f64]) -> Result<(), Box<dyn Error>> {
     let end = places.last().copied().unwrap_or(1.0);
     let (scale, unit) = hertz(end);
@@ -152,7 +153,7 @@ fn phase(area: &Area<'_>, places: &[f64], phases: &[f64]) -> Result<(), Box<dyn 
     Ok(())
 }
 
-/// What an axis shows, with its unit.
+/// Formats the label of an axis, with its unit.
 pub(crate) fn label(what: &str, unit: &str) -> String {
     if unit.is_empty() { what.to_owned() } else { format!("{what} [{unit}]") }
 }
@@ -166,7 +167,7 @@ fn map(
     values: &[Vec<f64>],
 ) -> Result<(), Box<dyn Error>> {
     let by_order = matches!(signal.request.kind, SignalKind::OrderMap { .. });
-    // Speeds as people read them.
+    // Speeds in revolutions per minute.
     let rows: Vec<f64> = rows.iter().map(|row| if by_order { row * 60.0 / TAU } else { *row }).collect();
     let (scale, unit) = if by_order { (1.0, "") } else { hertz(columns.last().copied().unwrap_or_default()) };
     let columns: Vec<f64> = columns.iter().map(|column| column / scale).collect();
@@ -185,7 +186,8 @@ fn map(
     let part = |value: f64| (value.max(lowest) / lowest).ln() / (largest / lowest).ln();
     for (index, row) in values.iter().enumerate() {
         let [left, right] = edges(&rows, index).map(|edge| edge.max(0.0));
-        // Neighbours of one colour are one rectangle: pictures stay small. The mean is left out.
+        // Neighbours of the same colour are merged to one rectangle, which keeps files small. The
+        // mean is omitted.
         let mut begin = 1;
         for column in 1..row.len() {
             let colour = shade(part(shown.value(row[column]).abs()));
@@ -200,7 +202,7 @@ fn map(
             }
         }
     }
-    // Over what it shows, so that lines of the frame and ticks are seen.
+    // Drawn over the map, so that frame and ticks are visible.
     chart
         .configure_mesh()
         .disable_mesh()
@@ -237,7 +239,7 @@ fn map(
     Ok(())
 }
 
-/// Between what places of a map one of them reaches: half way to its neighbours.
+/// Returns the bounds of one point of a map: half way to its neighbours.
 fn edges(places: &[f64], index: usize) -> [f64; 2] {
     let before = if index == 0 {
         places.get(1).map_or(1.0, |next| next - places[0])
@@ -248,7 +250,7 @@ fn edges(places: &[f64], index: usize) -> [f64; 2] {
     [places[index] - 0.5 * before, places[index] + 0.5 * after]
 }
 
-/// All that the places of a map take up; nothing lies below zero.
+/// Returns the range of an axis of a map, with zero as its lower bound.
 fn span(places: &[f64]) -> std::ops::Range<f64> {
     match places.len() {
         0 => 0.0..1.0,
@@ -259,17 +261,17 @@ fn span(places: &[f64]) -> std::ops::Range<f64> {
     }
 }
 
-/// What a picture shows: some decades below the largest value.
+/// Returns the range of values of a plot: some decades below the largest value.
 fn range(values: impl Iterator<Item = f64>, decades: i32) -> (f64, f64) {
     let largest = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
     let below = 10f64.powi(-decades);
     if largest > 0.0 { (largest * below, largest) } else { (below, 1.0) }
 }
 
-/// Colours that maps have.
+/// Number of colours of maps.
 const SHADES: usize = 32;
 
-/// From white over blue to dark: `part` from 0 to 1.
+/// Returns a colour of the scale from white over blue to dark, for `part` from 0 to 1.
 fn shade(part: f64) -> RGBColor {
     const STOPS: [[f64; 3]; 3] = [[255.0, 255.0, 255.0], [65.0, 125.0, 200.0], [20.0, 10.0, 60.0]];
     let last = (SHADES - 1) as f64;

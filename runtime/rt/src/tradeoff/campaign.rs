@@ -1,7 +1,9 @@
-//! The settings of a model run one after the other, each in a directory of its own: what is finished is kept, what was ended goes on.
+//! Runs the settings of a model one after the other, each in its own directory. Finished runs are
+//! reused, interrupted ones resume.
 //!
-//! Times are those of a first analysis: structures are condensed here, and none is taken from where the user keeps them. Settings that differ
-//! in grids or positions alone share the structures of their mesh, and with them the time to condense these.
+//! Times are those of a first analysis: structures are condensed here, without the user's structure
+//! cache. Settings that differ only in contact grids or positions share the structures of their
+//! mesh, and the time to condense them.
 
 use super::measurement::Measurement;
 use super::settings::Setting;
@@ -20,33 +22,33 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Structures of one mesh at a time are kept, however large they are.
+/// Limit of the structure cache in bytes: large enough for the structures of one mesh.
 const KEPT: u64 = 1 << 40;
 
 /// A model whose settings are run.
 pub struct Campaign {
     pub program: Arc<dyn Program>,
-    /// Values given for params.
+    /// Values assigned to params.
     pub given: Vec<ParamAssignment>,
-    /// Where everything goes.
+    /// Directory of the campaign.
     pub directory: PathBuf,
-    /// Threads of each analysis; 0 is one per core.
+    /// Number of threads of each analysis; 0 is one per core.
     pub threads: usize,
-    /// Ends the setting under way and all that follow.
+    /// Cancels the current setting and all later ones.
     pub cancel: Cancel,
 }
 
-/// What became of a setting.
+/// Outcome of a setting.
 pub enum Outcome {
     Measured(Box<Measurement>),
-    /// It cannot be analysed so; why, in one line.
+    /// The setting is not supported; the reason in one line.
     Refused(String),
-    /// Somebody ended it; the same campaign goes on there.
+    /// The run was cancelled; the same campaign resumes there.
     Ended,
 }
 
 impl Campaign {
-    /// The run directory of a setting.
+    /// Returns the run directory of a setting.
     pub fn runs(&self, setting: &Setting) -> PathBuf {
         self.directory.join("runs").join(setting.folder())
     }
@@ -55,10 +57,11 @@ impl Campaign {
         Store::new(self.directory.join("structures"), KEPT)
     }
 
-    /// Runs a setting, unless an earlier run has done it. `known` are settings measured before, whose structures it may share.
+    /// Runs a setting, unless an earlier run has finished it. `known` are settings measured before,
+    /// whose structures it may share.
     ///
     /// # Errors
-    /// What was given is refused, or a directory cannot be written.
+    /// An assigned value is invalid, or a directory cannot be written.
     pub fn run(
         &self,
         setting: &Setting,
@@ -77,7 +80,8 @@ impl Campaign {
             return Ok(Outcome::Measured(Box::new(measured)));
         }
         if sharing.is_none() {
-            // The time to condense them is to be measured, and those of other meshes are not needed any more.
+            // The time to condense the structures is measured, and those of other meshes are not
+            // needed any more.
             self.store().clear().map_err(unwritable)?;
         }
         let options = RunOptions {
@@ -110,7 +114,8 @@ impl Campaign {
         if let Some(measured) = self.read(setting, predicted, &directory, sharing)? {
             return Ok(Outcome::Measured(Box::new(measured)));
         }
-        // It was ended when all positions were solved and their time was not written: that is known of a run as a whole only.
+        // The run was ended after its last position, before its times were written. Times are known
+        // for a complete run only.
         let again = RunOptions { resume: false, ..options };
         run(self.program.clone(), &again)?;
         Ok(match self.read(setting, predicted, &directory, sharing)? {
@@ -119,7 +124,8 @@ impl Campaign {
         })
     }
 
-    /// What of the setting an earlier run has done; nothing of a run with another model, other params or by another version.
+    /// Finds the state of an earlier run of the setting; nothing if that has another model, other
+    /// params or another version.
     fn begun(&self, setting: &Setting, directory: &Path) -> Result<EarlierRun, RunError> {
         let mut instance = Instance::new(&Engine::default(), self.program.clone());
         for given in &self.given {
@@ -151,10 +157,10 @@ impl Campaign {
         Ok(measured)
     }
 
-    /// Removes what only running needs.
+    /// Removes the files that only running needs.
     ///
     /// # Errors
-    /// It is there and cannot be removed.
+    /// A file exists and cannot be removed.
     pub fn tidy(&self) -> io::Result<()> {
         self.store().clear()
     }

@@ -1,28 +1,31 @@
-//! How far each setting is off the reference, output by output, and which settings are worth their time.
+//! Error of each setting relative to a reference, output by output, and the Pareto frontier of
+//! error and time.
 //!
-//! Errors are parts of the largest magnitude that the output has in the reference run. Positions are compared one by one where both runs
-//! have them; a setting that leaves positions out is wrong by what its extremes and its mean miss.
+//! Errors are fractions of the largest magnitude of the output in the reference run. Values are
+//! compared at the positions that both runs have. For a setting with fewer positions the errors of
+//! extremes and mean count too.
 
 use super::measurement::{Measurement, Series};
 
-/// How far an output is off, over the reference's largest magnitude.
+/// Errors of an output, relative to the largest magnitude of the reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
-    /// The largest deviation at a position that both runs have.
+    /// Largest deviation at a position that both runs have.
     pub deviation: f64,
-    /// Error of the largest value.
+    /// Error of the maximum.
     pub max: f64,
-    /// Of the least one.
+    /// Error of the minimum.
     pub min: f64,
-    /// Of the mean over time.
+    /// Error of the mean over time.
     pub mean: f64,
-    /// Of the largest value less the least.
+    /// Error of the peak-to-peak value.
     pub peak_to_peak: f64,
 }
 
 impl Errors {
-    /// The one that stands for all: the largest deviation, and where positions are left out what extremes or mean miss if that is more.
-    /// (Of the same positions, none of these is more than the deviation.)
+    /// Returns the error used for the comparison: the largest deviation or, if positions are
+    /// omitted, a larger error of extremes or mean. (For the same positions none of these exceeds
+    /// the deviation.)
     pub fn error(&self) -> f64 {
         self.deviation.max(self.max).max(self.min).max(self.mean)
     }
@@ -38,7 +41,7 @@ impl Errors {
         let mut deviation: f64 = 0.0;
         let mut common = 0;
         for (time, value) in times.iter().zip(&series.values) {
-            // Both runs have it from one list, to the bit.
+            // Both runs take the time from the same list, so it is equal to the bit.
             let Ok(at) = reference_times.binary_search_by(|other| other.total_cmp(time)) else { continue };
             deviation = deviation.max(part(value - reference.values.get(at)?));
             common += 1;
@@ -55,43 +58,43 @@ impl Errors {
     }
 }
 
-/// An output at all settings.
+/// Errors of an output at all settings.
 #[derive(Clone, Debug)]
 pub struct OutputErrors {
     pub name: String,
     /// Largest magnitude in the reference run, SI.
     pub magnitude: f64,
-    /// By setting; `None` where its level lacks the output.
+    /// Errors by setting; `None` if its fidelity level lacks the output.
     pub errors: Vec<Option<Errors>>,
-    /// The settings that nothing cheaper beats, from cheap to dear.
+    /// Settings on the Pareto frontier, from cheap to expensive.
     pub frontier: Vec<usize>,
 }
 
-/// All settings against one of them.
+/// Comparison of all settings with one of them.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// Settings from cheap to expensive.
     pub settings: Vec<Measurement>,
-    /// Which of them is the reference.
+    /// Index of the reference.
     pub reference: usize,
-    /// By setting: true if the mesh of the reference is finer, so that the errors include the
-    /// discretization error. Other settings are not recommended.
+    /// Discretization error by setting: true if the mesh of the reference is finer, so that the
+    /// errors include it. Other settings are not recommended.
     pub mesh_seen: Vec<bool>,
     pub outputs: Vec<OutputErrors>,
 }
 
-/// Of the largest magnitude: what recommendations are made for.
+/// Tolerances of the recommendations, relative to the largest magnitude.
 pub const TOLERANCES: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.001];
 
 impl Comparison {
-    /// Compares with the setting of this name; `None` if it is not among them.
+    /// Compares with the setting of this name; `None` if it does not exist.
     pub fn new(mut settings: Vec<Measurement>, reference: &str) -> Option<Comparison> {
         settings
             .sort_by(|a, b| a.time().total_cmp(&b.time()).then_with(|| a.setting.name.cmp(&b.setting.name)));
         let reference = settings.iter().position(|measured| measured.setting.name == reference)?;
         let truth = &settings[reference];
         let finer = |measured: &Measurement| {
-            // Settings that are no levels differ by their names alone.
+            // Settings that are not fidelity levels differ by their names only.
             let known = [truth, measured].iter().all(|one| one.setting.overrides.fidelity.is_some());
             !known || truth.setting.is_finer_than(&measured.setting)
         };
@@ -111,8 +114,8 @@ impl Comparison {
     }
 }
 
-/// Settings, sorted from cheap to dear, each with a smaller error than all before. The reference and
-/// settings whose errors leave out the mesh are not among them.
+/// Returns the settings from cheap to expensive, each with a smaller error than all cheaper ones.
+/// Excludes the reference and settings whose errors omit the discretization error.
 fn frontier(errors: &[Option<Errors>], reference: usize, mesh_seen: &[bool]) -> Vec<usize> {
     let mut least = f64::INFINITY;
     let mut frontier = Vec::new();
@@ -128,7 +131,7 @@ fn frontier(errors: &[Option<Errors>], reference: usize, mesh_seen: &[bool]) -> 
 }
 
 impl OutputErrors {
-    /// The cheapest setting that is off by no more than a part of the largest magnitude.
+    /// Returns the cheapest setting with an error of at most `tolerance`.
     pub fn cheapest(&self, tolerance: f64) -> Option<usize> {
         let within = |index: &&usize| self.errors[**index].is_some_and(|errors| errors.error() <= tolerance);
         self.frontier.iter().find(within).copied()
@@ -142,7 +145,7 @@ pub(super) mod tests {
     use calyx_runtime::scene::Fidelity;
     use calyx_runtime::settings_override::Override;
 
-    /// A run with one output per series of values.
+    /// Creates a run with one output per series of values.
     pub(in super::super) fn measured(
         name: &str,
         time: f64,
@@ -210,7 +213,7 @@ pub(super) mod tests {
         let compared = Comparison::new(all, "truth").unwrap();
         let [a, b] = &compared.outputs[..] else { panic!("two outputs") };
         assert!(a.errors[0].is_none() && a.errors[1].is_none() && a.frontier.is_empty());
-        // What is nought everywhere is right.
+        // An output that is zero everywhere has no error.
         assert_eq!((b.errors[0].unwrap().error(), b.errors[1]), (0.0, None));
         assert!(Comparison::new(Vec::new(), "truth").is_none());
     }
@@ -237,7 +240,7 @@ pub(super) mod tests {
         assert_eq!(a.cheapest(0.001), None);
     }
 
-    /// A comparison with the same mesh is no measure of its error.
+    /// A comparison on the same mesh does not measure the discretization error.
     #[test]
     fn settings_on_the_mesh_of_the_reference_are_not_recommended() {
         let level = |name: &str, refinement: Option<f64>| {

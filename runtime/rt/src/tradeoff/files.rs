@@ -1,4 +1,5 @@
-//! The comparison as files: `tradeoff.csv`, a row for each setting and output, and `tradeoff.json`, everything.
+//! Files of the comparison: `tradeoff.csv` with a row for each setting and output, and
+//! `tradeoff.json` with all data.
 
 use super::comparison::{Comparison, TOLERANCES};
 use super::text::{OmittedSetting, cheapest_of_all};
@@ -7,11 +8,12 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Knobs, a column each.
+/// Columns of the settings.
 const SETTING_NAMES: [&str; 7] =
     ["refinement", "order", "face_elements", "displacement_order", "cells", "cells_along", "every"];
 
-/// Writes the table. Times are in seconds, errors are parts of the output's largest magnitude in the reference run.
+/// Writes the table. Times are in seconds, errors are fractions of the output's largest magnitude
+/// in the reference run.
 pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
     let mut writer = csv::Writer::from_path(path)?;
     let header = ["setting", "level"].into_iter().chain(SETTING_NAMES).chain([
@@ -60,7 +62,7 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
     writer.flush()
 }
 
-/// Everything, for programs.
+/// Returns all data as JSON.
 pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: &[OmittedSetting]) -> Value {
     let settings = comparison.settings.iter().enumerate().map(|(index, measured)| {
         let errors = comparison.outputs.iter().map(|output| {

@@ -1,4 +1,4 @@
-//! What the run directory of a setting says: how long it took, and its values at every position.
+//! Measurement of a setting, read from its run directory: times, and values at every position.
 
 use super::Setting;
 use crate::directory::read_run;
@@ -7,27 +7,28 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// A setting that was run.
+/// Measurement of a setting.
 #[derive(Clone, Debug)]
 pub struct Measurement {
     pub setting: Setting,
-    /// Its time as it was predicted, s.
+    /// Predicted time, s.
     pub predicted: Option<f64>,
-    /// Time to condense structures, s. Where another setting of the same mesh did it for this one too, that one's.
+    /// Time to condense structures, s; if it shares them with another setting of the same mesh,
+    /// that setting's.
     pub structures: f64,
-    /// Time of the positions, s: of all of them, also where an earlier run had solved some.
+    /// Time of all positions, s, including those solved by an earlier run.
     pub positions: f64,
-    /// Most memory that was asked for at once, bytes.
+    /// Largest estimated memory requirement, bytes.
     pub memory: u64,
-    /// Structures that were condensed, not taken from where they are kept.
+    /// Number of structures that were condensed, not taken from the cache.
     pub built: u64,
-    /// When its positions are, s.
+    /// Times of the positions, s.
     pub times: Vec<f64>,
-    /// Its outputs, in the model's order.
+    /// Outputs, in the model's order.
     pub outputs: Vec<Series>,
 }
 
-/// An output over the positions, SI; not a number where a level lacks it.
+/// Values of an output at the positions, SI; NaN if the fidelity level lacks it.
 #[derive(Clone, Debug)]
 pub struct Series {
     pub name: String,
@@ -39,7 +40,7 @@ pub struct Series {
 }
 
 impl Measurement {
-    /// Reads a finished run; `None` if there is none, or none whose time can be told.
+    /// Reads a finished run; `None` if there is none, or if its time is unknown.
     ///
     /// # Errors
     /// Its files cannot be read.
@@ -82,7 +83,7 @@ impl Measurement {
                 peak_to_peak: number("peak_to_peak"),
             }
         };
-        // In the order of the table, which is the model's.
+        // The order of the table is that of the model.
         let names = columns.iter().map(str::to_owned).filter(|name| run["outputs"].get(name).is_some());
         Ok(Some(Measurement {
             setting: setting.clone(),
@@ -96,7 +97,7 @@ impl Measurement {
         }))
     }
 
-    /// Structures and positions together, s.
+    /// Returns the time of structures and positions, s.
     pub fn time(&self) -> f64 {
         self.structures + self.positions
     }
@@ -107,7 +108,7 @@ impl Measurement {
 }
 
 impl Series {
-    /// Its largest magnitude at any position.
+    /// Returns the largest magnitude at any position.
     pub fn magnitude(&self) -> f64 {
         self.values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
     }

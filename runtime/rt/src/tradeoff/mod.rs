@@ -1,7 +1,9 @@
-//! Speed against accuracy, measured: one model analysed at many settings, each in a run directory of its own, compared with a reference.
+//! Measured trade-off of speed and accuracy: one model analysed at many settings, each in its own
+//! run directory, and compared with a reference.
 //!
-//! Who compiles models decides which settings run ([`settings()`]) and runs them; here is what their directories say ([`measurement`]), how far each
-//! output is off the reference and what is worth its time ([`comparison`]), and how that is told: a table, [`files`] and a [`plot`].
+//! The caller compiles the model, selects the settings ([`settings()`]) and runs them. This module
+//! reads their directories ([`measurement`]), computes the errors relative to the reference
+//! ([`comparison`]), and presents them as a table, [`files`] and a [`plot`].
 
 pub mod campaign;
 pub mod comparison;

@@ -1,4 +1,5 @@
-//! The comparison as a picture: a panel an output, error over time, both by powers of ten, what nothing cheaper beats joined by a line.
+//! Plot of the comparison: one panel per output, error over time on logarithmic axes, with the
+//! Pareto frontier as a line.
 
 use super::comparison::Comparison;
 use super::text::{percent, seconds};
@@ -8,15 +9,15 @@ use plotters::prelude::*;
 use std::error::Error;
 use std::path::Path;
 
-/// Of a panel, in pixels.
+/// Size of a panel, pixels.
 const PANEL: (u32, u32) = (420, 300);
-/// Panels in a row.
+/// Number of panels in a row.
 const ROW: usize = 2;
-/// Above the panels: what is shown, and the levels' colours.
+/// Height of the title and the legend of fidelity levels above the panels, pixels.
 const HEAD: u32 = 84;
-/// Errors below this part are drawn at it: of settings that differ from the reference by rounding alone.
+/// Smallest error drawn: settings that differ from the reference by rounding only are drawn here.
 const LEAST: f64 = 1e-6;
-/// Places of levels on the ladder have colours that are told apart, also without colours by their lightness.
+/// Colours of the fidelity levels in order of cost; also distinguishable by lightness.
 const COLOURS: [RGBColor; 7] = [
     RGBColor(150, 150, 150),
     RGBColor(214, 152, 20),
@@ -30,7 +31,7 @@ const COLOURS: [RGBColor; 7] = [
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 fn colour(level: &str) -> RGBColor {
-    // Counted from the finest, so that a level keeps its colour.
+    // Counted from the finest level, so that a level keeps its colour.
     let from_end =
         Fidelity::ALL.iter().rev().position(|known| known.name() == level).unwrap_or(COLOURS.len());
     COLOURS[COLOURS.len().saturating_sub(1 + from_end)]
@@ -81,7 +82,7 @@ fn head(area: &Area<'_>, model: &str, comparison: &Comparison) -> Result<(), Box
     Ok(())
 }
 
-/// Whole decades, or thirds of them where that is enough, around numbers above nought.
+/// Returns a range of whole decades, or thirds of them for a short range, around positive numbers.
 fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values
         .filter(|value| value.is_finite() && *value > 0.0)
@@ -89,7 +90,7 @@ fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if high == 0.0 {
         return (0.1, 10.0);
     }
-    // A margin beside what is shown.
+    // A margin around the data.
     let step = if high / low > 100.0 { 1.0 } else { 3.0 };
     let down = ((0.8 * low).log10() * step).floor() / step;
     let up = ((1.25 * high).log10() * step).ceil() / step;
@@ -135,7 +136,7 @@ fn panel(
     let reference = comparison.settings[comparison.reference].time();
     let dashes = [(reference, low), (reference, high)];
     chart.draw_series(DashedLineSeries::new(dashes, 4, 4, BLACK.mix(0.4).stroke_width(1)))?;
-    // What a setting reaches is reached by all time beyond it.
+    // The frontier is a staircase: the error of a setting is available for all longer times.
     let mut stairs: Vec<(f64, f64)> = Vec::new();
     for (time, error) in output.frontier.iter().filter_map(|index| point(*index)) {
         stairs.extend(stairs.last().map(|(_, before)| (time, *before)));
@@ -153,7 +154,7 @@ fn panel(
     Ok(())
 }
 
-/// The name of a power of ten, or of twice or five times one.
+/// Formats a power of ten, or twice or five times one.
 fn tick_of_time(value: f64) -> String {
     match value {
         value if value < 0.999e-3 => format!("{:.0} us", 1e6 * value),

@@ -1,4 +1,5 @@
-//! Which settings of an analysis are measured: every level, and the knobs below it, one at a time and all coarse together.
+//! Settings that are measured: every fidelity level, with the settings of the level varied one at a
+//! time, and all coarse together.
 
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::scene::Fidelity;
@@ -7,25 +8,27 @@ use calyx_runtime::settings_override::{Grid, Override};
 /// A setting of an analysis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The level, and what else is turned: `medium`, `medium cells=5`.
+    /// Name: the fidelity level and the changed settings, like `medium`, `medium cells=5`.
     pub name: String,
-    /// What makes it, the level among it.
+    /// Overrides that define it, including the fidelity level.
     pub overrides: Override,
 }
 
-/// Meshes beside a level's own, by their number of elements along every direction.
+/// Refinement factors of the measured solid meshes, other than 1: number of elements along every
+/// direction relative to the level's mesh.
 const REFINEMENTS: [f64; 2] = [0.5, 0.7];
-/// The same in section, where they cost little.
+/// Refinement factors of plane meshes, which are cheap.
 const REFINEMENTS_IN_SECTION: [f64; 3] = [0.5, 0.7, 1.4];
-/// Meshes of references, finer than any above.
+/// Refinement factor of the reference of solid levels, finer than any above.
 const REFERENCE_IN_SPACE: f64 = 1.4;
+/// Refinement factor of the reference of plane levels, finer than any above.
 const REFERENCE_IN_SECTION: f64 = 2.0;
-/// Parts of the positions.
+/// Intervals of the analysed positions.
 const EVERY: [usize; 2] = [2, 4];
 
 impl Setting {
     pub fn new(overrides: Override) -> Setting {
-        // Errors are measured here: nobody is to wait for estimates of them.
+        // Errors are measured here, so their estimates are disabled.
         let overrides = Override { error_estimates: Some(Estimates::None), ..overrides };
         let turned = overrides
             .turned()
@@ -38,23 +41,24 @@ impl Setting {
         Setting { name: name.collect::<Vec<_>>().join(" "), overrides }
     }
 
-    /// The level's name.
+    /// Returns the name of the fidelity level.
     pub fn level(&self) -> &'static str {
         self.overrides.fidelity.map_or("", Fidelity::name)
     }
 
-    /// Its run directory's name.
+    /// Returns the name of the run directory.
     pub fn folder(&self) -> String {
         self.name.replace(' ', ",")
     }
 
-    /// What its structures depend on: settings that have this alike share them.
+    /// Returns the settings that its structures depend on: settings for which these are equal share
+    /// them.
     pub fn mesh(&self) -> Override {
         Override { cells: None, cells_along: None, every: None, ..self.overrides }
     }
 
     /// Returns true if its mesh is finer than that of the other setting: a comparison then includes
-    /// the discretization error of the other. No mesh of the same level is finer where it has none.
+    /// the discretization error of the other. A level without a mesh has no finer mesh.
     pub fn is_finer_than(&self, other: &Setting) -> bool {
         let rank = |setting: &Setting| {
             let level = setting.overrides.fidelity?;
@@ -69,7 +73,7 @@ impl Setting {
         }
     }
 
-    /// The knobs that are turned below the level.
+    /// Returns the overridden settings other than the fidelity level.
     pub fn overridden(&self) -> Vec<(&'static str, String)> {
         let below = |overridden_setting: &str| !["fidelity", "error_estimates"].contains(&overridden_setting);
         self.overrides
@@ -80,14 +84,16 @@ impl Setting {
     }
 }
 
-/// The settings of a level, its own first; those that share structures stand together. Its grids are doubled last, which the reference does.
+/// Returns the settings of a fidelity level, its default first. Settings that share structures are
+/// adjacent. The setting with the doubled contact grid is last, because the reference has the same
+/// grid.
 pub fn settings(level: Fidelity, grid: Grid, sampled: bool) -> Vec<Setting> {
     let own = Override { fidelity: Some(level), ..Override::default() };
     let half = |count: usize| (count / 2).max(1);
     let coarse_grid =
         Override { cells: Some(half(grid.half_cells)), cells_along: grid.half_slices.map(half), ..own };
     let mut all = vec![own];
-    // A level without meshes or grids, such as that of rigid bodies, has nothing below it.
+    // A level without meshes or contact grids, such as the rigid one, has no other settings.
     if grid.half_cells > 0 {
         all.push(Override { cells: coarse_grid.cells, ..own });
         all.push(Override { cells: Some(2 * grid.half_cells), ..own });
@@ -100,7 +106,7 @@ pub fn settings(level: Fidelity, grid: Grid, sampled: bool) -> Vec<Setting> {
     if sampled {
         all.extend(EVERY.map(|every| Override { every: Some(every), ..own }));
     }
-    // Levels without a mesh have none to refine.
+    // Levels without a mesh have no refinements.
     let refinements: &[f64] = if let Fidelity::Solid(_) = level {
         &REFINEMENTS
     } else if level == Fidelity::Plane {
@@ -123,9 +129,9 @@ pub fn settings(level: Fidelity, grid: Grid, sampled: bool) -> Vec<Setting> {
     settings
 }
 
-/// The references of a level, the better one first: one with a finer mesh than all settings, and one
-/// with the level's own mesh (in section the finest of them). Both have contact grids twice as fine.
-/// A level without meshes has one reference.
+/// Returns the references of a level, the better one first: one with a finer mesh than all
+/// settings, and one with the level's own mesh (in plane models the finest of them). Both have
+/// contact grids twice as fine. A level without meshes has one reference.
 pub fn references(level: Fidelity, grid: Grid) -> Vec<Setting> {
     let [.., finest] = REFINEMENTS_IN_SECTION;
     let refinements = match level {
@@ -164,7 +170,7 @@ mod tests {
                     "{}",
                     setting.name
                 );
-                // A mesh does not come back once another one has been there.
+                // Settings of one mesh are contiguous.
                 let first = all.iter().position(|other| other.mesh() == setting.mesh()).unwrap();
                 assert!(all[first..=index].iter().all(|other| other.mesh() == setting.mesh()));
             }
@@ -197,7 +203,7 @@ mod tests {
         let own = &settings(level, GRID, true)[0];
         let [finer, same] = &references(level, GRID)[..] else { panic!("two references") };
         assert!(finer.is_finer_than(own) && !same.is_finer_than(own) && same.mesh() == own.mesh());
-        // Levels compare by their places on the ladder.
+        // Levels are compared by their order of cost.
         let plane = &references(Fidelity::Plane, GRID)[0];
         assert!(same.is_finer_than(plane) && !plane.is_finer_than(own));
     }

@@ -1,15 +1,15 @@
-//! The comparison for people at a terminal: a table with the frontier marked, and what to choose.
+//! The comparison as text: a table that marks the Pareto frontier, and recommendations.
 
 use super::comparison::{Comparison, Errors, TOLERANCES};
 
-/// A setting that was not run, and why.
+/// A setting that was not run, and the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OmittedSetting {
     pub name: String,
     pub reason: String,
 }
 
-/// Seconds in three digits.
+/// Formats seconds with three digits.
 pub fn seconds(time: f64) -> String {
     match time {
         time if time < 9.995e-4 => format!("{:.0} us", 1e6 * time),
@@ -21,19 +21,19 @@ pub fn seconds(time: f64) -> String {
     }
 }
 
-/// A part in per cent, in two digits.
+/// Formats a fraction in per cent with two digits.
 pub fn percent(part: f64) -> String {
     let percent = 100.0 * part;
     match percent {
         0.0 => "0".into(),
         p if p < 1e-4 => format!("{p:.0e}"),
-        // Digits behind the point so that there are two.
+        // As many decimals as two digits require.
         p if p < 9.95 => format!("{p:.*}", (1.0 - p.log10().floor()).clamp(1.0, 6.0) as usize),
         p => format!("{p:.0}"),
     }
 }
 
-/// The table: a row a setting, a column an output, errors in per cent.
+/// Formats the table: one row per setting, one column per output, errors in per cent.
 pub fn table(comparison: &Comparison) -> String {
     let mut rows = vec![vec!["setting".to_owned(), "time".into(), "structures".into(), "predicted".into()]];
     rows[0].extend((1..=comparison.outputs.len()).map(|number| format!("[{number}]")));
@@ -86,7 +86,7 @@ what the reference run itself is off is not in them\n";
     text
 }
 
-/// What to choose for which tolerance, output by output and for all of them.
+/// Recommends settings by tolerance, for each output and for all of them.
 pub fn recommendations(comparison: &Comparison) -> String {
     let told = |index: Option<usize>| {
         index.map_or_else(
@@ -101,7 +101,7 @@ pub fn recommendations(comparison: &Comparison) -> String {
         let mut parts: Vec<(f64, Option<usize>)> = Vec::new();
         for tolerance in TOLERANCES {
             let index = cheapest(tolerance);
-            // What holds a tighter bound at no more cost says it all.
+            // A setting that meets several tolerances is listed with the tightest one.
             match parts.last_mut().filter(|last| last.1 == index) {
                 Some(last) => last.0 = tolerance,
                 None => parts.push((tolerance, index)),
@@ -127,7 +127,7 @@ fn percent_of(tolerance: f64) -> String {
     format!("{}", (1e6 * tolerance).round() / 1e4)
 }
 
-/// The cheapest setting at which every output is within a part of its largest magnitude.
+/// Returns the cheapest setting at which the errors of all outputs are at most `tolerance`.
 pub fn cheapest_of_all(comparison: &Comparison, tolerance: f64) -> Option<usize> {
     let within = |errors: &Option<Errors>| errors.as_ref().is_some_and(|errors| errors.error() <= tolerance);
     (0..comparison.settings.len())
@@ -135,7 +135,7 @@ pub fn cheapest_of_all(comparison: &Comparison, tolerance: f64) -> Option<usize>
         .find(|index| comparison.outputs.iter().all(|output| within(&output.errors[*index])))
 }
 
-/// What was not run, and why.
+/// Lists the settings that were not run, with the reasons.
 pub fn left_out(all: &[OmittedSetting]) -> String {
     all.iter().map(|OmittedSetting { name, reason }| format!("{name} left out: {reason}\n")).collect()
 }

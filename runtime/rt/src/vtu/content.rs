@@ -1,9 +1,9 @@
-//! What pictures show of a position, as grids.
+//! Contents of the VTU files of a position, as grids.
 
 use super::grid::{Grid, HEXAHEDRON, LINE, QUADRILATERAL, VERTEX, Values};
 use calyx_runtime::observables::Fields;
 
-/// Every cell of every patch, with its pressure and the teeth it lies on.
+/// Returns every cell of every contact patch, with its pressure and teeth.
 pub fn contact(fields: &Fields) -> Grid {
     let mut grid = Grid::default();
     let (mut pressures, mut first_teeth, mut second_teeth) = (Vec::new(), Vec::new(), Vec::new());
@@ -23,8 +23,8 @@ pub fn contact(fields: &Fields) -> Grid {
     grid
 }
 
-/// The points of fillets at which stress is recovered: joined to quadrilaterals where sections along the face have as many
-/// points each, to lines where there is one section.
+/// Returns the stress recovery points of fillets: joined to quadrilaterals if all sections along
+/// the face have equally many points, to lines if there is one section.
 pub fn root_stress(fields: &Fields) -> Grid {
     let mut grid = Grid::default();
     let mut values: [Vec<f64>; 4] = Default::default();
@@ -64,7 +64,7 @@ pub fn root_stress(fields: &Fields) -> Grid {
     grid
 }
 
-/// The meshes of bodies as they stand without deformation, with displacements to move them by, and stresses.
+/// Returns the undeformed meshes of bodies, with displacements and stresses.
 pub fn bodies(fields: &Fields) -> Grid {
     let mut grid = Grid { short: true, ..Grid::default() };
     let [mut displacements, mut stresses, mut equivalents, mut bodies, mut teeth]: [Vec<f64>; 5] =
@@ -76,7 +76,7 @@ pub fn bodies(fields: &Fields) -> Grid {
             displacements.extend(sector.displacements.as_flattened());
             for &stress in &sector.stresses {
                 let [xx, yy, zz, yz, zx, xy] = stress;
-                // In VTK's order of a symmetric tensor.
+                // Component order of a symmetric tensor in VTK.
                 stresses.extend([xx, yy, zz, xy, yz, zx]);
                 equivalents.push(von_mises(stress));
             }
@@ -97,7 +97,7 @@ pub fn bodies(fields: &Fields) -> Grid {
     grid
 }
 
-/// The stress by which ductile materials yield, of xx, yy, zz, yz, zx, xy.
+/// Computes the von Mises stress from xx, yy, zz, yz, zx, xy.
 fn von_mises([xx, yy, zz, yz, zx, xy]: [f64; 6]) -> f64 {
     let direct = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
     (0.5 * direct + 3.0 * (yz * yz + zx * zx + xy * xy)).sqrt()

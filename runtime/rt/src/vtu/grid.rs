@@ -1,8 +1,8 @@
-//! Unstructured grids as VTK's XML files. They are tags around arrays of numbers, written here: the crates that write them read much more, and are not
-//! kept up.
+//! Unstructured grids in VTK's XML format. The format is tags around numeric arrays and is written
+//! directly: the available crates also read it, and are unmaintained.
 //!
-//! Arrays are bytes, deflated and in base 64, in their place between the tags: text that every reader of such files takes, and a fraction of
-//! what decimals are.
+//! Arrays are inline binary: compressed with zlib and encoded in base 64. All readers support this,
+//! and it takes a fraction of the size of decimals.
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -11,43 +11,45 @@ use flate2::write::ZlibEncoder;
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
 
-/// VTK's numbers of the kinds of cells used here.
+/// Cell types of VTK.
 pub const VERTEX: u8 = 1;
 pub const LINE: u8 = 3;
 pub const QUADRILATERAL: u8 = 9;
 pub const HEXAHEDRON: u8 = 12;
 
-/// Bytes that are deflated together. Readers take blocks apart, so whole numbers of any kind are in each.
+/// Size of a compressed block, bytes. Readers decompress blocks separately, so each contains whole
+/// numbers of any type.
 const BLOCK: usize = 1 << 17;
 
-/// Points, cells over them, and values of either.
+/// Points, cells, and values on either.
 #[derive(Default)]
 pub struct Grid {
     pub points: Vec<[f64; 3]>,
     pub cells: Vec<(u8, Vec<usize>)>,
     pub point_values: Vec<Values>,
     pub cell_values: Vec<Values>,
-    /// Values in single precision, for grids of very many points: as good to look at. Points never are, for displacements are small beside them.
+    /// Stores values in single precision, which is accurate enough to display grids of very many
+    /// points. Points are always double, because displacements are small compared to them.
     pub short: bool,
 }
 
-/// Values by a name.
+/// Named values.
 pub struct Values {
     pub name: &'static str,
-    /// Numbers of each point or cell, which follow each other.
+    /// Number of components of each point or cell, stored contiguously.
     pub components: usize,
     pub numbers: Vec<f64>,
 }
 
 impl Values {
-    /// One number each.
+    /// Creates values with one component.
     pub fn scalars(name: &'static str, numbers: Vec<f64>) -> Values {
         Values { name, components: 1, numbers }
     }
 }
 
 impl Grid {
-    /// The file.
+    /// Formats the file.
     pub fn text(&self) -> io::Result<String> {
         let mut text = format!(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
@@ -92,10 +94,11 @@ fn doubles(numbers: &[f64]) -> impl Iterator<Item = u8> + '_ {
     numbers.iter().flat_map(|number| number.to_le_bytes())
 }
 
-/// An array of numbers by their bytes: how many blocks, bytes of each and of the last, bytes of each deflated; and the blocks.
+/// Writes an array given as bytes: number of blocks, size of a block and of the last one,
+/// compressed size of each, then the blocks.
 fn array(text: &mut String, kind: &str, attributes: &str, bytes: impl Iterator<Item = u8>) -> io::Result<()> {
     let bytes: Vec<u8> = bytes.collect();
-    // Readers do not agree on what no block at all is.
+    // Readers disagree about an array of zero blocks.
     if bytes.is_empty() {
         let _ = writeln!(text, "<DataArray type=\"{kind}\" {attributes} format=\"ascii\"></DataArray>");
         return Ok(());
@@ -106,7 +109,7 @@ fn array(text: &mut String, kind: &str, attributes: &str, bytes: impl Iterator<I
     let mut deflated = Vec::new();
     for block in blocks {
         let before = deflated.len();
-        // Looking longer for what repeats takes three times as long and finds next to nothing in numbers: 1 % of a file.
+        // A higher compression level takes three times as long and reduces the files by only 1 %.
         let mut encoder = ZlibEncoder::new(&mut deflated, Compression::fast());
         encoder.write_all(block)?;
         encoder.finish()?;
@@ -120,21 +123,21 @@ fn array(text: &mut String, kind: &str, attributes: &str, bytes: impl Iterator<I
     Ok(())
 }
 
-/// What is written, read again.
+/// Parser of the written files, for tests.
 #[cfg(test)]
 pub mod written {
     use super::{BASE64_STANDARD, BLOCK};
     use base64::Engine as _;
     use std::io::Read as _;
 
-    /// The bytes of the array with an attribute, and the type of its numbers.
+    /// Returns the bytes of the array with an attribute, and the type of its numbers.
     fn bytes<'t>(text: &'t str, attribute: &str) -> (&'t str, Vec<u8>) {
         let at = text.find(attribute).unwrap();
         let tag = &text[text[..at].rfind("<DataArray type=\"").unwrap()..];
         let kind = tag.split('"').nth(1).unwrap();
         let content = &tag[tag.find('>').unwrap() + 1..tag.find("</DataArray>").unwrap()];
         let number = |bytes: &[u8]| u64::from_le_bytes(bytes.try_into().unwrap()) as usize;
-        // How many blocks there are is in its first 8 bytes, within 12 characters.
+        // The first 8 bytes, within 12 characters, are the number of blocks.
         let blocks = number(&BASE64_STANDARD.decode(&content[..12]).unwrap()[..8]);
         let end = (8 * (3 + blocks)).div_ceil(3) * 4;
         let header: Vec<usize> =
@@ -154,7 +157,7 @@ pub mod written {
         (kind, all)
     }
 
-    /// The numbers of the array with an attribute.
+    /// Returns the numbers of the array with an attribute.
     pub fn numbers(text: &str, attribute: &str) -> Vec<f64> {
         let (kind, bytes) = bytes(text, attribute);
         let of = |size: usize, number: fn(&[u8]) -> f64| bytes.chunks_exact(size).map(number).collect();

@@ -1,8 +1,9 @@
--- Starts the server and hands it buffers, on Neovim 0.7 and later: what one version lacks is done by hand.
+-- Starts the server and attaches buffers, on Neovim 0.7 and later. Missing functions of older
+-- versions are implemented here.
 
 local M = {}
 
---- The folder that belongs together with a file: that of the repository it is in, else its own.
+--- Root folder of a file: its repository, else its own folder.
 function M.root(file)
   local folder = vim.fn.fnamemodify(file, ':p:h')
   local git = vim.fn.finddir('.git', vim.fn.escape(folder, ' ') .. ';')
@@ -12,7 +13,7 @@ function M.root(file)
   return git == '' and folder or vim.fn.fnamemodify(git, ':p:h:h')
 end
 
---- What `vim.lsp.start_client` and its successors are told.
+--- Configuration for `vim.lsp.start_client` and its successors.
 function M.config(options)
   local config = vim.tbl_deep_extend('force', {
     name = 'calyx',
@@ -23,7 +24,7 @@ function M.config(options)
   return config
 end
 
---- Neovim's clients of this server.
+--- Clients of this server.
 function M.clients(buffer)
   local found = {}
   local list
@@ -54,12 +55,13 @@ local function executable(config)
   return false
 end
 
---- Whether a buffer holds a file. A diff's side or a terminal does not.
+--- Returns true if a buffer shows a file; false for a terminal or one side of a diff.
 local function is_file(buffer)
   return vim.bo[buffer].buftype == '' and not vim.api.nvim_buf_get_name(buffer):match('^%a+://')
 end
 
---- The folder a buffer belongs to. The library's own files, jumped to from a model, belong to the server that showed them.
+--- Root folder of a buffer. Library files opened from a model belong to the server that returned
+--- them.
 local function root_of(buffer)
   local file = vim.api.nvim_buf_get_name(buffer)
   local running = M.clients()[1]
@@ -69,7 +71,7 @@ local function root_of(buffer)
   return M.root(file)
 end
 
---- What `vim.lsp.config` of Neovim 0.11 is told.
+--- Configuration for `vim.lsp.config` of Neovim 0.11.
 function M.configuration(options)
   local config = M.config(options)
   config.filetypes = { 'calyx' }
@@ -81,7 +83,7 @@ function M.configuration(options)
   return config
 end
 
---- Starts the server for a buffer, or hands the buffer to the one that runs for its folder.
+--- Starts the server for a buffer, or attaches the buffer to the server of its root folder.
 function M.start(options, buffer)
   local config = M.config(options)
   if not is_file(buffer) or not executable(config) then
@@ -104,7 +106,7 @@ function M.start(options, buffer)
   end
 end
 
---- Starts the server for every model that is open.
+--- Starts the server for every open model.
 function M.start_all(options)
   for _, buffer in ipairs(vim.api.nvim_list_bufs()) do
     if vim.api.nvim_buf_is_loaded(buffer) and vim.bo[buffer].filetype == 'calyx' then
@@ -113,10 +115,10 @@ function M.start_all(options)
   end
 end
 
---- Ends the server; buffers keep their texts.
+--- Stops the server; buffers remain unchanged.
 function M.stop()
   for _, client in ipairs(M.clients()) do
-    -- A method since 0.11, a function before.
+    -- A method since Neovim 0.11, a function before.
     if vim.fn.has('nvim-0.11') == 1 then
       client:stop()
     else

@@ -19,7 +19,7 @@ local function request(command, uri, answer, ...)
     end
   end
   local params = { command = command, arguments = { uri, ... } }
-  -- A method with a colon since 0.11, a function before.
+  -- A method since Neovim 0.11, a function before.
   if vim.fn.has('nvim-0.11') == 1 then
     server:request('workspace/executeCommand', params, handler, buffer)
   else
@@ -31,7 +31,7 @@ local function here()
   return vim.uri_from_bufnr(0)
 end
 
---- A text beside the model that cannot be changed. Asked for again it takes the place of the one before.
+--- Shows a read-only text next to the model; replaces the previous one.
 local function show(name, text)
   local buffer = vim.fn.bufnr('^' .. name .. '$')
   if buffer < 0 then
@@ -56,7 +56,7 @@ local function save(uri)
   end
 end
 
---- Saves the model and runs it. Its results come as hints and messages of the server.
+--- Saves the model and runs it. The server shows the results as inlay hints and messages.
 function M.run(uri)
   uri = uri or here()
   save(uri)
@@ -69,7 +69,7 @@ function M.test(uri, name)
   request('calyx.test', uri, nil, name)
 end
 
---- Shows what the engine would model, and why.
+--- Shows the plan of the analysis: the modelling decisions and their reasons.
 function M.plan(uri)
   uri = uri or here()
   request('calyx.plan', uri, function(text)
@@ -79,7 +79,7 @@ function M.plan(uri)
   end)
 end
 
---- Stops what runs.
+--- Stops the run of the model.
 function M.cancel(uri)
   request('calyx.cancel', uri or here())
 end
@@ -89,7 +89,7 @@ function M.register()
   command('CalyxRun', function() M.run() end, { desc = 'Save the model and run it' })
   command('CalyxPlan', function() M.plan() end, { desc = 'Show what the engine would model' })
   command('CalyxCancel', function() M.cancel() end, { desc = 'Stop the run of the model' })
-  -- The same from code lenses, whose first argument is the model.
+  -- Handlers of code lenses, whose first argument is the model.
   vim.lsp.commands['calyx.run'] = function(lens) M.run(lens.arguments[1]) end
   vim.lsp.commands['calyx.plan'] = function(lens) M.plan(lens.arguments[1]) end
   vim.lsp.commands['calyx.test'] = function(lens) M.test(lens.arguments[1], lens.arguments[2]) end

@@ -1,13 +1,13 @@
--- Indentation while typing, as the formatter has it: a step for each line that leaves brackets open, one for what goes on from the
--- line before, one below a `case`.
+-- Indentation on typing, as in the formatter: one step for each line with unclosed brackets, one
+-- for a continuation line, one below a `case`.
 
 local M = {}
 
 local STEP = 4
--- Further back than any bracket is open.
+-- Largest number of lines that are searched for an unclosed bracket.
 local REACH = 1000
 
---- A line without strings, comments and blanks around it. Strings end on their line.
+--- Returns a line without strings, comments and surrounding blanks. Strings end on their line.
 local function code(number)
   local line = vim.fn.getline(number):gsub('\\.', '')
   line = line:gsub('"[^"]*"?', '""'):gsub('/%*.-%*/', ''):gsub('//.*$', '')
@@ -16,7 +16,7 @@ end
 
 local CLOSES = { [')'] = '(', [']'] = '[', ['}'] = '{' }
 
---- Of the brackets that are open before a line, the innermost: its line and the bracket.
+--- Returns the innermost unclosed bracket before a line: its line and the bracket.
 local function opener(number)
   local closed = 0
   for above = number - 1, math.max(1, number - REACH), -1 do
@@ -36,7 +36,7 @@ local function opener(number)
   return 0, nil
 end
 
---- The next line above that is not only a comment, but below `limit`.
+--- Returns the next line above, but below `limit`, that is not only a comment.
 local function line_before(number, limit)
   for above = number - 1, limit + 1, -1 do
     local line = code(above)
@@ -47,7 +47,7 @@ local function line_before(number, limit)
   return nil
 end
 
---- How many columns a line is to be indented.
+--- Returns the indentation of a line in columns.
 function M.line(number)
   local at, bracket = opener(number)
   local here = code(number)
@@ -63,7 +63,7 @@ function M.line(number)
     base = base + STEP
   end
   local before = line_before(number, at)
-  -- A header such as `else` or `if (...)` goes on as an operator does, but a block stands below it.
+  -- The line after a header such as `else` or `if (...)` is a continuation, unless it is a block.
   if before and not before:match('[;{},:]$') and not here:match('^{') then
     return base + STEP
   end

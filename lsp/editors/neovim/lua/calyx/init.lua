@@ -5,18 +5,18 @@ local commands = require('calyx.commands')
 
 local M = {}
 
---- What may be given to `setup`, with what holds otherwise. Everything `vim.lsp.start_client` knows may be given too.
+--- Options of `setup` with their defaults. Options of `vim.lsp.start_client` are accepted too.
 M.defaults = {
   cmd = { 'calyx', 'lsp' },
-  -- The mappings that Neovim 0.11 has for every server, in older versions too, and `gd`.
+  -- The default mappings of Neovim 0.11, in older versions too, and `gd`.
   mappings = true,
-  -- Types, dimensions and names of parameters between the lines (Neovim 0.10 and later).
+  -- Types, dimensions and names of parameters as inlay hints (Neovim 0.10 and later).
   inlay_hints = true,
-  -- Run and Plan above a model.
+  -- The code lenses Run and Plan above a model.
   code_lens = true,
 }
 
--- Highlighting of what the server says about names; a colour scheme may say otherwise.
+-- Default highlight groups of semantic tokens; a colour scheme may override them.
 local HIGHLIGHTS = {
   ['@lsp.type.unit.calyx'] = 'Special',
   ['@lsp.type.label.calyx'] = 'Label',
@@ -53,7 +53,7 @@ local function show_lenses(buffer)
   })
 end
 
---- What happens when the server takes a buffer.
+--- Configures a buffer when the server attaches to it.
 function M.attached(options, server, buffer)
   vim.bo[buffer].omnifunc = 'v:lua.vim.lsp.omnifunc'
   vim.bo[buffer].tagfunc = 'v:lua.vim.lsp.tagfunc'
@@ -64,14 +64,14 @@ function M.attached(options, server, buffer)
   if options.inlay_hints and vim.lsp.inlay_hint and vim.lsp.inlay_hint.enable then
     vim.lsp.inlay_hint.enable(true, { bufnr = buffer })
   end
-  -- Answered already on 0.7, whose table of capabilities has another name.
+  -- Neovim 0.7 has another name for this table and has handled it already.
   local capabilities = server.server_capabilities or {}
   if options.code_lens and capabilities.codeLensProvider then
     show_lenses(buffer)
   end
 end
 
---- Options with the hook that Neovim calls for each buffer; one of the user's own runs after it.
+--- Adds the attach hook to the options; the user's own hook runs after it.
 function M.options(given)
   local options = vim.tbl_extend('force', M.defaults, given or {})
   local own = options.on_attach
@@ -96,13 +96,13 @@ end
 
 function M.setup(given)
   local config = for_server(M.options(given))
-  -- Before 0.9 there are neither semantic tokens nor such names of groups.
+  -- Neovim before 0.9 has neither semantic tokens nor these group names.
   if vim.lsp.semantic_tokens then
     for group, link in pairs(HIGHLIGHTS) do
       vim.api.nvim_set_hl(0, group, { link = link, default = true })
     end
   end
-  -- Code blocks in hovers and in Markdown.
+  -- Highlights code blocks in hover texts and Markdown.
   local fenced = vim.g.markdown_fenced_languages or {}
   vim.g.markdown_fenced_languages = vim.list_extend({ 'cx=calyx', 'calyx' }, fenced)
   commands.register()

@@ -1,16 +1,18 @@
-//! What is wanted of a value that stands at the cursor: where it begins, beside which operator, and what it is for.
+//! Context of the value at the cursor: its start, the operator before the operand, and its
+//! receiver.
 
 use super::*;
 
 impl Context<'_> {
-    /// The value that is being written before the token `end`, in the brackets `open[depth]`.
+    /// Returns the incomplete value before the token `end`, in the delimiters `open[depth]`.
     pub fn value(&self, depth: usize, end: usize) -> Value {
         let region = self.region(depth, end);
         let operator = self.operator(region, end);
         Value { slot: self.slot(depth, region, end), operator }
     }
 
-    /// Where the expression begins that the token before `end` belongs to, in the brackets `open[depth]`.
+    /// Returns the start of the expression with the token before `end`, in the delimiters
+    /// `open[depth]`.
     pub(super) fn region(&self, depth: usize, end: usize) -> usize {
         let start = match self.statement.open.get(depth) {
             Some(OpenDelimiter { kind: Bracket::For, .. }) => {
@@ -19,7 +21,7 @@ impl Context<'_> {
             Some(open) => self.after_comma(open.at + 1, end),
             None => self.statement.start,
         };
-        // The last token that an expression begins behind.
+        // Last token after which an expression starts.
         let mut at = end;
         while let Some(before) = at.checked_sub(1).filter(|&before| before >= start) {
             match self.kind(before) {
@@ -50,7 +52,7 @@ impl Context<'_> {
         self.statement.open.get(depth).map_or(self.statement.start, |open| open.at + 1)
     }
 
-    /// The token behind the last comma between two tokens that is not in brackets.
+    /// Returns the token after the last comma between two tokens that is not in delimiters.
     pub(super) fn after_comma(&self, start: usize, end: usize) -> usize {
         let mut at = end;
         while let Some(before) = at.checked_sub(1).filter(|&before| before >= start) {
@@ -65,13 +67,14 @@ impl Context<'_> {
         start
     }
 
-    /// Whether a `)` closes the condition of an `if`.
+    /// Returns true if a `)` closes the condition of an `if`.
     pub(super) fn closes_condition(&self, at: usize) -> bool {
         self.kind(at) == Some(Kind::CloseParen)
             && self.around.opening(at).is_some_and(|open| self.around.previous(open) == Some(Kind::If))
     }
 
-    /// What stands before the operand that begins at `end`, in the expression that begins at `start`.
+    /// Returns the operator before the operand that starts at `end`, in the expression that starts
+    /// at `start`.
     pub(super) fn operator(&self, start: usize, end: usize) -> Operator {
         let Some(last) = end.checked_sub(1).filter(|&last| last >= start) else { return Operator::None };
         let binary = last > start && self.around.ends_expression(last - 1);
@@ -92,7 +95,7 @@ impl Context<'_> {
             }
             Some(Kind::Caret) => Operator::Exponent,
             Some(Kind::Not | Kind::And | Kind::Or | Kind::AndAnd | Kind::OrOr) => Operator::Truth,
-            // The cursor is behind a value, or the operand is the first.
+            // The cursor is after a value, or the operand is the first.
             Some(Kind::Number | Kind::Identifier | Kind::CloseParen | Kind::CloseBracket) => {
                 let first = self.primary(start, end);
                 if first < end { self.operator(start, first) } else { Operator::None }
@@ -101,7 +104,7 @@ impl Context<'_> {
         }
     }
 
-    /// The first token of the operand that ends before `end`.
+    /// Returns the first token of the operand that ends before `end`.
     pub(super) fn primary(&self, start: usize, end: usize) -> usize {
         let mut at = end;
         while let Some(before) = at.checked_sub(1).filter(|&before| before >= start) {
@@ -116,7 +119,7 @@ impl Context<'_> {
         at
     }
 
-    /// The first token of the term (of a sum or a comparison) that ends before `end`.
+    /// Returns the first token of the term (of a sum or a comparison) that ends before `end`.
     pub(super) fn term(&self, start: usize, end: usize) -> usize {
         let mut at = end;
         while let Some(before) = at.checked_sub(1).filter(|&before| before >= start) {
@@ -141,7 +144,7 @@ impl Context<'_> {
         at
     }
 
-    /// What the expression that begins at `region` is for.
+    /// Returns the receiver of the expression that starts at `region`.
     pub(super) fn slot(&self, depth: usize, region: usize, end: usize) -> Slot {
         // `x at Time = `
         if region >= 3
@@ -192,7 +195,7 @@ impl Context<'_> {
         }
     }
 
-    /// A default or bound of what is declared by the tokens from its name on.
+    /// Returns the slot of a default or bound in the declaration whose name is the token `name`.
     pub(super) fn declared_slot(&self, name: usize, region: usize) -> Slot {
         let before = |kind| (name..region).find(|&at| self.kind(at) == Some(kind));
         let assign = before(Kind::Assign).or(before(Kind::Bind));
@@ -223,7 +226,7 @@ impl Context<'_> {
         if self.blocks.first().is_some_and(|block| block.kind == BlockKind::Record) {
             return self.declared_slot(start, region);
         }
-        // The `=` of this declaration or assignment, which may have `if (c) a else` behind it.
+        // The `=` of this declaration or assignment; `if (c) a else` may follow it.
         let from = self.after_comma(start, end).max(start);
         let mut signs = (from..region).filter(|&at| {
             matches!(self.kind(at), Some(Kind::Assign | Kind::Bind)) && self.in_no_bracket(from, at)
