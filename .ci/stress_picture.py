@@ -15,9 +15,9 @@ import numpy as np
 WIDTH, HEIGHT, OVERSAMPLING = 1200, 600, 2
 # Factor on the elastic displacements.
 WARP = 100
-# The scale saturates here, Pa: contact stress at a node is not resolved by the mesh.
+# Upper limit of the colour scale, Pa: the mesh does not resolve contact stresses at nodes.
 HIGHEST = 3e8
-# Width of the section shown, over the width of the bodies.
+# Width of the visible section relative to the width of the bodies.
 SECTION = 0.8
 # The six faces of a hexahedron.
 FACES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
@@ -91,7 +91,7 @@ def main(source, target):
     turned = points @ view().T
     width, height = WIDTH * OVERSAMPLING, HEIGHT * OVERSAMPLING
     zoom = width / (SECTION * np.ptp(turned[:, 0]))
-    # The picture is centred where stress is high: on the teeth in contact.
+    # Centres the image at high stresses: on the teeth in contact.
     centre = turned[stress > 0.8, :2].mean(0)
     turned[:, :2] = (turned[:, :2] - centre) * zoom
     screen = turned * (1, -1, zoom) + (0.5 * width, 0.5 * height, 0)

@@ -1,4 +1,4 @@
-//! How long checking and compiling take, over four sizes of the generator's models: `cargo bench -p calyx`.
+//! Times of checking and compiling for four sizes of generated models: `cargo bench -p calyx`.
 
 #[path = "../../lang/tests/support/generator.rs"]
 mod generator;
@@ -16,21 +16,21 @@ fn sound(checked: Checked) -> Checked {
     checked
 }
 
-/// The language only: text to typed program, from nothing.
+/// Language front end only: from text to typed program, without cached results.
 #[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
 fn check_cold(bencher: Bencher, lines: usize) {
     let (text, loader) = (generator::model(lines), ModelLoader::default());
     bencher.bench(|| calyx_lang::check::check_program("model.cx", black_box(&text), &loader));
 }
 
-/// What `calyx check` does: the model is also run at its defaults, up to any analysis.
+/// Complete `calyx check`: also runs the model at its defaults, up to the first analysis.
 #[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
 fn check_and_elaborate(bencher: Bencher, lines: usize) {
     let text = generator::model(lines);
     bencher.bench(|| sound(check_text("model.cx", black_box(&text))));
 }
 
-/// One function body changed, in a database that knows the model.
+/// Incremental check after a change of one function body.
 #[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
 fn check_after_an_edit(bencher: Bencher, lines: usize) {
     let text = generator::model(lines);
@@ -48,7 +48,7 @@ fn check_after_an_edit(bencher: Bencher, lines: usize) {
     bencher.bench_local(check);
 }
 
-/// Text to machine code.
+/// From text to machine code.
 #[divan::bench(args = [250, 500, 1_000, 2_000])]
 fn compile(bencher: Bencher, lines: usize) {
     let (engine, text) = (Engine::default(), generator::model(lines));
@@ -56,7 +56,7 @@ fn compile(bencher: Bencher, lines: usize) {
         .bench(|| Module::from_checked(&engine, sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
 }
 
-/// Of a checked model.
+/// From checked model to machine code.
 #[divan::bench(args = [250, 500, 1_000, 2_000])]
 fn machine_code(bencher: Bencher, lines: usize) {
     let (engine, text) = (Engine::default(), generator::model(lines));
@@ -65,7 +65,7 @@ fn machine_code(bencher: Bencher, lines: usize) {
         .bench_values(|checked| Module::from_checked(&engine, checked).map(|_| ()));
 }
 
-/// A product of frames with its first and second derivatives by time, text to machine code.
+/// From text to machine code, for a product of frames with its first and second time derivatives.
 #[divan::bench(args = [25, 50, 100])]
 fn chain(bencher: Bencher, factors: usize) {
     let (engine, text) = (Engine::default(), generator::chain(factors));

@@ -1,6 +1,6 @@
-//! What it costs to embed a model: an instance with params of its own against compiling the model, and a position taken
-//! from a run against one solved by the engine alone. Ratios within one run; times are only there to see their size:
-//! `cargo bench -p calyx --bench embedding`.
+//! Cost of embedding a model: an instance with its own params compared to compiling the model, and
+//! a position from a run compared to one solved by the engine alone. The results are ratios within
+//! one run; the times only show the order of magnitude: `cargo bench -p calyx --bench embedding`.
 
 use calyx::rt::apply;
 use calyx::{Engine, Instance, Module};
@@ -44,7 +44,7 @@ fn main() {
     let mut instance = module.instantiate();
     instance.set("steps", STEPS).expect("in range");
     instance.set("fidelity", "plane").expect("in range");
-    // The structures are built once; what follows takes them from the engine.
+    // Builds the structures; later runs use those stored in the engine.
     instance.solve().expect("the example is solved");
     let text = std::fs::read_to_string(&path).expect("the example");
     let direct = direct(&text);
@@ -60,9 +60,9 @@ fn main() {
     row("instance.solve()?, a run's beginning included", times[2], times[0]);
 }
 
-/// Solves the same scene without an instance: seconds per position.
+/// Solves the same scene without an instance; returns seconds per position.
 fn direct(text: &str) -> impl Fn() -> f64 {
-    // Positions are made, and nothing is solved.
+    // Creates positions without solving them.
     let (model, _) = text.split_once("analyze(").expect("it ends with its analysis");
     let unsolved = format!("{model}var cycle = gears.mesh_cycle(mesh, steps);");
     let module = Module::from_text(&Engine::default(), "spur_pair.cx", &unsolved).expect("it compiles");
@@ -98,7 +98,7 @@ fn direct(text: &str) -> impl Fn() -> f64 {
     }
 }
 
-/// Takes every position: seconds per position after the first.
+/// Requests every position; returns seconds per position after the first.
 fn stepping(instance: &Instance) -> f64 {
     let mut run = instance.run().expect("a run");
     let count = run.next().expect("a position").expect("solved").count();
@@ -111,7 +111,7 @@ fn stepping(instance: &Instance) -> f64 {
     time
 }
 
-/// Solves all positions: seconds per position, with all that a run does before them.
+/// Solves all positions; returns seconds per position, including the preparation of the run.
 fn solving(instance: &Instance) -> f64 {
     let began = Instant::now();
     let results = instance.solve().expect("solved");
@@ -122,7 +122,7 @@ fn row(name: &str, time: f64, whole: f64) {
     println!("{name:<52} {:>10.1} {:>10.4}", 1e6 * time, time / whole);
 }
 
-/// Seconds of the fastest of some runs: the one least disturbed.
+/// Returns the time of the fastest of several runs, s: the one least disturbed.
 fn fastest(runs: usize, mut run: impl FnMut()) -> f64 {
     let time = |_| {
         let began = Instant::now();

@@ -1,5 +1,6 @@
-//! How long examples of planetary systems and of motion in time take at the lengths that are asked of them, from a cold start:
-//! `cargo bench -p calyx --bench examples`. Times of this machine, with shares of structures and positions, which travel.
+//! Computing times of examples of planetary systems and of motion in time at realistic lengths,
+//! without cached structures: `cargo bench -p calyx --bench examples`. The times depend on the
+//! machine; the shares of structures and positions are comparable between machines.
 
 use calyx::{Engine, Instance, Module};
 use std::path::Path;
@@ -25,10 +26,10 @@ fn main() {
     });
 }
 
-/// An example with some params, and how many positions or steps that makes.
+/// Runs an example with some params, which determine the number of positions or steps.
 fn measure(what: &str, example: &str, count: usize, set: impl Fn(&mut Instance) -> Result<(), calyx::Error>) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(example);
-    // An engine of its own keeps nothing of another run.
+    // A separate engine has no stored structures of other runs.
     let engine = Engine::default();
     let begun = Instant::now();
     let module = Module::from_file(&engine, &path).expect("the example compiles");

@@ -1,7 +1,7 @@
-//! How large an executable made of a model is, and how soon it starts, beside an empty program in C that is linked and started in the
-//! same way: `cargo bench -p calyx --bench executable`.
+//! Size and start-up time of an executable built from a model, compared to an empty C program that
+//! is linked and started in the same way: `cargo bench -p calyx --bench executable`.
 //!
-//! Starting a process is most of what is measured; read the ratios between the rows.
+//! Most of the measured time is the start of a process; compare the ratios between the rows.
 
 use calyx::build::{BuildOptions, Linker, build};
 use divan::Bencher;
@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 use tempfile::TempDir;
 
-/// The executables, in a directory that is there until the process ends.
+/// Executables, in a directory that exists until the process ends.
 struct Executables {
     _directory: TempDir,
     empty: PathBuf,
@@ -69,13 +69,13 @@ fn empty_program_in_c(bencher: Bencher) {
     bench_start(bencher, &executables().empty, &[]);
 }
 
-/// Reads its description and shows the command line it takes.
+/// Reads the model's description and prints the usage.
 #[divan::bench]
 fn spur_pair_help(bencher: Bencher) {
     bench_start(bencher, &executables().spur_pair, &["--help"]);
 }
 
-/// A model that computes nothing: params, program and run directory.
+/// Runs a model that computes nothing: params, program and run directory.
 #[divan::bench]
 fn a_run_of_nothing(bencher: Bencher) {
     let results = tempfile::tempdir().expect("a directory");

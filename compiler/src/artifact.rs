@@ -1,13 +1,13 @@
-//! A compiled module as bytes, to be kept and loaded again.
+//! Serialized compiled modules.
 //!
 //! ```text
-//! magic, format, length, SHA-256        52 bytes, little-endian; the checksum is over all other bytes
-//! identity                              which version made it, for which engine and machine
+//! magic, format, length, SHA-256        52 bytes, little-endian; the checksum covers all other bytes
+//! identity                              version of Calyx, engine and target machine
 //! contents                              description, machine code, functions of params
 //! ```
 //!
-//! Identity and contents are encoded by `postcard`. Whatever the bytes are, reading them gives a module's parts or says
-//! why not.
+//! Identity and contents are encoded by `postcard`. Reading accepts arbitrary bytes: the result is
+//! the contents of a module or an error.
 
 use calyx_abi::Fingerprint;
 use calyx_abi::description::ModelDescription;
@@ -17,53 +17,54 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt;
 
-/// What every artifact begins with. The first byte is no text, and a transfer that changes line ends changes the last.
+/// First bytes of every artifact. The first byte is not ASCII, and a transfer that converts line
+/// ends changes the last two.
 const MAGIC: [u8; 8] = *b"\x89CALYX\r\n";
 
-/// Counts changes of the layout described above, and of what identity and contents hold.
+/// Version of the layout described above, including the fields of identity and contents.
 const FORMAT: u32 = 1;
 
 const LENGTH_AT: usize = 12;
 const CHECKSUM_AT: usize = 20;
 const BODY_AT: usize = 52;
 
-/// The version of Calyx, as artifacts state it.
+/// Version of Calyx, as stored in artifacts.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Whether bytes are meant to be a compiled module: they begin as one.
+/// Returns true if the bytes begin with the magic of a compiled module.
 pub fn is_artifact(bytes: &[u8]) -> bool {
     bytes.starts_with(&MAGIC)
 }
 
-/// Why bytes could not be loaded as a module. [`ArtifactError::help`] says what to do.
+/// Error of loading a module from bytes. [`ArtifactError::help`] returns the remedy.
 #[derive(Debug)]
 pub enum ArtifactError {
-    /// They do not begin as one.
+    /// The bytes do not begin with the magic.
     NotAnArtifact,
-    /// There are fewer bytes than were written, or more.
+    /// The length differs from the one in the header.
     Length { found: u64, expected: u64 },
-    /// The checksum does not fit the bytes.
+    /// The checksum does not match the bytes.
     Corrupted,
-    /// Its layout is that of another version of Calyx.
+    /// The layout belongs to another version of Calyx.
     Format { found: u32, expected: u32 },
-    /// Another version of Calyx made it.
+    /// The artifact was created by another version of Calyx.
     Version { found: String, expected: String },
-    /// It was compiled for an engine with other functions.
+    /// The artifact was compiled for an engine with other functions.
     Engine { found: Fingerprint, expected: Fingerprint },
-    /// It is for another architecture or system.
+    /// The artifact is for another architecture or operating system.
     Target { found: String, expected: String },
-    /// It is for a processor that can do more than this one.
+    /// The artifact requires instruction sets that this processor lacks.
     Processor { missing: Vec<String> },
-    /// The checksum fits, but the contents contradict themselves.
+    /// The checksum matches, but the contents are inconsistent.
     Malformed(String),
-    /// The code cannot be put into memory.
+    /// The code cannot be loaded into memory.
     Code(LoadError),
-    /// This machine is not one that Calyx compiles for.
+    /// Calyx does not support this machine.
     Machine(CodegenError),
 }
 
 impl ArtifactError {
-    /// What to do about it, as a sentence.
+    /// Returns the remedy as a sentence.
     pub fn help(&self) -> &'static str {
         match self {
             ArtifactError::NotAnArtifact => {
@@ -126,7 +127,7 @@ impl fmt::Display for ArtifactError {
 
 impl std::error::Error for ArtifactError {}
 
-/// Which version made an artifact, and what it runs on.
+/// Creator and target of an artifact.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Identity {
     version: String,
@@ -134,16 +135,16 @@ struct Identity {
     machine: Machine,
 }
 
-/// What a module is made of.
+/// Parts of a module.
 #[derive(Debug)]
 pub struct Contents {
     pub description: ModelDescription,
     pub code: ModuleCode,
-    /// Of each param the numbers of its functions: default, low and high end.
+    /// Function ids of each param: default, lower and upper bound.
     pub params: Vec<[Option<u32>; 3]>,
 }
 
-/// The contents as they are written: the description is JSON, as in object files.
+/// Encoded form of the contents: the description is JSON, as in object files.
 #[derive(Serialize, Deserialize)]
 struct Written {
     description: String,
@@ -151,7 +152,7 @@ struct Written {
     params: Vec<[Option<u32>; 3]>,
 }
 
-/// Writes an artifact of a module for processors of some kind.
+/// Writes an artifact of a module for a kind of processors.
 pub fn write(contents: Contents, cpu: TargetCpu) -> Result<Vec<u8>, WriteError> {
     let machine = Machine::new(cpu).map_err(WriteError::Machine)?;
     let identity = Identity { version: VERSION.into(), engine: FINGERPRINT, machine };
@@ -162,7 +163,7 @@ pub fn write(contents: Contents, cpu: TargetCpu) -> Result<Vec<u8>, WriteError> 
     Ok(framed(FORMAT, &body))
 }
 
-/// Why an artifact could not be written.
+/// Error of writing an artifact.
 #[derive(Debug)]
 pub enum WriteError {
     Machine(CodegenError),
@@ -170,7 +171,7 @@ pub enum WriteError {
     Encoding(postcard::Error),
 }
 
-/// A body behind its header.
+/// Adds the header to a body.
 fn framed(format: u32, body: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(BODY_AT + body.len());
     bytes.extend(MAGIC);
@@ -186,7 +187,7 @@ fn checksum(header: &[u8], body: &[u8]) -> [u8; 32] {
     Sha256::new().chain_update(header).chain_update(body).finalize().into()
 }
 
-/// Reads an artifact that this version made for a machine like this one.
+/// Reads an artifact of this version for a machine compatible with this one.
 pub fn read(bytes: &[u8]) -> Result<Contents, ArtifactError> {
     let body = body(bytes)?;
     let machine = Machine::new(TargetCpu::Native).map_err(ArtifactError::Machine)?;
@@ -207,7 +208,7 @@ pub fn read(bytes: &[u8]) -> Result<Contents, ArtifactError> {
     Ok(contents)
 }
 
-/// What follows the header, if all of it is there as it was written.
+/// Returns the body after the header, after comparing length and checksum.
 fn body(bytes: &[u8]) -> Result<&[u8], ArtifactError> {
     if !is_artifact(bytes) {
         return Err(ArtifactError::NotAnArtifact);
@@ -230,12 +231,12 @@ fn body(bytes: &[u8]) -> Result<&[u8], ArtifactError> {
     Ok(body)
 }
 
-/// Bytes of a header from an offset on.
+/// Returns bytes of a header from an offset.
 fn part<const N: usize>(header: &[u8], at: usize) -> [u8; N] {
     std::array::from_fn(|i| header.get(at + i).copied().unwrap_or(0))
 }
 
-/// Whether this version can run it on this machine.
+/// Checks that this version can run the artifact on this machine.
 fn fits(identity: Identity, machine: &Machine) -> Result<(), ArtifactError> {
     if identity.version != VERSION {
         return Err(ArtifactError::Version { found: identity.version, expected: VERSION.into() });
@@ -252,7 +253,7 @@ fn fits(identity: Identity, machine: &Machine) -> Result<(), ArtifactError> {
 }
 
 impl Contents {
-    /// Whether the description counts what the code has.
+    /// Returns true if the counts in the description match the code.
     fn agree(&self) -> bool {
         let kernels = self.description.kernels.iter().map(|kernel| (kernel.inputs, kernel.outputs));
         let there = |function: &Option<u32>| function.is_none_or(|number| self.code.has_function(number));

@@ -1,4 +1,4 @@
-//! Reading artifacts that are not as they were written.
+//! Tests of reading modified artifacts.
 
 use super::*;
 use crate::{Engine, Module};
@@ -12,7 +12,7 @@ fn artifact() -> Vec<u8> {
     Module::from_text(&Engine::default(), "model.cx", MODEL).unwrap().serialize().unwrap()
 }
 
-/// The artifact with other identity, checksum and all.
+/// Creates an artifact with a modified identity and a valid checksum.
 fn with_identity(change: impl FnOnce(&mut Identity)) -> Vec<u8> {
     let artifact = artifact();
     let (mut identity, rest) = postcard::take_from_bytes::<Identity>(&artifact[BODY_AT..]).unwrap();
@@ -20,7 +20,7 @@ fn with_identity(change: impl FnOnce(&mut Identity)) -> Vec<u8> {
     framed(FORMAT, &[&postcard::to_stdvec(&identity).unwrap(), rest].concat())
 }
 
-/// Message and remedy of what is refused.
+/// Returns message and remedy of a rejected artifact.
 fn refusal(bytes: &[u8]) -> (String, &'static str) {
     let error = read(bytes).map(|_| ()).unwrap_err();
     (error.to_string(), error.help())
@@ -53,7 +53,7 @@ fn foreign_artifacts_are_refused() {
     let expected = "the module was compiled for a processor with has_wings, which this one lacks".to_owned();
     let help = "compile the model on this machine, or for every processor of this kind";
     assert_eq!(refusal(&other), (expected, help));
-    // Code for less than this machine has is welcome.
+    // Code that requires fewer instruction sets than this machine has is accepted.
     assert!(read(&with_identity(|identity| identity.machine.features.clear())).is_ok());
 }
 
@@ -75,12 +75,13 @@ fn what_is_no_whole_artifact_is_refused() {
     let (message, help) = refusal(&longer);
     assert!(message.starts_with("the compiled module is followed by something else"), "{message}");
     assert_eq!(help, copy);
-    // A transfer as text changes line ends.
+    // A transfer in text mode changes line ends.
     let text = [&artifact[..6], &artifact[7..]].concat();
     assert!(matches!(read(&text), Err(ArtifactError::NotAnArtifact)));
 }
 
-/// Bits are flipped everywhere in the header and at places all over the body.
+/// Rejects an artifact with a flipped bit anywhere in the header, or at locations throughout the
+/// body.
 #[test]
 fn every_changed_byte_is_noticed() {
     let mut artifact = artifact();
@@ -95,7 +96,8 @@ fn every_changed_byte_is_noticed() {
     assert!(read(&artifact).is_ok());
 }
 
-/// The decoder holds without the checksum: bodies are changed and given a checksum that fits. Nothing is run.
+/// Checks the decoder without the checksum: bodies are changed and given a matching checksum. No
+/// code is run.
 #[test]
 fn no_contents_make_loading_panic() {
     let artifact = artifact();
@@ -104,7 +106,8 @@ fn no_contents_make_loading_panic() {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 33) as usize % limit
     };
-    // Most of the body is the texts of the library; what follows them is more telling.
+    // Most of the body is the sources of the library; the data after them exercises the decoder
+    // more.
     let (_, rest) = postcard::take_from_bytes::<Identity>(&artifact[BODY_AT..]).unwrap();
     let (_, code) = postcard::take_from_bytes::<String>(rest).unwrap();
     let code_at = artifact.len() - code.len() - BODY_AT;
@@ -121,7 +124,7 @@ fn no_contents_make_loading_panic() {
             }
         }
         let read = read(&framed(FORMAT, &body));
-        // SAFETY: loading is sound whatever the code; it is not run.
+        // SAFETY: loading is sound for any code; the code is not run.
         match read.map(|contents| unsafe { calyx_codegen::load_code(&contents.code, externs()) }) {
             Ok(Ok(_)) => loaded += 1,
             _ => refused += 1,

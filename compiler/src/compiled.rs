@@ -1,4 +1,4 @@
-//! The compiled program behind a module, as the runner sees it.
+//! Compiled program of a module, in the form that the runner uses.
 
 use crate::typed::{LazyTyped, Typed};
 use calyx_abi::description::ModelDescription;
@@ -10,10 +10,11 @@ use calyx_rt::program::ParamFunction;
 use calyx_rt::{NanLog, ParamAssignment, Program};
 use std::sync::Arc;
 
-/// The functions of a param: its default, and the ends of its range.
+/// Functions of a param: its default, and the bounds of its range.
 pub type ParamFunctions = [Option<FunctionId>; 3];
 
-/// Code, and all that is known of what it came from. The code is freed with it, when no kernel of it lives any more.
+/// Machine code with its description and sources. The code is freed with the last value that refers
+/// to it, including kernels.
 pub struct Compiled {
     pub description: ModelDescription,
     pub files: Vec<SourceFile>,
@@ -23,7 +24,8 @@ pub struct Compiled {
 }
 
 impl Compiled {
-    /// `None` if the module was loaded and its sources cannot be checked any more, which its version rules out.
+    /// Returns the typed program; `None` if the module was loaded and its sources fail the check,
+    /// which the version comparison rules out.
     pub fn typed(&self) -> Option<&Typed> {
         self.typed.get(&self.files)
     }

@@ -1,7 +1,7 @@
-//! Reference pages from doc comments: what a module or a model offers, as self-contained HTML (`calyx doc`).
+//! Reference pages from doc comments: self-contained HTML for a module or a model (`calyx doc`).
 //!
-//! A page is made of the syntax tree and of the types of params and outputs: what is written in declarations is what a
-//! reader needs, and a file that has errors elsewhere is still documented.
+//! A page is derived from the syntax tree and from the types of params and outputs. A file with
+//! errors elsewhere is still documented.
 
 mod collect;
 mod html;
@@ -17,15 +17,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Why pages could not be written.
+/// Error of writing pages.
 #[derive(Debug)]
 pub enum DocError {
-    /// Neither a module of the library nor a file.
+    /// The name is neither a library module nor a file.
     Unknown {
         name: String,
         known: Vec<&'static str>,
     },
-    /// A file would be replaced that is not a page of this program.
+    /// An existing file that is not a page of this program would be replaced.
     Foreign {
         path: PathBuf,
     },
@@ -35,10 +35,10 @@ pub enum DocError {
     },
 }
 
-/// The page of a library module or of a file ending in .cx.
+/// Returns the page of a library module or of a file with the extension .cx.
 ///
 /// # Errors
-/// There is no such module, or the file cannot be read.
+/// If there is no such module, or the file cannot be read.
 pub fn page(name: &str, allowed: &Arc<[PathBuf]>) -> Result<Page, DocError> {
     if let Some(module) = MODULES.iter().find(|module| module.path == name) {
         return Ok(collect::page(name, module.text, true, &BTreeMap::new()));
@@ -54,18 +54,19 @@ pub fn page(name: &str, allowed: &Arc<[PathBuf]>) -> Result<Page, DocError> {
     let text =
         std::fs::read_to_string(path).map_err(|error| DocError::Io { path: path.to_owned(), error })?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    // Types are known of what is sound, whatever else is wrong.
+    // Types are known for valid declarations, even if others have errors.
     let loader = ModelLoader { folder: path.parent().map(Path::to_path_buf), allowed: allowed.clone() };
     let types = check_program(name, &text, &loader).types;
     Ok(collect::page(&stem, &text, false, &types))
 }
 
-/// Names of the library's modules, the one every model sees first.
+/// Returns the names of the library modules, the prelude first.
 pub fn library() -> Vec<&'static str> {
     std::iter::once(PRELUDE.path).chain(MODULES.iter().map(|module| module.path)).collect()
 }
 
-/// Whether a file is a page of this program: by its generator, or by the beginning of pages of older versions.
+/// Returns true if a file is a page of this program, recognized by its generator or by the first
+/// bytes of pages of older versions.
 fn is_page(path: &Path) -> bool {
     const OLD: [&str; 2] = [
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n",
@@ -75,11 +76,11 @@ fn is_page(path: &Path) -> bool {
     text.contains(html::GENERATOR) || (text.starts_with(OLD[0]) && text.contains(OLD[1]))
 }
 
-/// Writes a file for each page and, for more than one, an index; returns the file to open first. Replaces files that are not
-/// pages of this program with `force` only.
+/// Writes a file for each page and, for more than one, an index; returns the file to open first.
+/// Replaces files that are not pages of this program only with `force`.
 ///
 /// # Errors
-/// A file is in the way or cannot be written.
+/// If an existing file would be replaced without `force`, or a file cannot be written.
 pub fn write(pages: &[Page], directory: &Path, force: bool) -> Result<PathBuf, DocError> {
     let unwritable = |path: &Path, error| DocError::Io { path: path.to_owned(), error };
     std::fs::create_dir_all(directory).map_err(|error| unwritable(directory, error))?;
@@ -102,7 +103,7 @@ pub fn write(pages: &[Page], directory: &Path, force: bool) -> Result<PathBuf, D
     Ok(first.unwrap_or_else(|| directory.to_owned()))
 }
 
-/// A page as plain text: what a reader sees, without its form.
+/// Returns a page as plain text.
 pub fn text(page: &Page) -> String {
     html::text(page)
 }

@@ -1,4 +1,4 @@
-//! What a model is at each stage of compilation, as text for people (`calyx dump`).
+//! Text of a model at each stage of compilation (`calyx dump`).
 
 mod graph;
 mod ir;
@@ -14,14 +14,14 @@ use calyx_lang::span::FileId;
 use calyx_lang::tree_text;
 use std::collections::BTreeMap;
 
-/// A stage that a text alone gives.
+/// Stage that requires the text only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TextStage {
     Tokens,
     Tree,
 }
 
-/// A stage of a checked program.
+/// Stage of a checked program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProgramStage {
     Ir,
@@ -30,7 +30,7 @@ pub enum ProgramStage {
     Asm,
 }
 
-/// Tokens or syntax tree of a text, right or wrong.
+/// Prints tokens or syntax tree of a text, with or without errors.
 pub fn of_text(stage: TextStage, text: &str) -> String {
     match stage {
         TextStage::Tokens => tokens::print(text),
@@ -38,15 +38,16 @@ pub fn of_text(stage: TextStage, text: &str) -> String {
     }
 }
 
-/// The types of the model's names: one a line.
+/// Prints the types of the model's names, one per line.
 pub fn types(types: &BTreeMap<String, String>) -> String {
     types.iter().map(|(name, ty)| format!("{name}: {ty}\n")).collect()
 }
 
-/// The program at a stage. With `only`, the functions or symbolic expressions of that name.
+/// Prints the program at a stage. With `only`, prints the functions or symbolic expressions of that
+/// name.
 ///
 /// # Errors
-/// The program cannot be compiled.
+/// If the program cannot be compiled.
 pub fn of_program(
     stage: ProgramStage,
     program: &Program,
@@ -61,7 +62,7 @@ pub fn of_program(
     }
 }
 
-/// Names that `only` may be.
+/// Returns the names that `only` accepts.
 pub fn names(program: &Program) -> Vec<String> {
     let functions = program.functions.iter().map(|function| function.name.clone());
     let mut names: Vec<String> =
@@ -89,7 +90,7 @@ fn listings(
     Ok(text)
 }
 
-/// The function or symbolic expression behind a link symbol, as the source names it.
+/// Returns the source name of the function or symbolic expression of a link symbol.
 fn source_name<'p>(program: &'p Program, symbol: &str) -> Option<&'p str> {
     let index = |prefix: &str| symbol.strip_prefix(prefix)?.parse::<usize>().ok();
     let function = index("calyx_function_").and_then(|at| program.functions.get(at)).map(|f| f.name.as_str());

@@ -1,4 +1,4 @@
-//! Why a model could not be compiled, as data.
+//! Errors of compilation as data.
 
 use crate::artifact::WriteError;
 use calyx_codegen::CodegenError;
@@ -9,23 +9,23 @@ use calyx_lang::render::{Colour, Renderer};
 use std::path::PathBuf;
 use std::{fmt, io};
 
-/// Diagnostics, and the files they are about.
+/// Diagnostics and the files that they refer to.
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
-    /// In order of file and place, warnings among them.
+    /// Diagnostics sorted by file and location, including warnings.
     pub list: Vec<Diagnostic>,
-    /// By their number in diagnostics: the model first, then every file it uses.
+    /// Files by their index in diagnostics: the model first, then every file that it uses.
     pub files: Vec<SourceFile>,
 }
 
 impl Diagnostics {
-    /// For people, with the lines of the source, in colour if standard error is a terminal.
+    /// Renders the diagnostics with source lines, in colour if standard error is a terminal.
     pub fn render(&self) -> String {
         render(&self.list, &self.files)
     }
 }
 
-/// As [`Diagnostics::render`], without colour.
+/// Renders as [`Diagnostics::render`] does, without colour.
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let mut renderer = Renderer::new(&self.files, Colour::Never);
@@ -33,19 +33,19 @@ impl fmt::Display for Diagnostics {
     }
 }
 
-/// Why a model could not be compiled.
+/// Error of the compilation of a model.
 #[derive(Debug)]
 pub enum CompileError {
-    /// Its file cannot be read.
+    /// The file cannot be read.
     Unreadable {
         path: PathBuf,
         error: io::Error,
     },
-    /// It has errors of the language.
+    /// The model has errors of the language.
     Model(Diagnostics),
     Code(CodegenError),
     Description(serde_json::Error),
-    /// It could not be made bytes of.
+    /// The module could not be serialized.
     Artifact(postcard::Error),
 }
 

@@ -1,28 +1,29 @@
-//! The page behind every diagnostic code, of the language and of the engine: what it means, and a program that shows it
-//! beside one that is right.
+//! Explanation pages of all diagnostic codes, of the language and of the engine: the meaning, and
+//! an incorrect program next to a correct one.
 
 mod engine;
 
 use calyx_lang::codes::{self, Explanation};
 
-/// Programs that are wrong and right, by code. See the head of the file.
+/// Incorrect and correct programs, by code. The head of the file describes its format.
 const EXAMPLES: &str = include_str!("explain/examples.md");
 
-/// Every code with its explanation, in order.
+/// Returns the explanations of all codes, in order.
 pub fn all() -> Vec<Explanation> {
     let mut all: Vec<Explanation> = codes::all().iter().chain(engine::CODES).copied().collect();
     all.sort_by_key(|explanation| (&explanation.code[1..], &explanation.code[..1]));
     all
 }
 
-/// A code's explanation. A warning of the library that has no page of its own has that of its error.
+/// Returns the explanation of a code. A warning of the library without its own page has the page of
+/// its error.
 pub fn explanation(code: &str) -> Option<Explanation> {
     let code = code.trim().to_ascii_uppercase();
     let find = |code: &str| all().into_iter().find(|explanation| explanation.code == code);
     find(&code).or_else(|| code.strip_prefix('W').and_then(|number| find(&format!("E{number}"))))
 }
 
-/// The page of a code, in any case; ends with a line end.
+/// Returns the page of a code in upper or lower case; it ends with a line break.
 pub fn page(code: &str) -> Option<String> {
     let explanation = explanation(code)?;
     let mut page = format!("{}: {}\n\n", explanation.code, explanation.title);
@@ -34,7 +35,7 @@ pub fn page(code: &str) -> Option<String> {
     Some(page)
 }
 
-/// Codes spelt most like one that is not there.
+/// Returns the codes closest in spelling to an unknown one.
 pub fn similar_codes(code: &str) -> Vec<&'static str> {
     let code = code.trim().to_ascii_uppercase();
     let distance = |other: &str| strsim::damerau_levenshtein(&code, other);
@@ -44,7 +45,7 @@ pub fn similar_codes(code: &str) -> Vec<&'static str> {
     near.map(|(_, code)| code).take(3).collect()
 }
 
-/// A program that shows a code, and the same mended.
+/// Program that produces a code, and the same program with the error fixed.
 #[derive(Clone, Copy, Debug)]
 pub struct Example {
     pub code: &'static str,
@@ -52,12 +53,12 @@ pub struct Example {
     pub fixed: &'static str,
 }
 
-/// The example of a code.
+/// Returns the example of a code.
 pub fn example(code: &str) -> Option<Example> {
     examples().find(|example| example.code == code)
 }
 
-/// All examples, in order of the file.
+/// Returns all examples, in order of the file.
 pub fn examples() -> impl Iterator<Item = Example> {
     let sections = EXAMPLES.split("\n## ").skip(1);
     sections.filter_map(|section| {
@@ -71,7 +72,7 @@ fn indented(text: &str) -> String {
     text.lines().map(|line| format!("    {line}").trim_end().to_owned() + "\n").collect()
 }
 
-/// Text in lines of at most `width` characters, broken at blanks.
+/// Breaks a text at blanks into lines of at most `width` characters.
 fn wrapped(text: &str, width: usize) -> String {
     let mut lines = String::new();
     let mut column = 0;

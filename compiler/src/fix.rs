@@ -1,4 +1,4 @@
-//! Applies the fixes that diagnostics are certain of to the files of a model.
+//! Applies the machine-applicable fixes of diagnostics to the files of a model.
 
 use crate::replace::replace;
 use calyx_elaborate::{Checked, check_file_allowing};
@@ -10,33 +10,33 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Times a model is checked again after fixes: one mended error may uncover another, but not for ever.
+/// Largest number of checks after fixes: a fixed error may reveal another one.
 const MOST_ROUNDS: usize = 20;
 
-/// One change made.
+/// Applied change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Applied {
-    /// File, line and column (from 1) as they were when the fix was found.
+    /// File, line and column (from 1) before the change.
     pub file: String,
     pub line: usize,
     pub column: usize,
-    /// Code of the diagnostic it mends.
+    /// Code of the diagnostic that the change fixes.
     pub code: String,
     pub title: String,
 }
 
-/// A model after its certain fixes.
+/// Model after all applicable fixes.
 pub struct Fixed {
     pub applied: Vec<Applied>,
     pub checked: Checked,
 }
 
-/// Checks the model in a file, applies the fixes its diagnostics are certain of to the file and to
-/// the modules beside it, and checks again, until nothing is left to fix. Files that are `allowed`
-/// outside of the model's folder are read and not changed.
+/// Checks the model in a file, applies the machine-applicable fixes to the file and to the modules
+/// in its directory, and repeats until no fix is left. Files that are `allowed` outside of the
+/// model's directory are read and not changed.
 ///
 /// # Errors
-/// A file cannot be read or written.
+/// If a file cannot be read or written.
 pub fn fix_file(path: &Path, allowed: &Arc<[PathBuf]>) -> io::Result<Fixed> {
     let mut applied = Vec::new();
     for _ in 0..MOST_ROUNDS {
@@ -51,7 +51,8 @@ pub fn fix_file(path: &Path, allowed: &Arc<[PathBuf]>) -> io::Result<Fixed> {
             return Ok(Fixed { applied, checked });
         }
         for (file, text) in texts {
-            // The model is written where it was read, whatever it is shown as; modules are shown by their path.
+            // The model is written to the path it was read from, whatever its shown name; modules
+            // are shown by their path.
             let target = if file == 0 { path } else { Path::new(&checked.files[file].name) };
             replace(target, &text)?;
         }
@@ -60,7 +61,7 @@ pub fn fix_file(path: &Path, allowed: &Arc<[PathBuf]>) -> io::Result<Fixed> {
     Ok(Fixed { applied, checked: check_file_allowing(path, allowed)? })
 }
 
-/// Whether a module lies in the folder of the model, links resolved.
+/// Returns true if a module is in the directory of the model, after resolving links.
 fn is_beside(model: &Path, module: &Path) -> bool {
     let folder = model.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     match (folder.canonicalize(), module.canonicalize()) {
@@ -69,7 +70,8 @@ fn is_beside(model: &Path, module: &Path) -> bool {
     }
 }
 
-/// The fixes that can be applied together, in order of place, and the texts that result, by index of file.
+/// Returns the fixes that can be applied together, sorted by location, and the resulting texts by
+/// file index.
 fn changes(diagnostics: &[Diagnostic], files: &[SourceFile]) -> (Vec<Applied>, BTreeMap<usize, String>) {
     let mut fixes: Vec<(&str, &Fix)> =
         diagnostics.iter().filter_map(|d| Some((d.code.as_str(), d.fix.as_ref()?))).collect();
@@ -81,8 +83,8 @@ fn changes(diagnostics: &[Diagnostic], files: &[SourceFile]) -> (Vec<Applied>, B
         let file = fix.span.file.0 as usize;
         let (start, end) = (fix.span.start as usize, fix.span.end as usize);
         let Some(source) = files.get(file) else { continue };
-        // The library is part of the program, not of the model. Of overlapping fixes the first is applied; the others
-        // are found again if they still matter.
+        // Library files are part of Calyx and not changed. Of overlapping fixes the first is
+        // applied; the next check finds the others again if they still apply.
         let own = !source.name.starts_with('<');
         let free = ends.get(&file).is_none_or(|last| start > *last || (start == *last && start < end));
         if !own || !free || source.text.get(start..end).is_none_or(|old| old == fix.replacement) {
@@ -95,7 +97,7 @@ fn changes(diagnostics: &[Diagnostic], files: &[SourceFile]) -> (Vec<Applied>, B
             Applied { file: source.name.clone(), line, column, code: code.into(), title: fix.title.clone() };
         applied.push(place);
     }
-    // From the end on, so that places stay right.
+    // In reverse order, so that earlier offsets stay valid.
     for fix in accepted.into_iter().rev() {
         let file = fix.span.file.0 as usize;
         let text = texts.entry(file).or_insert_with(|| files[file].text.clone());

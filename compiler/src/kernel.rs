@@ -1,10 +1,11 @@
-//! Symbolic functions of a model as kernels for programs that embed it: one point at a time, or many at once.
+//! Symbolic functions of a model as kernels of an embedding program: evaluation at one point or at
+//! many.
 //!
 //! ```
 //! let text = "
 //! units mm_N_s;
 //! param arm = 30 mm;
-//! /// Where the end of the arm is, and how far it moves per radian.
+//! /// Position of the end of the arm, and its derivative by the angle.
 //! function end(in turn) := [arm*cos(turn), derivative(arm*cos(turn), turn)];
 //! ";
 //! let checked = calyx::check_text("reach.cx", text);
@@ -13,12 +14,12 @@
 //! let end = module.kernel("end")?;
 //! assert_eq!((end.arguments()[0].name.as_str(), end.outputs().len()), ("turn", 2));
 //!
-//! // Numbers are in coherent SI units; `unit` and `factor` tell what the model would show.
+//! // Numbers are in coherent SI units; `unit` and `factor` describe the model's unit.
 //! let params = module.param_values(&[("arm", "40 mm")])?;
 //! assert_eq!(end.evaluate(&params, &[0.0])?, [0.04, 0.0]);
 //! assert_eq!((end.outputs()[0].unit.as_str(), end.outputs()[0].factor), ("mm", 0.001));
 //!
-//! // Columns in, columns out: each point has the bits of `evaluate`.
+//! // Columns in, columns out: each point is bitwise equal to `evaluate`.
 //! let turns = [0.0, 0.1, 0.2];
 //! let (mut x, mut slope) = ([0.0; 3], [0.0; 3]);
 //! end.batch(&params, &[&turns], &mut [&mut x, &mut slope])?;
@@ -37,30 +38,30 @@ use calyx_symbolic::{Instruction, Tape};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-/// Names of the numbers of a vector, and of a transform: rotation row by row, then translation.
+/// Component names of a vector, and of a transform: rotation row by row, then translation.
 const COMPONENTS: [&str; 3] = ["e1", "e2", "e3"];
 const ENTRIES: [&str; 12] = ["11", "12", "13", "21", "22", "23", "31", "32", "33", "t1", "t2", "t3"];
 
-/// Why there is no kernel, or why it was not evaluated.
+/// Error of the compilation or evaluation of a kernel.
 #[derive(Debug)]
 pub enum KernelError {
-    /// The model has no symbolic function of this name; its kernels are these.
+    /// The model has no symbolic function of this name; lists its kernels.
     Unknown {
         name: String,
         kernels: Vec<String>,
     },
-    /// The function makes no sense as an expression.
+    /// The function is not valid as an expression.
     Expression(LoweringError),
     Code(CodegenError),
     /// A param could not be set.
     Param(calyx_rt::Error),
-    /// Another number of params or arguments than the kernel has.
+    /// The number of params or arguments differs from that of the kernel.
     Count {
         what: &'static str,
         given: usize,
         expected: usize,
     },
-    /// Columns that do not fit.
+    /// The sizes of columns are wrong.
     Batch(BatchError),
 }
 
@@ -92,43 +93,46 @@ impl From<CodegenError> for KernelError {
     }
 }
 
-/// A number that goes in or comes out, and how the model shows it: SI value = shown value * `factor`.
+/// Number of the input or output, with its unit in the model: SI value = shown value * `factor`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// Of an argument its name, of a result its place in the brackets; with `.e1` and so on for the numbers of a vector,
-    /// `.11` ... `.33`, `.t1` ... for those of a transform (rotation row by row, then translation).
+    /// Name of an argument, or position of a result in the brackets, with the suffix `.e1` and so
+    /// on for the components of a vector, `.11` ... `.33`, `.t1` ... for those of a transform
+    /// (rotation row by row, then translation).
     pub name: String,
-    /// Name, such as `lbf*inch`; empty for a pure number.
+    /// Unit, such as `lbf*inch`; empty for a dimensionless number.
     pub unit: String,
     pub factor: f64,
 }
 
-/// A symbolic function, compiled. It may be evaluated by several threads at once, and outlives its module.
+/// Compiled symbolic function. Several threads can evaluate it at the same time, and it outlives
+/// its module.
 pub struct Kernel {
     name: String,
     doc: String,
     arguments: Vec<Quantity>,
     outputs: Vec<Quantity>,
     params: usize,
-    /// Whether time is the first argument.
+    /// True if time is the first argument.
     moves: bool,
     tape: Tape,
     compiled: Arc<dyn CompiledKernel>,
-    /// Made when the first batch is evaluated.
+    /// Kernel for batches, created at the first batch.
     batch: OnceLock<Result<BatchKernel, String>>,
 }
 
 impl Module {
-    /// The symbolic functions that [`Module::kernel`] knows, in the order of the text.
+    /// Returns the names of the symbolic functions that [`Module::kernel`] accepts, in source
+    /// order.
     pub fn kernel_names(&self) -> Vec<&str> {
         let functions = self.program().map_or(&[][..], |program| &program.symbolic_functions);
         functions.iter().filter(|f| f.exported).map(|f| f.name.as_str()).collect()
     }
 
-    /// A symbolic function of the model's top level, compiled.
+    /// Compiles a symbolic function of the model's top level.
     ///
     /// # Errors
-    /// There is none of this name, or it makes no sense as an expression.
+    /// If there is no function of this name, or it is not valid as an expression.
     pub fn kernel(&self, name: &str) -> Result<Kernel, KernelError> {
         let found = self.program().and_then(|program| {
             let mut functions = (0..).zip(&program.symbolic_functions);
@@ -142,11 +146,11 @@ impl Module {
         Kernel::new(function, program.params.len(), tape)
     }
 
-    /// Values of all params for [`Kernel::evaluate`]: the defaults, and what is given by name and text, as for a run.
-    /// A text counts as NaN.
+    /// Returns values of all params for [`Kernel::evaluate`]: those given by name and text, as for
+    /// a run, and defaults. A string param is NaN.
     ///
     /// # Errors
-    /// A name is unknown, a value cannot be read or is out of range, or a default fails.
+    /// If a name is unknown, a value cannot be read or is out of range, or a default fails.
     pub fn param_values(&self, given: &[(&str, &str)]) -> Result<Vec<f64>, KernelError> {
         let given: Vec<_> = given.iter().map(|(name, text)| ParamAssignment::text(*name, *text)).collect();
         let mut context = Context::new(Box::new(ModelHost::new(&self.description().units)));
@@ -183,30 +187,31 @@ impl Kernel {
         &self.name
     }
 
-    /// Its doc comment; empty if it has none.
+    /// Returns the doc comment of the function; empty if it has none.
     pub fn doc(&self) -> &str {
         &self.doc
     }
 
-    /// The numbers it takes, in order. The first is `Time` if it depends on time.
+    /// Returns the arguments, in order. The first is `Time` if the kernel depends on time.
     pub fn arguments(&self) -> &[Quantity] {
         &self.arguments
     }
 
-    /// The numbers it gives, in order.
+    /// Returns the results, in order.
     pub fn outputs(&self) -> &[Quantity] {
         &self.outputs
     }
 
-    /// Arithmetic operations and calls of an evaluation.
+    /// Returns the number of arithmetic operations and calls of an evaluation.
     pub fn operations(&self) -> usize {
         self.tape.operations()
     }
 
-    /// Evaluates at one point. All numbers are in coherent SI units; `params` as [`Module::param_values`] gives them.
+    /// Evaluates at one point. All numbers are in coherent SI units; `params` is the result of
+    /// [`Module::param_values`].
     ///
     /// # Errors
-    /// Another number of params or arguments than the kernel has.
+    /// If the number of params or arguments differs from that of the kernel.
     pub fn evaluate(&self, params: &[f64], arguments: &[f64]) -> Result<Vec<f64>, KernelError> {
         self.check(params, arguments.len())?;
         let mut inputs = Vec::with_capacity(self.tape.inputs);
@@ -221,11 +226,12 @@ impl Kernel {
         Ok(outputs)
     }
 
-    /// Evaluates at many points: a column of numbers per argument, a column to fill per output, all of one length. Each
-    /// point has the bits that [`Kernel::evaluate`] gives. To use several processors, share the points among threads.
+    /// Evaluates at many points, with one column of numbers per argument and one column to fill per
+    /// output, all of equal length. Each point is bitwise equal to the result of
+    /// [`Kernel::evaluate`]. To use several processors, divide the points among threads.
     ///
     /// # Errors
-    /// Counts or lengths do not fit; nothing has been written then.
+    /// If counts or lengths do not match; nothing is written in this case.
     pub fn batch(
         &self,
         params: &[f64],
@@ -242,7 +248,7 @@ impl Kernel {
         let kernel = compiled
             .as_ref()
             .map_err(|message| KernelError::Code(CodegenError::Cranelift(message.clone())))?;
-        // Time is uniform too where nothing depends on it.
+        // Time is a uniform argument even if nothing depends on it.
         let still = [0.0];
         let uniforms: Vec<f64> = still.iter().skip(usize::from(self.moves)).chain(params).copied().collect();
         kernel.evaluate(&uniforms, columns, outputs).map_err(KernelError::Batch)
@@ -270,14 +276,14 @@ impl fmt::Debug for Kernel {
     }
 }
 
-/// The numbers of a value; `units` holds one for each part that is no tuple.
+/// Returns the numbers of a value; `units` has one entry per component that is not a tuple.
 fn quantities<'u>(
     repr: &Repr,
     name: &str,
     units: &mut impl Iterator<Item = &'u DisplayUnit>,
     into: &mut Vec<Quantity>,
 ) {
-    // A stack instead of recursion: results may be brackets of brackets.
+    // A stack instead of recursion: results may be nested brackets.
     let mut pending = vec![(repr, name.to_owned())];
     while let Some((repr, name)) = pending.pop() {
         if let Repr::Tuple(parts) = repr {

@@ -1,4 +1,5 @@
-//! The Calyx compiler as a library: compile a model, set its params, run it, read its outputs.
+//! The Calyx compiler as a library: compiles models, sets their params, runs them and returns their
+//! outputs.
 //!
 //! ```
 //! use calyx::{Engine, Module};
@@ -11,7 +12,7 @@
 //! pair.set("torque", 500.0)?; // in the unit of its default
 //! pair.set("center_distance", (76.25, "mm"))?;
 //! pair.set("steps", 2)?;
-//! pair.set("fidelity", "plane")?; // in section, which takes a moment; in three dimensions it takes longer
+//! pair.set("fidelity", "plane")?; // two-dimensional, solved in a moment; 3-D models take longer
 //! let mut run = pair.run()?;
 //! for step in &mut run {
 //!     let step = step?;
@@ -22,25 +23,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # What there is, what it costs, and who may share it
+//! # Types, costs and threads
 //!
-//! | type | what it is | cost | threads |
+//! | type | meaning | cost | threads |
 //! |---|---|---|---|
-//! | [`Engine`] | threads, and structures of gears kept for later analyses | one for a program; its threads start with the first analysis | any; a clone is the same engine |
-//! | [`Module`] | a compiled model, immutable | as long as checking and compiling takes | any; a clone is the same module |
-//! | [`Instance`] | a module with params of its own, limits, and who is told of what | next to nothing: no code is copied, nothing is computed | one at a time; each run takes what is set by then |
-//! | [`Run`] | a run under way, an iterator of its positions | one thread for the program, which waits while nobody takes a position | one at a time; its [`Cancel`] from any |
-//! | [`Step`], [`Results`] | what was solved | views that share their numbers | any |
+//! | [`Engine`] | thread pool, and gear structures stored for later analyses | one per program; its threads start with the first analysis | any; a clone is the same engine |
+//! | [`Module`] | compiled model, immutable | time of checking and compiling | any; a clone is the same module |
+//! | [`Instance`] | module with its own params, limits and callbacks | negligible: no code is copied, nothing is computed | one at a time; each run uses the values set before it starts |
+//! | [`Run`] | run in progress, an iterator over its positions | one thread for the program, which waits until a position is requested | one at a time; its [`Cancel`] from any |
+//! | [`Step`], [`Results`] | solution | views that share their numbers | any |
 //!
-//! Nothing of it is global: two engines know nothing of each other, and everything is freed when the last value that came
-//! from it is dropped. Nothing panics at wrong input. What is wrong with a model comes as [`Diagnostics`]
-//! ([`CompileError`]), what is wrong with a run as an [`Error`] of some [`ErrorKind`]; [`Module::render`] shows it with the
-//! lines of the source it is about.
+//! There is no global state: engines are independent, and all memory is freed when the last value
+//! derived from an engine is dropped. Invalid input never panics. Errors of a model are
+//! [`Diagnostics`] ([`CompileError`]); errors of a run are an [`Error`] of an [`ErrorKind`].
+//! [`Module::render`] shows an error with the source lines concerned.
 //!
-//! # Many instances at once
+//! # Concurrent instances
 //!
-//! The first analysis of a gear builds its structure, which takes far longer than a position; instances of one engine share
-//! it where geometry and material are the same, as here, where torques differ:
+//! The first analysis of a gear builds its structure, which takes far longer than a position.
+//! Instances of one engine share structures of equal geometry and material; in this example, only
+//! the torques differ:
 //!
 //! ```
 //! # use calyx::{Engine, Error, Module};
@@ -62,14 +64,18 @@
 //!
 //! # More
 //!
-//! - The program around a model provides functions, loads and flank deviations to it by name: [`Host`], [`Instance::set_host`].
-//! - Modules are kept as bytes and loaded without compiling: [`Module::serialize`], [`Module::deserialize`].
-//! - Symbolic functions of a model are evaluated by themselves, one point or many at a time: [`Module::kernel`].
-//! - Runs are ended from outside ([`Instance::cancel_handle`]) or by limits ([`Instance::limit_time`],
-//!   [`Instance::limit_memory`]), and tell how far they are ([`Instance::on_progress`]).
+//! - The embedding program provides functions, loads and flank deviations to a model by name:
+//!   [`Host`], [`Instance::set_host`].
+//! - Modules are serialized and loaded without compiling: [`Module::serialize`],
+//!   [`Module::deserialize`].
+//! - Symbolic functions of a model are evaluated separately, one point or many at a time:
+//!   [`Module::kernel`].
+//! - Runs are cancelled from outside ([`Instance::cancel_handle`]) or by limits
+//!   ([`Instance::limit_time`], [`Instance::limit_memory`]), and report their progress
+//!   ([`Instance::on_progress`]).
 //!
-//! The feature `cli`, which is on by default, holds the `calyx` command and what only it needs; programs that embed models
-//! take this crate with `default-features = false`.
+//! The default feature `cli` contains the `calyx` command and its dependencies; programs that embed
+//! models use this crate with `default-features = false`.
 
 mod artifact;
 #[cfg(feature = "cli")]
@@ -110,7 +116,7 @@ pub use error::{CompileError, Diagnostics};
 pub use kernel::{Kernel, KernelError, Quantity};
 pub use module::Module;
 
-/// The Rust programs on this page of the book run as tests.
+/// Rust programs on this page of the book, which run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/howto/embedding.md")]
 pub struct EmbeddingPage;

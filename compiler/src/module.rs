@@ -1,4 +1,4 @@
-//! A model compiled to machine code in memory.
+//! Models compiled to machine code in memory.
 
 use crate::artifact::{self, ArtifactError, Contents};
 use crate::compiled::{Compiled, ParamFunctions};
@@ -19,11 +19,12 @@ use calyx_rt::{Engine, Error, Instance, Output, Param};
 use std::path::Path;
 use std::sync::Arc;
 
-/// A compiled model.
+/// Compiled model.
 ///
-/// Making one takes as long as checking and compiling: for a model of one gear pair some hundredths of a second. It is
-/// immutable; a clone is the same module, and any number of threads may make instances of it, which share its code. Its
-/// code is freed with the last clone, instance or kernel that came from it.
+/// Creating a module takes as long as checking and compiling: some hundredths of a second for a
+/// model of one gear pair. A module is immutable, and a clone is the same module. Any number of
+/// threads can create instances of it; they share its code. The code is freed with the last clone,
+/// instance or kernel of the module.
 ///
 /// ```
 /// let engine = calyx::Engine::default();
@@ -43,11 +44,11 @@ pub struct Module {
 impl Module {
     /// Checks and compiles the model in a file.
     ///
-    /// Its gears may be impossible at their defaults ([`Module::has_errors`]); running it then fails unless the params that
-    /// are set mend it.
+    /// The gears of a module may be impossible at the default params ([`Module::has_errors`]).
+    /// Running it then fails unless the params that are set fix the error.
     ///
     /// # Errors
-    /// The file cannot be read, the model has errors of the language, or code generation failed.
+    /// If the file cannot be read, the model has errors of the language, or code generation fails.
     pub fn from_file(engine: &Engine, path: impl AsRef<Path>) -> Result<Module, CompileError> {
         let path = path.as_ref();
         let checked =
@@ -55,18 +56,19 @@ impl Module {
         Module::from_checked(engine, checked)
     }
 
-    /// Checks and compiles a model given as text, which can import the library only. `name` stands for it in messages.
+    /// Checks and compiles a model given as text, which can import the library only. `name` is its
+    /// file name in messages.
     ///
     /// # Errors
-    /// As for [`Module::from_file`].
+    /// Same as for [`Module::from_file`].
     pub fn from_text(engine: &Engine, name: &str, text: &str) -> Result<Module, CompileError> {
         Module::from_checked(engine, check_text(name, text))
     }
 
-    /// Compiles a model that is checked already.
+    /// Compiles a checked model.
     ///
     /// # Errors
-    /// As for [`Module::from_file`].
+    /// Same as for [`Module::from_file`].
     pub fn from_checked(engine: &Engine, checked: Checked) -> Result<Module, CompileError> {
         let Checked { program, description, diagnostics, files, .. } = checked;
         let Some(program) = program else {
@@ -82,7 +84,7 @@ impl Module {
         Module { engine: engine.clone(), compiled: Arc::new(compiled) }
     }
 
-    /// The model with values of its own: all params at their defaults. Costs next to nothing.
+    /// Creates an instance with all params at their defaults, at negligible cost.
     pub fn instantiate(&self) -> Instance {
         Instance::new(&self.engine, self.as_program())
     }
@@ -91,60 +93,64 @@ impl Module {
         &self.engine
     }
 
-    /// As the runner sees it, whoever compiled it.
+    /// Returns the module as a program of the runner.
     pub fn as_program(&self) -> Arc<dyn calyx_rt::Program> {
         self.compiled.clone()
     }
 
-    /// Names, units, defaults, ranges and docs of params and outputs.
+    /// Returns names, units, defaults, ranges and docs of params and outputs.
     pub fn description(&self) -> &ModelDescription {
         &self.compiled.description
     }
 
-    /// The model's file first, then every file it uses.
+    /// Returns the source files: the model's file first, then every file that it uses.
     pub fn files(&self) -> &[SourceFile] {
         &self.compiled.files
     }
 
-    /// A param, to be set in instances without looking up its name again.
+    /// Returns a handle of a param, which instances set without another look-up of its name.
     ///
     /// # Errors
-    /// The model has no such param.
+    /// If the model has no such param.
     pub fn param(&self, name: &str) -> Result<Param, Error> {
         Param::named(self.description(), name)
     }
 
-    /// An output, to be read off results without looking up its name again.
+    /// Returns a handle of an output, which selects it in results without another look-up of its
+    /// name.
     ///
     /// # Errors
-    /// The model has no such output.
+    /// If the model has no such output.
     pub fn output(&self, name: &str) -> Result<Output, Error> {
         Output::named(self.description(), name)
     }
 
-    /// What checking found at the params' defaults: warnings, and errors of the gears, which other params may mend.
+    /// Returns the diagnostics of the check at the default params: warnings, and errors of the
+    /// gears, which other params may fix.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         self.compiled.typed().map_or(&[], |typed| &typed.known)
     }
 
-    /// Whether checking found errors of the gears, which other params may mend.
+    /// Returns true if the check found errors of the gears, which other params may fix.
     pub fn has_errors(&self) -> bool {
         has_errors(self.diagnostics())
     }
 
-    /// The compiled module as bytes, for [`Module::deserialize`] on this machine, or one whose processor can do as much.
-    /// It contains everything the module needs, its sources too.
+    /// Serializes the compiled module for [`Module::deserialize`] on this machine, or on one whose
+    /// processor has the same instruction sets. The bytes contain everything that the module needs,
+    /// including its sources.
     ///
     /// # Errors
-    /// Code generation failed.
+    /// If code generation fails.
     pub fn serialize(&self) -> Result<Vec<u8>, CompileError> {
         self.serialize_for(TargetCpu::Native)
     }
 
-    /// As [`Module::serialize`], also for every processor of this architecture.
+    /// Serializes the module as [`Module::serialize`] does, optionally for every processor of this
+    /// architecture.
     ///
     /// # Errors
-    /// Code generation failed.
+    /// If code generation fails.
     pub fn serialize_for(&self, cpu: TargetCpu) -> Result<Vec<u8>, CompileError> {
         let Some(program) = self.program() else {
             let files = self.files().to_vec();
@@ -153,20 +159,22 @@ impl Module {
         serialize(program, self.description(), cpu)
     }
 
-    /// Loads what [`Module::serialize`] made, without compiling anything. The module answers everything the original did;
-    /// what only the checked program knows (kernels of symbolic functions, say) takes the time of checking when it is first
-    /// asked for.
+    /// Loads the result of [`Module::serialize`] without compiling. The module is equivalent to the
+    /// original. Requests that need the typed program (kernels of symbolic functions, for example)
+    /// check the sources again, at the first such request.
     ///
     /// # Errors
-    /// The bytes are no compiled module, or not all of one; or one of another version of Calyx, or for another machine.
-    /// Damage by accident is always found.
+    /// If the bytes are not a compiled module, are incomplete, or belong to another version of
+    /// Calyx or another machine. Accidental damage is always detected.
     ///
     /// # Safety
-    /// The machine code in the bytes is run as it is: they must come from [`Module::serialize`], and nobody who might mean
-    /// harm may have had a chance to change them since. The checksum protects against accidents, not against intent.
+    /// The machine code in the bytes is executed without verification: they must come from
+    /// [`Module::serialize`], and no untrusted party may have been able to change them since. The
+    /// checksum protects against accidents, not against attacks.
     pub unsafe fn deserialize(engine: &Engine, bytes: &[u8]) -> Result<Module, ArtifactError> {
         let Contents { description, code, params } = artifact::read(bytes)?;
-        // SAFETY: the caller vouches for the code; its version and machine were checked while it was read.
+        // SAFETY: the caller guarantees the code; its version and machine were compared when it was
+        // read.
         let code = unsafe { load_code(&code, externs()) }.map_err(ArtifactError::Code)?;
         let file = |file: &FileDescription| SourceFile { name: file.name.clone(), text: file.text.clone() };
         let files = description.files.iter().map(file).collect();
@@ -179,17 +187,19 @@ impl Module {
         self.compiled.typed().map(|typed| &typed.program)
     }
 
-    /// An error of an instance at its place in the source; if NaN is behind it, with the expression that arose in.
+    /// Returns the diagnostic of an error of an instance, with its source location, and the
+    /// expression that produced NaN if that is the cause.
     pub fn error(&self, error: &RuntimeError) -> Diagnostic {
         let Some(Typed { call_sites, .. }) = self.compiled.typed() else { return diagnostic(error) };
-        // What the analysis says of a body is placed at the call that made it, and blames an argument of that.
+        // Errors of the analysis about a body refer to the call that created it, and to an argument
+        // of that call.
         let mut error = error.clone();
         call_sites.blame(&mut error);
         diagnostic(&error)
     }
 
-    /// An error of an instance for people, with the lines of the source it is about, in colour if standard error is a
-    /// terminal.
+    /// Renders an error of an instance with the source lines concerned, in colour if standard error
+    /// is a terminal.
     pub fn render(&self, error: &Error) -> String {
         match error {
             Error::Given(refused) => calyx_rt::report::refused(refused),
@@ -197,9 +207,9 @@ impl Module {
         }
     }
 
-    /// What a run found, without what checking the model has said already.
+    /// Returns the findings of a run, without those that the check of the model reported.
     pub fn findings(&self, findings: &[Finding]) -> Vec<Diagnostic> {
-        // Not worth checking the sources of a loaded module again.
+        // Without findings, the sources of a loaded module need no check.
         if findings.is_empty() {
             return Vec::new();
         }
@@ -210,14 +220,14 @@ impl Module {
     }
 }
 
-/// The functions of every param.
+/// Returns the default and range functions of every param.
 fn param_functions(program: &Program) -> Vec<ParamFunctions> {
     use ParamFunction::{Default, High, Low};
     let functions = |param| [Default, Low, High].map(|which| param_function(program, param, which));
     (0..program.params.len()).map(functions).collect()
 }
 
-/// A checked program as bytes, for [`Module::deserialize`].
+/// Serializes a checked program for [`Module::deserialize`].
 pub(crate) fn serialize(
     program: &Program,
     description: &ModelDescription,

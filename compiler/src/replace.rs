@@ -1,21 +1,22 @@
-//! Replaces files of the user in one step: a reader, and a user after a kill or on a full disk, finds the old text or the new
-//! one.
+//! Atomic replacement of user files: after a crash or on a full disk, the file contains either the
+//! old or the new text.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-/// Replaces the text of an existing file, or makes the file. Its permissions stay, and so does a symbolic link to it.
+/// Replaces the text of an existing file, or creates the file. Preserves its permissions, and a
+/// symbolic link to it.
 ///
 /// # Errors
-/// The file or its directory cannot be written. The file is unchanged then.
+/// If the file or its directory cannot be written. The file is unchanged in this case.
 pub fn replace(path: &Path, text: &str) -> io::Result<()> {
     let target = match fs::canonicalize(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => path.to_owned(),
         target => target?,
     };
-    // A file that may not be written is not replaced either.
+    // A read-only file is not replaced.
     let permissions = match File::options().write(true).open(&target) {
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         file => Some(file?.metadata()?.permissions()),
@@ -57,7 +58,7 @@ mod tests {
         assert!(link.symlink_metadata().unwrap().is_symlink());
         assert_eq!(file.metadata().unwrap().permissions().mode() & 0o777, 0o640);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
-        // What cannot be written is as it was, and nothing is left behind.
+        // If writing fails, the file is unchanged and no temporary file is left.
         let directory = folder.path().join("directory");
         fs::create_dir(&directory).unwrap();
         assert!(replace(&directory, "text").is_err());

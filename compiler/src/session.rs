@@ -1,8 +1,9 @@
-//! A conversation with the language: statements and expressions one after another, state kept (`calyx repl`, `calyx eval`).
+//! Interactive session of the language: statements and expressions one after another, with
+//! persistent state (`calyx repl`, `calyx eval`).
 //!
-//! A session is a model that grows by what is entered. Each entry runs the whole model again, interpreted, without solving
-//! anything, and shows what it printed anew. So there is one meaning of the language and no second evaluator, errors leave
-//! no trace, and a definition can be replaced.
+//! A session is a model that grows with each entry. Each entry runs the whole model again,
+//! interpreted and without solving, and shows only the new output. So the language has one
+//! evaluator, errors leave no trace, and definitions can be replaced.
 
 use calyx_elaborate::diagnostics::has_errors;
 use calyx_elaborate::{ModelLoader, elaborate_printing};
@@ -17,16 +18,17 @@ use calyx_lang::units::UnitSystem;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// As diagnostics show the text that was entered.
+/// File name of the entered text in diagnostics.
 const NAME: &str = "input";
 
-/// Findings about what a person has not come to use yet, or typed to see its value.
+/// Warnings about names that are not used yet, and about expressions that are entered to show their
+/// value.
 const OF_NO_INTEREST: [&str; 2] = ["W0201", "W0203"];
 
-/// What an entry gave.
+/// Result of an entry.
 #[derive(Default)]
 pub struct Answer {
-    /// Lines it printed.
+    /// Lines that the entry printed.
     pub lines: Vec<String>,
     pub diagnostics: Vec<Diagnostic>,
     pub files: Vec<SourceFile>,
@@ -38,15 +40,15 @@ impl Answer {
     }
 }
 
-/// What was entered so far.
+/// Entries of the session.
 #[derive(Clone, Default)]
 pub struct Session {
-    /// Unit system, if one was chosen.
+    /// Selected unit system.
     units: Option<String>,
-    /// Statements that stand outside blocks: imports, params, declarations of a file.
+    /// Statements outside of blocks: imports, params, declarations of a file.
     header: Vec<String>,
     entries: Vec<Entry>,
-    /// Lines the entries print.
+    /// Number of lines that the entries print.
     printed: usize,
     folder: Option<PathBuf>,
 }
@@ -54,7 +56,7 @@ pub struct Session {
 #[derive(Clone)]
 struct Entry {
     text: String,
-    /// It declares a name again, so it and what follows stand in a block of their own.
+    /// The entry declares a name again, so that it and later entries are in a new block.
     opens_block: bool,
 }
 
@@ -63,7 +65,8 @@ impl Session {
         Session::default()
     }
 
-    /// Shows results in a unit system, and takes bare literals in it. False if there is no such system.
+    /// Selects a unit system for results and bare literals. Returns false if there is no such
+    /// system.
     pub fn set_units(&mut self, name: &str) -> bool {
         let known = UnitSystem::from_name(name).is_some();
         if known {
@@ -72,10 +75,10 @@ impl Session {
         known
     }
 
-    /// Declarations of a file: everything but what it runs.
+    /// Loads the declarations of a file: everything except the statements that it runs.
     ///
     /// # Errors
-    /// The file cannot be read.
+    /// If the file cannot be read.
     pub fn load(&mut self, file: &Path) -> io::Result<()> {
         let text = std::fs::read_to_string(file)?;
         let (module, _) = parse(FileId(0), &text);
@@ -92,8 +95,8 @@ impl Session {
         Ok(())
     }
 
-    /// Whether a text can be entered as it is: its brackets and comments are closed, and it does not end where something
-    /// must follow.
+    /// Returns true if a text is a complete entry: its brackets and comments are closed, and its
+    /// last token can end a statement.
     pub fn is_complete(text: &str) -> bool {
         use Kind::*;
         let mut open = 0i64;
@@ -114,11 +117,11 @@ impl Session {
             }
             None => false,
         };
-        // A string cannot go over a line, so one without end is an error at once; a comment can.
+        // A string cannot span lines, so an unterminated one is an error; a comment can.
         open <= 0 && !unfinished && !lexed.diagnostics.iter().any(|found| found.code == "E0102")
     }
 
-    /// Enters statements or an expression. What is wrong leaves the session as it was.
+    /// Enters statements or an expression. An entry with errors leaves the session unchanged.
     pub fn enter(&mut self, text: &str) -> Answer {
         let text = text.trim();
         if text.is_empty() {
@@ -130,14 +133,15 @@ impl Session {
             if !shown.1.diagnostics.iter().any(|found| untold.contains(&found.code.as_str())) {
                 return self.keep(shown);
             }
-            // A call that returns nothing, or something that has no text, such as a gear: its type is said instead.
+            // The expression returns nothing, or a value without a text, such as a gear: show its
+            // type.
             let mut ran = self.tried(&format!("{expression};"), false);
             if !ran.1.has_errors() {
                 let ty = self.type_of(expression).ok().filter(|ty| ty != "nothing");
                 ran.1.lines.extend(ty);
                 return self.keep(ran);
             }
-            // Of two ways to be wrong the one without the printing is the user's.
+            // If both forms fail, show the errors of the form without `print`.
             return self.keep(ran);
         }
         let ended = if text.ends_with([';', '}']) { text.to_owned() } else { format!("{text};") };
@@ -159,10 +163,10 @@ impl Session {
         self.keep(tried)
     }
 
-    /// The type of an expression, as shown to people.
+    /// Returns the type of an expression, as shown to users.
     pub fn type_of(&self, expression: &str) -> Result<String, Box<Answer>> {
         let mut found = None;
-        // A symbolic expression has a type too; whichever form is sound says it.
+        // A symbolic expression has a type too; try both forms of binding.
         for bind in ["=", ":="] {
             let text = format!("var __value {bind} {expression};");
             let (whole, start) = self.with(&text, false);
@@ -176,18 +180,19 @@ impl Session {
         Err(Box::new(found.unwrap_or_default()))
     }
 
-    /// The value of an expression, or of `EXPRESSION to UNIT` in that unit.
+    /// Evaluates an expression, or `EXPRESSION to UNIT` in that unit.
     ///
     /// # Errors
-    /// What is wrong with the expression.
+    /// The diagnostics of the expression.
     pub fn evaluate(&self, text: &str) -> Result<String, Box<Answer>> {
         let entered = match target_unit(text) {
             None => format!("print({text});"),
-            // The comparison says what does not fit; angles are soft, so a quotient alone would not.
+            // The comparison reports incompatible units; a quotient alone would accept angles,
+            // which are compatible with numbers.
             Some((value, unit)) => format!("({value}) == ({unit});\nprint(({value}) / ({unit}));"),
         };
         let (_, mut answer) = self.tried(&entered, false);
-        // A model may mix cycles and angles after a warning; a conversion may not.
+        // A model may mix cycles and angles with a warning; in a conversion this is an error.
         for diagnostic in answer.diagnostics.iter_mut().filter(|d| d.code == "W0518") {
             diagnostic.severity = Severity::Error;
             diagnostic.code = "E0519".into();
@@ -204,7 +209,7 @@ impl Session {
         })
     }
 
-    /// The value of `EXPRESSION to UNIT`; `None` if the text has another form.
+    /// Evaluates `EXPRESSION to UNIT`; `None` if the text has another form.
     pub fn converted(&self, text: &str) -> Option<Result<String, Box<Answer>>> {
         let (value, _) = target_unit(text)?;
         // `for (i in ...)`, `function f(in a)` and the like are statements.
@@ -216,7 +221,7 @@ impl Session {
         ModelLoader { folder: self.folder.clone(), ..ModelLoader::default() }
     }
 
-    /// The session's text with another entry, and where that begins.
+    /// Returns the session's text with another entry, and the offset of this entry.
     fn with(&self, text: &str, opens_block: bool) -> (String, u32) {
         let mut whole = String::new();
         if let Some(units) = &self.units {
@@ -246,12 +251,12 @@ impl Session {
         (whole, start)
     }
 
-    /// The session with another entry, and what that gives.
+    /// Runs the session with another entry.
     fn tried(&self, text: &str, opens_block: bool) -> (Session, Answer) {
         let mut next = self.clone();
         let (module, _) = parse(FileId(0), text);
         let (whole, start) = match header_of(&module) {
-            // Declarations that cannot stand in a block go before all others.
+            // Declarations that are not allowed in a block go before all others.
             true => {
                 next.header.push(text.to_owned());
                 let (whole, start) = next.with("", false);
@@ -286,7 +291,7 @@ impl Session {
     }
 }
 
-/// Errors, and warnings about what was entered last.
+/// Selects errors, and warnings about the last entry.
 fn shown(diagnostics: Vec<Diagnostic>, start: u32) -> Vec<Diagnostic> {
     let new = |found: &Diagnostic| found.primary.span.file == FileId(0) && found.primary.span.start >= start;
     let wanted = |found: &Diagnostic| {
@@ -299,7 +304,7 @@ fn is_declaration(kind: &StmtKind) -> bool {
     matches!(kind, StmtKind::Function(_)) || is_header(kind)
 }
 
-/// Whether a text holds statements that cannot stand in a block.
+/// Returns true if a text contains statements that are not allowed in a block.
 fn header_of(module: &Module) -> bool {
     !module.statements.is_empty() && module.statements.iter().all(|statement| is_header(&statement.kind))
 }
@@ -316,14 +321,15 @@ fn is_header(kind: &StmtKind) -> bool {
     )
 }
 
-/// The text as an expression, if it is one without a semicolon.
+/// Returns the text if it is an expression without a semicolon.
 fn as_expression(text: &str) -> Option<&str> {
     let (module, diagnostics) = parse(FileId(0), &format!("{text};"));
     let single = matches!(module.statements.as_slice(), [Stmt { kind: StmtKind::Expr(_), .. }]);
     (single && diagnostics.is_empty()).then_some(text)
 }
 
-/// `EXPRESSION to UNIT` or `EXPRESSION in UNIT`, split at the last such word outside brackets and strings.
+/// Splits `EXPRESSION to UNIT` or `EXPRESSION in UNIT` at the last such word outside of brackets
+/// and strings.
 fn target_unit(text: &str) -> Option<(&str, &str)> {
     let (mut depth, mut found) = (0i64, None);
     for token in lex(FileId(0), text).tokens {
@@ -341,7 +347,7 @@ fn target_unit(text: &str) -> Option<(&str, &str)> {
     (!value.is_empty() && !unit.is_empty()).then_some((value, unit))
 }
 
-/// Whether a statement ends with the parenthesis of its head, so that its body is still to come.
+/// Returns true if a statement ends with the parenthesis of its head, so that its body is missing.
 fn ends_with_head(kinds: &[Kind]) -> bool {
     let mut depth = 0i64;
     let mut closed = 0;
@@ -358,7 +364,7 @@ fn ends_with_head(kinds: &[Kind]) -> bool {
     closed == 1
 }
 
-/// A number for people: without the noise that a conversion leaves in the sixteenth digit.
+/// Formats a number without the rounding error of a conversion in the sixteenth digit.
 fn tidy(value: f64) -> String {
     let all = calyx_abi::text::number(value);
     let rounded = format!("{value:.14e}").parse().map_or(all.clone(), calyx_abi::text::number);

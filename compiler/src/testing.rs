@@ -1,7 +1,8 @@
-//! Tests written in Calyx: `test function` items, each run on its own (`calyx test`).
+//! Tests written in Calyx: `test function` items, each run separately (`calyx test`).
 //!
-//! A test sees what a file declares, and none of what it runs: everything else is blanked out, byte for byte, so that
-//! places stay right, and one test is called by a param that is put at the end.
+//! A test uses the declarations of a file, but not its statements: all other text is replaced by
+//! blanks of the same length, so that source locations are unchanged. A param appended to the text
+//! selects the test to call.
 
 use calyx_abi::{Context, Purity, RuntimeError};
 use calyx_elaborate::check::read;
@@ -20,25 +21,25 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-/// Selects the test to run. Two underscores keep it out of the way of names that people choose.
+/// Param that selects the test. The two underscores avoid collisions with user names.
 const SELECTOR: &str = "__test";
 
-/// Errors in the use of tests themselves.
+/// Codes of errors in the declaration of tests.
 const OF_TESTS: [&str; 2] = ["E0222", "E0223"];
 
-/// How a test ended.
+/// Result of a test.
 pub struct Outcome {
     pub name: String,
-    /// Why it failed; `None` if it passed.
+    /// Failure; `None` if the test passed.
     pub failure: Option<Diagnostic>,
-    /// What it printed.
+    /// Lines that the test printed.
     pub lines: Vec<String>,
 }
 
-/// The tests of one file.
+/// Results of the tests of one file.
 pub struct Tested {
     pub outcomes: Vec<Outcome>,
-    /// What is wrong with the file, so that no test ran.
+    /// Errors of the file that prevented its tests from running.
     pub errors: Vec<Diagnostic>,
     pub files: Vec<SourceFile>,
 }
@@ -56,7 +57,7 @@ impl Tested {
 /// Runs the tests of a file whose names contain `filter`.
 ///
 /// # Errors
-/// The file cannot be read.
+/// If the file cannot be read.
 pub fn test_file(path: &Path, allowed: &Arc<[PathBuf]>, filter: &str) -> io::Result<Tested> {
     let name = path.display().to_string();
     let text = match read(path)? {
@@ -69,10 +70,10 @@ pub fn test_file(path: &Path, allowed: &Arc<[PathBuf]>, filter: &str) -> io::Res
     Ok(test_text(&name, &text, &loader, filter))
 }
 
-/// Files with tests in a directory and those below it, or the file itself; in order of name.
+/// Returns the file, or the files with tests in a directory and its subdirectories, sorted by name.
 ///
 /// # Errors
-/// Something cannot be read.
+/// If a file or directory cannot be read.
 pub fn files_with_tests(path: &Path) -> io::Result<Vec<PathBuf>> {
     if !path.is_dir() {
         return Ok(vec![path.to_owned()]);
@@ -85,7 +86,7 @@ pub fn files_with_tests(path: &Path) -> io::Result<Vec<PathBuf>> {
             if path.is_dir() && !hidden && !path.is_symlink() {
                 pending.push(path);
             } else if path.extension().is_some_and(|extension| extension == "cx") {
-                // What is not UTF-8 is no test; `check` says so.
+                // A file that is not UTF-8 contains no tests; `check` reports it.
                 let text = std::fs::read(&path)?;
                 if String::from_utf8(text).is_ok_and(|text| !tests(&text).is_empty()) {
                     found.push(path);
@@ -97,7 +98,7 @@ pub fn files_with_tests(path: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// Names of the tests in a text, in order.
+/// Returns the names of the tests in a text, in order.
 pub fn tests(text: &str) -> Vec<String> {
     let (module, _) = parse(FileId(0), text);
     let name = |statement: &Stmt| match &statement.kind {
@@ -108,7 +109,7 @@ pub fn tests(text: &str) -> Vec<String> {
 }
 
 fn test_text(name: &str, text: &str, loader: &ModelLoader, filter: &str) -> Tested {
-    // What is blanked out would be reported as unknown.
+    // Names in the blanked text would be reported as unknown.
     let whole = check_program(name, text, loader);
     let misused: Vec<Diagnostic> =
         whole.diagnostics.into_iter().filter(|found| OF_TESTS.contains(&found.code.as_str())).collect();
@@ -139,7 +140,7 @@ fn test_text(name: &str, text: &str, loader: &ModelLoader, filter: &str) -> Test
     Tested { outcomes: outcomes.collect(), errors, files }
 }
 
-/// The text's declarations, and the call of the test that the selector names.
+/// Returns the text's declarations with a call of the test that the selector names.
 fn harness(text: &str, names: &[String]) -> String {
     let (module, _) = parse(FileId(0), text);
     let mut harness = text.to_owned();
@@ -147,7 +148,7 @@ fn harness(text: &str, names: &[String]) -> String {
         let Span { start, end, .. } = statement.span;
         let range = start as usize..end as usize;
         let Some(old) = text.get(range.clone()) else { continue };
-        // As many bytes and the same lines.
+        // Keeps the number of bytes and the lines.
         let blank = |byte: u8| if byte == b'\n' { '\n' } else { ' ' };
         harness.replace_range(range, &old.bytes().map(blank).collect::<String>());
     }
@@ -158,7 +159,7 @@ fn harness(text: &str, names: &[String]) -> String {
     harness + "}\n"
 }
 
-/// Whether a top-level statement does something, as opposed to declaring something.
+/// Returns true if a top-level statement is executed, as opposed to a declaration.
 fn runs(kind: &StmtKind) -> bool {
     !matches!(
         kind,
@@ -175,7 +176,7 @@ fn runs(kind: &StmtKind) -> bool {
     )
 }
 
-/// Runs one test in a context of its own: what it printed, and how it ended.
+/// Runs one test in its own context; returns the printed lines and the result.
 fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String>, Result<(), RuntimeError>) {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let printed = lines.clone();
@@ -200,7 +201,7 @@ fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String
     (lines, ended)
 }
 
-/// The failure for people, who know nothing of the call that was put at the end of the text.
+/// Returns the diagnostic of a failure, without the call that was appended to the text.
 fn failure(mut error: RuntimeError, sites: &CallSites, end: u32) -> Diagnostic {
     sites.blame(&mut error);
     error.details.calls.retain(|call| call.place.0 != 0 || call.place.1 < end);

@@ -1,8 +1,8 @@
-//! The typed program of a compiled module, and what checking it found.
+//! Typed program of a compiled module, with the diagnostics of its check.
 //!
-//! A module that was compiled here has them. One that was loaded does without: it brings its sources along, and whoever asks
-//! what only the typed program knows (kernels of symbolic functions, where NaN arose, whom an error blames) has them checked
-//! again, once.
+//! A module compiled in this process has a typed program. A loaded module contains its sources
+//! only; the first request that needs the typed program (kernels of symbolic functions, the source
+//! of a NaN, the argument that an error concerns) checks them again.
 
 use calyx_elaborate::{Checked, check_sources};
 use calyx_lang::diagnostic::Diagnostic;
@@ -10,11 +10,11 @@ use calyx_lang::ir::{Program, SourceFile};
 use calyx_lower::interpret::CallSites;
 use std::sync::OnceLock;
 
-/// A typed program and what follows from it.
+/// Typed program and its derived data.
 pub struct Typed {
     pub program: Program,
     pub call_sites: CallSites,
-    /// What checking found, at the params' defaults.
+    /// Diagnostics of the check, at the default params.
     pub known: Vec<Diagnostic>,
 }
 
@@ -24,21 +24,23 @@ impl Typed {
     }
 }
 
-/// A typed program that is there, or made when it is first asked for.
+/// Typed program, created at the first request if it is missing.
 pub struct LazyTyped(OnceLock<Option<Box<Typed>>>);
 
 impl LazyTyped {
-    /// Of a program that was just checked.
+    /// Wraps a program that was just checked.
     pub fn checked(typed: Typed) -> LazyTyped {
         LazyTyped(OnceLock::from(Some(Box::new(typed))))
     }
 
-    /// Of sources that were checked when they were compiled.
+    /// Creates a typed program to be derived from sources, which were checked when they were
+    /// compiled.
     pub fn of_sources() -> LazyTyped {
         LazyTyped(OnceLock::new())
     }
 
-    /// The typed program; `None` if these sources cannot be checked, which they could when they were compiled.
+    /// Returns the typed program; `None` if the sources cannot be checked, although they were valid
+    /// when they were compiled.
     pub fn get(&self, sources: &[SourceFile]) -> Option<&Typed> {
         let check = || {
             let Checked { program, diagnostics, .. } = check_sources(sources);

@@ -1,5 +1,5 @@
-//! All tests of the command and of the embedding API but those that count the memory of their process, as one program: it is linked
-//! once, and what takes long in one file goes beside what does in another.
+//! All tests of the command and of the embedding API, except those that measure the memory of their
+//! process, as one program: it is linked once, and slow tests of different files run in parallel.
 
 mod artifact;
 mod check_and_run;

@@ -1,5 +1,5 @@
-//! A module that was serialised and loaded again answers everything that the compiled one does, also when its files are
-//! gone.
+//! Checks that a serialized and loaded module is equivalent to the compiled one, even after its
+//! source files are deleted.
 
 use calyx::rt::run::RunError;
 use calyx::rt::{Error, ParamAssignment, RunOptions, run};
@@ -10,7 +10,7 @@ use std::path::Path;
 
 fn loaded(bytes: &[u8]) -> Module {
     assert!(is_artifact(bytes));
-    // SAFETY: this process has just made the bytes.
+    // SAFETY: this process has just written the bytes.
     unsafe { Module::deserialize(&Engine::default(), bytes) }.unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -18,7 +18,7 @@ fn compiled(checked: Checked) -> Module {
     Module::from_checked(&Engine::default(), checked).unwrap()
 }
 
-/// What comes of a run: its table, what was found, or its error as people see it.
+/// Returns the result of a run: its table and findings, or its error as shown to users.
 fn outcome(module: &Module, set: &[(&str, &str)]) -> Result<(String, Vec<Diagnostic>), Box<Diagnostic>> {
     let directory = tempfile::tempdir().unwrap();
     let given: Vec<_> = set.iter().map(|(name, value)| ParamAssignment::text(*name, *value)).collect();
@@ -34,7 +34,7 @@ fn outcome(module: &Module, set: &[(&str, &str)]) -> Result<(String, Vec<Diagnos
     }
 }
 
-/// Whether both modules say the same of themselves.
+/// Checks that two modules have equal descriptions and diagnostics.
 fn same_answers(a: &Module, b: &Module) {
     assert_eq!(a.description(), b.description());
     let files = |module: &Module| -> Vec<(String, String)> {
@@ -65,7 +65,8 @@ fn a_loaded_model_gives_the_same_bits() {
     }
 }
 
-/// Params of every kind, kernels, and a module beside the model, which is gone when the artifact is loaded.
+/// Params of every kind, kernels, and an imported module that is deleted before the artifact is
+/// loaded.
 #[test]
 fn a_loaded_model_needs_none_of_its_files() {
     let directory = tempfile::tempdir().unwrap();
@@ -93,7 +94,7 @@ fn a_loaded_model_needs_none_of_its_files() {
     drop(directory);
     let loaded = loaded(&bytes);
     assert!(outcome(&loaded, &[]).is_ok());
-    // An error inside the module that is gone, with the calls that led there.
+    // An error inside the deleted module, with its call stack.
     let failed = outcome(&loaded, &[("length", "-1 mm")]);
     let diagnostic = failed.clone().unwrap_err();
     assert_eq!(diagnostic.code, "E0705", "{diagnostic:?}");
@@ -106,7 +107,7 @@ fn a_loaded_model_needs_none_of_its_files() {
     assert_eq!(values(&module), values(&loaded));
 }
 
-/// Where NaN arose is told from the sources.
+/// The source of a NaN is determined from the stored sources.
 #[test]
 fn a_loaded_model_traces_nan() {
     let text = "units mm_N_s; param x = 1 in -1 .. 1;

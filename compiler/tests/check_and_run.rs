@@ -1,6 +1,6 @@
-//! A check applies the rules of a run: over combinations of gears, fidelities and methods both
-//! accept the same models with the same codes, and what a message advises is accepted, or at least
-//! not refused with advice to go back.
+//! Checks that `check` and `run` apply the same rules: for combinations of gears, fidelities and
+//! methods, both accept the same models and report the same codes. A setting that a message advises
+//! is accepted, or at least not rejected with advice to undo it.
 
 use calyx::{Interpreted, Override, check_run, check_text};
 use calyx_abi::{Context, Purity};
@@ -14,7 +14,7 @@ const KINDS: [&str; 9] =
     ["spur", "helical", "crowned", "internal", "planetary", "web", "bearing", "lugs", "gauge"];
 const FIDELITIES: [&str; 7] = ["rigid", "analytic", "plane", "medium", "thinrim", "fineroot", "finest"];
 
-/// An analysis of some gears.
+/// Analysis of a set of gears.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Case {
     kind: &'static str,
@@ -110,10 +110,10 @@ var mesh = gears.mesh(pinion, gear);
         text
     }
 
-    /// The same after advice that names a fidelity, a method or modes; `None` if it names none of
-    /// them.
+    /// Returns the case after following advice that names a fidelity, a method or modes; `None` if
+    /// it names none of them.
     fn advised(&self, help: &str) -> Option<Case> {
-        // What comes behind is another way.
+        // The text after this separator is an alternative.
         let first = help.split(", or ").next()?;
         let mut case = *self;
         if first.contains("\"quasi_static\"") {
@@ -130,7 +130,7 @@ var mesh = gears.mesh(pinion, gear);
     }
 }
 
-/// Ends an analysis where its structures would be built.
+/// Ends an analysis before it builds structures.
 struct Ended;
 
 const ACCEPTED: &str = "accepted";
@@ -144,7 +144,7 @@ impl Observer for Ended {
     }
 }
 
-/// Codes of the errors that a check finds, and the help of the first.
+/// Returns the codes of the errors that a check finds, and the help of the first.
 fn checked(text: &str) -> (Vec<String>, String) {
     let found = check_text("model.cx", text).diagnostics;
     let errors: Vec<_> = found.iter().filter(|found| found.severity == Severity::Error).collect();
@@ -152,7 +152,7 @@ fn checked(text: &str) -> (Vec<String>, String) {
     (errors.iter().map(|error| error.code.clone()).collect(), help)
 }
 
-/// The code that a run ends with before it builds a structure; none if it would go on.
+/// Returns the code that a run ends with before it builds a structure; `None` if it would continue.
 fn refused(text: &str, overrides: Override) -> Option<String> {
     let program =
         calyx_lang::check::check_program("model.cx", text, &calyx::elaborate::ModelLoader::default());
@@ -167,7 +167,8 @@ fn refused(text: &str, overrides: Override) -> Option<String> {
     (error.code != ACCEPTED).then_some(error.code)
 }
 
-/// One fidelity of each kind of model; finer meshes in three dimensions follow the same rules.
+/// Returns the cases, with one fidelity of each kind of model; finer 3-D meshes follow the same
+/// rules.
 fn cases() -> impl Iterator<Item = Case> {
     KINDS.into_iter().flat_map(|kind| {
         ["rigid", "analytic", "plane", "medium"].into_iter().flat_map(move |fidelity| {
@@ -204,7 +205,7 @@ fn a_check_accepts_what_a_run_accepts_and_advises_what_both_accept() {
     assert!(accepted > 40 && rejected > 40 && followed > 40, "{accepted} {rejected} {followed}");
 }
 
-/// Options of the command change what a check of the run says, as they change the run.
+/// Options of the command change the diagnostics of a check as they change the run.
 #[test]
 fn options_count_in_a_check_as_in_a_run() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -223,7 +224,7 @@ fn options_count_in_a_check_as_in_a_run() {
     }
 }
 
-/// E0808 as a warning: 24 + 60 teeth are a multiple of 3 and of 4, not of 5.
+/// E0808 is a warning: 24 + 60 teeth are a multiple of 3 and of 4, not of 5.
 #[test]
 fn planets_that_cannot_be_evenly_spaced_are_reported() {
     let three = Case { kind: "planetary", fidelity: "plane", dynamic: false, modes: false }.text();

@@ -1,5 +1,5 @@
-//! The `calyx` command as its users meet it. The pages in `cli/` fix its messages; this file tests
-//! what it writes. A second run condenses nothing.
+//! Tests of the `calyx` command from the user's side. The pages in `cli/` specify its messages;
+//! this file tests its output files. A second run condenses nothing.
 
 use serde_json::Value;
 use std::io::Write;
@@ -10,19 +10,19 @@ use std::process::{Command, Output, Stdio};
 #[derive(Default)]
 struct Case {
     name: String,
-    /// Files there are, by name. A block `cx` or `edit` is `model.cx`, a block `file NAME` any other.
+    /// Initial files by name. A block `cx` or `edit` is `model.cx`, a block `file NAME` any other.
     files: Vec<(String, String)>,
     commands: Vec<Expected>,
 }
 
-/// A command line and what it is to do.
+/// Command line with its expected results.
 #[derive(Default)]
 struct Expected {
     arguments: Vec<String>,
-    /// Variables of the environment.
+    /// Environment variables.
     variables: Vec<(String, String)>,
     status: Option<i32>,
-    /// All of standard output.
+    /// Complete standard output.
     out: Vec<String>,
     /// Parts of standard output.
     out_has: Vec<String>,
@@ -40,14 +40,15 @@ fn example() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx")
 }
 
-/// The example with its bodies in section: what is tested here is told alike of models in space, which take longer.
+/// Returns the example with a plane model of its bodies: 3-D models behave equally in these tests
+/// and take longer.
 fn in_section() -> String {
     let text = std::fs::read_to_string(example()).expect("the example is there");
     assert!(text.contains("param fidelity = \"medium\""));
     text.replace("param fidelity = \"medium\"", "param fidelity = \"plane\"")
 }
 
-/// The example in section after `old => new` on each line of `edits`.
+/// Returns the plane example after replacing `old => new` for each line of `edits`.
 fn edited(edits: &[&str]) -> String {
     let text = in_section();
     edits.iter().fold(text, |text, edit| {
@@ -81,7 +82,7 @@ fn cases(page: &str) -> Vec<Case> {
     cases
 }
 
-/// The words of a command line; blanks between quotes are part of a word.
+/// Splits a command line into words; blanks between quotes are part of a word.
 fn words(line: &str) -> Vec<String> {
     let (mut words, mut word, mut quoted) = (Vec::new(), None::<String>, false);
     for c in line.chars() {
@@ -99,7 +100,7 @@ fn words(line: &str) -> Vec<String> {
 }
 
 fn expectation(commands: &mut Vec<Expected>, line: &str) {
-    // Words before the command set variables.
+    // Words before the command set environment variables.
     let call = line.strip_prefix("$").and_then(|line| line.split_once(" calyx"));
     if let Some((variables, arguments)) = call {
         let variables = words(variables).into_iter();
@@ -129,7 +130,7 @@ fn calyx(directory: &Path, arguments: &[String]) -> Output {
     calyx_reads(directory, arguments, &[], "")
 }
 
-/// Runs the command with variables of the environment and a text on standard input.
+/// Runs the command with environment variables and a text on standard input.
 fn calyx_reads(
     directory: &Path,
     arguments: &[String],
@@ -146,12 +147,12 @@ fn calyx_reads(
         .stderr(Stdio::piped())
         .spawn()
         .expect("calyx starts");
-    // A command that does not read closes its end, which is no failure.
+    // A command that does not read closes its end of the pipe, which is not an error.
     let _ = child.stdin.take().expect("standard input").write_all(input.as_bytes());
     child.wait_with_output().expect("calyx ends")
 }
 
-/// What is wrong with a command's output and files; `None` if nothing is.
+/// Describes the first mismatch of a command's output and files; `None` if they match.
 fn difference(expected: &Expected, output: &Output, directory: &Path) -> Option<String> {
     let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     if output.status.code() != expected.status {
@@ -310,7 +311,7 @@ fn text_that_is_not_utf8_is_refused() {
     assert!(err.contains("[E0100]") && err.contains("model.cx:1:10"), "{err}");
 }
 
-/// Texts that made compilers hang, overflow their stack or run out of memory.
+/// Inputs that are known to make compilers hang, overflow their stack or run out of memory.
 #[test]
 fn no_text_makes_check_hang_or_crash() {
     let doubling = |element: &str| {
@@ -325,7 +326,7 @@ fn no_text_makes_check_hang_or_crash() {
     let variables = (0..24).map(|i| format!("var x{} = [x{i}, [x{i}, TRUE]];\n", i + 1)).collect::<String>();
     let tokens =
         ["var", "x", "=", "1", ";", "(", ")", "{", "}", "[", "]", "function", "in", "+", "3 mm", ":="];
-    // Knuth's multiplicative sequence: any text will do, as long as it is the same every time.
+    // Knuth's multiplicative hash: a reproducible pseudo-random sequence.
     let pick = |i: u32| tokens[(i.wrapping_mul(2_654_435_761) >> 16) as usize % tokens.len()];
     for (name, text) in [
         ("arrays that double", doubling("[f(a), f(a)]")),
@@ -340,7 +341,7 @@ fn no_text_makes_check_hang_or_crash() {
         let directory = tempfile::tempdir().unwrap();
         std::fs::write(directory.path().join("model.cx"), text).unwrap();
         let output = calyx(directory.path(), &["check".into(), "model.cx".into()]);
-        // A crash has no exit status, a panic has 101.
+        // A crash has no exit status; a panic has 101.
         assert_eq!(output.status.code(), Some(1), "{name}");
         assert!(!output.stderr.is_empty(), "{name}");
     }
@@ -354,7 +355,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
-/// Runs the example with few positions; returns run.json, what was written to standard error, and the directory.
+/// Runs the example with few positions; returns run.json, standard error, and the directory.
 fn run_example(arguments: &[&str]) -> (Value, String, tempfile::TempDir) {
     let directory = tempfile::tempdir().unwrap();
     std::fs::write(directory.path().join("pair.cx"), in_section()).unwrap();
@@ -415,7 +416,8 @@ fn the_run_directory_of_the_example_is_complete() {
     assert_eq!(outputs.keys().collect::<Vec<_>>(), OUTPUTS.map(|output| output.0));
     let table = std::fs::read_to_string(directory.join("steps.csv")).unwrap();
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
-    // Both uniform positions, and the characteristic points; the start of active profile is the start of the cycle.
+    // Both uniform positions, and the characteristic points; the start of active profile coincides
+    // with the start of the cycle.
     let points: Vec<&str> = rows[1..].iter().map(|row| row[4]).collect();
     for point in ["SAP", "EAP", "LPSTC", "HPSTC"] {
         assert!(points.contains(&point), "{points:?}");
@@ -468,10 +470,10 @@ fn the_run_directory_of_the_example_is_complete() {
     assert!((sum - number(&timing["total"])).abs() <= 1e-9 * sum);
     assert_eq!(timing["structures"], serde_json::json!({ "built": 2, "reused": 0 }));
 
-    // The summary fits a terminal; its lines are in the model's units.
+    // The summary fits into a terminal; it uses the model's units.
     assert!(err.contains("max_contact_pressure       psi "), "{err}");
     assert!(err.lines().all(|line| line.chars().count() <= 128), "{err}");
-    // An input the model cannot see is said and written.
+    // An input that the plane model ignores is reported and recorded.
     assert_eq!(run["ignored_inputs"].as_object().unwrap().keys().collect::<Vec<_>>(), ["lead_crown"]);
     assert_eq!(err.matches("warning: `lead_crown` is not seen as given").count(), 1);
 }
@@ -481,7 +483,7 @@ fn quiet_is_quiet_and_what_is_zero_is_not_ignored() {
     let (run, err, directory) = run_example(&["--set", "lead_crown=0", "--quiet"]);
     assert_eq!(err, "");
     assert_eq!(run["ignored_inputs"], serde_json::json!({}));
-    // A run that fails before its first position leaves the results of an earlier one as they are.
+    // A run that fails before its first position leaves the results of an earlier one unchanged.
     let model = edited(&["[\"theta_z\"],\n    moment => [\"theta_z\", \"u_x\"],\n    moment"]);
     std::fs::write(directory.path().join("pair.cx"), model).unwrap();
     let arguments = ["run", "pair.cx", "--set", "steps=2"].map(str::to_owned);
@@ -493,7 +495,8 @@ fn quiet_is_quiet_and_what_is_zero_is_not_ignored() {
     assert_eq!(std::fs::read(directory.path().join("pair.cx.run/run.json")).expect("results"), before);
 }
 
-/// What a run condensed is there for the next one, unless it is not to be; the results have the same bits.
+/// A run reuses cached structures of an earlier one, unless the cache is disabled; results are
+/// bitwise equal.
 #[test]
 fn a_second_run_condenses_nothing() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -542,7 +545,8 @@ fn an_interrupt_ends_the_run() {
     assert!(said.contains("[E0704] Error: the run was cancelled"), "{said}");
 }
 
-/// What was solved until somebody ends the run stays, with what it is of; progress told to programs says how far it is.
+/// A cancelled run keeps its solved positions with their provenance; JSON progress contains the
+/// number of positions.
 #[cfg(unix)]
 #[test]
 fn a_run_that_is_ended_keeps_what_it_solved() {

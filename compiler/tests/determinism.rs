@@ -1,5 +1,6 @@
-//! The same model writes the same bytes: at any number of threads, in another program, and however often it was killed on the way. In statics
-//! and in time, of pairs and planetary sets, in the plane and in space.
+//! Checks that a model writes identical bytes with any number of threads, in another program, and
+//! after any number of kills and resumes: in statics and dynamics, for pairs and planetary sets, in
+//! two and three dimensions.
 #![cfg(unix)]
 
 use super::results::results;
@@ -50,7 +51,7 @@ output one := gears.mesh_force(set.sun_meshes[0]);
 output turn := gears.rotation(set.sun, \"z\");
 analyze(\"quasi_static\", over = gears.mesh_cycle(set.sun_meshes[0], 3));";
 
-/// A model in a directory of its own.
+/// Writes a model into its own directory.
 fn model(text: &str) -> (tempfile::TempDir, PathBuf) {
     let directory = tempfile::tempdir().expect("a directory");
     let path = directory.path().join("model.cx");
@@ -69,7 +70,8 @@ fn ran(command: &mut Command) {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// Structures and positions, at one, two and eight threads, and in a program that embeds the model.
+/// Compares structures and positions with one, two and eight threads, and in a program that embeds
+/// the model.
 fn check_bits(text: &str) {
     let (directory, model) = model(text);
     let out = |threads: &str| directory.path().join(threads);
@@ -122,8 +124,8 @@ impl Random {
     }
 }
 
-/// Killed again and again at moments that nobody chose, a run comes to the files of one that was left alone, and what it leaves
-/// behind on the way can be shown.
+/// Checks that a run that is killed repeatedly at random moments ends with the files of an
+/// undisturbed run, and that `calyx report` accepts the files in between.
 fn check_kills(text: &str, arguments: &[&str]) {
     let (directory, model) = model(text);
     let cache = directory.path().join("cache");
@@ -137,7 +139,8 @@ fn check_kills(text: &str, arguments: &[&str]) {
     for seed in [1, 20, 300] {
         let mut random = Random(seed);
         let out = directory.path().join(seed.to_string());
-        // The first without what has been condensed, killed while it is kept.
+        // The first seed starts without a cache, and is killed while structures are being written
+        // to it.
         if seed == 1 {
             fs::remove_dir_all(&cache).expect("it is there");
         }
@@ -159,7 +162,7 @@ fn check_kills(text: &str, arguments: &[&str]) {
         let results = results(&out);
         assert_eq!(results.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>());
         assert_eq!(results.iter().find(|(name, file)| expected[*name] != **file), None, "seed {seed}");
-        // From now on there is less to do.
+        // Later runs with this cache take less time.
         long = long.min(2 * again.elapsed().max(Duration::from_millis(50)));
     }
     assert!(kills > 3, "{kills} kills");

@@ -1,5 +1,5 @@
-//! Directories of results: files of the user in them are never lost, two runs never mix, and a kill at any moment leaves what a
-//! later run continues or replaces.
+//! Tests of result directories: files of the user in them are never lost, two runs never write at
+//! the same time, and after a kill at any moment a later run continues or replaces the results.
 
 use crate::results::results;
 use crate::support::pair;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// A pair without meshes, whose analysis takes little time.
+/// Model of a pair without meshes, which is solved quickly.
 fn model_text() -> String {
     let analysis =
         "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, steps), fidelity = \"analytic\");\n";
@@ -27,14 +27,14 @@ fn said(mut command: Command) -> (Option<i32>, String) {
     (status.code(), String::from_utf8_lossy(&stderr).into_owned())
 }
 
-/// A folder with the model.
+/// Creates a directory with the model.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
     fs::write(folder.path().join("pair.cx"), model_text()).expect("writable");
     folder
 }
 
-/// Every file in a directory and below it with its content.
+/// Returns all files in a directory and its subdirectories with their contents.
 fn all_files(directory: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut all = BTreeMap::new();
     for entry in fs::read_dir(directory).expect("a directory") {
@@ -47,7 +47,7 @@ fn all_files(directory: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     all
 }
 
-/// Files that a user may have in a directory of results, with names like those of results.
+/// Files that a user may have in a result directory, with names similar to those of results.
 const OWN: [&str; 6] = [
     "notes.txt",
     "signals/measured.csv",
@@ -88,20 +88,20 @@ fn a_directory_of_the_user_is_refused_and_unchanged() {
         assert!(err.contains("error: out has files that") && err.contains("--force"), "{err}");
         assert_eq!(all_files(folder.path()), before, "{command}");
     }
-    // The default directory is treated alike.
+    // The default directory behaves equally.
     fs::rename(&out, folder.path().join("pair.cx.run")).unwrap();
     let before = all_files(folder.path());
     let (status, err) = said(calyx(folder.path(), &["run", "pair.cx", "--resume"]));
     assert_eq!(status, Some(2), "{err}");
     assert_eq!(all_files(folder.path()), before);
-    // By force, files with names of results are replaced and all others stay.
+    // With `--force`, files with names of results are replaced and all others remain.
     let out = folder.path().join("pair.cx.run");
     let (status, err) = said(calyx(folder.path(), &["run", "pair.cx", "--force"]));
     assert_eq!(status, Some(0), "{err}");
     assert_own(&out, "after --force");
     assert!(fs::read_to_string(out.join("run.json")).unwrap().contains("\"pair.cx\""));
-    // From then on it is a run directory. A file that a later run of this model may write is still
-    // the user's.
+    // Now it is a run directory. A file with a name that a later run of this model may write still
+    // belongs to the user.
     let (status, err) = said(calyx(folder.path(), &["run", "pair.cx"]));
     assert_eq!(status, Some(2), "{err}");
     assert!(err.contains("signals/transmission_error_spectrum.csv"), "{err}");
@@ -136,7 +136,7 @@ fn a_run_that_fails_before_its_first_position_changes_nothing() {
         assert!(matches!(status, Some(1 | 2)), "{new}: {err}");
         assert_eq!(all_files(&folder.path().join("pair.cx.run")), before, "{new}");
     }
-    // In a directory that is not there, nothing is left.
+    // A directory that did not exist is removed.
     let (status, _) = said(calyx(folder.path(), &["run", "pair.cx", "--out", "other"]));
     assert_eq!(status, Some(1));
     assert!(!folder.path().join("other").exists());
@@ -164,7 +164,7 @@ fn a_second_run_into_a_directory_says_who_writes_there() {
         let who = format!("process {} on ", first.id());
         assert!(err.contains(&who) && err.contains(", since 2"), "{err}");
     }
-    // The lock ends with the process, however that ends.
+    // The operating system releases the lock when the process ends.
     first.kill().unwrap();
     first.wait().unwrap();
     let (status, err) =
@@ -172,7 +172,7 @@ fn a_second_run_into_a_directory_says_who_writes_there() {
     assert_eq!(status, Some(0), "{err}");
 }
 
-/// Random numbers (Knuth's MMIX generator).
+/// Pseudo-random numbers (Knuth's MMIX generator).
 struct Random(u64);
 
 impl Random {
@@ -194,9 +194,9 @@ fn setting(name: &str, usual: u64) -> u64 {
 const VARIANTS: [&[&str]; 4] =
     [&[], &["--set", "torque=30"], &["--fields", "--set", "steps=4"], &["--vtu", "--set", "torque=10"]];
 
-/// Random pairs of runs into one directory at the same time, killed at random moments, among files
-/// of the user: these survive, at most one run writes at a time, and a run that ends with success
-/// leaves exactly the results of a run alone. `CALYX_FUZZ` is the number of rounds,
+/// Random pairs of concurrent runs in one directory, killed at random moments, with files of the
+/// user in it. The user's files survive, at most one run writes at a time, and a successful run
+/// leaves exactly the results of an undisturbed run. `CALYX_FUZZ` is the number of rounds,
 /// `CALYX_FUZZ_SEED` the seed.
 #[test]
 fn random_pairs_of_runs_and_kills_lose_nothing() {
@@ -253,7 +253,7 @@ fn random_pairs_of_runs_and_kills_lose_nothing() {
             assert!(known, "round {round} of seed {seed}: the results are of none of {succeeded:?}");
         }
         finished += succeeded.len();
-        // A run alone puts everything right: it continues the one before, or replaces it.
+        // An undisturbed run completes the results: it continues the earlier run or replaces it.
         let variant = random.below(VARIANTS.len());
         let arguments = [&["run", "pair.cx", "--quiet", "--out", "shared"][..], VARIANTS[variant]].concat();
         let (status, err) = said(calyx(folder.path(), &[&arguments[..], &["--resume"]].concat()));
@@ -275,15 +275,15 @@ fn random_pairs_of_runs_and_kills_lose_nothing() {
     );
 }
 
-/// Returns whether two runs wrote the same files. Their reports list the files of the directory, of
-/// which some are the user's.
+/// Returns true if two runs wrote the same files. Their reports list the files of the directory,
+/// including those of the user.
 fn same(there: &BTreeMap<String, String>, expected: &BTreeMap<String, String>) -> bool {
     let names = there.keys().eq(expected.keys());
     names && there.iter().all(|(name, text)| name == "report.html" || expected[name] == *text)
 }
 
-/// Waits for a run, or kills it after a time: its exit status, `None` if it was killed, and standard
-/// error.
+/// Waits for a run, or kills it after a time; returns its exit status, `None` if it was killed, and
+/// standard error.
 fn end(mut child: Child, kill: Option<Duration>) -> (Option<i32>, String) {
     if let Some(delay) = kill {
         std::thread::sleep(delay);

@@ -2,9 +2,9 @@
 //! the pages.
 //!
 //! A page is one session in an empty directory. A block `cx` whose first line is a comment with a
-//! file name is that file; so is a block `file NAME`. A block `console` has commands, each after
-//! `$ `, followed by the output on the terminal: standard output and standard error in order. A
-//! line `...` matches any lines. Blocks of other kinds (`sh`, `text`) are not compared.
+//! file name is that file, as is a block `file NAME`. A block `console` has commands, each after `$
+//! `, followed by the terminal output: standard output and standard error in order. A line `...`
+//! matches any lines. Blocks of other kinds (`sh`, `text`) are not compared.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs")
 }
 
-/// Pages below a folder that show commands.
+/// Collects the pages of a directory that show commands.
 fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("the book") {
         let path = entry.expect("an entry").path();
@@ -45,14 +45,14 @@ fn words(line: &str) -> Vec<String> {
     words
 }
 
-/// A reader's terminal: its current directory, and a directory for its cache.
+/// Terminal session of a reader: its current directory, and a directory for its cache.
 struct Session {
     directory: PathBuf,
     home: PathBuf,
 }
 
 impl Session {
-    /// Runs a command and returns the output on the terminal.
+    /// Runs a command and returns the terminal output.
     fn run(&mut self, line: &str) -> String {
         let words = words(line);
         match words[0].as_str() {
@@ -110,7 +110,7 @@ fn replay(block: &[&str], session: &mut Session) -> String {
     shown
 }
 
-/// Replays a page: its text with the output of its commands.
+/// Runs the commands of a page and returns its text with their output.
 fn replayed(page: &str) -> String {
     let home = tempfile::tempdir().expect("a temporary folder");
     let directory = home.path().join("work");

@@ -1,4 +1,5 @@
-//! Models inside other programs: many instances, taken position by position, cancelled, limited, refused.
+//! Tests of models in other programs: many instances, stepwise solution, cancellation, limits,
+//! invalid input.
 
 use calyx::rt::{RunOptions, run};
 use calyx::{
@@ -14,7 +15,7 @@ fn example() -> PathBuf {
     [env!("CARGO_MANIFEST_DIR"), "../examples/spur_pair.cx"].iter().collect()
 }
 
-/// The pair of the report, compiled once; its structures are built by the first test that needs them.
+/// Pair of the report, compiled once; the first test that needs its structures builds them.
 static PAIR: LazyLock<Module> = LazyLock::new(|| {
     Module::from_file(&Engine::default(), example()).unwrap_or_else(|error| panic!("{error}"))
 });
@@ -30,7 +31,7 @@ fn module(text: &str) -> Module {
     Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Every bit of every output at every position.
+/// Returns the bits of every output at every position.
 fn bits(steps: impl Iterator<Item = Step>) -> Vec<u64> {
     let numbers = |step: Step| -> Vec<u64> {
         let outputs = step.outputs().iter().map(|output| output.value);
@@ -70,7 +71,7 @@ fn fifty_instances_at_once_give_the_bits_of_one_after_another() {
         threads.into_iter().map(|thread| thread.join().unwrap()).collect()
     });
     assert_eq!(serial, at_once);
-    // Whatever an engine shares and however many threads it has.
+    // Independent of shared engine data and of the number of threads.
     let alone = Engine::new(EngineConfig { threads: 1, kept: 0, ..EngineConfig::default() });
     let mut instance = Instance::new(&alone, PAIR.as_program());
     instance.set("steps", 2).unwrap();
@@ -100,7 +101,7 @@ fn stepping_solving_and_the_run_directory_are_one() {
     assert_eq!(expected, bits(solved.steps()));
     assert_eq!(expected, bits(finished.steps()));
     assert_eq!(finished.analysis().unwrap().summaries, solved.analysis().unwrap().summaries);
-    // One that is finished after a few positions has them all.
+    // A run that is finished after a few positions returns all of them.
     let mut few = pair.run().unwrap();
     assert_eq!((few.next().unwrap().unwrap().index(), few.next().unwrap().unwrap().index()), (0, 1));
     assert_eq!(bits(few.finish().unwrap().steps()), expected);
@@ -134,7 +135,7 @@ fn results_come_in_the_units_one_asks_for() {
     assert_eq!(step.value("transmission_error_length").unwrap(), step.in_unit(error, "inch").unwrap());
     assert!(results.certificate().unwrap().equilibrium < 1e-6);
     assert!(results.plan().is_some() && results.timing().is_some());
-    // What is not an output, or not of this model, or not of this dimension.
+    // Names and units that do not match an output of this model.
     let other = module("output twice := 2*Time; print(1);");
     let foreign = other.output("twice").unwrap();
     for (refused, says) in [
@@ -150,32 +151,32 @@ fn results_come_in_the_units_one_asks_for() {
     }
 }
 
-/// After any number of positions, from another thread and by dropping the run; and the instance goes on as if nothing had
-/// been.
+/// Runs are ended after any number of positions, from another thread or by dropping the run; later
+/// runs of the instance are unaffected.
 #[test]
 fn a_run_ends_between_any_two_positions() {
     let mut pair = pair();
     let whole = bits(pair.solve().unwrap().steps());
     let count = pair.run().unwrap().next().unwrap().unwrap().count();
-    // Behind the last position there is nothing to end.
+    // After the last position a run cannot be cancelled.
     for taken in 0..count - 1 {
         let mut run = pair.run().unwrap();
         let before = run.by_ref().take(taken).filter(Result::is_ok).count();
         assert_eq!(before, taken);
         let cancel = pair.cancel_handle();
         thread::spawn(move || cancel.cancel()).join().unwrap();
-        // One position may have been waiting to be taken.
+        // One position may already be waiting.
         let ended = run.by_ref().find_map(Result::err).expect("it was cancelled");
         assert_eq!((ended.kind(), ended.code()), (ErrorKind::Cancelled, Some("E0704")));
         assert!(run.next().is_none());
         assert_eq!(run.finish().err(), Some(ended));
-        // The switch stays set.
+        // The cancellation flag of an instance remains set.
         assert_eq!(pair.solve().err().map(|error| error.kind()), Some(ErrorKind::Cancelled));
         pair.set_cancel(Cancel::default());
         let mut dropped = pair.run().unwrap();
         assert_eq!(dropped.by_ref().take(taken).count(), taken);
         drop(dropped);
-        // A run's own switch ends that run alone.
+        // The cancellation handle of a run ends this run only.
         let (mut one, mut other) = (pair.run().unwrap(), pair.run().unwrap());
         one.cancel_handle().cancel();
         assert!(one.find_map(Result::err).is_some());
@@ -184,7 +185,7 @@ fn a_run_ends_between_any_two_positions() {
     assert_eq!(bits(pair.solve().unwrap().steps()), whole);
 }
 
-/// A program that does not end is ended, also while nobody takes positions.
+/// A program that does not end is cancelled, even if no position is requested.
 #[test]
 fn what_does_not_end_is_ended() {
     let endless = module("while (TRUE) { }");
@@ -208,7 +209,7 @@ fn what_does_not_end_is_ended() {
     instance.limit_memory(Some(1_000_000));
     assert_eq!(instance.solve().err().map(|error| error.kind()), Some(ErrorKind::Limit));
 
-    // Limits hold in the analysis, too.
+    // Limits apply to the analysis too.
     let mut pair = pair();
     pair.limit_memory(Some(1_000));
     let error = pair.solve().err().unwrap();
@@ -245,7 +246,7 @@ fn params_take_what_fits_them() {
     instance.set("long", true).unwrap();
     instance.set("label", "b").unwrap();
     assert_eq!(printed(&instance), "2.5 mm 9 mm 7 TRUE b x");
-    // What one instance holds, another may be given.
+    // A value of one instance can be set in another.
     let mut copy = model.instantiate();
     for (param, value) in model.description().params.iter().zip(instance.params().unwrap()) {
         copy.set(&param.name, value).unwrap();
@@ -276,14 +277,14 @@ fn params_take_what_fits_them() {
     refuse(instance.set("label", "c"), &["`label` cannot be \"c\"", "\"a\" or \"b\""]);
     refuse(instance.set("any", 3), &["`any` cannot be `3`: it is a text"]);
     refuse(instance.get("x").map(|_| ()), &["no param called `x`"]);
-    // A range that follows another param is asked when that is known.
+    // A range that depends on another param is checked when that param is known.
     instance.set("twice", 1.0).unwrap();
     refuse(instance.solve().map(|_| ()), &["`twice` = 1 m is outside its range, 0.0025 m .. 0.01 m"]);
     assert_eq!(
         instance.run().unwrap().next().unwrap().err().map(|error| error.kind()),
         Some(ErrorKind::Given)
     );
-    // What was refused changed nothing.
+    // A rejected value changes nothing.
     assert_eq!(instance.get("length").unwrap(), ParamValue::Number(0.0025));
 }
 
@@ -313,12 +314,12 @@ fn errors_are_data() {
     assert!(text[start as usize..end as usize].contains('n') && failed.details.calls[0].function == "third");
     let shown = model.render(&error);
     assert!(shown.contains("model.cx:2:") && shown.contains("values[n]"), "{shown}");
-    // It can be run again.
+    // The instance can run again.
     instance.set("n", 1).unwrap();
     assert!(instance.solve().is_ok());
 }
 
-/// Which NaN was the cause is known of each run by itself.
+/// The source of a NaN is recorded for each run separately.
 #[test]
 fn runs_at_once_tell_their_own_causes() {
     let model = module(
@@ -341,7 +342,7 @@ fn runs_at_once_tell_their_own_causes() {
 
 #[test]
 fn a_run_ends_while_its_structures_are_being_built() {
-    // An engine of its own: in another's cache the structures may be already.
+    // A separate engine: the cache of another may contain the structures.
     let engine = Engine::default();
     let mut pair = Module::from_file(&engine, example()).unwrap().instantiate();
     let cancel = pair.cancel_handle();
@@ -379,7 +380,7 @@ fn progress_is_told_and_may_end_the_run() {
     assert_eq!(run.finish().err().map(|error| error.kind()), Some(ErrorKind::Cancelled));
 }
 
-/// The best results of a search that is ended are those of the run, which says what they miss.
+/// A cancelled search returns its best results and reports the missed tolerance.
 #[test]
 fn a_cancelled_search_for_a_tolerance_has_results() {
     let text = std::fs::read_to_string(example()).unwrap();
@@ -401,7 +402,7 @@ fn a_cancelled_search_for_a_tolerance_has_results() {
     assert!(codes.contains(&"E0793"), "{codes:?}");
 }
 
-/// What is called back may panic; that is an error of the run.
+/// A panic in a callback is an error of the run.
 #[test]
 fn panics_end_the_run_that_they_are_in() {
     let model = module("print(\"here\");");

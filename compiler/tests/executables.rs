@@ -1,6 +1,6 @@
-//! Executables and bundles made by `calyx build`, run where nothing of Calyx is installed: an empty
-//! environment and another directory. They write the bits of `calyx run`. Code of another engine is
-//! refused.
+//! Tests of executables and bundles made by `calyx build`, which run without a Calyx installation:
+//! with an empty environment and in another directory. Their results are bitwise equal to those of
+//! `calyx run`. Code for another engine is rejected.
 #![cfg(unix)]
 
 use calyx::build::{Linker, library};
@@ -17,7 +17,7 @@ fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
 }
 
-/// Every model below a directory.
+/// Returns all models below a directory.
 fn models(directory: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(directory).unwrap() {
@@ -43,7 +43,7 @@ fn alone(executable: &Path, directory: &Path, arguments: &[&str]) -> Output {
     alone_with("off", executable, directory, arguments)
 }
 
-/// The same with what earlier runs condensed, in a directory, or "off".
+/// Runs an executable in an empty environment with a cache directory, or with "off".
 fn alone_with(cache: &str, executable: &Path, directory: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(executable);
     command.args(arguments).env_clear().env("CALYX_CACHE", cache).current_dir(directory).output().unwrap()
@@ -53,7 +53,7 @@ fn shown(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
-/// Two at a time: most of an example is done by one thread.
+/// Two at a time: examples are mostly sequential.
 #[test]
 fn every_example_runs_alone_and_writes_the_same_bits() {
     let models = models(&examples());
@@ -61,7 +61,7 @@ fn every_example_runs_alone_and_writes_the_same_bits() {
     let next = AtomicUsize::new(0);
     let work = || {
         while let Some(model) = models.get(next.fetch_add(1, Ordering::Relaxed)) {
-            // Few positions on small meshes, where the example lets them be chosen.
+            // Few positions and coarse meshes, where the example has such params.
             let text = fs::read_to_string(model).unwrap();
             let set: Vec<&str> = ["steps=3", "face_elements=2", "displacement_order=2"]
                 .into_iter()
@@ -78,14 +78,15 @@ fn every_example_runs_alone_and_writes_the_same_bits() {
     });
 }
 
-/// A bundle of a model does what its linked executable does.
+/// A bundle of a model is equivalent to its linked executable.
 #[test]
 fn a_bundle_runs_alone_and_writes_the_same_bits() {
     let model = examples().join("spur_pair.cx");
     runs_alone_and_writes_the_same_bits(&model, &["steps=2", "fidelity=plane"], &[], &["--bundle"]);
 }
 
-/// Of a model with these params set, run with these options and built with others.
+/// Compares an executable with `calyx run` for a model with the given params, run options and build
+/// options.
 fn runs_alone_and_writes_the_same_bits(model: &Path, set: &[&str], options: &[&str], how: &[&str]) {
     let directory = tempfile::tempdir().unwrap();
     let [elsewhere, results, cache, executable] =
@@ -93,7 +94,7 @@ fn runs_alone_and_writes_the_same_bits(model: &Path, set: &[&str], options: &[&s
     fs::create_dir(&elsewhere).unwrap();
     let set: Vec<&str> =
         set.iter().flat_map(|given| ["--set", given]).chain(options.iter().copied()).collect();
-    // What the first run condensed serves the other: it is the same for both, to the bit.
+    // Both runs share the structure cache, whose contents are bitwise reproducible.
     let keeping = ["--quiet", "--cache", shown(&cache), "--out", shown(&results)];
     let told = calyx(&[&["run", shown(model)], &keeping[..], &set].concat());
 
@@ -114,7 +115,8 @@ fn runs_alone_and_writes_the_same_bits(model: &Path, set: &[&str], options: &[&s
     assert_eq!(outputs(&here), outputs(&results), "{}", model.display());
 }
 
-/// An executable for this machine's own instructions writes the bits of one for all machines.
+/// An executable with this machine's instruction sets writes results bitwise equal to those of a
+/// portable one.
 #[test]
 fn instructions_of_this_machine_change_no_bit() {
     let directory = tempfile::tempdir().unwrap();
@@ -135,7 +137,7 @@ fn instructions_of_this_machine_change_no_bit() {
     assert!(printed[0].lines().count() == 2 && printed[0] == printed[1], "{printed:?}");
 }
 
-/// Nothing of what it is made from is left beside the executable, whether it was built or not.
+/// A build leaves no temporary files next to the executable, whether it succeeds or fails.
 #[test]
 fn what_is_not_finished_is_not_seen() {
     let directory = tempfile::tempdir().unwrap();
@@ -159,7 +161,8 @@ fn what_is_not_finished_is_not_seen() {
     assert_eq!(names(), ["libmodel.a", "model", "model.cx", "model.o"]);
 }
 
-/// A bundle takes the same options as a linked executable, needs no linker to be made, and is refused when it was damaged.
+/// A bundle accepts the options of a linked executable, requires no linker, and is rejected if
+/// damaged.
 #[test]
 fn bundles_are_executables_of_their_model() {
     let directory = tempfile::tempdir().unwrap();
@@ -189,11 +192,12 @@ fn bundles_are_executables_of_their_model() {
         assert_eq!(one, other, "{arguments:?}");
         assert_eq!(one.0, Some(status), "{arguments:?}: {one:?}");
     }
-    // A byte of the module, in front of checksum, length and mark.
+    // A byte of the module, before checksum, length and mark.
     let mut bytes = fs::read(&bundle).unwrap();
     let place = bytes.len() - 60;
     bytes[place] ^= 1;
-    // A file that is being run cannot be written, and this one may still be for another thread's child.
+    // A running file cannot be written, and a child process of another thread may still run this
+    // one.
     fs::remove_file(&bundle).unwrap();
     fs::write(&bundle, bytes).unwrap();
     fs::set_permissions(&bundle, fs::metadata(&linked).unwrap().permissions()).unwrap();
@@ -203,7 +207,7 @@ fn bundles_are_executables_of_their_model() {
     assert!(said.contains("error: the model in this executable is damaged\n  help: copy it again"), "{said}");
 }
 
-/// Code that was compiled against another engine is refused before it runs.
+/// Code that was compiled for another engine is rejected before it runs.
 #[test]
 fn code_of_another_version_is_refused() {
     let directory = tempfile::tempdir().unwrap();
@@ -240,8 +244,8 @@ fn code_of_another_version_is_refused() {
     assert!(said.contains("description is damaged"), "{said}");
 }
 
-/// `cargo install` installs no runtime library: the executable is a copy of `calyx` then, and a
-/// message says so.
+/// `cargo install` installs no runtime library: the executable is then a copy of `calyx`, and a
+/// message reports this.
 #[test]
 fn without_the_runtime_library_an_executable_is_a_copy() {
     let folder = tempfile::tempdir().expect("a directory");
@@ -258,7 +262,7 @@ fn without_the_runtime_library_an_executable_is_a_copy() {
         let output = command.output().expect("calyx starts");
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
-    // One that is named is meant.
+    // An explicitly named library has no fallback.
     let (status, err) = build(Some("missing.a"));
     assert_eq!(status, Some(1), "{err}");
     let (status, err) = build(None);

@@ -1,5 +1,5 @@
-//! The pages behind diagnostic codes. Every code has a page, every example shows its code, and the
-//! corrected form of an example has no errors.
+//! Tests of the explanations of diagnostic codes. Every code has a page, every example shows its
+//! code, and the corrected form of an example has no errors.
 
 use calyx::check_text;
 use calyx::explain::{all, example, examples, explanation};
@@ -42,7 +42,7 @@ fn a_code_has_one_page_and_at_most_one_example() {
     assert!(example("E0401").is_some());
 }
 
-/// Codes in the sources of library and engine, and the pages of both.
+/// Compares the codes in the sources of library and engine with the pages of both.
 #[test]
 fn every_code_of_library_and_engine_has_a_page() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -77,7 +77,7 @@ fn codes_in(directory: &Path, codes: &mut BTreeSet<String>) {
             && !path.ends_with("explain/engine.rs")
         {
             let text = std::fs::read_to_string(&path).expect("readable");
-            // Tests may make codes up.
+            // Tests may contain invented codes.
             let text = text.split("#[cfg(test)]").next().unwrap_or_default();
             let is_code = |piece: &&str| {
                 piece.len() == 5

@@ -1,5 +1,5 @@
-//! Functions of the embedding program through the whole stack: instances of modules that were compiled here, and of modules that
-//! were loaded.
+//! Tests of functions that the embedding program provides, with instances of compiled and of loaded
+//! modules.
 
 use calyx::rt::Host;
 use calyx::{Engine, Module};
@@ -18,12 +18,12 @@ fn modules() -> [(&'static str, Module); 2] {
     let engine = Engine::default();
     let compiled = Module::from_text(&engine, "model.cx", MODEL).unwrap();
     let bytes = compiled.serialize().unwrap();
-    // SAFETY: this process has just made the bytes.
+    // SAFETY: this process has just written the bytes.
     let loaded = unsafe { Module::deserialize(&engine, &bytes) }.unwrap();
     [("compiled", compiled), ("loaded", loaded)]
 }
 
-/// Lines that a model prints when it is run with this host, or its error.
+/// Returns the lines that a model prints when it runs with this host, or its error.
 fn printed(module: &Module, host: &Host) -> Result<Vec<String>, calyx::rt::Error> {
     let mut instance = module.instantiate();
     instance.set_host(host)?;
@@ -44,7 +44,7 @@ fn a_model_calls_what_the_host_provides() {
         assert_eq!(functions[0].to_string(), "host function friction(in sliding: Velocity) -> Number");
         assert_eq!((functions[0].doc.as_str(), functions.len()), ("Friction of the flanks.", 2));
         assert_eq!(functions[0].parameters[0].unit.name, "mm/s");
-        // Without a host the model's own bodies run. The default of a param asks the host, too.
+        // Without a host, the bodies in the model run. Defaults of params call the host too.
         assert_eq!(printed(&module, &Host::new()).unwrap(), ["0.05 0.05 []"], "{name}");
         assert_eq!(
             printed(&module, &host).unwrap(),
@@ -83,7 +83,7 @@ fn errors_of_the_host_are_errors_of_the_model() {
     }
 }
 
-/// One closure, fifty instances at once: each gets what is its own.
+/// One closure serves fifty concurrent instances, each with its own results.
 #[test]
 fn fifty_instances_share_a_host() {
     let host = Host::new().function("friction", |sliding: f64| sliding / 100.0);
@@ -102,12 +102,12 @@ fn fifty_instances_share_a_host() {
     });
 }
 
-/// The outputs of the spur pair of the examples at two uniform positions and the characteristic points, with some of its text
-/// replaced.
+/// Returns the outputs of the spur pair of the examples at two uniform positions and the
+/// characteristic points, with some of its text replaced.
 fn spur_pair(engine: &Engine, replaced: &[(&str, &str)], host: &Host) -> calyx::rt::Results {
     let path =
         [env!("CARGO_MANIFEST_DIR"), "../examples/spur_pair.cx"].iter().collect::<std::path::PathBuf>();
-    // Structures are counted, and estimates of errors have some of their own.
+    // Without error estimates, which build structures of their own; the test counts structures.
     let alone = [("    fidelity = fidelity,", "    fidelity = fidelity, error_estimates = \"none\",")];
     let text =
         alone.iter().chain(replaced).fold(std::fs::read_to_string(path).unwrap(), |text, (old, new)| {
@@ -141,7 +141,8 @@ fn loads_and_flanks_of_the_host_are_those_of_the_model() {
     let host = Host::new().load("torque", move |_: f64| Wrench::of_moment([0.0, 0.0, torque])).modification(
         "relief",
         |roll: f64| {
-            // At the tip circle, where the involute of the base circle of 20 teeth meets it, 0.0005 inch.
+            // 0.0005 inch at the tip circle, at the roll angle of the involute for the base circle
+            // of 20 teeth.
             let (start, tip) =
                 (27.25_f64.to_radians(), ((1.09 / 20_f64.to_radians().cos()).powi(2) - 1.0).sqrt());
             0.0005 * 0.0254 * ((roll - start) / (tip - start)).max(0.0).powi(2)
@@ -154,9 +155,9 @@ fn loads_and_flanks_of_the_host_are_those_of_the_model() {
     for (given, own) in values(&given).iter().zip(&own) {
         assert!((given - own).abs() <= 2e-4 * own.abs(), "{given} {own}");
     }
-    // All reliefs were had from the structures of the two gears.
+    // All modifications use the structures of the two gears.
     assert_eq!(engine.kept().structures, 2);
-    // Where nobody provides them there are none, and it is said.
+    // Without a provider the modification is zero, with a warning.
     let without = spur_pair(&engine, &[relief], &Host::new());
     assert_eq!(without.findings().iter().filter(|finding| finding.error.code == "E0681").count(), 1);
     assert_ne!(values(&without), own);

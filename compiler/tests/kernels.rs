@@ -1,4 +1,5 @@
-//! Symbolic functions as programs that embed a model get them: names, units, one point, many points, errors.
+//! Tests of symbolic functions as kernels of an embedding program: names, units, evaluation at one
+//! and many points, errors.
 
 use calyx::{Engine, KernelError, Module};
 
@@ -64,7 +65,7 @@ fn one_point_and_many_have_the_same_bits() {
     }
     assert_eq!(outputs[3][0], 0.08);
 
-    // Time comes first where a function depends on it.
+    // Time is the first argument of a time-dependent function.
     let moved = module.kernel("moved").unwrap();
     assert_eq!(moved.evaluate(&params, &[2.0, 0.5]).unwrap(), [1.04]);
     let mut positions = [0.0; 2];
@@ -87,7 +88,7 @@ fn kernels_outlive_their_module_and_are_shared() {
         threads.into_iter().map(|thread| thread.join().unwrap()).collect()
     });
     assert_eq!(roots, [2.0, 3.0]);
-    // A NaN stays one.
+    // NaN is propagated.
     assert!(half.evaluate(&[0.03, 0.0, f64::NAN], &[-1.0]).unwrap()[0].is_nan());
     half.batch(&[0.03, 0.0, 0.0], &[&[]], &mut [&mut []]).unwrap();
 }

@@ -1,4 +1,4 @@
-//! The library's own tests, written in Calyx, and the pages of its reference.
+//! Runs the library's tests, which are written in Calyx, and checks its reference pages.
 
 use calyx::doc;
 use calyx::testing::{files_with_tests, test_file};
@@ -20,7 +20,7 @@ fn tests_of_the_library_pass() {
     assert!(ran >= 9, "only {ran} tests ran");
 }
 
-/// Everything the library offers is described: a page without words helps nobody.
+/// Every declaration of the library has a description.
 #[test]
 fn everything_in_the_library_is_documented() {
     for name in doc::library() {
@@ -32,7 +32,7 @@ fn everything_in_the_library_is_documented() {
     }
 }
 
-/// The reference of the gear library as a reader sees it. `CALYX_BLESS=1` writes what there is.
+/// Compares the reference text of the gear library with its snapshot. `CALYX_BLESS=1` rewrites it.
 #[test]
 fn the_reference_of_the_gears_says_what_it_said() {
     let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/gears.txt");
@@ -44,7 +44,7 @@ fn the_reference_of_the_gears_says_what_it_said() {
     assert_eq!(text, old, "if the change is meant, run this test with CALYX_BLESS=1");
 }
 
-/// What a page links to is on one of the pages.
+/// Link targets of a page are on one of the pages.
 #[test]
 fn links_of_the_reference_lead_somewhere() {
     let directory = tempfile::tempdir().expect("a directory");

@@ -1,4 +1,4 @@
-//! `calyx lsp` as editors start it: a process, spoken to over its standard streams. Everything else about the server is tested in
+//! Tests of the process `calyx lsp` over its standard streams. All other tests of the server are in
 //! `lsp/tests`.
 
 use serde_json::{Value, json};
@@ -45,7 +45,7 @@ impl Editor {
         self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
     }
 
-    /// The result or the error of a request.
+    /// Returns the result or the error of a request.
     fn ask(&mut self, method: &str, params: Value) -> Value {
         self.last_id += 1;
         let id = self.last_id;
@@ -58,7 +58,7 @@ impl Editor {
         }
     }
 
-    /// Takes one message in; what the server asks for is granted.
+    /// Receives one message; accepts requests of the server.
     fn receive(&mut self) -> Value {
         let mut length = 0;
         loop {
@@ -89,7 +89,7 @@ impl Editor {
         answer
     }
 
-    /// Opens a file; returns what is published about it first.
+    /// Opens a file; returns the first diagnostics published for it.
     fn open(&mut self, uri: &str, text: &str) -> Value {
         let document = json!({ "uri": uri, "languageId": "calyx", "version": 1, "text": text });
         self.notify("textDocument/didOpen", json!({ "textDocument": document }));

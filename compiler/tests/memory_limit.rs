@@ -1,4 +1,4 @@
-//! Memory of the process under a limit: the largest resident size, seen from outside.
+//! Tests of the memory limit: the largest resident size of the process, measured from outside.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-/// Models whose memory grows without end.
+/// Models with unbounded memory growth.
 const ENDLESS: [(&str, &str); 8] = [
     ("text that doubles", "var s = \"0123456789\"; while (TRUE) { s = \"{s}{s}\"; }"),
     (
@@ -31,7 +31,7 @@ const ENDLESS: [(&str, &str); 8] = [
     ),
 ];
 
-/// Runs a command: its exit status, and the most that its process took, bytes.
+/// Runs a command; returns its exit status and the largest resident size of its process, bytes.
 fn size(folder: &Path, arguments: &[&str]) -> (Option<i32>, u64) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
     let mut child = command
@@ -56,8 +56,8 @@ fn size(folder: &Path, arguments: &[&str]) -> (Option<i32>, u64) {
     }
 }
 
-/// The process takes no more than the limit and the size for a model that does nothing, and a half of
-/// the limit for what the allocator keeps.
+/// The process takes at most the limit, plus the size for an empty model, plus half of the limit
+/// for memory that the allocator retains.
 #[test]
 fn programs_keep_to_their_memory_limit() {
     let folder = tempfile::tempdir().expect("a directory");
@@ -71,7 +71,7 @@ fn programs_keep_to_their_memory_limit() {
     let limit = 100_000_000;
     for (name, text) in ENDLESS {
         fs::write(folder.join("model.cx"), text).expect("writable");
-        // Printing to nowhere takes no memory, but for the text itself.
+        // Discarded output takes no memory, except for the text itself.
         let (status, run) = size(folder, &["run", "model.cx", "--quiet", "--memory-limit", "100MB"]);
         assert_eq!(status, Some(1), "{name}");
         let (_, check) = size(folder, &["check", "model.cx"]);
@@ -87,7 +87,7 @@ fn programs_keep_to_their_memory_limit() {
     }
 }
 
-/// A table is charged by the size of its file before it is read, and by its cells before they are
+/// A table counts with the size of its file before it is read, and with its cells before they are
 /// stored.
 #[test]
 fn tables_are_charged_before_they_are_read() {
@@ -97,7 +97,7 @@ fn tables_are_charged_before_they_are_read() {
     let (_, of_run) = size(folder, &["run", "nothing.cx", "--quiet"]);
     let text = "print(len(column(read_table(\"large.csv\"), \"a\", 1)));";
     fs::write(folder.join("model.cx"), text).expect("writable");
-    // Short cells take the most memory for their text.
+    // Short cells have the largest memory overhead per byte of text.
     for (megabytes, limit) in [(60, 50_000_000), (20, 50_000_000)] {
         let rows = "1,2,3,4\n".repeat(megabytes * 125_000);
         fs::write(folder.join("large.csv"), format!("a,b,c,d\n{rows}")).expect("writable");
@@ -109,14 +109,14 @@ fn tables_are_charged_before_they_are_read() {
     }
 }
 
-/// A plane analysis stays within its limit, or is refused before it takes more.
+/// A plane analysis stays within its limit, or is rejected before it exceeds the limit.
 #[test]
 fn plane_analyses_keep_to_their_memory_limit() {
     let folder = tempfile::tempdir().expect("a directory");
     let folder = folder.path();
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx");
     fs::copy(example, folder.join("model.cx")).expect("the example is there");
-    // The program and its compiled model are there before the analysis begins.
+    // The program and its compiled model are in memory before the analysis begins.
     let (_, of_run) =
         size(folder, &["run", "model.cx", "--quiet", "--fidelity", "rigid", "--set", "steps=2"]);
     let run = |options: &[&str]| {

@@ -1,5 +1,5 @@
-//! Planetary sets as the library's `planetary` puts them together, run from the model to the table: what drives and what is held, errors of
-//! planets, motion in time, stepped planets.
+//! Tests of planetary sets from the library function `planetary`, from the model to the table:
+//! driven and fixed members, errors of planets, dynamics, stepped planets.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -20,7 +20,7 @@ var ring = gears.internal(teeth = 72, shaper = gears.shaper(25, module = 2 mm, t
     face_width = 20 mm, minor_diameter = 140.8 mm, root_diameter = 149 mm, material = steel, rim = gears.outer_rim(151 mm, 159 mm));
 ";
 
-/// Outputs of a set of three planets, and where it is looked at.
+/// Outputs of a set of three planets, with its positions.
 const OUTPUTS: &str = "
 output one := gears.mesh_force(set.sun_meshes[0]);
 output two := gears.mesh_force(set.sun_meshes[1]);
@@ -33,15 +33,15 @@ output ring_moment := gears.support_moment(set.ring, \"z\");
 output carrier_moment := gears.support_moment(set.carrier, \"z\");
 ";
 
-/// Gears are condensed once for all tests.
+/// Structure cache that all tests share.
 static CACHE: LazyLock<PathBuf> = LazyLock::new(|| {
     let cache = Path::new(env!("CARGO_TARGET_TMPDIR")).join("planetary-cache");
-    // What an earlier engine left there is of no use.
+    // Structures of an earlier engine version are useless.
     let _ = fs::remove_dir_all(&cache);
     cache
 });
 
-/// Columns of `steps.csv`, in SI.
+/// Runs a model; returns the columns of `steps.csv` in SI units.
 fn run(model: &str) -> BTreeMap<String, Vec<f64>> {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("model.cx");
@@ -76,7 +76,8 @@ fn close(found: f64, expected: f64, part: f64) {
     assert!((found - expected).abs() <= part * expected.abs(), "{found} {expected}");
 }
 
-/// Whichever member bears the torque: moments on sun, ring and carrier are as Zs, Zr and -(Zs + Zr), and forces between teeth are the same.
+/// For a torque on any member, the moments on sun, ring and carrier are proportional to Zs, Zr and
+/// -(Zs + Zr), and the tooth forces are equal.
 #[test]
 fn a_torque_on_the_ring_is_one_on_the_sun() {
     let analysis = "analyze(\"quasi_static\", over = gears.times(from = 1 ms, to = 5 ms, count = 2));";
@@ -92,13 +93,15 @@ fn a_torque_on_the_ring_is_one_on_the_sun() {
         for force in ["one", "two", "three"] {
             close(by_ring[force][row], by_sun[force][row], 5e-3);
         }
-        // Teeth give way as much, but for where on their path they stand: one of the members has been carried on.
+        // The deflections are equal except for the mesh phase, because the member under torque
+        // rotates by its deflection.
         assert!(by_sun["sun_turn"][row] > 0.0, "{by_sun:?}");
         close(by_ring["ring_turn"][row], by_sun["sun_turn"][row] / 3.0, 0.05);
     }
 }
 
-/// The carrier held, the ring held, the sun held: seen from the carrier they are one set, and bear the same.
+/// With the carrier, the ring or the sun fixed, the motion relative to the carrier and the tooth
+/// forces are equal.
 #[test]
 fn whichever_member_is_held_teeth_bear_the_same() {
     // Relative to the carrier the sun has 300 rpm.
@@ -118,8 +121,8 @@ fn whichever_member_is_held_teeth_bear_the_same() {
     }
 }
 
-/// A set on bearings with damping and clearance that turns slowly stays in the equilibrium in which it begins, and follows it: what a dynamic analysis says
-/// is what statics say.
+/// A set on bearings with damping and clearance that rotates slowly stays in its initial
+/// equilibrium and follows it: the dynamic results equal the static ones.
 #[test]
 fn a_slow_set_follows_its_equilibrium_in_time() {
     let arguments =
@@ -141,13 +144,15 @@ fn a_slow_set_follows_its_equilibrium_in_time() {
             close(found[output][row], expected[output][row], 2e-3);
         }
     }
-    // It moved: teeth went on by a part of their cycle, and clearances are used up.
+    // The motion is not trivial: the teeth advance by a part of their cycle, and the clearances are
+    // closed.
     let turns = &expected["sun_turn"];
     assert!(turns.iter().any(|turn| (turn / turns[0] - 1.0).abs() > 1e-2), "{turns:?}");
     assert!(expected["pin_moves"][0] > 2e-6, "{expected:?}");
 }
 
-/// Errors that a set is told of one planet: pins and runout that point the same way do the same, thin teeth bear less.
+/// Errors of one planet: pin position error and runout in the same direction are equivalent, a
+/// planet with thinner teeth carries less load.
 #[test]
 fn planets_have_errors_of_their_own() {
     let analysis = "analyze(\"quasi_static\", over = gears.times(from = 0 s, to = 0 s, count = 1));";
@@ -159,13 +164,13 @@ fn planets_have_errors_of_their_own() {
         ", pin_errors = [0 um, 1 um]",
         ", planet_runouts = [0 um*e1, 1 um*e2]",
         ", planets_as_made = [blank(24), blank(24, thickness = 3.078 mm)]",
-        // Three places of 96 further on than a third of a turn.
+        // Three of 96 possible positions further than a third of a revolution.
         ", places = [0 deg, 131.25 deg, 240 deg]",
     ]
     .map(with);
-    // At time 0 the planet's y axis points where pins are counted.
+    // At time 0 the planet's y axis points in the direction of positive pin errors.
     close(runout - as_meant, pin - as_meant, 1e-2);
-    // 2 um cos(20 deg) of base thickness against 1 um 2 cos(20 deg).
+    // 2 um cos(20 deg) of base thickness correspond to 1 um 2 cos(20 deg).
     close(thin - as_meant, pin - as_meant, 0.02);
     assert!(
         pin < 0.999 * as_meant && (elsewhere / as_meant - 1.0).abs() > 1e-5,
@@ -173,7 +178,8 @@ fn planets_have_errors_of_their_own() {
     );
 }
 
-/// A place where teeth would not meet spaces is refused at the call, with the nearest one.
+/// A planet position at which teeth and spaces do not match is rejected at the call, with the
+/// nearest valid one.
 #[test]
 fn a_place_where_a_planet_does_not_go_is_refused() {
     let directory = tempfile::tempdir().unwrap();
@@ -188,8 +194,9 @@ fn a_place_where_a_planet_does_not_go_is_refused() {
     assert!(said.contains("model.cx"), "{said}");
 }
 
-/// Two gears on one shaft: the sun is in mesh with the large one, the ring with the small one. By Willis the ratio to the carrier is
-/// 1 + Z1 Zr / (Zs Z2), and so is that of the moments.
+/// Stepped planets, two gears on one shaft: the sun meshes with the large gear, the ring with the
+/// small one. By Willis's equation the ratio to the carrier is 1 + Z1 Zr / (Zs Z2), and so is the
+/// ratio of the moments.
 #[test]
 fn a_stepped_planet_is_two_bodies_on_a_stiff_coupling() {
     let model = "
@@ -220,10 +227,10 @@ output sun_turn := gears.rotation(sun, \"z\");
 output ring_moment := gears.support_moment(annulus, \"z\");
 output carrier_moment := gears.support_moment(carrier, \"z\");
 analyze(\"quasi_static\", over = gears.times(from = 1 ms, to = 1 ms, count = 1));";
-    // It drives, and it is driven: the flanks follow the torque, not the speed.
+    // Driving and driven: the active flanks follow the torque, not the speed.
     for torque in [100.0, -100.0] {
         let found = run(&model.replace("TORQUE", &format!("{torque} N*m")));
-        // The planet passes on its moment by its two base radii.
+        // The planet transmits its moment over its two base radii.
         close(found["on_ring"][0], found["on_sun"][0] * 30.0 / 18.0, 1e-3);
         close(found["on_sun"][0], 100.0 / 3.0 / (24e-3 * 20.0_f64.to_radians().cos()), 1e-2);
         close(found["ring_moment"][0], torque * 30.0 * 72.0 / (24.0 * 18.0), 1e-3);

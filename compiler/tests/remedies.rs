@@ -1,13 +1,13 @@
-//! Numbers that messages advise cure what they are about: each row is a model with a mistake, and
-//! what its help says to set or to add.
+//! Checks that numbers in help messages fix the error: each row is a model with an error, and the
+//! change that its help advises.
 
 use calyx::check_text;
 use std::fmt::Write;
 
-/// A quantity of a model: its name in the text, its number and its unit.
+/// Quantity of a model: its name in the text, its number and its unit.
 type Given = (&'static str, f64, &'static str);
 
-/// What to do with the help's number of this index, from 0.
+/// Change by the number with this index in the help, from 0.
 enum Remedy {
     Set(&'static str, usize),
     Add(&'static str, usize),
@@ -16,7 +16,7 @@ use Remedy::{Add, Set};
 
 struct Row {
     code: &'static str,
-    /// With names of quantities in angle brackets.
+    /// Model text, with names of quantities in angle brackets.
     model: &'static str,
     given: Vec<Given>,
     remedy: Vec<Remedy>,
@@ -63,8 +63,8 @@ var gear = gears.body(\"gear\", ring, frame := Rotate(18 rpm * Time, e3) * Trans
 var mesh = gears.mesh(pinion, gear);
 ";
 
-/// A gear of a rack with so many teeth, by the plane of the rack and a helix angle in degrees, and
-/// what differs.
+/// Returns the model of a gear from a rack, with number of teeth, plane of the rack, helix angle in
+/// degrees, and further arguments.
 fn gear(
     code: &'static str,
     (plane, helix, teeth): (&'static str, f64, f64),
@@ -168,13 +168,13 @@ fn text(model: &str, given: &[Given]) -> String {
     text
 }
 
-/// The help of a finding by its code; `None` if there is none.
+/// Returns the help of a finding by its code; `None` if there is no such finding.
 fn help(text: &str, code: &str) -> Option<String> {
     let found = check_text("model.cx", text).diagnostics;
     found.into_iter().find(|found| found.code == code).map(|found| found.help.unwrap_or_default())
 }
 
-/// Numbers in a sentence, each with the word behind it.
+/// Returns the numbers in a sentence, each with the following word.
 fn quantities(sentence: &str) -> Vec<(f64, String)> {
     let words: Vec<&str> = sentence.split_whitespace().collect();
     let number = |word: &str| word.trim_end_matches([',', ';', '?', ')', ':']).parse::<f64>().ok();

@@ -1,5 +1,5 @@
-//! Runs as their users meet them, by `calyx run` and by an executable alike: killed and gone on with, tables that travel,
-//! help, messages. What only the command line of `calyx run` says is in `cli/`.
+//! Tests of runs by `calyx run` and by executables: kill and resume, embedded tables, help,
+//! messages. The messages that only `calyx run` prints are in `cli/`.
 #![cfg(unix)]
 
 use super::results;
@@ -15,7 +15,7 @@ fn example() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx")
 }
 
-/// Builds an executable of a model beside it.
+/// Builds an executable of a model in the same directory.
 fn build(model: &Path) -> PathBuf {
     let executable = model.with_extension("");
     let built = Command::new(env!("CARGO_BIN_EXE_calyx"))
@@ -27,8 +27,8 @@ fn build(model: &Path) -> PathBuf {
     executable
 }
 
-/// The spur pair and its executable.
-/// The example with its bodies in section: what is tested here is the same of models in space, which take longer.
+/// Returns the example with a plane model of its bodies: 3-D models behave equally in these tests
+/// and take longer.
 fn in_section() -> String {
     let text = fs::read_to_string(example()).expect("the example is there");
     assert!(text.contains("param fidelity = \"medium\""));
@@ -46,7 +46,7 @@ fn pair() -> &'static (tempfile::TempDir, PathBuf) {
     })
 }
 
-/// A way to run the spur pair.
+/// Program that runs the spur pair.
 #[derive(Clone, Copy, Debug)]
 enum Way {
     CalyxRun,
@@ -70,19 +70,20 @@ impl Way {
     }
 }
 
-/// Runs a program in a directory: exit status, standard output, standard error.
+/// Runs a program in a directory; returns exit status, standard output, standard error.
 fn said(command: &mut Command) -> (Option<i32>, String, String) {
     let Output { status, stdout, stderr } = command.output().expect("it starts");
     let [out, err] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
     (status.code(), out, err)
 }
 
-/// Starts a run and kills it as soon as it says that so many positions are done; 0 is while structures are made.
+/// Starts a run and kills it when it reports a number of solved positions; 0 is during the building
+/// of structures.
 fn kill_after(command: &mut Command, positions: u64) {
     end_after(command, positions, "-KILL");
 }
 
-/// The same by any signal.
+/// Starts a run and sends it a signal when it reports a number of solved positions.
 fn end_after(command: &mut Command, positions: u64, signal: &str) {
     let mut run = command.args(["--progress", "json"]).stderr(Stdio::piped()).spawn().expect("it starts");
     let mut lines = BufReader::new(run.stderr.take().expect("piped")).lines();
@@ -93,19 +94,19 @@ fn end_after(command: &mut Command, positions: u64, signal: &str) {
     assert!(reached, "it ended before {positions} positions");
     let sent = Command::new("kill").args([signal, &run.id().to_string()]).status();
     assert!(sent.expect("`kill` is there").success());
-    // Nobody reads what it says from now on, which is not to hold it up.
+    // Discards further output, so that the process does not block on it.
     lines.for_each(drop);
     run.wait().expect("it ends");
 }
 
-/// Final files of the run in a directory.
+/// Returns the final files of the run in a directory.
 fn results(directory: &Path) -> BTreeMap<String, String> {
     results::results(&directory.join("results"))
 }
 
 const SET: [&str; 5] = ["--quiet", "--set", "steps=5", "--fields", "--vtu"];
 
-/// `calyx run` of the example in space.
+/// Creates a command that runs the 3-D example.
 fn in_space(directory: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
     command.arg("run").arg(example()).args(["--out", "results", "--cache", "kept", "--quiet"]);
@@ -113,7 +114,8 @@ fn in_space(directory: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-/// What an analysis in space would take is asked for first: refused, it says how much and what to do, and leaves nothing behind.
+/// A 3-D analysis checks its memory limit first; if rejected, it reports the required memory and a
+/// remedy, and leaves no files.
 #[test]
 fn a_model_in_space_that_does_not_fit_is_refused() {
     let directory = tempfile::tempdir().unwrap();
@@ -133,7 +135,8 @@ fn a_model_in_space_that_does_not_fit_is_refused() {
     }
 }
 
-/// A run that goes on without room for it leaves what was solved as it is, for one with more.
+/// A resumed run that exceeds its memory limit keeps the solved positions for a later run with a
+/// higher limit.
 #[test]
 fn a_refused_run_in_space_goes_on_with_more_memory() {
     let small = ["--set", "steps=2", "--set", "face_elements=1", "--set", "displacement_order=1"];
@@ -167,7 +170,7 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     let expected = results(whole.path());
     let count = expected["steps.csv"].lines().count() as u64 - 1;
     assert!(count > 6, "{}", expected["steps.csv"]);
-    // Run, steps and report, five tables, three pictures of every position and their lists.
+    // Run, steps and report, five tables, three VTU files per position and their lists.
     assert_eq!(expected.len() as u64, 3 + 5 + 3 * count + 3, "{:?}", expected.keys());
     let moments = [
         (Way::CalyxRun, 0),
@@ -182,12 +185,12 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
         let steps = directory.path().join("results/steps.csv");
         let solved = fs::read_to_string(&steps).map_or(0, |steps| steps.lines().count() as u64 - 1);
         assert!(solved >= positions, "{way:?} had written {solved} of {positions} positions");
-        // Any number of threads gives the same bits.
+        // Results are bitwise equal with any number of threads.
         let threads = if let Way::Executable = way { "1" } else { "2" };
         let again = [&SET[..], &["--resume", "--progress", "json", "--threads", threads]].concat();
         let (status, _, err) = said(&mut way.command(directory.path(), &again));
         assert_eq!(status, Some(0), "{way:?} after {positions}: {err}");
-        // What was solved is not solved again.
+        // Solved positions are not solved again.
         let done =
             |line: &str| serde_json::from_str::<Value>(line).ok()?["done"].as_u64().filter(|&done| done > 0);
         let first = err.lines().find_map(done);
@@ -222,7 +225,7 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
     let journal = directory.path().join("results/journal.jsonl");
     let text = fs::read(&journal).unwrap();
     let ends: Vec<usize> = (1..=text.len()).filter(|&end| text[end - 1] == b'\n').collect();
-    // How much of the journal is left, and the positions that are whole in it.
+    // Remaining length of the journal, and its number of complete positions.
     let cuts =
         [(ends[3], Some(3)), (ends[3] - 1, Some(2)), (ends[2] + 17, Some(2)), (ends[0], Some(0)), (40, None)];
     for (length, whole) in cuts {
@@ -239,11 +242,11 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
         assert!(err.contains(&told), "{length} bytes: {err}");
         assert!(results(directory.path()) == expected, "{length} bytes");
     }
-    // Who ends a run with Ctrl-C goes on with it, too.
+    // A run ended by Ctrl-C can be resumed too.
     end_after(&mut Way::CalyxRun.command(directory.path(), &["--quiet", "--set", "steps=2"]), 1, "-INT");
     assert_eq!(run(&["--resume", "--quiet"]).0, Some(0));
     assert!(results(directory.path()) == expected);
-    // Another model and other params are another run.
+    // With another model or other params the run cannot be resumed.
     fs::remove_file(directory.path().join("results/run.json")).unwrap();
     fs::write(&journal, &text).unwrap();
     let (status, _, err) =
@@ -253,7 +256,7 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
     assert!(fs::read(&journal).unwrap() == text, "a refused run leaves everything as it was");
 }
 
-/// A directory with a model, its executable, and another directory where nothing is.
+/// Directory with a model, its executable, and an empty directory.
 struct Standing {
     folder: tempfile::TempDir,
     executable: PathBuf,
@@ -283,13 +286,13 @@ fn tables_travel_with_an_executable() {
                  var t = read_table(file);\nprint(column(t, \"depth\", 1 mm));\n";
     let standing =
         Standing::of(model, &[("roll.csv", "depth [mm]\n1\n2\n"), ("other.csv", "depth [mm]\n3\n")]);
-    // What the model was compiled with is not looked at any more.
+    // Files that were embedded at compilation are not read again.
     fs::remove_file(standing.folder.path().join("roll.csv")).unwrap();
     let (status, out, err) = standing.run(&["--quiet"]);
     assert_eq!((status, &*out, &*err), (Some(0), "[0.001 m, 0.002 m]\n", ""));
     let run = fs::read_to_string(standing.folder.path().join("elsewhere/model.run/run.json")).unwrap();
     assert!(run.contains("\"name\": \"roll.csv\""), "{run}");
-    // What it reads at other params does not travel, not even from where it was compiled.
+    // Tables for other params are not embedded, and are not read from the directory of the model.
     let other = ["--quiet", "--set", "file=other.csv"];
     let (status, _, err) = standing.run(&other);
     assert_eq!(status, Some(1), "{err}");
@@ -302,11 +305,11 @@ fn tables_travel_with_an_executable() {
     ] {
         assert!(err.contains(part), "{part} is not in\n{err}");
     }
-    // It is found where the program runs.
+    // They are read from the current directory.
     let elsewhere = standing.folder.path().join("elsewhere");
     fs::write(elsewhere.join("other.csv"), "depth [mm]\n4\n").unwrap();
     assert_eq!(standing.run(&other).1, "[0.004 m]\n");
-    // Who names a directory gets what is there, and nothing else.
+    // With `--tables`, files are read from that directory only.
     fs::create_dir(elsewhere.join("measured")).unwrap();
     fs::write(elsewhere.join("measured/roll.csv"), "depth [mm]\n5\n").unwrap();
     assert_eq!(standing.run(&["--quiet", "--tables", "measured"]).1, "[0.005 m]\n");
@@ -322,7 +325,7 @@ fn an_executable_explains_itself() {
                  print(width, wide, kind);\n";
     let standing = Standing::of(model, &[]);
     let version = format!("model (compiled by Calyx {}, engine ", env!("CARGO_PKG_VERSION"));
-    // Arguments, exit status, and parts of what is said, in this order.
+    // Arguments, exit status, and parts of the output, in this order.
     let table: [(&[&str], i32, &[&str]); 7] = [
         (
             &["-h"],
@@ -383,7 +386,8 @@ fn an_executable_explains_itself() {
     assert!(err.starts_with("4 mm TRUE plane\n") && err.contains("results are in model.run"), "{err}");
 }
 
-/// What checking would have said is placed as checking places it, and NaN says who finds its source.
+/// Diagnostics have the same locations as those of `calyx check`; a NaN error names the command
+/// that finds its source.
 #[test]
 fn an_executable_places_what_it_says() {
     let spur_pair = in_section();

@@ -1,5 +1,5 @@
-//! The analysis as somebody outside the model changes it: the same as if the model said so, bit for bit, told in `run.json`, and refused by
-//! name where it cannot be.
+//! Tests of settings overrides: results are bitwise equal to those of a model with the same
+//! settings, `run.json` records them, and invalid ones are rejected by name.
 
 use calyx::{Engine, Instance, Module, Override, Results};
 use std::path::Path;
@@ -19,7 +19,7 @@ fn knobs(all: &[(&str, &str)]) -> Override {
     knobs
 }
 
-/// All values of all rows, by their bits.
+/// Returns the bits of all values of all rows.
 fn bits(results: &Results) -> Vec<Vec<u64>> {
     let analysis = results.analysis().expect("it analyses");
     let row = |row: &calyx_runtime::results::StepRow| {
@@ -34,7 +34,7 @@ fn bits(results: &Results) -> Vec<Vec<u64>> {
 #[test]
 fn what_is_given_from_outside_is_as_if_the_model_said_it() {
     let text = model("spur_pair.cx");
-    // The model asks for a mesh in space, and is given one in section.
+    // The model requests a 3-D mesh; the override replaces it by a plane one.
     let mut given = instance(&text);
     given.set("steps", 3).unwrap();
     given.override_analysis(knobs(&[("fidelity", "plane"), ("cells", "7")]));
@@ -65,7 +65,8 @@ fn meshes_follow_what_is_given() {
     let all = [("fidelity", "plane"), ("refinement", "0.5"), ("order", "2")];
     let (options, rows) = options(knobs(&all));
     assert_eq!((options.refinement, options.order, options.face_elements), (0.5, 2, None));
-    // Of three uniform positions (the first stands where a pair enters) two are left, and the four that have a name.
+    // Two of three uniform positions, since the first one coincides with the start of contact, and
+    // the four characteristic points.
     assert_eq!(rows, 6);
 }
 

@@ -1,4 +1,5 @@
-//! Outputs in the frequency domain, from the model to the files: a pair over two turns of its mesh shows its harmonics.
+//! Tests of outputs in the frequency domain, from the model to the files: a pair over two mesh
+//! cycles shows its harmonics.
 
 use std::fs;
 use std::path::Path;
@@ -18,11 +19,13 @@ SIGNALS
 analyze(\"quasi_static\", over = gears.times(to = 0.1 s - 0.1 s/32, count = 32));
 ";
 
-/// A shaft that swings about what is prescribed: its orders are those of the angle it has, as a tachometer sees it.
+/// A shaft that oscillates about its prescribed rotation: order tracking uses the actual angle, as
+/// from a tachometer.
 #[test]
 fn orders_are_counted_by_the_angle_that_an_output_gives() {
     let directory = tempfile::tempdir().unwrap();
-    // One turn a second that swings by a twentieth of a turn, three times a turn, and something that happens seven times a turn of that.
+    // One revolution per second, with an oscillation of a twentieth of a revolution at order 3, and
+    // an event of order 7 of the actual angle.
     let asked = "var swing := 0.3*sin(6*pi*Time/(1 s)) + 0*gears.rotation(one, \"z\")/(1 rad);
 output ahead := 1 rad*swing;
 output whole := 1 rad*(swing + 2*pi*Time/(1 s) - 60*pi);
@@ -51,7 +54,7 @@ gears.order_map(\"events\", shaft = one, turns = 2, highest = 20);";
         assert!(seventh.len() > 3 && seventh.iter().all(|a| (a - 1.0).abs() < 1e-4), "{name} {seventh:?}");
         assert!(tenth.iter().all(|amplitude| *amplitude < 1e-4), "{name} {tenth:?}");
     }
-    // By the prescribed angle it is spread by its swinging.
+    // Over the prescribed angle, the oscillation spreads the order into sidebands.
     let [seventh, tenth] = largest("events_order_map_3.csv");
     assert!(seventh.iter().all(|a| *a < 0.5) && tenth.iter().all(|a| *a > 0.1), "{seventh:?} {tenth:?}");
 }
@@ -90,16 +93,16 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     assert_eq!(rows.len(), 17);
     let largest = rows[1..].iter().fold(0.0f64, |most, row| most.max(row[1]));
     assert_eq!((rows[2][0], rows[2][1]), (20.0, largest));
-    // What repeats with the mesh has nothing between its harmonics.
+    // A signal with the mesh period has no content between its harmonics.
     for row in rows.iter().skip(1).step_by(2) {
         assert!(row[1] < 1e-6 * largest, "{row:?} {largest}");
     }
-    // The density of what is no noise is its mean square by the width of a line.
+    // The density of a harmonic is its mean square divided by the frequency resolution.
     let density = fs::read_to_string(below.join("te_spectral_density.csv")).unwrap();
     assert_eq!(density.lines().next(), Some("frequency,density"));
     let densities: Vec<Vec<f64>> = density.lines().skip(1).map(numbers).collect();
     assert!((densities[2][1] / (0.5 * largest * largest / 10.0) - 1.0).abs() < 1e-9, "{densities:?}");
-    // What there is stands in the record of the run.
+    // The record of the run contains the signals.
     let record = fs::read_to_string(directory.path().join("run/run.json")).unwrap();
     let record: serde_json::Value = serde_json::from_str(&record).unwrap();
     let listed = record["signals"].as_array().unwrap();
@@ -120,7 +123,7 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     }
 }
 
-/// A pair that hardly turns, the second gear on a spring against turning.
+/// Pair at very low speed; a torsional spring supports the second gear.
 const STRUCK: &str = "import gears;
 units SI;
 var rack = gears.rack(module = 3 mm, tip_radius = 0.9 mm);
@@ -146,7 +149,8 @@ analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(20 ms, step = 10
     rayleigh_mass = 500 Hz, error_estimates = \"none\");
 ";
 
-/// What swings after a blow has its lines where the natural frequencies about the equilibrium are, which know of no motion in time.
+/// After an impulse, the spectrum has peaks at the natural frequencies about the equilibrium, which
+/// are computed without dynamics.
 #[test]
 fn after_a_impulse_lines_are_at_the_natural_frequencies() {
     let record = |asked: &str| -> serde_json::Value {
@@ -161,7 +165,7 @@ fn after_a_impulse_lines_are_at_the_natural_frequencies() {
     };
     let (at_rest, record) = (record(AT_REST), record(AFTERWARDS));
     let natural = ["lower", "upper"].map(|name| at_rest["outputs"][name]["max"].as_f64().unwrap());
-    // Both gears on the spring, and against each other on their teeth.
+    // Both gears in phase on the spring, and in opposite phase on the mesh stiffness.
     assert!(natural[1] > 2.0 * natural[0] && natural[0] > 500.0, "{natural:?}");
     for signal in record["signals"].as_array().unwrap() {
         let mut peaks: Vec<f64> = signal["peaks"]
@@ -174,13 +178,13 @@ fn after_a_impulse_lines_are_at_the_natural_frequencies() {
         peaks.sort_by(f64::total_cmp);
         assert_eq!(peaks.len(), 2, "{signal}");
         for (peak, natural) in peaks.iter().zip(natural) {
-            // Lines are 50 Hz apart, and lie between.
+            // The spectral resolution is 50 Hz, so peaks are at most 25 Hz off.
             assert!((peak - natural).abs() < 25.0, "{}: {peaks:?} {natural:?}", signal["kind"]);
         }
     }
 }
 
-/// E0776 and E0777, as warnings.
+/// E0776 and E0777 are warnings.
 #[test]
 fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
     let directory = tempfile::tempdir().unwrap();
@@ -198,7 +202,7 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
         ("gears.order_map(\"te\", shaft = two, turns = 8);", "longer than what the samples show"),
         ("gears.order_map(\"te\", angle = \"still\");", "the shaft rests or turns back"),
     ];
-    // Each in a line of its own, from the tenth on.
+    // One per line, from the tenth line.
     let all: Vec<&str> = asked.iter().map(|(asked, _)| *asked).collect();
     let output = run(directory.path(), &all.join("\n"));
     let said = String::from_utf8(output.stderr).unwrap();
@@ -209,7 +213,7 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
         let place = format!("model.cx:{}:", 11 + index);
         assert!(warning.contains(expected) && warning.contains(&place), "{asked}: {warning}");
     }
-    // Ranges of different steps.
+    // Time ranges with different steps.
     let directory = tempfile::tempdir().unwrap();
     let model = directory.path().join("model.cx");
     let over = "over = gears.time_ranges([gears.time_range(1 ms, step = 0.25 ms), gears.time_range(1 ms, step = 0.5 ms)])";

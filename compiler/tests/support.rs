@@ -1,7 +1,7 @@
-//! What several files of tests share.
+//! Helpers shared by several test files.
 
-/// Text of a model with a pair of spur gears, `param torque` and two outputs. `params` are
-/// declarations of more params, `analysis` is what the model runs.
+/// Returns a model with a pair of spur gears, `param torque` and two outputs. `params` declares
+/// further params, `analysis` is the statement that runs.
 pub fn pair(params: &str, analysis: &str) -> String {
     format!("{HEAD}{params}{GEARS}{analysis}")
 }

@@ -1,4 +1,5 @@
-//! `calyx tradeoff` as its users meet it: what it writes, what it keeps, and that being killed costs nothing but time.
+//! Tests of `calyx tradeoff` from the user's side: its output, reuse of finished runs, and
+//! resumption after a kill.
 
 use crate::support::pair;
 use serde_json::Value;
@@ -8,12 +9,12 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// A pair in section, whose model asks for a mesh that would take long.
+/// Returns a plane pair whose model requests a slow 3-D mesh.
 fn model_text() -> String {
     pair("", "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 5), fidelity = \"finest\");\n")
 }
 
-/// Levels without meshes, which take little time.
+/// Fidelity levels without meshes, which are solved quickly.
 const GRIDS: [&str; 4] = ["--levels", "rigid,analytic", "--knobs", "cells,every"];
 
 fn tradeoff(directory: &Path, arguments: &[&str]) -> Command {
@@ -29,7 +30,7 @@ fn said(mut command: Command) -> (Option<i32>, String, String) {
     (output.status.code(), out, err)
 }
 
-/// What runs wrote, less how long they took.
+/// Returns the files of all runs, without their computing times.
 fn runs(results: &Path) -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
     for run in fs::read_dir(results.join("runs")).expect("runs") {
@@ -45,7 +46,7 @@ fn runs(results: &Path) -> BTreeMap<String, String> {
     all
 }
 
-/// The errors that the table tells, by setting and output.
+/// Returns the errors in the table, by setting and output.
 fn errors(results: &Path) -> BTreeMap<(String, String), Vec<String>> {
     let mut reader = csv::Reader::from_path(results.join("tradeoff.csv")).expect("a table");
     let columns = reader.headers().unwrap().clone();
@@ -76,8 +77,8 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
     }
     let whole = directory.join("whole");
     let (table, expected) = (errors(&whole), runs(&whole));
-    // The level, half and twice its cells, a half and a quarter of its positions, and the same of rigid teeth, which have no cells; two outputs
-    // each.
+    // The level, half and twice its cells, a half and a quarter of its positions, and the same for
+    // rigid teeth, which have no cells; two outputs each.
     assert_eq!(table.len(), 16, "{table:?}");
     // Rigid teeth have no pressures.
     assert_eq!(table[&("rigid".to_owned(), "max_contact_pressure".to_owned())], vec![""; 6]);
@@ -87,7 +88,7 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
     let number = |setting: &str, output: &str| {
         table[&(setting.to_owned(), output.to_owned())][0].parse::<f64>().expect("a number")
     };
-    // The coarser the grid the farther off are pressures.
+    // Errors of pressures grow with coarser grids.
     assert_eq!(number("analytic cells=48", "transmission_error"), 0.0);
     let [fine, coarse] =
         ["analytic", "analytic cells=12"].map(|setting| number(setting, "max_contact_pressure"));
@@ -96,7 +97,7 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
     assert!(fs::read_to_string(whole.join("tradeoff.svg")).unwrap().contains("max_contact_pressure"));
     assert!(!whole.join("structures").exists());
 
-    // Killed in the middle, and gone on with.
+    // Killed in the middle and resumed.
     let (settings, out) = (5, directory.join("killed"));
     let going = [&GRIDS[..], &["--out", "killed", "--progress", "json"]].concat();
     let mut run = tradeoff(directory, &going).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
@@ -115,10 +116,10 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
     assert_eq!(status, Some(0), "{err}");
     assert_eq!(errors(&out), table);
     assert_eq!(runs(&out), expected);
-    // What was finished is not run again.
+    // Finished runs are reused.
     assert_eq!(fs::metadata(out.join("runs/analytic/run.json")).unwrap().modified().unwrap(), first);
 
-    // Another torque is another comparison.
+    // Another torque requires another comparison.
     let (status, _, err) = said(tradeoff(
         directory,
         &["--levels", "analytic", "--knobs", "none", "--out", "whole", "--set", "torque=40"],

@@ -1,12 +1,13 @@
-/* The spur pair of ../spur_pair.cx inside a program in C: sets params, solves one mesh cycle position by position, and reads what
-   came of it. The model and the engine are in libspur_pair.a; spur_pair.h says what the model has. */
+/* The spur pair of ../spur_pair.cx in a C program: sets params, solves one mesh cycle position by
+   position, and reads the results. The model and the engine are in libspur_pair.a; spur_pair.h
+   declares the params and outputs of the model. */
 
 #include "spur_pair.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Says why something was not done, and ends the program. */
+/* Prints an error, if there is one, and ends the program. */
 static void check(const calyx_instance *pair, calyx_status status)
 {
     calyx_problem problem;
@@ -31,7 +32,7 @@ int main(int argc, char **argv)
 
     check(pair, calyx_create(&spur_pair_model, &pair));
 
-    /* A length is no torque: nothing is set, and the library says what the param takes. */
+    /* A length is not a torque: nothing is set, and the error describes the valid values. */
     if (calyx_set_in(pair, "torque", 5, "mm") == CALYX_GIVEN && calyx_error(pair, &problem) == CALYX_OK)
         printf("refused: %s\n         %s\n\n", problem.message, problem.help);
 

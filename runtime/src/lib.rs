@@ -1,17 +1,15 @@
-//! Finite element and contact engine for gear systems: elastic bodies on moving frames, coupled by
-//! exact contact conditions.
-//!
-//! The engine does not depend on the Calyx language. A program builds a scene, plans the analysis,
-//! solves it and reads the results.
+//! Simulation engine: finite elements and exact contact of bodies on moving frames, as a library
+//! for programs that embed it. The engine is independent of the Calyx language: a program builds a
+//! scene in code, plans and solves it, and reads the results.
 //!
 //! This crate is a facade. It re-exports the crates of the engine, each of which depends only on
 //! those before it: `calyx-numerics`, `calyx-fe`, `calyx-structure`, `calyx-contact`,
 //! `calyx-model`, `calyx-solve`, `calyx-analysis`.
 //!
-//! # Two cylinders
+//! # Example: two cylinders
 //!
-//! Two steel cylinders of 50 and 100 mm radius and 20 mm face width are pressed together with
-//! 10 kN. The example compares the contact half-width and the maximum pressure with Hertz.
+//! Two steel cylinders with radii of 50 and 100 mm and a face width of 20 mm are pressed together
+//! with 10 kN. The example compares half-width and peak pressure with Hertz.
 //!
 //! ```
 //! use calyx_runtime::analysis::{AnalysisOptions, Position, Steps};
@@ -28,7 +26,7 @@
 //! let (radii, face_width, force) = ([0.05, 0.1], 0.02, 10e3);
 //! let [lower, upper] = radii.map(|radius| Arc::new(Disc::new(radius, face_width, Material::STEEL)));
 //!
-//! // The lower cylinder is fixed; the upper one is free to move along y and is loaded.
+//! // The lower cylinder is fixed; the upper one moves vertically under its load.
 //! let mut scene = Scene::default();
 //! let lower = scene.add_body(Body::new("lower", lower, SteadyRotation::at_rest([0.0, -radii[0]])));
 //! let upper = scene.add_body(
@@ -39,7 +37,7 @@
 //! let contact = scene.add_pair(SurfacePair::new([lower, upper], [Disc::TOP, Disc::BOTTOM]));
 //! let peak = scene.observe(MaxContactPressure(contact));
 //!
-//! // One position, at time 0. A mechanism is solved at many positions.
+//! // One position at time 0; a mechanism would have many.
 //! let positions = [Position::at(0.0)];
 //! let outputs = [OutputRequest::observing("peak pressure", peak)];
 //! let mut steps = Steps::new(&scene, &positions, &outputs, &AnalysisOptions::default())?;
@@ -58,55 +56,55 @@
 //! # Ok::<(), calyx_runtime::error::EngineError>(())
 //! ```
 //!
-//! # Data flow
+//! # From scene to results
 //!
 //! ```text
 //! Scene ──> Plan ──────> System ───────> StepResult ─> Observed ─> AnalysisResult
-//!  bodies,   models of    condensed       pressures,    values      rows, summaries,
-//!  pairs,    the bodies,  structures,     motions,                  certificate
-//!  loads     reasons      DOFs            certificate
+//!  bodies,   what is      structures,    pressures,    values      rows, summaries,
+//!  pairs,    modelled,    condensed;     motions,                  certificate
+//!  loads     and why      DOFs           certificate
 //! ```
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`scene`] | model: [`scene::Body`], [`scene::SurfacePair`], observables; [`scene::Prototype`] builds the structure of a body |
-//! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | simulated parts of a scene, without observables |
-//! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions, external loads, materials, masses |
+//! | [`scene`] | bodies ([`scene::Body`]), surface pairs ([`scene::SurfacePair`]) and observables; [`scene::Prototype`] defines how a body is modelled |
+//! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | the simulated parts of a scene, independent of its observables |
+//! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
-//! | [`fidelity`], [`plan`], [`target`] | fidelity levels; parts of the scene that are modelled or left out, with reasons |
-//! | [`validate`] | checks of a requested analysis, shared by the language server and by runs |
-//! | [`restraint_check`] | restraint check: rejects free motions without resistance before anything is solved |
-//! | [`system`], [`step`], [`integration`], [`vibrations`] | system of the planned mechanism; equilibrium at one position; time step; free vibrations |
-//! | [`observables`], [`observed`] | evaluation of each [`observables::Observable`] at a solved position |
+//! | [`fidelity`], [`plan`], [`target`] | fidelity levels of bodies; the parts of the scene that are modelled or omitted, with reasons |
+//! | [`validate`] | rules of a valid analysis, shared by check and run |
+//! | [`restraint_check`] | check before solving that contacts and supports restrain all free components |
+//! | [`system`], [`step`], [`integration`], [`vibrations`] | the built mechanism; equilibrium of a position; time step; free vibrations |
+//! | [`observables`], [`observed`] | values of a solved position, one [`observables::Observable`] each |
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
-//! | [`analysis`], [`dynamics`], [`options`], [`position`], [`rows`], [`results`], [`summary`] | an analysis from options to results: [`analysis::Steps`] is the iterator over a list of positions, [`analysis::quasi_static`] reports to an observer |
-//! | [`settings_override`] | settings overrides from outside the model |
-//! | [`estimate`] | error estimates of the statistics of outputs |
-//! | [`tolerance`] | search for the cheapest setting whose estimated error satisfies a tolerance |
+//! | [`analysis`], [`dynamics`], [`options`], [`position`], [`rows`], [`results`], [`summary`] | analyses from options to results: [`analysis::Steps`] iterates over a list of positions, [`analysis::quasi_static`] reports to an observer |
+//! | [`settings_override`] | settings of an analysis from outside the model |
+//! | [`estimate`] | estimated errors of the statistics of outputs |
+//! | [`tolerance`] | search for the cheapest setting whose estimated error meets a tolerance |
 //! | [`cost`] | predicted time and memory of an analysis |
-//! | [`resources`], [`cache`], [`interrupt`] | threads, structure cache and cancellation; no result depends on them |
-//! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their surfaces, finite elements, exact profiles and surfaces for contact |
-//! | [`contact`] | closest approach, contact grids, contact problem and its exact solution |
-//! | [`error`] | errors with a code, a message and a remedy |
+//! | [`resources`], [`cache`], [`interrupt`] | resources without influence on results: threads, stored structures, an interrupt |
+//! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
+//! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
+//! | [`error`] | errors of the engine: code, message, remedy |
 //!
 //! # Conventions
 //!
-//! * Quantities are in SI units: m, rad, s, N, N m, Pa. Internally a plane model works per metre of
-//!   face width; loads and results refer to the whole face width.
-//! * A structure deforms relative to the frame of its body. The frame carries the rigid-body
-//!   motion, and its free components are unknowns of the contact problem. Unconstrained bodies are
-//!   allowed.
-//! * Every solution has a [`contact::problem::Certificate`]: residuals of complementarity,
-//!   penetration, tension and equilibrium, relative to the scale of the problem.
-//! * The same scene gives bitwise equal results for any number of threads, any earlier analyses and
-//!   any content of the cache.
-//! * No scene makes the engine panic; errors are [`error::EngineError`]s.
+//! * SI units: m, rad, s, N, N m, Pa. A plane model uses quantities per metre of face width
+//!   internally; loads and results are for the whole width.
+//! * Deformations are relative to the body's frame. Rigid-body motion belongs to the frame, whose
+//!   free components are unknowns of the contact problem. Bodies with free components are the
+//!   normal case.
+//! * Every solution has a [`contact::problem::Certificate`]: complementarity, penetration, tension
+//!   and equilibrium residuals, relative to the scale of the problem.
+//! * Results are bitwise reproducible: they are independent of the number of threads, of earlier
+//!   analyses and of the cache contents.
+//! * The engine does not panic on any scene; errors are [`error::EngineError`]s.
 //!
-//! # Where to start
+//! # Further reading
 //!
-//! The documentation of `calyx-gears` starts with the analysis of a gear pair over its mesh cycle.
-//! New kinds of bodies implement [`scene::Prototype`]; the source of [`disc`] is the shortest
-//! example. New prescribed motions implement [`motion::Motion`]. A load is a closure of time
+//! The documentation of `calyx-gears` begins with an analysis of a gear pair over its mesh cycle. A
+//! new kind of body implements [`scene::Prototype`]; the source of [`disc`] is the shortest
+//! example. A new motion of a frame implements [`motion::Motion`]; a load is a closure of time
 //! ([`load::Load`]).
 
 #![warn(missing_docs)]

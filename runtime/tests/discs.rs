@@ -1,8 +1,8 @@
-//! Tests of elastic discs through the whole engine, against closed forms: between rigid platens,
-//! and against each other.
+//! Tests of elastic discs with the whole engine against closed forms: between rigid platens, and in
+//! contact with each other.
 //!
-//! Hertzian pressure depends only on the surroundings of the contact; the approach of the platens
-//! depends on the whole body.
+//! Hertz's pressure depends on the contact region only; the approach of the platens depends on the
+//! whole body.
 
 use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
 use calyx_runtime::disc::{Disc, Facing, Platen};
@@ -28,7 +28,7 @@ use std::sync::{Arc, OnceLock};
 const STEEL: Material = Material::STEEL;
 const FACE_WIDTH: f64 = 0.02;
 
-/// E' in plane strain.
+/// Returns E' in plane strain.
 fn surface_modulus() -> f64 {
     STEEL.surface_modulus(Plane::Strain)
 }
@@ -64,7 +64,7 @@ impl Prototype for Shared {
     }
 }
 
-/// Body with its origin at height `y`.
+/// Creates a body with its origin at height `y`.
 fn body(name: &str, prototype: Arc<dyn Prototype>, y: f64) -> Body {
     Body::new(name, prototype, SteadyRotation::at_rest([0.0, y]))
 }
@@ -101,7 +101,7 @@ fn a_disc_between_platens_gives_as_much_as_the_closed_form_says() {
         scene.add_pair(SurfacePair::new([disc, lower], [Disc::BOTTOM, Platen::SURFACE]));
         let step = solve(&scene);
 
-        // The DOFs are those of the disc and of the upper platen, downwards.
+        // The DOFs are the downward displacements of the disc and the upper platen.
         let [disc_moves, approach] = [0, 1].map(|dof| -step.motion[dof]);
         let known = 2.0 * force / (PI * surface_modulus()) * (2.0 * (4.0 / a_over_r).ln() - 1.0);
         assert!((approach / known - 1.0).abs() < 3e-3, "a/R {a_over_r}: {approach} {known}");
@@ -115,8 +115,8 @@ fn a_disc_between_platens_gives_as_much_as_the_closed_form_says() {
 
 #[test]
 fn two_cylinders_converge_to_hertz() {
-    // Johnson, eqs. 4.43 to 4.45: steel cylinders of 50 and 100 mm, 500 N/mm (contact_closed_forms.json, "steel pair
-    // metric"); a/R is 0.009 and 0.004.
+    // Johnson, eqs. 4.43 to 4.45: steel cylinders of 50 and 100 mm, 500 N/mm
+    // (contact_closed_forms.json, "steel pair metric"); a/R is 0.009 and 0.004.
     let radii = [0.05, 0.1];
     let (force, known_half_width, known_peak) = (5e5, 0.000432993640638256, 735137554.710006);
     let discs = radii.map(Shared::new);
@@ -137,16 +137,16 @@ fn two_cylinders_converge_to_hertz() {
     for [peak, half_width] in &errors {
         assert!(peak.abs() < 5e-3 && half_width.abs() < 1e-2, "{errors:?}");
     }
-    // The limit differs slightly from Hertz, who neglects that pressure shortens a surface by (1 -
-    // 2 nu)(1 + nu) p / E. On a curved surface this adds that fraction to the curvature, and half
-    // of it to the peak, here 0.9 thousandths.
+    // The limit differs slightly from Hertz: he neglects that pressure shortens a surface by (1 - 2
+    // nu)(1 + nu) p / E. On a curved surface this adds the same fraction to the curvature, and half
+    // of it to the peak pressure, here 0.9 thousandths.
     let shortening =
         (1.0 - 2.0 * STEEL.poissons_ratio) * (1.0 + STEEL.poissons_ratio) * known_peak / STEEL.youngs_modulus;
     let [coarsest, _, _, finest] = errors.map(|[peak, _]| (peak - 0.5 * shortening).abs());
     assert!(finest < 2e-4 && finest < 0.5 * coarsest, "{errors:?} {shortening}");
 }
 
-/// Disc on a platen under a load, with its observables.
+/// Creates a disc that is pressed on a platen, with observables.
 fn resting(disc: Arc<dyn Prototype>, radius: f64) -> Scene {
     let mut scene = Scene::default();
     let disc = body("disc", disc, 0.0).free_in(&[Component::Uy]).loaded(downwards(5e5));
@@ -162,7 +162,7 @@ fn requests(scene: &Scene) -> Vec<OutputRequest> {
     (0..scene.observables.len()).map(observing).collect()
 }
 
-/// Fields of the last position.
+/// Data of the last position.
 #[derive(Default)]
 struct Shown(Option<Fields>);
 
@@ -175,7 +175,8 @@ impl Observer for Shown {
     }
 }
 
-/// Discs and platens have no sectors to display: they are named, not omitted silently.
+/// Discs and platens have no sectors to write to VTU files: they are reported by name, not skipped
+/// silently.
 #[test]
 fn pictures_name_bodies_that_they_do_not_have() {
     let mut scene = resting(Shared::new(0.02), 0.02);
@@ -192,8 +193,7 @@ fn pictures_name_bodies_that_they_do_not_have() {
     );
 }
 
-/// Disc that counts how often it is meshed: for its structure, its modes and, like gears, its
-/// inertia.
+/// Disc that counts its meshes: for its structure, its modes, and, as for gears, its inertia.
 struct Counted {
     disc: Disc,
     built: Arc<[AtomicUsize; 3]>,
@@ -239,8 +239,8 @@ impl Prototype for Counted {
     }
 }
 
-/// Vibrations about an equilibrium use modes and inertias at every position; each mesh is created
-/// once per analysis.
+/// Free vibrations about an equilibrium use modes and inertias at every position; their meshes are
+/// generated once per analysis.
 #[test]
 fn natural_frequencies_mesh_nothing_anew_at_a_position() {
     let counts = [1, 6].map(|positions: usize| {

@@ -1,5 +1,5 @@
-//! Tests of transient analyses of cylinders and frames on bearings: closed forms, bitwise equality
-//! of resumed runs, and rejected requests.
+//! Tests of time integration for cylinders and frames on bearings: closed forms, bitwise equality
+//! of resumed runs, and rejected input.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, BearingMatrix};
@@ -22,10 +22,10 @@ use std::sync::{Arc, LazyLock};
 const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
 
-/// The cylinder is condensed once for all tests.
+/// Structure cache that all tests share.
 static CACHE: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(usize::MAX)));
 
-/// Steel cylinder above a platen, driven by a force.
+/// Creates a steel cylinder above a platen, with a force towards it.
 fn cylinder(height: f64, force: f64) -> (Scene, BodyId) {
     let disc = Disc::new(RADIUS, WIDTH, Material::STEEL);
     let mut scene = Scene::default();
@@ -94,8 +94,8 @@ fn a_cylinder_that_falls_on_a_platen_goes_on_with_the_same_bits() {
     }
 }
 
-/// Mass, spring and damper: damping of the bearing, mass-proportional, stiffness-proportional. The
-/// forces on a free frame are in equilibrium.
+/// Mass, spring and damper: damping of the bearing, mass-proportional and stiffness-proportional
+/// damping. The support force of a free component is zero.
 #[test]
 fn damping_of_each_kind_is_that_of_the_closed_form() {
     let (mass, stiffness, force) = (3.0, 4e6, 100.0);
@@ -155,8 +155,7 @@ fn what_cannot_move_in_time_is_refused() {
     assert_eq!(refused(&scene, AnalysisOptions::default(), damped), Some("E0764"));
     let no_range = from_frames(Vec::new());
     assert_eq!(refused(&scene, AnalysisOptions::default(), no_range), Some("E0764"));
-    // Both are rejected before anything is built: a frame without mass, and three-dimensional
-    // bodies.
+    // Both are rejected before structures are built: a frame without mass, and 3-D bodies.
     let (mut massless, _) = cylinder(1e-3, 1.0);
     let frame = Body::new("frame", Arc::new(RigidBody), SteadyRotation::at_rest([0.5, 0.0]));
     let frame = massless.add_body(frame.free_in(&[Component::Ux]));
@@ -169,22 +168,22 @@ fn what_cannot_move_in_time_is_refused() {
     assert_eq!(refused(&scene, solid, plain()), Some("E0761"));
 }
 
-/// Frame with a mass at x = 0.5 m, free in the plane, without bearings.
+/// Creates a frame with a mass at x = 0.5 m that is free to translate, without bearings.
 fn frame(motion: SteadyRotation, mass: f64) -> Body {
     Body::new("frame", Arc::new(RigidBody), motion)
         .free_in(&[Component::Ux, Component::Uy])
         .with_added(Inertia::axial(mass, 0.1, 0.0))
 }
 
-/// Stiffness along x and along y, N/m.
+/// Returns a stiffness matrix with values along x and y, N/m.
 fn across(x: f64, y: f64) -> BearingMatrix {
     let mut matrix = [[0.0; 6]; 6];
     (matrix[0][0], matrix[1][1]) = (x, y);
     matrix
 }
 
-/// Two masses on bearings, from rest under a step force: the error of the whole engine decreases
-/// with the square of the step, and the limit is the exact motion.
+/// Two masses on bearings, initially at rest under a step force: the error of the whole engine is
+/// of second order in the time step, and the solution converges to the exact motion.
 #[test]
 fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
     let (masses, ground, between, force, until) = ([2.0, 1.0], 3e5, 2e5, 3.0, 0.03);
@@ -207,7 +206,7 @@ fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
             [0, 1].map(|output: usize| solved[1].row.outputs[output].value)
         })
         .collect();
-    // Modal solution (1, shape): roots of det(K - square M).
+    // Modal superposition with modes (1, shape) for the roots of det(K - square M).
     let exact = {
         let [m1, m2] = masses;
         let (trace, product) = ((ground + between) / m1 + between / m2, ground * between / (m1 * m2));
@@ -226,7 +225,7 @@ fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
         let order = (error(k) / error(k + 1)).log2();
         assert!((order - 2.0).abs() < 0.02, "halving {k}: {order}");
     }
-    // Richardson extrapolation of the last three.
+    // Richardson extrapolation of the last three solutions.
     let once = |k: usize, i: usize| found[k + 1][i] + (found[k + 1][i] - found[k][i]) / 3.0;
     for i in 0..2 {
         let towards = once(4, i) + (once(4, i) - once(3, i)) / 15.0;
@@ -234,8 +233,8 @@ fn steps_are_of_the_second_order_and_go_towards_the_exact_motion() {
     }
 }
 
-/// Orders from -4 to 4 of the path (x + i y) of a body after the decay of the initial transient,
-/// with this number of steps per revolution.
+/// Returns the orders from -4 to 4 of the path (x + i y) of a body over one revolution with the
+/// given number of steps, after the initial transient has decayed.
 fn orders_of_path(
     mut scene: Scene,
     body: BodyId,
@@ -265,7 +264,7 @@ fn orders_of_path(
     (-4..=4).map(order).collect()
 }
 
-/// Two orders have the expected values; all others vanish.
+/// Checks two orders against expected values, and that all others vanish.
 fn assert_orders(found: &[Complex<f64>], expected: [(i32, Complex<f64>); 2]) {
     let size = expected[0].1.norm().max(expected[1].1.norm());
     for (order, found) in (-4..).zip(found) {
@@ -275,8 +274,8 @@ fn assert_orders(found: &[Complex<f64>], expected: [(i32, Complex<f64>); 2]) {
     }
 }
 
-/// For a steady vibration the trapezoidal rule replaces omega by `2/h tan(omega h/2)` and is exact
-/// otherwise; so are orders.
+/// With the trapezoidal rule a steady vibration has the frequency `2/h tan(omega h/2)` instead of
+/// omega, and is otherwise exact; so are its orders.
 #[test]
 fn orders_of_turning_bodies_seen_from_ground_are_exact() {
     let (mass, [kx, ky], damping) = (2.0, [2e5, 1e5], 80.0);
@@ -289,7 +288,7 @@ fn orders_of_turning_bodies_seen_from_ground_are_exact() {
     };
     let turning = SteadyRotation { origin: [0.5, 0.0], start: 0.0, speed };
 
-    // Unbalance in a fixed bearing: once per revolution, forwards and backwards.
+    // An unbalance in a non-rotating bearing: once per revolution, forward and backward whirl.
     let unbalance = 1e-4;
     let (mut scene, _) = cylinder(1.0, 0.0);
     let off = Inertia { moment: [unbalance, 0.0, 0.0], ..Inertia::default() };
@@ -301,7 +300,8 @@ fn orders_of_turning_bodies_seen_from_ground_are_exact() {
     let found = orders_of_path(scene, rotor, steps, step, damping);
     assert_orders(&found, [(1, forwards), (-1, backwards)]);
 
-    // Weight on a shaft of anisotropic stiffness: its static deflection, and twice per revolution.
+    // A weight on a shaft with unequal bending stiffnesses: static deflection, and twice per
+    // revolution.
     let weight = 20.0;
     let (mut scene, _) = cylinder(1.0, 0.0);
     let shaft = scene.add_body(Body::new("shaft", Arc::new(RigidBody), turning));

@@ -1,5 +1,5 @@
-//! Tests of fidelity levels and three-dimensional mesh options: by name, within their ranges, and
-//! rejected for a body without a three-dimensional model.
+//! Tests of fidelity levels and 3-D mesh options: names, ranges, and rejection for bodies without a
+//! 3-D model.
 
 use calyx_runtime::disc::Disc;
 use calyx_runtime::interrupt::Interrupt;

@@ -1,10 +1,10 @@
-//! Tests of undamped impacts, which must not gain energy: oscillators with clearance through many
-//! impacts, on hard stops and on the contact of an elastic cylinder. Out of contact, the energy
-//! follows from velocity and height alone.
+//! Tests of impacts without damping: time integration must not generate energy. Oscillators with
+//! clearance pass through many impacts, on stops and on the contact of an elastic cylinder. Out of
+//! contact, the energy follows from speed and height alone.
 //!
-//! A step in which contact starts does slightly too little work, one in which it ends slightly too
-//! much, of the order of the squared ratio of the step to the duration of contact. The errors must
-//! cancel: the tolerance for any number of impacts is that of one.
+//! A step in which contact begins does too little work, one in which it ends too much, of second
+//! order in the ratio of step to contact time. Both must average out: the limit is that of one
+//! impact, for any number of impacts.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, Stop};
@@ -23,10 +23,10 @@ use std::sync::Arc;
 
 const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
-/// Largest relative gain of energy.
+/// Largest relative energy gain of an oscillator.
 const GAIN: f64 = 1e-3;
 
-/// Cylinder at this height above a platen, free to move vertically.
+/// Creates a cylinder at this height above a platen, free in the vertical direction.
 fn cylinder(height: f64) -> (Scene, BodyId) {
     let mut scene = Scene::default();
     let platen = Arc::new(Platen::new(0.1, WIDTH, Facing::Up));
@@ -38,8 +38,8 @@ fn cylinder(height: f64) -> (Scene, BodyId) {
     (scene, above)
 }
 
-/// Times, positions and velocities of the only moving DOF, step by step, until `impacts` impacts
-/// have started.
+/// Returns times, positions and speeds of the only DOF, step by step, until the given number of
+/// `impacts` has begun.
 fn followed(
     mut scene: Scene,
     (body, component, dof): (BodyId, usize, usize),
@@ -69,14 +69,14 @@ fn followed(
     states
 }
 
-/// Largest gain and loss relative to the first of some energies.
+/// Returns the largest gain and loss relative to the first energy.
 fn changes(energies: &[f64]) -> [f64; 2] {
     let first = energies[0];
     let most = |sign: f64| energies.iter().map(|energy| sign * (energy / first - 1.0)).fold(0.0, f64::max);
     [most(1.0), most(-1.0)]
 }
 
-/// A mass moves back and forth between the walls of its bearing.
+/// A mass that moves between the walls of its bearing.
 #[test]
 fn a_mass_between_walls_keeps_its_energy() {
     let (mass, stiffness, clearance, speed, step) = (1.0, 1e7, 2e-5, 0.1, 2e-5);
@@ -101,8 +101,8 @@ fn a_mass_between_walls_keeps_its_energy() {
     assert!(gained < GAIN && lost < 3.0 * GAIN, "gained {gained:e}, lost {lost:e}");
 }
 
-/// A cylinder bounces on a platen under a force, by the contact of its elastic surface: its energy
-/// is that of its initial height.
+/// A cylinder that a force presses against a platen and that bounces on its elastic surface: its
+/// energy is known from the initial position.
 #[test]
 fn a_bouncing_cylinder_rises_no_higher_than_it_fell_from() {
     let (height, force, step) = (4e-6, 1e4, 5e-7);

@@ -1,5 +1,5 @@
-//! Tests of the load path: parts of a scene that no load passes through to an observable are left
-//! out, and no observable depends on them.
+//! Tests of omitted bodies: bodies without load path to an observable are omitted, and no
+//! observable depends on them.
 
 use calyx_runtime::disc::{Disc, Facing, Platen};
 use calyx_runtime::load::Wrench;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
 
-/// Scene of this number of discs pressed on platens, side by side.
+/// Creates a number of discs next to each other, each pressed on a platen.
 fn discs(count: usize) -> (Scene, Vec<BodyId>) {
     let mut scene = Scene::default();
     let steel = Material::new(210e9, 0.3, 7850.0).expect("steel");
@@ -63,8 +63,7 @@ fn what_nobody_looks_at_is_left_out_and_changes_nothing() {
     assert!((all.1 / part.1 - 1.0).abs() < 1e-12, "{all:?} {part:?}");
 }
 
-/// An observable of a part that is left out has no value afterwards, nor has an observable of the
-/// whole scene.
+/// Observables of omitted bodies and of the whole scene have no value, even if requested later.
 #[test]
 fn what_was_left_out_has_no_value() {
     let (mut scene, pressed) = discs(2);
@@ -83,12 +82,12 @@ fn what_was_left_out_has_no_value() {
     }
 }
 
-/// A plane model distributes loads over the width of the bodies that carry them, regardless of
-/// other bodies.
+/// A plane model distributes loads over the face width of the bodies that carry them, independent
+/// of other bodies.
 #[test]
 fn a_width_is_that_of_the_bodies_that_load_each_other() {
     let (mut scene, pressed) = discs(2);
-    // The first disc is a tenth as wide.
+    // The first disc has a tenth of the width.
     scene.bodies[pressed[0].0].prototype = Arc::new(Disc::new(RADIUS, 0.1 * WIDTH, Material::STEEL));
     let looked_at = Displacement(pressed[1], 1);
     scene.add_observable(looked_at);
@@ -106,8 +105,8 @@ fn a_width_is_that_of_the_bodies_that_load_each_other() {
         (system.value(&step, &looked_at).value, narrow, wide)
     });
     assert!((all.0 / part.0 - 1.0).abs() < 1e-12 && (all.2 / part.2 - 1.0).abs() < 1e-9, "{all:?} {part:?}");
-    // Hertzian pressure follows the root of the load per width, five times as much on the narrow
-    // disc.
+    // Hertz: the pressure grows with the square root of the load per width, which is five times as
+    // large on the narrow disc.
     assert!((all.1 / all.2 / 5.0f64.sqrt() - 1.0).abs() < 0.02 && part.1.is_nan(), "{all:?}");
 }
 
@@ -119,7 +118,7 @@ fn motion_in_time_keeps_what_bears_no_load() {
     assert_eq!(left_out(&plan), [false; 4]);
 }
 
-/// Observable that the engine cannot attribute to a part of the scene.
+/// Observable that may depend on the whole scene.
 #[derive(Clone, Debug, PartialEq)]
 struct Patches;
 

@@ -1,5 +1,5 @@
-//! A body on springs, modelled by its modes and the motions of its frame, against its whole mesh on
-//! the same springs.
+//! Tests of a body on springs, modelled by its modes and its frame motion, against its whole mesh
+//! on the same springs.
 
 use calyx_fe::PlaneModel;
 use calyx_numerics::dense::{cholesky, solve_lower};

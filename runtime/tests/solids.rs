@@ -1,5 +1,5 @@
-//! Tests of three-dimensional bodies from the scene to results: spheres that carry a plate, against
-//! Hertz and statics, with bitwise equal results for any number of threads.
+//! Tests of 3-D bodies from the scene to results: spheres that carry a plate, against Hertz and
+//! statics, with bitwise equal results for any number of threads.
 
 use calyx_runtime::analysis::{AnalysisOptions, Position, Steps};
 use calyx_runtime::error::EngineError;
@@ -22,8 +22,8 @@ use std::sync::Arc;
 const MODULUS: f64 = 2.2e11;
 const RADIUS: f64 = 0.02;
 
-/// Top of a sphere, or a pad in the plane z = 0 if its radius is infinite, facing z (`up` 1) or -z
-/// (-1).
+/// Top of a sphere, or a pad in the plane z = 0 if its radius is infinite; its normal is along z
+/// (`up` 1) or opposite (-1).
 #[derive(Clone, Copy)]
 struct Top {
     radius: f64,
@@ -55,7 +55,7 @@ impl Surface for Top {
     }
 }
 
-/// Half-spaces behind such surfaces.
+/// Half-spaces with such surfaces.
 struct Cushion(Vec<Top>);
 
 impl Prototype for Cushion {
@@ -81,7 +81,7 @@ impl Prototype for Cushion {
     }
 }
 
-/// Motion without rotation: at a point, with a velocity.
+/// Motion without rotation: position at time 0, and velocity per second.
 struct At([f64; 3], [f64; 3]);
 
 impl Motion for At {
@@ -103,8 +103,8 @@ impl Motion for At {
 /// Positions of the spheres under the plate, m.
 const FEET: [[f64; 2]; 3] = [[0.1, 0.0], [-0.05, 0.08], [-0.05, -0.08]];
 
-/// Plate with three pads on three spheres, loaded off its centre; the spheres are lower by `sink`
-/// m.
+/// Creates a plate with three pads on three spheres, loaded eccentrically; the spheres are lowered
+/// by `sink` m.
 fn tripod(wrench: Wrench, sink: f64) -> (Scene, BodyId, Vec<PairId>) {
     let mut scene = Scene::default();
     let half = 0.25 * RADIUS;
@@ -131,7 +131,8 @@ fn in_space() -> AnalysisOptions {
     AnalysisOptions { fidelity: Fidelity::Solid(Template::Medium), ..AnalysisOptions::default() }
 }
 
-/// Hertz (Johnson, Contact Mechanics, eqs. 4.22 to 4.24): peak pressure and approach of a sphere on a plane.
+/// Returns Hertz's peak pressure and approach of a sphere on a plane (Johnson, Contact Mechanics,
+/// eqs. 4.22 to 4.24).
 fn hertz(force: f64) -> [f64; 2] {
     let modulus = 0.5 * MODULUS;
     let half_width = (0.75 * force * RADIUS / modulus).cbrt();
@@ -166,7 +167,7 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
         assert!((solved.row.outputs[foot].value / pressure - 1.0).abs() < 0.01, "{foot}");
         assert!((sunk / approach - 1.0).abs() < 0.01, "{sunk} {approach}");
     }
-    // The contact forces on the plate balance its load; over all bodies they vanish.
+    // The contact forces on the plate balance its load; over all bodies they sum to zero.
     let mut total = [0.0; 6];
     for body in 0..scene.bodies.len() {
         let wrench = steps.system().contact_force(step, BodyId(body));
@@ -189,8 +190,8 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
     }
 }
 
-/// The line load of a Hertzian contact of radius a under F is 3 F / 4 a in its middle: the integral
-/// of half an ellipsoid across.
+/// The line load of Hertz's contact with radius a under the force F is 3 F / 4 a at its centre:
+/// half an ellipsoid, integrated across.
 #[test]
 fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     let (down, sink) = (-3000.0, 1e-5);
@@ -208,7 +209,7 @@ fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
     let slices: f64 = contact.slices().iter().map(|slice| slice.force).sum();
     assert!((slices / contact.force() - 1.0).abs() < 1e-12);
-    // Cells are rectangles: pressure times area adds up to the force.
+    // Cells are rectangles: the sum of pressures times areas is the force.
     let fields = at.fields();
     assert_eq!(fields.contacts.len(), 3);
     let area = |[a, b, _, d]: [[f64; 3]; 4]| {
@@ -218,8 +219,8 @@ fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     };
     let cells = fields.contacts[2].cells.iter().map(|cell| cell.pressure * area(cell.corners));
     assert!((cells.sum::<f64>() / contact.force() - 1.0).abs() < 1e-9);
-    // The support reaction of a sphere is its contact force; the plate is free in z without other
-    // forces.
+    // The support of a sphere carries its contact force; the plate is free in z and has no other
+    // load.
     let sphere = contact.bodies()[0];
     assert!((at.support(sphere)[2] / contact.force() - 1.0).abs() < 1e-9);
     assert!(at.support(plate)[2].abs() < 1e-9 * down.abs());
@@ -234,7 +235,7 @@ fn held_bodies_that_overlap_press_on_each_other() {
     let positions = [Position::at(0.0)];
     let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("nothing is free");
     let solved = steps.next().expect("a position").expect("it can be solved");
-    // Convert the approach to the force and back.
+    // Computes the force from the approach, and the approach from the force.
     let force = 4.0 / 3.0 * 0.5 * MODULUS * (RADIUS * 1e-6_f64.powi(3)).sqrt();
     let [pressure, approach] = hertz(force);
     assert!((approach / 1e-6 - 1.0).abs() < 1e-12);

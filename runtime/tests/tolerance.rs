@@ -1,5 +1,5 @@
-//! Tests of tolerance searches for a roller between plates, whose levels and meshes are cheap:
-//! chosen setting, true error, and unattainable tolerances.
+//! Tests of tolerances for a roller between plates, whose fidelity levels and meshes are cheap: the
+//! selected setting, its actual error, and unattainable tolerances.
 
 use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
 use calyx_runtime::cache::{Key, OperatorCache};
@@ -24,7 +24,7 @@ const RADIUS: f64 = 0.02;
 const WIDTH: f64 = 0.01;
 const DISC: Disc = Disc::new(RADIUS, WIDTH, Material::STEEL);
 
-/// Disc that records the options of its builds.
+/// Disc that records the options with which it was built.
 #[derive(Default)]
 struct Counted {
     built: Mutex<Vec<StructureOptions>>,
@@ -55,8 +55,8 @@ impl Prototype for Counted {
     }
 }
 
-/// Roller pressed on another by a plate of some length: displacement of the plate, and largest
-/// pressure.
+/// Creates a roller that a plate of some length presses on another plate, with outputs for the
+/// plate's displacement and the largest pressure.
 fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
     let roller: Arc<Counted> = Arc::default();
     let at = |y: f64| SteadyRotation::at_rest([0.0, y]);
@@ -72,7 +72,7 @@ fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
     scene.add_pair(SurfacePair::new([disc, table], [Disc::BOTTOM, Platen::SURFACE]));
     let outputs = vec![
         OutputRequest::observing("approach", scene.add_observable(Displacement(press, 1))),
-        // The patch ends at the end of the plate.
+        // On a contact patch that ends with the plate.
         match plate < LONG {
             true => OutputRequest::observing("pressure", scene.add_observable(MaxEdgePressure(pressed))),
             false => OutputRequest::observing("pressure", scene.add_observable(MaxContactPressure(pressed))),
@@ -83,7 +83,7 @@ fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
 
 const LONG: f64 = 2.0 * RADIUS;
 
-/// Rollers are condensed once for all tests except those that count.
+/// Structure cache of all tests except those that count structures.
 static ROLLERS: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(1 << 30)));
 
 fn from(fidelity: Fidelity) -> AnalysisOptions {
@@ -91,14 +91,14 @@ fn from(fidelity: Fidelity) -> AnalysisOptions {
     AnalysisOptions { fidelity, resources, ..AnalysisOptions::default() }
 }
 
-/// Values at the only position.
+/// Returns the values at the only position.
 fn values(result: &AnalysisResult) -> Vec<f64> {
     result.rows[0].outputs.iter().map(|output| output.value).collect()
 }
 
-/// Rigid bodies do not approach, and a disc has neither a closed-form nor a three-dimensional
-/// model, so only a plane mesh suffices. For any tolerance the true error of the chosen setting is
-/// at most twice the tolerance, and a smaller tolerance needs a more expensive setting.
+/// Rigid bodies have no approach, and a disc has neither a closed form nor a 3-D model: only a
+/// plane mesh meets a tolerance. The actual error of the selected setting is at most twice the
+/// tolerance, the accuracy of the estimates; a tighter tolerance requires more effort.
 #[test]
 fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
     let (mut scene, outputs, _) = squeezed(LONG);
@@ -131,8 +131,8 @@ fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
     assert!(effort[1] > effort[0], "{effort:?}");
 }
 
-/// Rigid plates show no deflection of a roller. Without another level for an error estimate, the
-/// rigid level is not chosen.
+/// A rigid roller has no displacement: without another level that estimates the error, this level
+/// is not selected.
 #[test]
 fn a_level_that_nothing_judges_is_not_taken() {
     let (scene, outputs, _) = squeezed(LONG);
@@ -157,9 +157,9 @@ fn no_structure_is_condensed_twice() {
     }
 }
 
-/// The pressure under the end of a short plate is infinite, and a tolerance of 1e-9 is beyond any
-/// grid. Either is detected before anything expensive is tried, and the results are the best so
-/// far, marked as such.
+/// The pressure under the end of a short plate is infinite, and a tolerance of 1e-9 exceeds the
+/// accuracy of every grid. Both are detected before expensive settings are tried, and the results
+/// are the best so far, marked as missing the tolerance.
 #[test]
 fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
     for (plate, tolerance) in [(1e-4, 0.01), (LONG, 1e-9)] {
@@ -186,7 +186,7 @@ fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
     }
 }
 
-/// An observer can end the run at any level.
+/// An observer can end the search at any fidelity level.
 #[test]
 fn an_observer_ends_the_search() {
     struct Full;
@@ -202,7 +202,7 @@ fn an_observer_ends_the_search() {
     let at = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Position::at);
     let ended = quasi_static_within(0.05, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut Full);
     assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
-    // An interrupt can, too.
+    // So can an interrupt.
     let stopped = Interrupt::new(|| Err(EngineError::new("E0704", "the run was cancelled", "")));
     let resources = Resources { interrupt: stopped, ..Resources::default() };
     let options = AnalysisOptions { resources, ..from(Fidelity::Rigid) };
@@ -210,7 +210,7 @@ fn an_observer_ends_the_search() {
     assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
 }
 
-/// Counts its events, and interrupts a search once there are results.
+/// Observer that counts its events, and interrupts a search after the first results.
 struct Ending {
     ended: Arc<AtomicBool>,
     steps: Vec<(usize, f64)>,
@@ -230,7 +230,7 @@ impl Observer for Ending {
                 self.ended.fetch_or(finite, Ordering::Relaxed);
             }
             Event::Step { index, solved, .. } => {
-                // An observer that writes positions restarts at the first.
+                // A new list of positions replaces the earlier one.
                 self.steps.truncate(index);
                 self.steps.push((index, solved.row.position.time));
             }
@@ -240,7 +240,7 @@ impl Observer for Ending {
     }
 }
 
-/// No results are lost: the best results are returned, and observers have received their positions.
+/// A cancelled search returns its best results, and observers have received their positions.
 #[test]
 fn a_search_that_is_ended_has_the_best_results() {
     let (scene, outputs, _) = squeezed(LONG);

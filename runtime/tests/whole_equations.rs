@@ -1,10 +1,10 @@
-//! Comparison with the full discretized equations (report 2.10 to 2.15). A moment drives a tooth of
-//! a ring against a rigid roller: computed by component modes with the residual flexibility, and by
-//! Newmark's method for every DOF of the whole ring's mesh.
+//! Reference solution by the full discretised equations (report 2.10 to 2.15). A moment drives a
+//! tooth of a toothed ring against a rigid roller. The test compares the engine, with component
+//! modes and residual flexibility, with Newmark's method for all unknowns of the whole ring's mesh.
 //!
-//! Mesh, contact cells and their static compliance are shared. Mass and stiffness matrices, the
-//! solution and the search for the active set are independent. In a second test the ring rotates,
-//! which affects its vibration.
+//! Both share the mesh, the contact cells and their static compliance. The reference has its own
+//! mass and stiffness matrices, solver and contact algorithm. In a second test the ring rotates, so
+//! that its vibration has gyroscopic and centrifugal terms.
 
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
@@ -40,13 +40,13 @@ const TEETH: u32 = 5;
 const WIDTH: f64 = 0.01;
 const BORE: f64 = 0.0375;
 const ROOT: f64 = 0.045;
-/// Ends of a flank, on the side of the tooth on the x axis that faces y.
+/// End points of a flank, on the positive y side of the tooth on the x axis, m.
 const FLANK: [[f64; 2]; 2] = [[0.0575, 0.012], [0.08, 0.007]];
 const ROLLER: f64 = 0.02;
 /// Width of the contact grid, m, and its number of cells.
 const GRID: f64 = 6e-4;
 const CELLS: usize = 17;
-/// Stiffness of the bearing, N/m, and additional moment of inertia, kg m².
+/// Stiffness of the bearing, N/m, and added moment of inertia, kg m².
 const SUPPORT: f64 = 2e8;
 const ADDED: f64 = 1e-4;
 /// Moment, N m, and its rise time, s.
@@ -62,7 +62,7 @@ fn moment(time: f64) -> f64 {
     MOMENT * passed * passed * (3.0 - 2.0 * passed)
 }
 
-/// One sector of the ring, or all of them.
+/// Meshes one sector of the ring, or all of them.
 fn mesh(sectors: u32) -> PlaneModel {
     let mut builder = MeshBuilder::new();
     let (half_pitch, half_tooth) = (PI / f64::from(TEETH), 0.3);
@@ -174,7 +174,7 @@ impl Prototype for Roller {
     }
 }
 
-/// Ring supported at its bore.
+/// Ring, supported at its bore.
 struct Toothed {
     inertia: Inertia,
 }
@@ -231,7 +231,7 @@ impl Prototype for Toothed {
     }
 }
 
-/// Position of the roller: it touches the flank in the middle.
+/// Returns the position of the roller, which touches the flank at its centre.
 fn roller() -> ([f64; 2], f64) {
     let s = 0.55 * Flank.length();
     let ProfilePoint { position, normal, .. } = Flank.at(s);
@@ -242,7 +242,7 @@ fn roller() -> ([f64; 2], f64) {
 /// flank (N), step by step.
 type Motion = Vec<[f64; 4]>;
 
-/// Solution of the engine, with the modes of the ring up to a frequency (Hz).
+/// Solves with the engine, with the modes of the ring up to a frequency (Hz).
 fn by_modes(inertia: Inertia, highest_frequency: f64) -> Motion {
     let mut scene = Scene::default();
     let ring = Body::new("ring", Arc::new(Toothed { inertia }), SteadyRotation::at_rest([0.0; 2]))
@@ -288,7 +288,7 @@ fn by_modes(inertia: Inertia, highest_frequency: f64) -> Motion {
 /// which the bore follows.
 struct Whole {
     model: PlaneModel,
-    /// Each DOF of the mesh in terms of the unknowns.
+    /// Expression of each degree of freedom of the mesh by the unknowns.
     seen: Vec<Vec<(usize, f64)>>,
     count: usize,
 }
@@ -313,7 +313,7 @@ impl Whole {
         Whole { model, seen, count: 2 * free + 3 }
     }
 
-    /// Inertia of the mesh about the frame, per metre: mass and polar moment.
+    /// Returns the inertia of the mesh about the frame: mass and polar moment of inertia.
     fn inertia(&self) -> Inertia {
         let mass = self.model.mass();
         let [along, _, around] = self.model.rigid_body_modes();
@@ -324,7 +324,7 @@ impl Whole {
         WIDTH * Inertia::axial(of(&along), of(&around), 0.0)
     }
 
-    /// Transforms a matrix of the mesh to the unknowns, and adds that of the frame.
+    /// Returns a matrix of the mesh in the unknowns, with additional diagonal entries of the frame.
     fn reduced(&self, matrix: &SparseColMat<usize, f64>, frame: [f64; 3]) -> BTreeMap<(usize, usize), f64> {
         let mut entries = BTreeMap::new();
         for entry in matrix.triplet_iter() {
@@ -347,7 +347,7 @@ impl Whole {
     }
 }
 
-/// Columns from rows of the mesh's DOFs.
+/// Returns the columns of displacement rows of the mesh.
 fn columns(rows: &[SparseVector], count: usize, seen: impl Fn(usize) -> Vec<(usize, f64)>) -> Mat<f64> {
     let mut columns = Mat::zeros(count, rows.len());
     for (column, row) in rows.iter().enumerate() {
@@ -358,7 +358,7 @@ fn columns(rows: &[SparseVector], count: usize, seen: impl Fn(usize) -> Vec<(usi
     columns
 }
 
-/// Contact forces that keep gaps from closing, by the Gauss-Seidel method.
+/// Computes contact forces by the projected Gauss-Seidel method.
 fn pressed(compliance: &Mat<f64>, gaps: &[f64], forces: &mut [f64]) {
     for _ in 0..10_000 {
         let mut change = 0.0_f64;
@@ -375,7 +375,7 @@ fn pressed(compliance: &Mat<f64>, gaps: &[f64], forces: &mut [f64]) {
     panic!("cells do not settle");
 }
 
-/// Solution with all unknowns of the mesh.
+/// Solves with all unknowns of the mesh.
 fn by_all_unknowns(whole: &Whole) -> Motion {
     let (model, count) = (&whole.model, whole.count);
     let (stiffness, mass) = (model.stiffness(), model.mass());
@@ -383,7 +383,7 @@ fn by_all_unknowns(whole: &Whole) -> Motion {
     let k = whole.reduced(&stiffness, [support, support, 0.0]);
     let m = whole.reduced(&mass, [0.0, 0.0, ADDED / WIDTH]);
 
-    // Cells along the flank, their gaps to the roller, and the loads that they take.
+    // Cells along the flank with their gaps to the roller and their displacement rows.
     let (center, middle) = roller();
     let cell = |i: usize| [i, i + 1].map(|end| middle + GRID * (end as f64 / CELLS as f64 - 0.5));
     let places: Vec<f64> = (0..CELLS).map(|i| 0.5 * (cell(i)[0] + cell(i)[1])).collect();
@@ -406,8 +406,9 @@ fn by_all_unknowns(whole: &Whole) -> Motion {
         })
         .collect();
 
-    // The effective matrix of the step replaces the stiffness of the supported ring in the
-    // compliance of the cells. The rest of the compliance is near the cells and static.
+    // In the compliance between cells, the effective stiffness of a time step replaces the static
+    // stiffness of the supported ring. The part that the mesh does not resolve is local to the
+    // cells, and static.
     let structure = structure();
     let chart = Chart { tooth: 0, surface: 0 };
     let mut statics = vec![0.0; CELLS * CELLS];
@@ -463,7 +464,7 @@ fn by_all_unknowns(whole: &Whole) -> Motion {
     motion
 }
 
-/// Largest difference of each component, relative to its largest value.
+/// Returns the largest difference of each component, relative to its largest value.
 fn differences(found: &Motion, expected: &Motion) -> [f64; 4] {
     assert_eq!(found.len(), expected.len());
     std::array::from_fn(|what| {
@@ -480,11 +481,11 @@ fn modes_and_residual_flexibility_answer_as_all_unknowns_of_the_mesh_do() {
     let with_modes = differences(&by_modes(whole.inertia(), 100e3), &expected);
     let rigid = differences(&by_modes(whole.inertia(), 0.0), &expected);
     assert!(with_modes.iter().all(|difference| *difference < 0.01), "{with_modes:?}");
-    // The ring's own vibration is a significant part.
+    // The vibration of the ring itself is significant.
     assert!(rigid[3] > 0.03, "{rigid:?}");
 }
 
-/// Angular velocity of the rotating ring, rad/s, and force on its frame after a rise, N.
+/// Speed of the rotating ring, rad/s, and force on its frame after a rise, N.
 const SPEED: f64 = 2500.0;
 const FORCE: f64 = 1e4;
 
@@ -492,7 +493,8 @@ fn force(time: f64) -> f64 {
     FORCE / MOMENT * moment(time)
 }
 
-/// Path of the frame of a rotating ring without contact in ground coordinates, m: with its modes.
+/// Returns the path of the frame of a rotating ring without contact in the inertial frame, m,
+/// computed with its modes.
 fn turning_by_modes(inertia: Inertia, speed: f64) -> Vec<[f64; 2]> {
     let mut scene = Scene::default();
     let motion = SteadyRotation { origin: [0.0; 2], start: 0.0, speed };
@@ -525,8 +527,8 @@ fn turning_by_modes(inertia: Inertia, speed: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Path with all unknowns in rotating axes: `M (w'' + 2 W e3 x w' - W² w) + K w = f`. The
-/// centrifugal expansion is omitted, because it does not move the frame.
+/// Computes the same path with all unknowns in a rotating frame: `M (w'' + 2 W e3 x w' - W² w) + K
+/// w = f`. Omits the static centrifugal expansion, which does not move the frame.
 fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
     let (stiffness, mass) = (whole.model.stiffness(), whole.model.mass());
     let across: Vec<_> = mass
@@ -564,8 +566,8 @@ fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
         let begun = &v + (1.0 - gamma) * STEP * &a;
         let (sin, cos) = (speed * time).sin_cos();
         let mut end = &v + STEP * &a;
-        // Iterate on the velocities at the end of the step, on which the Coriolis terms of the
-        // frame's motion depend.
+        // Fixed-point iteration on the velocities at the end of the step, which determine the
+        // gyroscopic forces.
         for _ in 0..4 {
             let mut load = -(&k * &ahead) - 2.0 * speed * (&coriolis * &end);
             load[(count - 3, 0)] += cos * force(time) / WIDTH;
@@ -595,8 +597,9 @@ fn a_ring_that_turns_feels_it_as_all_unknowns_of_the_mesh_do() {
     let most = |path: &[[f64; 2]]| path.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
     let rest = most(&less(&at_rest, &expected_at_rest)) / most(&expected_at_rest);
     assert!(rest < 1e-3, "{rest:e}");
-    // Rotation changes the path of so stiff a ring only slightly. The changes agree except for the
-    // neglected terms: softening of the modes by rotation, and the omitted modes.
+    // Rotation changes the path of such a stiff ring only slightly. This change agrees except for
+    // the effects that the modal model omits: centrifugal softening of the modes, and modes above
+    // the frequency limit.
     let (felt, meant) = (less(&by_modes, &at_rest), less(&expected, &expected_at_rest));
     let off = most(&less(&felt, &meant)) / most(&meant);
     assert!(off < 0.12, "{off:e}");

@@ -1,32 +1,35 @@
-//! Markdown documents with programs in them: the language corpus and the reference.
+//! Parser of Markdown documents with programs: the language corpus and the reference.
 //!
 //! Fenced blocks:
-//! - `cx` is a model without any diagnostic, except those that its comments `//~ CODE part of the message` expect on
-//!   their line (`//~^` on the line above, `//~ elsewhere CODE ...` in another file);
-//! - `cx fragment` is the same, and unused variables pass;
-//! - `cx module NAME` is a file `NAME.cx` that all models of the document may import, `file NAME` any other file;
-//! - after a model, in any order: `types` of what it declares at its top level, `diagnostic`s as people see them, the
-//!   `text` it prints and the `error` it ends with, run by the interpreter and as machine code.
+//! - `cx` is a model without diagnostics, except those expected by comments: `//~ CODE part of the
+//!   message` on the same line, `//~^` for the line above, `//~ elsewhere CODE ...` for another
+//!   file;
+//! - `cx fragment` is the same, but allows unused variables;
+//! - `cx module NAME` is a file `NAME.cx` that all models of the document may import, `file NAME`
+//!   any other file;
+//! - after a model, in any order: the `types` of its top-level declarations, its `diagnostic`s as
+//!   shown to users, the `text` that it prints and the `error` that it ends with, in the
+//!   interpreter and as machine code.
 
 use std::fs;
 use std::path::Path;
 
-/// What stands between two fences.
+/// Fenced block.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// Line of the document its text begins on, from 1.
+    /// Line in the document on which its text begins, from 1.
     pub line: usize,
-    /// What stands after the opening fence.
+    /// Info string after the opening fence.
     pub kind: String,
     pub text: String,
 }
 
-/// A model and what is expected of it.
+/// Model with its expected results.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The heading it stands under; the second model under a heading has `(2)` added.
+    /// Heading of the section; the second model of a section has the suffix `(2)`.
     pub heading: String,
-    /// The heading as it is linked to.
+    /// Anchor of the heading.
     pub anchor: String,
     pub model: Block,
     pub expected: Vec<Block>,
@@ -37,30 +40,30 @@ impl Case {
         self.expected.iter().find(|block| block.kind == kind)
     }
 
-    /// Unused variables pass.
+    /// Returns true if unused variables are allowed.
     pub fn is_fragment(&self) -> bool {
         self.model.kind == "cx fragment"
     }
 }
 
-/// A document, taken apart.
+/// Parsed document.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// As messages name it.
+    /// Name in messages.
     pub name: String,
     pub text: String,
     pub cases: Vec<Case>,
-    /// Files beside the models: name and text.
+    /// Other files: name and text.
     pub files: Vec<(String, String)>,
 }
 
 const EXPECTATIONS: [&str; 4] = ["types", "diagnostic", "text", "error"];
 
 impl Document {
-    /// Reads a document; `name` is how messages name it.
+    /// Reads a document; `name` is its name in messages.
     ///
     /// # Panics
-    /// If it cannot be read, a block is not closed or a block of expectations follows no model.
+    /// If it cannot be read, a block is not closed, or a block of expectations follows no model.
     pub fn read(path: &Path, name: &str) -> Document {
         let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         Document::new(name, text)
@@ -97,7 +100,7 @@ impl Document {
         document
     }
 
-    /// Adds a block; `heading` is the one above it, with the number of models under it so far.
+    /// Adds a block; `heading` is the current one, with the number of models in its section so far.
     fn add(&mut self, block: Block, (heading, count): &mut (String, usize)) {
         if let Some(module) = block.kind.strip_prefix("cx module ") {
             self.files.push((format!("{}.cx", module.replace('.', "/")), block.text));
@@ -120,7 +123,7 @@ impl Document {
         }
     }
 
-    /// The document with other texts in some of its blocks.
+    /// Returns the document with some of its blocks replaced.
     pub fn with_blocks_replaced(&self, replacements: &[(Block, String)]) -> String {
         let mut lines: Vec<&str> = self.text.lines().collect();
         let mut sorted: Vec<&(Block, String)> = replacements.iter().collect();
@@ -133,7 +136,8 @@ impl Document {
     }
 }
 
-/// A heading as Markdown viewers link to it: small letters, blanks as hyphens, no punctuation.
+/// Returns the anchor of a heading in Markdown viewers: lower case, hyphens for blanks, no
+/// punctuation.
 pub fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
     kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()

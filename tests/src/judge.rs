@@ -1,4 +1,5 @@
-//! Judges a case of a document: compiles the model, compares its diagnostics, types, and what it prints both ways.
+//! Evaluation of a case of a document: compiles the model, compares its diagnostics and types, and
+//! its output in both evaluators.
 
 use crate::document::{Block, Case, Document};
 use calyx::rt::apply;
@@ -14,24 +15,24 @@ use std::fs;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
-/// What became of a case.
+/// Result of a case.
 #[derive(Debug, Default)]
 pub struct Judgement {
-    /// Line of the document and what is wrong there.
+    /// Problems with their lines in the document.
     pub problems: Vec<(usize, String)>,
-    /// Blocks of expectations that differ, with what they would have to say.
+    /// Blocks of expectations that differ, with the actual text.
     pub differing: Vec<(Block, String)>,
-    /// Codes of the diagnostics it gave.
+    /// Codes of the diagnostics of the case.
     pub codes: Vec<String>,
-    /// Rules of type inference that it made use of.
+    /// Rules of type inference that the case applied.
     pub rules: BTreeSet<Rule>,
-    /// The program, if it has no errors of the language.
+    /// Program, if it has no errors of the language.
     pub program: Option<Program>,
-    /// It was run, both ways, and did what is expected.
+    /// True if both evaluators ran the case with the expected results.
     pub ran: bool,
 }
 
-/// Writes the files of a document into a folder, for its models to find.
+/// Writes the files of a document into the directory of its models.
 ///
 /// # Panics
 /// If a file cannot be written.
@@ -43,7 +44,7 @@ pub fn write_files(document: &Document, folder: &Path) {
     }
 }
 
-/// Judges a case, in a folder with the document's files.
+/// Evaluates a case, in a directory with the document's files.
 ///
 /// # Panics
 /// If the model cannot be written there.
@@ -77,7 +78,7 @@ pub fn judge(case: &Case, folder: &Path) -> Judgement {
         judgement.problems.push((case.model.line, "it is not run, it has errors".into()));
         return judgement;
     };
-    // What goes wrong at the defaults is known already and was expected; it shall happen now.
+    // Errors at the defaults are known and expected; the run must produce them now.
     checked.diagnostics.clear();
     let files = checked.files.clone();
     let interpreted = Interpreted::new(&program, Purity::Effect).expect("the interpreter");
@@ -105,7 +106,7 @@ impl Judgement {
     }
 }
 
-/// What a program prints at default params, and the error it ends with.
+/// Returns the output of a program at its default params, and the error that it ends with.
 fn run(program: &dyn calyx::rt::Program) -> (String, Option<RuntimeError>) {
     let printed = Arc::new(Mutex::new(String::new()));
     let mut context = Context::new(Box::new(ModelHost::default()));
@@ -122,10 +123,10 @@ fn run(program: &dyn calyx::rt::Program) -> (String, Option<RuntimeError>) {
     (text, result.err())
 }
 
-/// Calls of a run-time error that are compared.
+/// Number of calls of a run-time error that are compared.
 const MOST_CALLS: usize = 5;
 
-/// A run-time error in a form that is easily compared: code, message, place and the calls that led there.
+/// Describes a run-time error for comparison: code, message, location and call stack.
 fn described(error: &RuntimeError, files: &[SourceFile]) -> String {
     let mut text = format!("{}: {}\n", error.code, error.message);
     let at = |(file, start, _): (u32, u32, u32)| {
@@ -137,7 +138,7 @@ fn described(error: &RuntimeError, files: &[SourceFile]) -> String {
     if let Some(place) = error.place.and_then(at) {
         text.push_str(&format!("at {place}\n"));
     }
-    // As many as people are shown.
+    // As many calls as users are shown.
     for call in error.details.calls.iter().take(MOST_CALLS) {
         let place = at(call.place).unwrap_or_default();
         text.push_str(&format!("in `{}`, called at {place}\n", call.function));
@@ -149,16 +150,16 @@ fn line_of(text: &str, offset: u32) -> usize {
     text.bytes().take(offset as usize).filter(|b| *b == b'\n').count()
 }
 
-/// An expectation written in a comment of a model.
+/// Expectation in a comment of a model.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Mark<'t> {
-    /// Line of the model the diagnostic points to, from 0; `None` is another file.
+    /// Line of the model that the diagnostic refers to, from 0; `None` is another file.
     pub line: Option<usize>,
     pub code: &'t str,
     pub message: &'t str,
 }
 
-/// The expectations of a model.
+/// Returns the expectations of a model.
 pub fn marks(model: &str) -> Vec<Mark<'_>> {
     let of_line = |(index, line)| {
         let marks: Vec<Mark> = str::split(line, "//~")
@@ -178,7 +179,7 @@ pub fn marks(model: &str) -> Vec<Mark<'_>> {
     model.lines().enumerate().flat_map(of_line).collect()
 }
 
-/// Expectations of a case that were not met, and diagnostics that it does not expect.
+/// Returns unmet expectations of a case, and unexpected diagnostics.
 fn unexpected(case: &Case, diagnostics: &[Diagnostic]) -> Vec<(usize, String)> {
     let text = &case.model.text;
     let mut left: Vec<&Diagnostic> = diagnostics.iter().collect();
@@ -209,14 +210,14 @@ fn unexpected(case: &Case, diagnostics: &[Diagnostic]) -> Vec<(usize, String)> {
     problems
 }
 
-/// Diagnostics as people see them, but for blanks at the ends of lines.
+/// Renders diagnostics as for users, without trailing blanks.
 fn shown(checked: &Checked) -> String {
     let mut renderer = Renderer::new(&checked.files, Colour::Never);
     let text: String = checked.diagnostics.iter().map(|diagnostic| renderer.text(diagnostic)).collect();
     text.lines().map(|line| format!("{}\n", line.trim_end())).collect()
 }
 
-/// What was expected and found, line by line: common lines indented, the others marked.
+/// Compares expected and actual text line by line: common lines are indented, others marked.
 pub fn difference(expected: &str, found: &str) -> String {
     let (old, new): (Vec<&str>, Vec<&str>) = (expected.lines().collect(), found.lines().collect());
     let start = old.iter().zip(&new).take_while(|(a, b)| a == b).count();
@@ -227,14 +228,14 @@ pub fn difference(expected: &str, found: &str) -> String {
     };
     let removed = lines("-", &old_rest[..old_rest.len() - end]);
     let added = lines("+", &new_rest[..new_rest.len() - end]);
-    // Two common lines before and after show where it is.
+    // Two lines of context before and after.
     let before = lines(" ", &old[start.saturating_sub(2)..start]);
     let after = lines(" ", &old_rest[old_rest.len() - end..][..end.min(2)]);
     format!("{before}{removed}{added}{after}")
 }
 
-/// Errors of the text, whose message says what is expected, and failed assertions and thrown errors, whose message is the
-/// model's own.
+/// Returns true for errors that need no help: syntax errors, whose message states what is expected,
+/// and failed assertions and thrown errors, whose message is the model's.
 fn is_evident(code: &str) -> bool {
     code.starts_with("E01") || ["E0705", "E0720"].contains(&code)
 }

@@ -1,4 +1,4 @@
-//! Helpers for the tests that cross crates.
+//! Helpers of the tests that involve several crates.
 
 pub mod coverage;
 pub mod document;
@@ -8,12 +8,12 @@ pub mod plots;
 
 use std::path::PathBuf;
 
-/// The root of the workspace.
+/// Returns the root of the workspace.
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// Whether snapshots are to be rewritten instead of compared: `CALYX_BLESS=1 cargo test`.
+/// Returns true if snapshots are rewritten instead of compared: `CALYX_BLESS=1 cargo test`.
 pub fn blessing() -> bool {
     std::env::var_os("CALYX_BLESS").is_some()
 }

@@ -1,23 +1,23 @@
-//! The graph of modules of a crate, read from its source: which module names another one.
+//! Dependency graph of the modules of a crate, read from its source.
 //!
-//! Paths are read from `use` declarations and from expressions, and re-exports of a parent are followed
-//! to the child that they come from. Tests do not count.
+//! The graph contains paths of `use` declarations and of expressions. Re-exports of a parent are
+//! resolved to the child that defines the item. Tests are ignored.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// A module by the names of its parents and its own, from the root of the crate.
+/// Path of a module from the root of the crate.
 type Module = Vec<String>;
 
-/// A path as it is written: its segments, and the name under which a `use` declaration brings it in.
+/// Path as written: its segments, and the name that a `use` declaration binds.
 struct Written {
     segments: Vec<String>,
     alias: String,
-    /// True if it is a `pub use`, of any visibility.
+    /// True for `pub use`, with any visibility.
     exported: bool,
 }
 
-/// Source of a module.
+/// Items and paths of a module.
 #[derive(Default)]
 struct Source {
     paths: Vec<Written>,
@@ -29,21 +29,22 @@ struct Source {
 pub struct Modules(BTreeMap<Module, Source>);
 
 impl Modules {
-    /// Reads the modules of the crate with this folder of source.
+    /// Reads the modules of the crate with this source directory.
     pub fn of(source: &Path) -> Modules {
         let mut modules = BTreeMap::new();
         read(&source.join("lib.rs"), source, Vec::new(), &mut modules);
         Modules(modules)
     }
 
-    /// Items that the root of the crate defines instead of its modules, but for constants.
+    /// Returns items other than constants that the root of the crate defines itself.
     pub fn items_of_root(&self) -> Vec<&str> {
         self.0
             .get(&Module::new())
             .map_or_else(Vec::new, |root| root.items.iter().map(String::as_str).collect())
     }
 
-    /// Circles among modules that have one parent, each as the names of its modules.
+    /// Returns dependency cycles among modules with the same parent, each as the names of its
+    /// modules.
     pub fn circles(&self) -> Vec<String> {
         let parents: BTreeSet<&[String]> =
             self.0.keys().filter_map(|module| module.split_last()).map(|(_, parent)| parent).collect();
@@ -55,7 +56,7 @@ impl Modules {
         parents.into_iter().flat_map(below).collect()
     }
 
-    /// Which children of a module name which others of them.
+    /// Returns the dependencies among the children of a module.
     fn edges(&self, parent: &[String]) -> BTreeMap<String, BTreeSet<String>> {
         let mut edges: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let children =
@@ -73,7 +74,7 @@ impl Modules {
         edges
     }
 
-    /// The module that a path names, or that has the item that it names; `None` of another crate's.
+    /// Returns the module that a path refers to, or that defines its item; `None` for other crates.
     fn resolved(&self, within: &Module, path: &[String]) -> Option<Module> {
         let (mut module, mut rest): (Module, &[String]) = match path.first()?.as_str() {
             "crate" => (Vec::new(), &path[1..]),
@@ -88,7 +89,7 @@ impl Modules {
             module.pop();
             rest = &rest[1..];
         }
-        // Re-exports may lead from one module to the next.
+        // A re-export may refer to another one.
         for _ in 0..8 {
             let Some(name) = rest.first() else { return Some(module) };
             let child = [module.as_slice(), std::slice::from_ref(name)].concat();
@@ -110,7 +111,7 @@ impl Modules {
     }
 }
 
-/// Strongly connected parts of more than one node, by reachability.
+/// Returns strongly connected components of more than one node, by reachability.
 fn circles(edges: &BTreeMap<String, BTreeSet<String>>) -> Vec<Vec<String>> {
     let reached = |from: &String| {
         let (mut found, mut next) = (BTreeSet::new(), vec![from]);
@@ -147,7 +148,7 @@ fn read(file: &Path, folder: &Path, module: Module, into: &mut BTreeMap<Module, 
     }
 }
 
-/// Splits Rust into words, `::` and single characters; comments, texts and lifetimes are left out.
+/// Splits Rust into words, `::` and single characters, without comments, literals and lifetimes.
 fn tokens(text: &str) -> Vec<String> {
     let bytes = text.as_bytes();
     let (mut tokens, mut at) = (Vec::new(), 0);
@@ -199,7 +200,7 @@ fn tokens(text: &str) -> Vec<String> {
 /// Keywords before the name of an item.
 const DEFINES: [&str; 7] = ["struct", "enum", "trait", "fn", "type", "union", "static"];
 
-/// Collects paths, the names of items, and child modules in files of their own.
+/// Collects paths, the names of items, and child modules in separate files.
 fn items(tokens: &[String], source: &mut Source, children: &mut Vec<String>) {
     let word = |at: usize| tokens.get(at).map_or("", String::as_str);
     let (mut at, mut depth, mut exported) = (0, 0_usize, false);
@@ -253,7 +254,7 @@ fn is_name(token: &str) -> bool {
     token.starts_with(|first: char| first == '_' || first.is_alphabetic())
 }
 
-/// Where the bracket that opens at a token is closed: behind it.
+/// Returns the index after the bracket that closes an opening one.
 fn closed(tokens: &[String], open: usize) -> usize {
     let mut depth = 0_usize;
     for (at, token) in tokens.iter().enumerate().skip(open) {
@@ -269,7 +270,7 @@ fn closed(tokens: &[String], open: usize) -> usize {
     tokens.len()
 }
 
-/// Where the item at a token ends: behind its `;` or its braces.
+/// Returns the index after the `;` or the braces of the item at a token.
 fn behind_item(tokens: &[String], from: usize) -> usize {
     let mut at = from;
     while at < tokens.len() {
@@ -283,7 +284,7 @@ fn behind_item(tokens: &[String], from: usize) -> usize {
     at
 }
 
-/// The paths of a tree of a `use` declaration.
+/// Collects the paths of a tree of a `use` declaration.
 fn tree(tokens: &[String], before: &[String], exported: bool, into: &mut Vec<Written>) {
     let mut segments = before.to_vec();
     let mut at = 0;
@@ -321,7 +322,7 @@ fn tree(tokens: &[String], before: &[String], exported: bool, into: &mut Vec<Wri
 mod tests {
     use super::*;
 
-    /// Reads a crate of these files.
+    /// Reads a crate with these files.
     fn modules(files: &[(&str, &str)]) -> Modules {
         let folder = tempfile::tempdir().expect("a folder");
         for (name, text) in files {

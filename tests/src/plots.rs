@@ -1,6 +1,7 @@
-//! Pictures of runs as independent readers of VTK's files find them: vtkio in Rust, and meshio in Python.
+//! Checks of VTU files of runs by independent readers: vtkio in Rust, and meshio in Python.
 //!
-//! Without meshio that half is skipped, visibly; with `CALYX_CI_STRICT=1`, which `.ci/run` sets after having installed it, that is a failure.
+//! Without meshio, the Python part is skipped with a message; with `CALYX_CI_STRICT=1`, which
+//! `.ci/run` sets after installing meshio, it fails.
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,20 +14,21 @@ use vtkio::model::{Attribute, Attributes, CellType, DataSet, Piece, Unstructured
 /// Values by name.
 type Values = BTreeMap<String, Vec<f64>>;
 
-/// What a run has pictures of.
+/// Expected VTU files of a run.
 #[derive(Clone, Copy)]
 pub struct Expected {
     pub positions: usize,
-    /// An output asks for it.
+    /// True if an output requests root stress.
     pub stress: bool,
-    /// Bodies have meshes.
+    /// True if bodies have meshes.
     pub bodies: bool,
 }
 
-/// Reads all pictures of a run.
+/// Reads all VTU files of a run.
 ///
 /// # Panics
-/// If a file is missing, is no grid of such cells as it should have, holds what cannot be, or is another one to meshio.
+/// If a file is missing, is not a grid of the expected cells, contains implausible values, or
+/// differs in meshio.
 pub fn check(directory: &Path, expected: Expected) {
     let folder = directory.join("vtu");
     let Expected { positions, stress, bodies } = expected;
@@ -61,7 +63,7 @@ pub fn check(directory: &Path, expected: Expected) {
     check_by_meshio(&folder, &found);
 }
 
-/// A grid as vtkio finds it.
+/// Grid as read by vtkio.
 struct Grid {
     shown: String,
     points: Vec<f64>,
@@ -94,10 +96,10 @@ impl Grid {
         [0, 1, 2].map(|axis| self.points[3 * number as usize + axis])
     }
 
-    /// Contact or root stress.
+    /// Checks a grid of contact pressure or root stress.
     fn check_surfaces(&self, kind: &str) {
         let shown = &self.shown;
-        // In section a fillet is a line.
+        // In a plane model a fillet is a line.
         let count = match self.kinds.first() {
             Some(CellType::Line) if kind == "root_stress" => 2,
             _ => 4,
@@ -105,7 +107,8 @@ impl Grid {
         let kind_of_cell = if count == 2 { CellType::Line } else { CellType::Quad };
         assert!(!self.kinds.is_empty() && self.kinds.iter().all(|cell| *cell == kind_of_cell), "{shown}");
         assert_eq!(self.corners.len(), count * self.kinds.len());
-        // Quadrilaterals go round: their diagonals cross, so the area by them is no less than that of either half.
+        // Corners are in cyclic order: the diagonals cross, so the area from them is at least that
+        // of either triangle.
         for cell in self.corners.chunks(count).filter(|cell| cell.len() == 4) {
             let side = |a: usize, b: usize| minus(self.point(cell[b]), self.point(cell[a]));
             let area = |a: [f64; 3], b: [f64; 3]| 0.5 * dot(cross(a, b), cross(a, b)).sqrt();
@@ -138,7 +141,8 @@ impl Grid {
         }
     }
 
-    /// Cells are not turned over, displacements and stresses such as steel has them.
+    /// Checks that no cell is inverted, and that displacements and stresses are plausible for
+    /// steel.
     fn check_bodies(&self) {
         let (shown, points) = (&self.shown, self.points.len() / 3);
         let mut cells = &self.corners[..];
@@ -152,7 +156,7 @@ impl Grid {
             cells = rest;
             let side = |a: usize, b: usize| minus(self.point(cell[b]), self.point(cell[a]));
             let across = cross(side(0, 2), side(1, 3));
-            // In the plane looked at against the z axis.
+            // The plane as seen against the z axis.
             let up = if count == 4 { [0.0, 0.0, 1.0] } else { side(0, 4) };
             assert!(dot(across, up) > 0.0, "{shown}: a cell is turned over");
         }
@@ -189,7 +193,7 @@ fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// The Python that `.ci/programs` gave meshio, or one that has it.
+/// Returns the Python that `.ci/programs` installed meshio for, or one that has it.
 fn python_with_meshio() -> Option<PathBuf> {
     let installed = std::env::current_exe().ok()?.ancestors().nth(3)?.join("python/bin/python3");
     let has_it = |program: &PathBuf| {
@@ -199,12 +203,13 @@ fn python_with_meshio() -> Option<PathBuf> {
     [installed, "python3".into()].into_iter().find(has_it)
 }
 
-/// meshio finds the same points, cells and values in every file that the lists name.
+/// Checks that meshio reads the same points, cells and values in every file of the lists.
 fn check_by_meshio(folder: &Path, expected: &BTreeMap<String, Grid>) {
     let Some(python) = python_with_meshio() else {
         let why = "no Python has meshio; `.ci/programs` installs it";
         assert!(std::env::var_os("CALYX_CI_STRICT").is_none_or(|strict| strict != "1"), "{why}");
-        // The harness hides what a test prints while it passes, but not what is written past it.
+        // The harness captures the output macros of a passing test, but not direct writes to
+        // standard error.
         let _ = std::io::stderr().write_all(format!("SKIPPED: {why}\n").as_bytes());
         return;
     };

@@ -1,6 +1,6 @@
-"""What meshio finds in the pictures of a run, as JSON: python read_vtu.py DIRECTORY
+"""Prints the contents of the VTU files of a run as read by meshio, as JSON: python read_vtu.py DIRECTORY
 
-Reads every .vtu file that the .pvd files of the directory name, and none beside them may be left.
+Reads every .vtu file that the .pvd files of the directory list; there must be no other .vtu files.
 """
 
 import json
@@ -29,7 +29,7 @@ def described(path):
     mesh = meshio.read(path)
     corners = [block.data for block in mesh.cells]
     assert all(0 <= block.min() and block.max() < len(mesh.points) for block in corners)
-    # Of each kind of cells an array of its own.
+    # meshio returns one array per kind of cells.
     joined = {name: numpy.concatenate(blocks) for name, blocks in mesh.cell_data.items()}
     return {
         "points": numbers(mesh.points),

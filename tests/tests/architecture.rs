@@ -1,13 +1,13 @@
-//! Dependencies point in one direction. Between crates: every manifest is read, and any other
-//! dependency fails. Between the modules of a crate of the engine: the paths in its source are read,
-//! and a circle fails. Cranelift, chumsky, salsa, faer and Clarabel are named by few crates only.
-//! Every member of the workspace is listed, and every file of tests is run.
+//! Checks of the dependency structure. The manifest of every crate may contain only the permitted
+//! dependencies. The modules of each engine crate must have no dependency cycles, according to the
+//! paths in their source. Only selected crates may use Cranelift, chumsky, salsa, faer and
+//! Clarabel. Every member of the workspace is listed, and every test file is run.
 
 use calyx_tests::modules::Modules;
 use calyx_tests::root;
 use std::collections::BTreeSet;
 
-/// Crate, its manifest's folder, and the crates of ours that it may see.
+/// Crate, directory of its manifest, and the workspace crates that it may depend on.
 const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("calyx-abi", "runtime/abi", &[]),
     ("calyx-lang", "lang", &["calyx-abi"]),
@@ -65,7 +65,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("embed-rust", "examples/embed-rust", &["calyx"]),
 ];
 
-/// Crates of the engine that may compute with dense and sparse matrices.
+/// Engine crates that may use dense and sparse matrices.
 const NUMERICAL: &[&str] = &[
     "calyx-numerics",
     "calyx-fe",
@@ -76,7 +76,7 @@ const NUMERICAL: &[&str] = &[
     "calyx-analysis",
 ];
 
-/// Crates of others that only these of ours may name.
+/// External crates that only these workspace crates may use.
 const FENCED: &[(&str, &[&str])] = &[
     ("cranelift", &["calyx-codegen"]),
     ("chumsky", &["calyx-lang"]),
@@ -88,7 +88,7 @@ const FENCED: &[(&str, &[&str])] = &[
     ("tower", &["calyx-lsp"]),
 ];
 
-/// The names under `[dependencies]` (not `[dev-dependencies]`) of a manifest.
+/// Returns the names under `[dependencies]` (not `[dev-dependencies]`) of a manifest.
 fn dependencies(manifest: &str) -> BTreeSet<String> {
     let mut inside = false;
     let mut names = BTreeSet::new();
@@ -120,7 +120,7 @@ fn dependencies_go_one_way() {
     }
 }
 
-/// Folders of the crates of the engine.
+/// Returns the directories of the engine crates.
 fn engine() -> impl Iterator<Item = &'static str> {
     let folders = ALLOWED.iter().map(|(_, folder, _)| *folder);
     folders.filter(|folder| folder.starts_with("runtime") && !["runtime/abi", "runtime/rt"].contains(folder))
@@ -137,7 +137,7 @@ fn modules_of_the_engine_name_each_other_one_way() {
     assert!(circles.is_empty(), "modules that need each other:\n{}", circles.join("\n"));
 }
 
-/// An item in the root of a crate is one that every module may name and that may name every module.
+/// Every module may use an item in the root of a crate, and the item may use every module.
 #[test]
 fn roots_of_the_engine_define_nothing() {
     for folder in engine() {
@@ -174,7 +174,7 @@ fn every_member_is_listed_here() {
     }
 }
 
-/// Where the tests of a crate are one program, a file that it does not name would never run.
+/// If the tests of a crate form one program, a file that it does not list would never run.
 #[test]
 fn every_file_of_tests_is_run() {
     for folder in ["stdlib-gears", "compiler"] {

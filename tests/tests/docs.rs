@@ -1,6 +1,6 @@
 //! Checks the documentation: every relative link and anchor resolves, every page of the book is in
-//! its table of contents, every complete model on a page passes `check`, and recipes name files that
-//! exist.
+//! its table of contents, every complete model on a page passes `check`, and recipes name existing
+//! files.
 //!
 //! `compiler/tests/docs.rs` compares the output of the commands on pages of the book.
 
@@ -11,12 +11,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// The root of the repository, without `..` in its path.
+/// Returns the root of the repository, without `..` in its path.
 fn home() -> PathBuf {
     normal(&root())
 }
 
-/// Markdown files below a folder, without what package managers and builds put there.
+/// Collects Markdown files of a directory, without those of package managers and builds.
 fn markdown(folder: &Path, files: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();
@@ -29,7 +29,7 @@ fn markdown(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// Pages of the book, its table of contents excepted.
+/// Returns the pages of the book except its table of contents.
 fn pages() -> Vec<PathBuf> {
     let mut files = Vec::new();
     markdown(&home().join("docs"), &mut files);
@@ -39,7 +39,8 @@ fn pages() -> Vec<PathBuf> {
     files
 }
 
-/// Pages with links: those of the book, at the top level, of the examples and of the editors.
+/// Returns pages with links: those of the book, at the top level, of the examples and of the
+/// editors.
 fn linking() -> Vec<PathBuf> {
     let mut files = pages();
     files.push(home().join("docs/SUMMARY.md"));
@@ -53,7 +54,7 @@ fn linking() -> Vec<PathBuf> {
     files
 }
 
-/// A path without `.` and `..`.
+/// Returns a path without `.` and `..`.
 fn normal(path: &Path) -> PathBuf {
     let mut result = PathBuf::new();
     for component in path.components() {
@@ -68,7 +69,7 @@ fn normal(path: &Path) -> PathBuf {
     result
 }
 
-/// Lines with their numbers outside of fenced blocks, with inline code blanked out.
+/// Returns the numbered lines outside of fenced blocks, with inline code blanked out.
 fn prose(text: &str) -> Vec<(usize, String)> {
     let mut fence = None;
     let mut lines = Vec::new();
@@ -90,7 +91,7 @@ fn prose(text: &str) -> Vec<(usize, String)> {
     lines
 }
 
-/// Targets of links and images with their lines: `[text](target)`, `<img src="target">` and
+/// Returns targets of links and images with their lines: `[text](target)`, `<img src="target">` and
 /// `[name]: target`.
 fn links(text: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
@@ -109,7 +110,8 @@ fn links(text: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// Anchors of the headings of a page, as GitHub and mdBook make them: a repeated name ends in `-1`.
+/// Returns the anchors of a page's headings as in GitHub and mdBook: a repeated name has the suffix
+/// `-1`.
 fn anchors(text: &str) -> BTreeSet<String> {
     let mut count: BTreeMap<String, usize> = BTreeMap::new();
     let mut fenced = false;
@@ -169,7 +171,7 @@ fn the_summary_lists_every_page_once() {
     assert!(foreign.is_empty(), "mdBook cannot show pages outside of docs: {foreign:?}");
 }
 
-/// Checks paths between backquotes: a recipe that names a file that has moved misleads.
+/// Checks paths between backquotes, so that a recipe does not name a file that has moved.
 #[test]
 fn paths_on_the_pages_for_contributors_exist() {
     const FOLDERS: [&str; 8] =
@@ -187,7 +189,7 @@ fn paths_on_the_pages_for_contributors_exist() {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// The reference has a test of its own. Pages without a model may have other blocks of text.
+/// The reference has its own test. Pages without a model may have other blocks of text.
 #[test]
 fn every_model_on_a_page_passes_check() {
     let mut problems = Vec::new();

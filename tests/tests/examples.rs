@@ -1,4 +1,4 @@
-//! Every example is right as it stands, and runs.
+//! Checks that every example passes `check` without diagnostics, and runs.
 
 use calyx::rt::{ParamAssignment, RunError, RunOptions, run};
 use calyx::{Engine, Module, Override, check_file};
@@ -18,7 +18,7 @@ fn examples() -> Vec<PathBuf> {
     paths
 }
 
-/// Those that pictures are taken of: external and internal gears, in the plane and in space.
+/// Examples whose VTU files are checked: external and internal gears, in two and three dimensions.
 const PICTURED: [&str; 3] = ["helical_pair", "internal_pair", "planetary"];
 
 #[test]
@@ -33,7 +33,7 @@ fn every_example_checks_without_a_word_and_runs() {
             assert!(!doc.is_empty(), "{}: `{name}` has a doc comment", path.display());
         }
         let has = |name: &str| description.params.iter().any(|param| param.name == name);
-        // Few positions and small meshes, where the example lets them be chosen.
+        // Few positions and coarse meshes, where the example has such params.
         let small = [("steps", "2"), ("face_elements", "2"), ("displacement_order", "2")];
         let given = small
             .iter()
@@ -46,7 +46,7 @@ fn every_example_checks_without_a_word_and_runs() {
             given,
             quiet: true,
             vtu: PICTURED.contains(&&*path.file_stem().expect("a name").to_string_lossy()),
-            // What is tested here is that they run; estimates would take as long again.
+            // The test concerns the run itself; error estimates would double its time.
             overrides: Override { error_estimates: Some(Estimates::None), ..Override::default() },
             ..RunOptions::default()
         };
@@ -64,12 +64,14 @@ fn every_example_checks_without_a_word_and_runs() {
     }
 }
 
-/// Analyses that a level cannot have, and why: rigid teeth neither move in time, nor have their bodies modes.
+/// Analyses that a fidelity level does not support: rigid teeth have neither dynamics nor modes of
+/// their bodies.
 const REFUSED: [(&str, &str, &str); 2] =
     [("planetary_modes", "rigid", "E0782"), ("spur_dynamics", "rigid", "E0781")];
 
-/// At the levels without meshes every example runs, and has a value of every output but of those that are refused by name, each at its place; an analysis
-/// that a level cannot have is refused by name as a whole. Levels that an example does not offer are chosen from outside.
+/// At the fidelity levels without meshes, every example runs and has values of all outputs except
+/// those that are rejected by name, each with its location. An unsupported analysis is rejected as
+/// a whole by its code. Levels that an example does not offer are selected by a settings override.
 #[test]
 fn examples_run_at_the_levels_without_meshes() {
     for path in examples() {

@@ -1,5 +1,5 @@
-//! The language corpus: every case of `tests/language/` is compiled, judged and run, and together they cover the whole
-//! language, as `tests/language/COVERAGE.md` shows.
+//! The language corpus: every case of `tests/language/` is compiled, checked and run. Together the
+//! cases cover the whole language, as `tests/language/COVERAGE.md` shows.
 //!
 //! `CALYX_BLESS=1` rewrites the expectations (not those in comments) and the table.
 
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Markdown below a folder, the generated table excepted.
+/// Collects Markdown files of a directory except the generated table.
 fn documents(folder: &Path, files: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("the corpus") {
         let path = entry.expect("a file").path();

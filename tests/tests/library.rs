@@ -1,4 +1,5 @@
-//! What the library declares in Calyx and what the engine provides in Rust are the same functions.
+//! Checks that the declarations of the library in Calyx match the functions that the engine
+//! provides in Rust.
 
 use calyx_abi::{Purity, Repr};
 use calyx_gears::library::{MODULES, PRELUDE, externs};
@@ -8,7 +9,8 @@ use calyx_lang::parser::parse;
 use calyx_lang::span::FileId;
 use std::collections::BTreeSet;
 
-/// Functions that the language itself calls: `print`, `assert` and `output` have their own syntax or types.
+/// Functions that the language itself calls: `print`, `assert` and `output` have special syntax or
+/// types.
 const OF_THE_LANGUAGE: &[&str] = &[
     "calyx_std_print",
     "calyx_std_assert",
@@ -19,7 +21,7 @@ const OF_THE_LANGUAGE: &[&str] = &[
     "calyx_std_first_unknown",
 ];
 
-/// Link symbol, declaration and doc comment of every extern function of the library.
+/// Returns link symbol, declaration and doc comment of every extern function of the library.
 fn declared() -> Vec<(String, FunctionDecl, Option<String>)> {
     let modules = std::iter::once(&PRELUDE).chain(MODULES);
     let functions = modules.flat_map(|module| {
@@ -38,7 +40,7 @@ fn declared() -> Vec<(String, FunctionDecl, Option<String>)> {
     functions.collect()
 }
 
-/// How the engine sees values of a declared type.
+/// Returns the engine's representation of a declared type.
 fn repr(ty: &TypeExpr) -> Repr {
     let inner = |arguments: &[TypeExpr]| Box::new(repr(&arguments[0]));
     match &ty.kind {
@@ -54,11 +56,11 @@ fn repr(ty: &TypeExpr) -> Repr {
             "Array" => Repr::Array(inner(arguments)),
             "Symbolic" => Repr::Symbolic(inner(arguments)),
             "Vector" => Repr::Vector,
-            // The engine hands out an index; the program makes a symbol of it.
+            // The engine returns an index, which the program converts to a symbol.
             "Observable" => Repr::Handle,
             other => panic!("what is {other}(...)?"),
         },
-        // Dimensions joined.
+        // Combined dimensions.
         _ => Repr::Number,
     }
 }

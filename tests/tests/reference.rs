@@ -1,5 +1,5 @@
-//! `docs/reference.md` describes the language as it is: every snippet in it is checked and run, and its tables are
-//! compared with what the compiler knows.
+//! Checks that `docs/reference.md` matches the language: every snippet is checked and run, and its
+//! tables are compared with the compiler's lists.
 //!
 //! Its blocks are those of [`calyx_tests::document`].
 
@@ -17,14 +17,14 @@ fn reference() -> String {
     fs::read_to_string(root().join("docs/reference.md")).expect("the reference")
 }
 
-/// The section under a heading, without it.
+/// Returns the section under a heading, without the heading.
 fn section<'t>(text: &'t str, heading: &str) -> &'t str {
     let start = text.find(&format!("\n{heading}\n")).unwrap_or_else(|| panic!("no section {heading}"));
     let rest = &text[start + heading.len() + 2..];
     rest.find("\n#").map_or(rest, |end| &rest[..end])
 }
 
-/// The rows of the tables in a section, without heads and rules.
+/// Returns the rows of the tables in a section, without header and delimiter rows.
 fn rows(section: &str) -> Vec<&str> {
     let lines: Vec<&str> = section.lines().collect();
     let is_row = |line: &str| line.starts_with('|');
@@ -35,7 +35,7 @@ fn rows(section: &str) -> Vec<&str> {
     (0..lines.len()).filter(|&index| below_rule(index)).map(|index| lines[index]).collect()
 }
 
-/// The first cell of each row, without backquotes.
+/// Returns the first cell of each row, without backquotes.
 fn first_cells<'t>(rows: &[&'t str]) -> Vec<&'t str> {
     rows.iter().filter_map(|row| row.split('|').nth(1)).map(|cell| cell.trim().trim_matches('`')).collect()
 }
@@ -54,14 +54,14 @@ fn every_snippet_is_judged_and_prints_as_it_says() {
     assert!(problems.is_empty(), "docs/reference.md\n{}", problems.join("\n"));
 }
 
-/// Compares tables line by line; what differs is shown as it should be.
+/// Compares tables line by line; shows the expected form of lines that differ.
 fn same_rows(what: &str, found: &[&str], wanted: &[String]) {
     let wrong: Vec<&str> = wanted.iter().map(String::as_str).filter(|row| !found.contains(row)).collect();
     assert!(wrong.is_empty(), "{what}: these rows should be there\n{}", wrong.join("\n"));
     assert_eq!(found, wanted, "{what}: rows too many or out of order");
 }
 
-/// Without the rounding of the sixteenth digit that products of exact factors have.
+/// Formats a number without the rounding of the sixteenth digit in products of exact factors.
 fn in_fifteen_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.14e}").parse().expect("a number");
     if (1e-4..1e7).contains(&rounded) { format!("{rounded}") } else { format!("{rounded:e}") }
@@ -107,7 +107,7 @@ fn the_table_of_unit_systems_is_the_compilers() {
     same_rows("unit systems", &rows, &wanted);
 }
 
-/// The words in backquotes in a section.
+/// Returns the words in backquotes in a section.
 fn quoted(section: &str) -> BTreeSet<&str> {
     section.split('`').skip(1).step_by(2).collect()
 }
@@ -141,7 +141,7 @@ fn every_code_of_the_language_is_there() {
     same_rows("codes", &rows(section(&reference(), "### Codes of the language")), &wanted);
 }
 
-/// Codes in string literals of a crate's sources.
+/// Collects codes in string literals of a crate's sources.
 fn codes_in(folder: &Path, codes: &mut BTreeSet<String>) {
     for entry in fs::read_dir(folder).expect("sources") {
         let path = entry.expect("a file").path();

@@ -1,4 +1,5 @@
-//! The two programs that the report prints compile, and do the same interpreted and as machine code.
+//! Checks that the two programs printed in the report compile, and behave equally in the
+//! interpreter and as machine code.
 
 use calyx::rt::{ParamAssignment, Program, apply};
 use calyx::{Engine, Interpreted, Module, check_file};
@@ -7,7 +8,7 @@ use calyx_gears::host::ModelHost;
 use calyx_tests::root;
 use std::sync::{Arc, Mutex};
 
-/// The lines that a model prints with some params set.
+/// Returns the lines that a model prints with some params set.
 fn printed(program: &dyn Program, set: &[(&str, &str)]) -> Vec<String> {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let mut context = Context::new(Box::new(ModelHost::default()));
@@ -22,7 +23,7 @@ fn printed(program: &dyn Program, set: &[(&str, &str)]) -> Vec<String> {
     lines.clone()
 }
 
-/// The same of both evaluators.
+/// Returns the output of both evaluators after comparing it.
 fn run(name: &str, set: &[(&str, &str)]) -> Vec<String> {
     let checked = check_file(&root().join("tests/report").join(name)).expect("the file is there");
     assert!(checked.diagnostics.is_empty(), "{:#?}", checked.diagnostics);
@@ -40,7 +41,7 @@ fn run(name: &str, set: &[(&str, &str)]) -> Vec<String> {
 
 #[test]
 fn the_planet_is_where_it_must_be() {
-    // The places are asserted by the program itself.
+    // The program itself asserts the positions.
     assert_eq!(run("planet.cx", &[]).len(), 1);
 }
 

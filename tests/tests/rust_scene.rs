@@ -1,4 +1,5 @@
-//! The spur pair of the examples, described in Calyx and built in Rust: one scene, the same numbers to the last bit.
+//! Compares the spur pair of the examples, described in Calyx and built in Rust: equal scenes with
+//! bitwise equal results.
 
 use calyx::rt::{ParamAssignment, Program, apply};
 use calyx::{Interpreted, check_text};
@@ -20,10 +21,10 @@ use calyx_runtime::results::{OutputRequest, StepRow};
 use calyx_runtime::scene::{Body, Component, PairId, Scene};
 use calyx_tests::root;
 
-/// Positions of the cycle, uniform ones.
+/// Number of positions of the cycle, uniformly spaced.
 const STEPS: usize = 2;
 
-/// Sizes as the compiler has them: a unit's factor times a literal.
+/// Sizes as computed by the compiler: a unit's factor times a literal.
 struct Units {
     inch: f64,
     psi: f64,
@@ -44,7 +45,7 @@ fn units() -> Units {
     }
 }
 
-/// The scene of `examples/spur_pair.cx` at its defaults.
+/// Builds the scene of `examples/spur_pair.cx` at its defaults.
 fn built_in_rust() -> Result<(Scene, PairId), Refusal> {
     let Units { inch, psi, lbf, degree, rpm } = units();
     let steel = Material::new(3e7 * psi, 0.3, 7850.0)?;
@@ -81,7 +82,7 @@ fn built_in_rust() -> Result<(Scene, PairId), Refusal> {
     Ok((scene, meshed.pair))
 }
 
-/// The example run by the interpreter: its host afterwards.
+/// Runs the example in the interpreter; returns its context.
 fn described_in_calyx() -> Context {
     let path = root().join("examples/spur_pair.cx");
     let text = std::fs::read_to_string(path).unwrap();
@@ -99,7 +100,7 @@ fn described_in_calyx() -> Context {
     context
 }
 
-/// Values by observable, and what positions say of themselves, bit for bit.
+/// Formats values by observable, and the data of each position, with all bits.
 fn shown(rows: &[StepRow], outputs: &[&str], names: &[OutputRequest]) -> Vec<String> {
     let at =
         |name: &&str| names.iter().position(|output| output.name == *name).expect("an output of this name");

@@ -1,5 +1,5 @@
-//! One program, three ways to run it: the interpreter, machine code in memory, and machine code linked into an
-//! executable. All build the same scene and write the same results, bit for bit.
+//! Compares the three ways to run a program: the interpreter, machine code in memory, and machine
+//! code linked into an executable. All build the same scene and write bitwise equal results.
 #![cfg(unix)]
 
 use calyx::build::{BuildOptions, build};
@@ -24,12 +24,12 @@ fn example() -> PathBuf {
     root().join("examples/spur_pair.cx")
 }
 
-/// Times at which what depends on time is looked at, s.
+/// Times at which time-dependent quantities are evaluated, s.
 const TIMES: [f64; 4] = [0.0, 0.1, 1.4698981493578729, -3.7];
 
-/// Everything a program handed to the engine, as text that shows every bit of every number.
+/// Formats all data that a program passes to the engine, with all bits of every number.
 fn scene(program: &dyn Program) -> String {
-    // The analysis is asked for, and not done.
+    // The analysis is requested but not performed.
     let mut context = Context::new(Box::new(ModelHost { checking: true, ..ModelHost::default() }));
     context.kernels = program.kernels();
     apply(program, &given(), &mut context).unwrap();
@@ -84,7 +84,7 @@ fn interpreter_and_machine_code_build_the_same_scene() {
     assert_eq!(interpreted, compiled);
 }
 
-/// `steps.csv` of a run in this process.
+/// Returns `steps.csv` of a run in this process.
 fn steps(program: Arc<dyn Program>) -> String {
     let directory = tempfile::tempdir().unwrap();
     let options = RunOptions {
@@ -99,7 +99,7 @@ fn steps(program: Arc<dyn Program>) -> String {
 
 #[test]
 fn all_three_ways_write_the_same_results() {
-    // A run goes on beside its caller, so what it interprets is to live as long as the test.
+    // A run continues on its own thread, so the interpreted program must outlive it.
     let program = Box::leak(Box::new(check_file(&example()).unwrap().program.unwrap()));
     let interpreted = steps(Arc::new(Interpreted::new(program, Purity::Effect).unwrap()));
     assert!(interpreted.lines().count() > 4, "{interpreted}");
@@ -116,7 +116,7 @@ fn all_three_ways_write_the_same_results() {
     assert_eq!(interpreted, linked);
 }
 
-/// Runs the example's executable in an empty environment, in a directory of its own.
+/// Runs the example's executable in an empty environment, in its own directory.
 fn linked(directory: &Path, arguments: &[String]) -> Output {
     static LINKED: OnceLock<(tempfile::TempDir, PathBuf)> = OnceLock::new();
     let (_, executable) = LINKED.get_or_init(|| link(&example()));
@@ -187,8 +187,8 @@ fn executables_explain_themselves_and_their_errors() {
     assert!(err.contains("index.cx:3:9") && err.contains(" 3 | print(a[n]);\n   |         ^\n"), "{err}");
 }
 
-/// Errors of an executable carry the argument to blame and the calls, and can be caught, with nothing but the program's
-/// own tables.
+/// Errors of an executable include the argument at fault and the calls, and can be caught, using
+/// only the program's own tables.
 #[test]
 fn executables_place_and_catch_errors() {
     let text = "import gears;\nparam radius = 0.3 mm;\nparam caught = FALSE;\nparam endless = FALSE;\n\

@@ -1,12 +1,12 @@
-//! The theory manual fits the tree: every path that its pages and ARCHITECTURE.md name exists,
-//! every page is in the index, and inline formulas end on the line on which they begin, which
-//! GitHub requires. ARCHITECTURE.md stays a map of at most 10 kB.
+//! Checks that the theory manual matches the repository: every path in its pages and in
+//! ARCHITECTURE.md exists, every page is in the index, and inline formulas end on the line on which
+//! they begin, which GitHub requires. ARCHITECTURE.md has at most 10 kB.
 
 use calyx_tests::root;
 use std::collections::BTreeMap;
 use std::fs;
 
-/// Pages of the manual and the map, by their paths below the root.
+/// Returns the pages of the manual and ARCHITECTURE.md, by their paths relative to the root.
 fn pages() -> BTreeMap<String, String> {
     let folder = root().join("docs/theory");
     let entries = fs::read_dir(&folder).expect("the folder of the manual");
@@ -20,7 +20,7 @@ fn pages() -> BTreeMap<String, String> {
     all.map(|name| (name.clone(), fs::read_to_string(root().join(name)).expect("readable"))).collect()
 }
 
-/// Lines outside of fenced blocks, with their numbers.
+/// Returns the numbered lines outside of fenced blocks.
 fn prose(text: &str) -> Vec<(usize, &str)> {
     let mut fenced = false;
     let mut lines = Vec::new();
@@ -34,7 +34,7 @@ fn prose(text: &str) -> Vec<(usize, &str)> {
     lines
 }
 
-/// `a/{b,c}.rs` as `a/b.rs` and `a/c.rs`.
+/// Expands `a/{b,c}.rs` to `a/b.rs` and `a/c.rs`.
 fn expanded(path: &str) -> Vec<String> {
     let braces = path.find('{').and_then(|open| Some((open, open + path[open..].find('}')?)));
     let Some((open, close)) = braces else { return vec![path.to_owned()] };
@@ -42,7 +42,7 @@ fn expanded(path: &str) -> Vec<String> {
     path[open + 1..close].split(',').flat_map(|one| expanded(&format!("{before}{one}{after}"))).collect()
 }
 
-/// Whether a path, or a pattern whose last part has stars, is in the tree.
+/// Returns true if a path, or a pattern with stars in its last component, exists.
 fn exists(path: &str) -> bool {
     let Some(star) = path.find('*') else { return root().join(path).exists() };
     let folder = path[..star].rfind('/').map_or("", |end| &path[..end]);

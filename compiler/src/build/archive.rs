@@ -1,4 +1,4 @@
-//! A static library that holds a model and the runtime: the runtime's library with one more member.
+//! Static libraries with a model and the runtime: the runtime's library with one more member.
 
 use super::BuildError;
 use super::error::WrongLibrary;
@@ -8,7 +8,8 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-/// Copies a library to `target`, with an object file as its first member, where linkers look first.
+/// Copies a library to `target`, with an object file as its first member, where linkers search
+/// first.
 pub(super) fn with_member(
     library: &Path,
     name: &str,

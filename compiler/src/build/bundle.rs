@@ -1,7 +1,8 @@
-//! Executables made without a linker: a copy of `calyx` with a module behind its end.
+//! Executables without a linker: a copy of `calyx` with an appended module.
 //!
-//! Systems load what an executable's own tables name and never look behind it. There stands the module, then a trailer of
-//! fixed size by which the copy, when it starts, finds it: checksum, length, and a word that says what it is.
+//! Operating systems load the parts of an executable that its tables list and ignore data after
+//! them. The module is appended there, followed by a trailer of fixed size with checksum, length
+//! and a mark. The copy finds the module by this trailer when it starts.
 
 use sha2::{Digest, Sha256};
 use std::fmt;
@@ -9,12 +10,12 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-/// The last bytes of every bundle.
+/// Last bytes of every bundle.
 const MARK: &[u8; 8] = b"\nCALYX1\n";
-/// SHA-256 of the module, its length as 64 bits with the least first, and [`MARK`].
+/// Size of the trailer: SHA-256 of the module, its length (64 bits, little-endian), and [`MARK`].
 const TRAILER: usize = 32 + 8 + 8;
 
-/// A bundle whose module cannot be used: the file was cut or changed.
+/// Bundle with an invalid module: the file was truncated or changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DamagedBundle;
 
@@ -26,12 +27,12 @@ impl fmt::Display for DamagedBundle {
 
 impl std::error::Error for DamagedBundle {}
 
-/// Writes a copy of an executable with a module behind it.
+/// Writes a copy of an executable with an appended module.
 ///
 /// # Errors
-/// The executable cannot be read or the copy not written.
+/// If the executable cannot be read or the copy cannot be written.
 pub(super) fn write(executable: &Path, module: &[u8], target: &Path) -> io::Result<()> {
-    // With its permissions.
+    // Copies the permissions too.
     fs::copy(executable, target)?;
     let mut file = OpenOptions::new().append(true).open(target)?;
     file.write_all(module)?;
@@ -40,10 +41,10 @@ pub(super) fn write(executable: &Path, module: &[u8], target: &Path) -> io::Resu
     file.write_all(MARK)
 }
 
-/// The module behind an executable; `None` if there is none.
+/// Returns the module appended to an executable; `None` if there is none.
 ///
 /// # Errors
-/// The file cannot be read. Within: it is a bundle and is damaged.
+/// If the file cannot be read. The inner error reports a damaged bundle.
 pub fn read(executable: &Path) -> io::Result<Option<Result<Vec<u8>, DamagedBundle>>> {
     let mut file = File::open(executable)?;
     let size = file.metadata()?.len();

@@ -1,4 +1,4 @@
-//! Why a model could not be built, and what helps.
+//! Errors of a build, with remedies.
 
 use crate::error::CompileError;
 use calyx_abi::Fingerprint;
@@ -8,38 +8,38 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a model could not be built. Shown, it is one sentence; [`BuildError::help`] is the remedy.
+/// Error of a build. Its text is one sentence; [`BuildError::help`] returns the remedy.
 #[derive(Debug)]
 pub enum BuildError {
-    /// The model has errors of the language; see its diagnostics.
+    /// The model has errors of the language, listed in its diagnostics.
     NotChecked,
     Code(CodegenError),
     Description(String),
-    /// The module could not be made bytes of.
+    /// The module could not be serialized.
     Module(CompileError),
-    /// There is no such program.
+    /// The linker program does not exist.
     NoLinker {
         command: String,
     },
-    /// The linker ran and failed.
+    /// The linker failed.
     Linker {
         command: String,
         said: String,
     },
-    /// The runtime library is in none of these places.
+    /// The runtime library is in none of these directories.
     NoLibrary {
         searched: Vec<PathBuf>,
     },
-    /// A runtime library that is damaged, or of another version of Calyx.
+    /// The runtime library is damaged, or of another version of Calyx.
     WrongLibrary {
         path: PathBuf,
         why: WrongLibrary,
     },
-    /// The model itself would be overwritten.
+    /// The output would overwrite the model.
     Source {
         path: PathBuf,
     },
-    /// A file that no build made would be replaced.
+    /// The output would replace a file that no build created.
     Foreign {
         path: PathBuf,
     },
@@ -50,14 +50,14 @@ pub enum BuildError {
     },
 }
 
-/// What is wrong with a runtime library.
+/// Mismatch of a runtime library.
 #[derive(Debug)]
 pub enum WrongLibrary {
     Unreadable(String),
-    /// It has no fingerprint, so it is something else.
+    /// The library has no fingerprint, so it is a different library.
     Foreign,
     Version(Fingerprint),
-    /// It was built without the command line that executables have.
+    /// The library lacks the command line of executables.
     NoCommand,
 }
 
@@ -66,7 +66,7 @@ impl BuildError {
         BuildError::Io { path: path.into(), error }
     }
 
-    /// What the user can do about it; empty if nothing.
+    /// Returns the remedy; empty if there is none.
     pub fn help(&self) -> String {
         const MAKE: &str = "make it with `cargo build --release -p calyx-rt` in Calyx's source and name it by \
                             CALYX_RT_LIBRARY=target/release/libcalyx_rt.a";
@@ -90,7 +90,7 @@ impl BuildError {
     }
 }
 
-/// The command that installs a C compiler on this kind of system.
+/// Returns the command that installs a C compiler on this kind of system.
 fn install_linker() -> &'static str {
     if cfg!(target_os = "macos") {
         return "install Apple's command line tools with `xcode-select --install`";

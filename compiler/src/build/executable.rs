@@ -1,4 +1,4 @@
-//! Links an executable, and reads from it how old a system it runs on.
+//! Links executables, and determines the oldest system that they support.
 
 use super::{BuildError, BuildOptions};
 use object::endian::Endianness;
@@ -9,7 +9,7 @@ use std::io;
 use std::path::Path;
 use std::process::Command;
 
-/// The C compiler that links, with arguments of its own if it has any.
+/// C compiler that links, with its own arguments, if any.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Linker {
     pub program: OsString,
@@ -17,7 +17,7 @@ pub struct Linker {
 }
 
 impl Linker {
-    /// What `$CC` says, like `clang` or `ccache gcc -m64`; `cc` if it says nothing.
+    /// Returns the command in `$CC`, such as `clang` or `ccache gcc -m64`; `cc` if it is unset.
     pub fn from_environment() -> Linker {
         let named = std::env::var("CC").unwrap_or_default();
         let mut words = named.split_whitespace().map(OsString::from);
@@ -25,8 +25,8 @@ impl Linker {
     }
 }
 
-/// Arguments after the objects. The compiler's own support for unwinding is linked in, so that the executable needs the C
-/// library and nothing else.
+/// Returns the arguments after the objects. The compiler's unwinding support is linked statically,
+/// so that the executable requires the C library only.
 fn flags(keep_symbols: bool) -> Vec<&'static str> {
     let mut flags = if cfg!(target_os = "macos") {
         vec!["-Wl,-dead_strip"]
@@ -34,14 +34,14 @@ fn flags(keep_symbols: bool) -> Vec<&'static str> {
         vec!["-static-libgcc", "-Wl,--gc-sections", "-Wl,--as-needed"]
     };
     if !keep_symbols {
-        // Apple's linker has no flag for all: debugging notes and names of local symbols.
+        // Apple's linker has no single flag for debugging information and names of local symbols.
         flags.extend(if cfg!(target_os = "macos") {
             &["-Wl,-S", "-Wl,-x"][..]
         } else {
             &["-Wl,--strip-all"]
         });
     }
-    // On systems whose libc holds all of these they are empty.
+    // On systems whose libc includes these libraries they are empty.
     flags.extend(if cfg!(target_os = "macos") {
         &["-lm"][..]
     } else {
@@ -53,7 +53,7 @@ fn flags(keep_symbols: bool) -> Vec<&'static str> {
 /// Links an object file that has a `main` with the runtime library.
 ///
 /// # Errors
-/// There is no linker, or it fails.
+/// If there is no linker, or it fails.
 pub(super) fn link(
     object: &Path,
     library: &Path,
@@ -80,7 +80,7 @@ pub(super) fn link(
     }
 }
 
-/// A version of the GNU C library.
+/// Version of the GNU C library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct GlibcVersion {
     pub major: u32,
@@ -93,13 +93,13 @@ impl fmt::Display for GlibcVersion {
     }
 }
 
-/// The oldest glibc that has every symbol an executable needs, from the versions that the symbols ask for; `None` if it asks
-/// for none, or is not an ELF file of 64 bits.
+/// Returns the oldest glibc that has every symbol of an executable, from the versions of the
+/// symbols; `None` if no symbol has a glibc version, or the file is not a 64-bit ELF file.
 pub fn glibc_floor(executable: &[u8]) -> Option<GlibcVersion> {
     version_needs(executable).ok()?.iter().filter_map(|name| glibc_version(name)).max()
 }
 
-/// Names of the versions that an executable needs of its libraries, like `GLIBC_2.34`.
+/// Returns the names of the library versions that an executable requires, such as `GLIBC_2.34`.
 fn version_needs(executable: &[u8]) -> object::Result<Vec<String>> {
     let header = object::elf::FileHeader64::<Endianness>::parse(executable)?;
     let endian = header.endian()?;
@@ -116,7 +116,8 @@ fn version_needs(executable: &[u8]) -> object::Result<Vec<String>> {
     Ok(names)
 }
 
-/// `GLIBC_2.2.5` is of version 2.2; relative relocations packed by the linker (`GLIBC_ABI_DT_RELR`) came with 2.36.
+/// `GLIBC_2.2.5` belongs to version 2.2; packed relative relocations (`GLIBC_ABI_DT_RELR`) require
+/// 2.36.
 fn glibc_version(name: &str) -> Option<GlibcVersion> {
     let text = name.strip_prefix("GLIBC_")?;
     if text == "ABI_DT_RELR" {

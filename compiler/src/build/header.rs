@@ -1,5 +1,5 @@
-//! The C header of a model: the functions of the runtime, and this model's table, params and outputs with what their comments
-//! say.
+//! C header of a model: the functions of the runtime, and the model's table, params and outputs
+//! with their doc comments.
 
 use calyx_abi::Repr;
 use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue};
@@ -8,7 +8,7 @@ use calyx_rt::c_api::HEADER;
 use calyx_rt::params::{domain, shown};
 use std::fmt::Write;
 
-/// The whole header of a model called `name` in C.
+/// Returns the whole header of a model called `name` in C.
 pub(super) fn header(name: &str, description: &ModelDescription) -> String {
     let symbol = model_symbol(name);
     let mut text = String::from(HEADER);
@@ -37,13 +37,14 @@ pub(super) fn header(name: &str, description: &ModelDescription) -> String {
     text
 }
 
-/// An enumeration `NAME_param` of all params, say, and `NAME_params`, how many they are.
+/// Returns an enumeration of all params, for example: `NAME_param`, and their number,
+/// `NAME_params`.
 fn enumeration<'d>(name: &str, kind: &str, members: impl Iterator<Item = (&'d str, String)>) -> String {
     let mut text = format!("enum {name}_{kind} {{\n");
     let mut words: Vec<String> = Vec::new();
     for (index, (member, about)) in members.enumerate() {
         let mut word = super::c_letters(member);
-        // Letters that C does not have may have told them apart.
+        // The original names may differ only in characters that C identifiers do not have.
         if words.contains(&word) {
             let _ = write!(word, "_{index}");
         }
@@ -81,9 +82,9 @@ fn joined(doc: &str, more: &str) -> String {
     if doc.is_empty() { more.into() } else { format!("{doc}\n{more}") }
 }
 
-/// A comment of C. What would open or close one inside it is taken apart.
+/// Formats a C comment. Separates comment delimiters in the text.
 fn comment(text: &str, indent: &str) -> String {
-    // Twice, for `*/*/` and the like leave one behind.
+    // Twice, because `*/*/` and the like leave one delimiter.
     let apart = |text: String| text.replace("*/", "* /").replace("/*", "/ *");
     let text = apart(apart(text.trim().to_owned()));
     let lines: Vec<&str> = text.lines().map(str::trim_end).collect();

@@ -1,8 +1,9 @@
 //! Finds the static library of `calyx-rt` that executables are linked with.
 //!
-//! It must be of this very version: the engine's fingerprint in it is read and compared before anything is linked. Cargo leaves
-//! the library in `deps/` beside an executable that it builds, under a name with a hash, together with those of earlier builds
-//! and of builds with other features; the newest that fits is taken. Executables need one with the feature `command`.
+//! The library must be of the same version: its engine fingerprint is compared before linking.
+//! Cargo leaves the library in `deps/` next to an executable that it builds, under a name with a
+//! hash, together with those of earlier builds and of builds with other features. The newest
+//! library that matches is used. Executables require one with the feature `command`.
 
 use super::error::{BuildError, WrongLibrary};
 use calyx_abi::Fingerprint;
@@ -15,19 +16,19 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Names a library that is to be used instead of those in [`places`].
+/// Environment variable with a library that is used instead of those in [`places`].
 pub const VARIABLE: &str = "CALYX_RT_LIBRARY";
 
-/// The symbol that holds the fingerprint.
+/// Symbol of the fingerprint.
 const FINGERPRINT_SYMBOL: &str = "CALYX_RT_ABI";
-/// The function that `main` of an executable calls.
+/// Function that `main` of an executable calls.
 const COMMAND_SYMBOL: &str = "calyx_rt_main";
 
-/// The library that fits this compiler: the one given, else the one that [`VARIABLE`] names, else the first that fits in
-/// [`places`].
+/// Finds the library that matches this compiler: the given one, else the one that [`VARIABLE`]
+/// names, else the first match in [`places`].
 ///
 /// # Errors
-/// There is none, or the one that was named does not fit.
+/// If there is none, or the named library does not match.
 pub fn find(given: Option<&Path>, needs: Needs) -> Result<PathBuf, BuildError> {
     if let Some(path) = given.map(Path::to_owned).or(named()) {
         check(&path, needs)?;
@@ -36,16 +37,16 @@ pub fn find(given: Option<&Path>, needs: Needs) -> Result<PathBuf, BuildError> {
     find_in(&places(), needs)
 }
 
-/// What a library is needed for.
+/// Purpose of a library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
-    /// Programs of the user's own: the interface to C.
+    /// Programs of the user: the C interface.
     Interface,
-    /// Executables: the command line as well.
+    /// Executables: the command line too.
     Command,
 }
 
-/// Whether [`VARIABLE`] names a library.
+/// Returns true if [`VARIABLE`] names a library.
 pub fn is_named() -> bool {
     named().is_some()
 }
@@ -54,8 +55,9 @@ fn named() -> Option<PathBuf> {
     std::env::var_os(VARIABLE).filter(|name| !name.is_empty()).map(PathBuf::from)
 }
 
-/// The directories that are searched, in this order: that of the running executable and `deps` beside it, where the newer of
-/// two libraries counts, then `../lib/calyx`, then `calyx` in the user's data directory.
+/// Returns the directories that are searched, in order: that of the running executable together
+/// with its subdirectory `deps`, of which the newest library is used, then `../lib/calyx`, then
+/// `calyx` in the user's data directory.
 pub fn places() -> Vec<Vec<PathBuf>> {
     let mut places = Vec::new();
     let executable = std::env::current_exe().and_then(|path| path.canonicalize());
@@ -82,7 +84,7 @@ fn find_in(places: &[Vec<PathBuf>], needs: Needs) -> Result<PathBuf, BuildError>
     Err(unfit.unwrap_or_else(|| BuildError::NoLibrary { searched: places.concat() }))
 }
 
-/// The libraries in directories, the newest first.
+/// Returns the libraries in directories, the newest first.
 fn libraries(directories: &[PathBuf]) -> Vec<PathBuf> {
     let entries = directories.iter().flat_map(fs::read_dir).flatten().flatten();
     let mut found: Vec<(SystemTime, PathBuf)> = entries
@@ -93,14 +95,14 @@ fn libraries(directories: &[PathBuf]) -> Vec<PathBuf> {
     found.into_iter().map(|(_, path)| path).collect()
 }
 
-/// `libcalyx_rt.a`, or as cargo names it among dependencies, `libcalyx_rt-0123456789abcdef.a`.
+/// Matches `libcalyx_rt.a`, and cargo's name for a dependency, `libcalyx_rt-0123456789abcdef.a`.
 fn is_library(name: &OsStr) -> bool {
     let name = name.to_string_lossy();
     let middle = name.strip_prefix("libcalyx_rt").and_then(|rest| rest.strip_suffix(".a"));
     middle.is_some_and(|middle| middle.is_empty() || middle.starts_with('-'))
 }
 
-/// Whether a library is of this version and has what is needed.
+/// Checks that a library is of this version and has the required functions.
 fn check(path: &Path, needs: Needs) -> Result<(), BuildError> {
     let wrong = |why| Err(BuildError::WrongLibrary { path: path.into(), why });
     match read(path) {
@@ -112,8 +114,9 @@ fn check(path: &Path, needs: Needs) -> Result<(), BuildError> {
     }
 }
 
-/// The fingerprint in a static library, and whether it has the command line of executables; `None` if it has no fingerprint.
-/// Reads no more of the file than it must: libraries with debugging information take a hundred megabytes.
+/// Returns the fingerprint of a static library, and true if it has the command line of executables;
+/// `None` if it has no fingerprint. Reads only the necessary part of the file: libraries with
+/// debugging information have a hundred megabytes.
 fn read(path: &Path) -> Result<Option<(Fingerprint, bool)>, String> {
     let cache = ReadCache::new(File::open(path).map_err(|error| error.to_string())?);
     read_symbols(&cache).map_err(|error| error.to_string())
@@ -182,7 +185,7 @@ mod tests {
         assert!(foreign.to_string().contains("is not Calyx's runtime library"), "{foreign}");
     }
 
-    /// A library of this version; its symbols are those that [`check`] looks for.
+    /// Creates a library of this version with the symbols that [`check`] requires.
     fn library(directory: &Path, name: &str, with_command: bool) -> PathBuf {
         let source = directory.join(format!("{name}.c"));
         let command = if with_command { "int calyx_rt_main(void) { return 0; }" } else { "" };

@@ -1,4 +1,4 @@
-//! A checked model as a file of its own: an executable, an object file, a static library, a C header.
+//! Output files of a checked model: an executable, an object file, a static library, a C header.
 //!
 //! ```no_run
 //! use calyx::build::{BuildOptions, build};
@@ -8,10 +8,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Code comes from the same lowering as code in memory. An executable is linked by the system's C compiler with the static
-//! library of `calyx-rt`, which holds the engine ([`library`] finds it), so that it needs nothing of Calyx where it runs; or it is
-//! a copy of `calyx` with the compiled module behind it ([`bundle`]), which takes neither linker nor library to make.
-//! Whatever is written is made beside its place and renamed: nobody finds half a file.
+//! The code comes from the same lowering as code in memory. The system's C compiler links an
+//! executable with the static library of `calyx-rt`, which contains the engine ([`library`] finds
+//! it), so that it runs without a Calyx installation. Alternatively the executable is a copy of
+//! `calyx` with the compiled module appended ([`bundle`]), which requires neither linker nor
+//! library. Every output is written to a temporary file in the same directory and renamed, so that
+//! no incomplete file is visible.
 
 mod archive;
 pub mod bundle;
@@ -35,42 +37,44 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 use tempfile::TempDir;
 
-/// What a model is made into.
+/// Kind of output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Emit {
-    /// A program that runs the model.
+    /// Program that runs the model.
     Executable,
-    /// The model's code without `main`, to be linked with the runtime library into a program of one's own.
+    /// Object file without `main`, to be linked with the runtime library into the user's program.
     Object,
-    /// Model and runtime in one static library.
+    /// Static library of model and runtime.
     Library,
-    /// The C header of object and library.
+    /// C header of object and library.
     Header,
 }
 
-/// How to build.
+/// Options of a build.
 #[derive(Clone, Debug)]
 pub struct BuildOptions {
-    /// Where to: the path of the executable. What else is made stands beside it: `NAME.o`, `libNAME.a`, `NAME.h`.
+    /// Path of the executable. Other outputs have the same directory and name: `NAME.o`,
+    /// `libNAME.a`, `NAME.h`.
     pub output: PathBuf,
     pub emit: BTreeSet<Emit>,
     pub cpu: TargetCpu,
-    /// Leave the names of functions in the executable, for debuggers and profilers.
+    /// Keeps function names in the executable, for debuggers and profilers.
     pub keep_symbols: bool,
-    /// The runtime library; searched for if there is none.
+    /// Runtime library; `None` searches for it.
     pub library: Option<PathBuf>,
     pub linker: Linker,
-    /// The `calyx` that executables are to be copies of, with the module behind them. Then neither linker nor runtime library is
-    /// needed for them.
+    /// `calyx` executable to which the module is appended. Executables then require neither linker
+    /// nor runtime library.
     pub bundle: Option<PathBuf>,
-    /// The `calyx` that executables become copies of if no runtime library is found, and none was named.
+    /// `calyx` executable to copy if no runtime library is found, and none was named.
     pub bundle_without_library: Option<PathBuf>,
-    /// Replaces files that no build made.
+    /// Replaces files that no build created.
     pub force: bool,
 }
 
 impl BuildOptions {
-    /// An executable for every machine of this architecture, linked by `$CC` or `cc`.
+    /// Creates options of an executable for every machine of this architecture, linked by `$CC` or
+    /// `cc`.
     pub fn executable(output: impl Into<PathBuf>) -> BuildOptions {
         BuildOptions {
             output: output.into(),
@@ -85,12 +89,13 @@ impl BuildOptions {
         }
     }
 
-    /// The model's name in C, made from the name of the output: its table is `NAME_model`.
+    /// Returns the model's name in C, derived from the name of the output: its table is
+    /// `NAME_model`.
     pub fn name(&self) -> String {
         c_name(&self.output.file_name().unwrap_or_default().to_string_lossy())
     }
 
-    /// Where a kind of file goes.
+    /// Returns the path of a kind of output.
     pub fn path(&self, emit: Emit) -> PathBuf {
         let name = self.output.file_name().unwrap_or_default().to_string_lossy().into_owned();
         match emit {
@@ -102,24 +107,26 @@ impl BuildOptions {
     }
 }
 
-/// A file that was built.
+/// Output file of a build.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Built {
     pub emit: Emit,
     pub path: PathBuf,
-    /// Its size in bytes.
+    /// Size in bytes.
     pub size: u64,
-    /// The oldest glibc that an executable runs with; `None` if it needs none, and for what is not an executable.
+    /// Oldest glibc that an executable supports; `None` if it needs none, and for other kinds of
+    /// output.
     pub glibc: Option<GlibcVersion>,
-    /// Why an executable is a copy of `calyx` although that was not asked for; `None` if it is none.
+    /// Reason why an executable is a copy of `calyx` without having been requested; `None`
+    /// otherwise.
     pub why_bundled: Option<String>,
 }
 
-/// Builds everything that is asked for; in order of [`Emit`].
+/// Builds all requested outputs, in the order of [`Emit`].
 ///
 /// # Errors
-/// The model has errors of the language, the linker or the runtime library is missing, or a file cannot be written. Files
-/// that were complete by then stay.
+/// If the model has errors of the language, the linker or the runtime library is missing, or a file
+/// cannot be written. Outputs that were complete before the error remain.
 pub fn build(checked: &Checked, options: &BuildOptions) -> Result<Vec<Built>, BuildError> {
     let program = checked.program.as_ref().ok_or(BuildError::NotChecked)?;
     let description = calyx_lang::description::to_json(&checked.description)
@@ -169,8 +176,10 @@ pub fn build(checked: &Checked, options: &BuildOptions) -> Result<Vec<Built>, Bu
     Ok(built)
 }
 
+/// Checks that no output would overwrite a source file.
+///
 /// # Errors
-/// A file to be written is one that the model was read from.
+/// If an output is a file that the model was read from.
 fn keep_sources(checked: &Checked, options: &BuildOptions) -> Result<(), BuildError> {
     let sources: Vec<PathBuf> = checked.files.iter().flat_map(|file| fs::canonicalize(&file.name)).collect();
     let targets = options.emit.iter().map(|&emit| options.path(emit));
@@ -180,8 +189,10 @@ fn keep_sources(checked: &Checked, options: &BuildOptions) -> Result<(), BuildEr
     }
 }
 
+/// Checks that no output would replace a file of the user.
+///
 /// # Errors
-/// A file to be written exists, and no build made it.
+/// If an output exists and no build created it.
 fn keep_foreign(options: &BuildOptions) -> Result<(), BuildError> {
     let foreign = |emit: &Emit| {
         let path = options.path(*emit);
@@ -194,16 +205,18 @@ fn keep_foreign(options: &BuildOptions) -> Result<(), BuildError> {
     }
 }
 
-/// How an executable is made.
+/// Way to create an executable.
 enum OutputOrigin {
     /// Linked with this library.
     Linked(PathBuf),
-    /// As a copy of this `calyx`, and why, if that was not asked for.
+    /// Copied from this `calyx`, with the reason if this was not requested.
     Copied(PathBuf, Option<String>),
 }
 
+/// Selects the way to create the executable.
+///
 /// # Errors
-/// There is no runtime library that fits, and nothing to copy.
+/// If there is no matching runtime library and nothing to copy.
 fn executable_from(options: &BuildOptions) -> Result<OutputOrigin, BuildError> {
     if let Some(calyx) = &options.bundle {
         return Ok(OutputOrigin::Copied(calyx.clone(), None));
@@ -216,7 +229,8 @@ fn executable_from(options: &BuildOptions) -> Result<OutputOrigin, BuildError> {
     }
 }
 
-/// A directory beside the output, on the same file system, for what is not finished. It goes with this value.
+/// Temporary directory next to the output, on the same file system, for incomplete files. Dropping
+/// this value removes it.
 struct Staging(TempDir);
 
 impl Staging {
@@ -229,7 +243,7 @@ impl Staging {
         directory.map(Staging).map_err(|error| BuildError::unwritable(parent, error))
     }
 
-    /// Where a file is made.
+    /// Returns the temporary path of a file.
     fn path(&self, target: &Path) -> PathBuf {
         self.0.path().join(target.file_name().unwrap_or_default())
     }
@@ -240,7 +254,7 @@ impl Staging {
         Ok(path)
     }
 
-    /// Puts a file that is finished to its place.
+    /// Moves a complete file to its final path.
     fn finish(&self, file: &Path, emit: Emit, options: &BuildOptions) -> Result<Built, BuildError> {
         let path = options.path(emit);
         let glibc = match emit {
@@ -253,7 +267,7 @@ impl Staging {
     }
 }
 
-/// A word of C that is like a file's name: `spur-pair.v2` gives `spur_pair_v2`.
+/// Converts a file name to a C identifier: `spur-pair.v2` becomes `spur_pair_v2`.
 fn c_name(name: &str) -> String {
     let word = c_letters(name);
     match word.chars().next() {
@@ -263,7 +277,7 @@ fn c_name(name: &str) -> String {
     }
 }
 
-/// A text with letters, digits and underscores only.
+/// Replaces all characters other than letters and digits by underscores.
 fn c_letters(text: &str) -> String {
     text.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
 }

@@ -1,16 +1,17 @@
-//! Recognises what an earlier build made: only that is replaced.
+//! Recognizes files of earlier builds: only those are replaced.
 
 use super::{Emit, bundle};
 use object::read::archive::ArchiveFile;
 use std::fs;
 use std::path::Path;
 
-/// Parts of a model's description, which is in every object file and survives linking and stripping.
+/// Parts of a model's description, which every object file contains and which survive linking and
+/// stripping.
 const DESCRIPTION: [&[u8]; 2] = [b"],\"host_functions\":[", b"],\"known_units\":[{\"name\":\""];
-/// How executables and object files begin: ELF, and Mach-O of 64 bits.
+/// Magic numbers of executables and object files: ELF and 64-bit Mach-O.
 const OBJECT: [&[u8]; 2] = [b"\x7fELF", b"\xcf\xfa\xed\xfe"];
 
-/// Whether a file is one that `calyx build` made of some model, of this kind.
+/// Returns true if `calyx build` created this file from some model, as this kind of output.
 pub(super) fn is_built(path: &Path, emit: Emit) -> bool {
     if !path.is_file() {
         return false;

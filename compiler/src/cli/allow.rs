@@ -1,4 +1,4 @@
-//! `--allow-path`, which commands that read models share.
+//! Option `--allow-path` of all commands that read models.
 
 use calyx::allowed_path;
 use clap::Args;
@@ -7,16 +7,18 @@ use std::sync::Arc;
 
 #[derive(Args, Clone)]
 pub struct AllowPath {
-    /// Let `import` and `read_table` read this file, or files below this directory, too (repeatable)
+    /// Let `import` and `read_table` read this file, or files below this directory, too
+    /// (repeatable)
     ///
-    /// Models read regular files in their own directory and below it. Another path, or a symbolic link that leads out of the
-    /// directory, is refused unless it is allowed. Nothing is written there.
+    /// Models read regular files in their own directory and below it. Another path, or a symbolic
+    /// link that leads out of the directory, is refused unless it is allowed. Nothing is written
+    /// there.
     #[arg(long = "allow-path", value_name = "PATH", value_parser = allowed_path)]
     paths: Vec<PathBuf>,
 }
 
 impl AllowPath {
-    /// The allowed files and directories, absolute and without links.
+    /// Returns the allowed files and directories as absolute paths with links resolved.
     pub fn paths(&self) -> Arc<[PathBuf]> {
         self.paths.as_slice().into()
     }

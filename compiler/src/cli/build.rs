@@ -19,7 +19,7 @@ pub const EXAMPLES: &str = "Examples:
 
 Exit status: 0 if everything was built, 1 if the model has errors or cannot be built, 2 for wrong usage of the command.";
 
-/// What a model is made into.
+/// Kind of output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Kind {
     /// NAME: an executable
@@ -32,7 +32,7 @@ enum Kind {
     Header,
 }
 
-/// The machines that code is for.
+/// Target processors of the code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum Cpu {
     /// All processors of this architecture
@@ -135,7 +135,7 @@ impl Build {
     }
 }
 
-/// One line about a file: how large it is, what it needs, how it is used.
+/// Returns one line about a file: its size, requirements and usage.
 fn told(built: &Built) -> String {
     let Built { path, size, .. } = built;
     let shown = shell::path(path);
@@ -161,7 +161,7 @@ fn told(built: &Built) -> String {
     }
 }
 
-/// In megabytes, or in kilobytes where those would be none.
+/// Formats a size in megabytes, or in kilobytes below 0.1 MB.
 fn shown_size(bytes: u64) -> String {
     match bytes as f64 {
         bytes if bytes < 1e5 => format!("{:.1} kB", bytes / 1e3),

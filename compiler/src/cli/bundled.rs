@@ -1,4 +1,5 @@
-//! What `calyx build --bundle` makes: a copy of `calyx` with a module behind it is the executable of that module.
+//! Start of an executable made by `calyx build --bundle`: a copy of `calyx` with an appended module
+//! runs that module.
 
 use crate::messages::{MODEL_ERROR, MessageFormat};
 use calyx::build::bundle;
@@ -7,9 +8,9 @@ use calyx::{Engine, Module};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-/// Runs the module behind this executable; `None` if there is none, and it is `calyx`.
+/// Runs the module appended to this executable; `None` if there is none, so that it is `calyx`.
 pub fn run() -> Option<ExitCode> {
-    // Without a way to read itself it cannot be a bundle that works, and says so by being `calyx`.
+    // An executable that cannot read itself is not a working bundle; it runs as `calyx`.
     let found = bundle::read(&std::env::current_exe().ok()?).ok()??;
     let failed = |message: &str, help: &str| {
         MessageFormat::Human.failure(message, help);
@@ -21,8 +22,9 @@ pub fn run() -> Option<ExitCode> {
             return failed(&damaged.to_string(), "copy it again from where it was made, as binary data");
         }
     };
-    // SAFETY: `calyx build` put them behind this very executable: whoever can change them can change its own code. Its
-    // checksum was compared, and the loader compares version, engine and machine.
+    // SAFETY: `calyx build` appended the bytes to this executable: whoever can change them can
+    // change its own code. Their checksum was compared, and the loader compares version, engine and
+    // machine.
     match unsafe { Module::deserialize(&Engine::default(), &bytes) } {
         Ok(module) => {
             let arguments: Vec<OsString> = std::env::args_os().collect();

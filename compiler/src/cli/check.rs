@@ -1,4 +1,4 @@
-//! `calyx check`: everything that is wrong with a model, and `--fix`.
+//! `calyx check`: reports all errors of a model, and fixes them with `--fix`.
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat};
@@ -67,7 +67,7 @@ impl Check {
         Ok(fixed.checked)
     }
 
-    /// The last line; errors speak for themselves, but those with a certain remedy are worth a hint.
+    /// Returns the last line, which mentions errors that `--fix` can fix.
     fn summary(&self, checked: &Checked) -> String {
         let fixes = checked.diagnostics.iter().filter(|diagnostic| diagnostic.fix.is_some()).count();
         let file = calyx::rt::shell::path(&self.file);

@@ -1,4 +1,4 @@
-//! What `run` and `build` have in common: a model is checked and becomes machine code, or its errors are shown.
+//! Checking and compiling for `run` and `build`, with output of diagnostics.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::directory::StageTimes;
@@ -9,8 +9,9 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-/// Compiles what `check` gave, after showing its diagnostics (only errors if `quiet`). Beside the module, how long each
-/// took. `Err` is the exit status of a model that has errors of the language.
+/// Compiles the result of `check`, after printing its diagnostics (only errors if `quiet`). Returns
+/// the module and the durations of both steps. `Err` is the exit status if the model has errors of
+/// the language.
 pub fn compile(
     file: &Path,
     quiet: bool,
@@ -28,8 +29,8 @@ pub fn compile(
     Ok((module, vec![("check", checking), ("compile", started.elapsed())]))
 }
 
-/// What `check` gave, after showing its diagnostics (only errors if `quiet`). `Err` is the exit status of a model that has
-/// errors of the language.
+/// Unwraps the result of `check`, after printing its diagnostics (only errors if `quiet`). `Err` is
+/// the exit status if the model has errors of the language.
 pub fn checked(
     file: &Path,
     quiet: bool,

@@ -1,4 +1,4 @@
-//! `calyx doc`: reference pages.
+//! `calyx doc`: generates reference pages.
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};

@@ -1,4 +1,4 @@
-//! `calyx dump`: a model at a stage of compilation.
+//! `calyx dump`: prints a model at a stage of compilation.
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
@@ -80,7 +80,7 @@ impl Dump {
         };
         format.diagnostics(&checked.diagnostics, &checked.files);
         let Some(stage) = stage else {
-            // Types are known of what is sound, whatever else is wrong.
+            // Types are known for valid declarations, even if others have errors.
             print!("{}", visible(&types(&checked.types)));
             return if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS };
         };
@@ -107,7 +107,7 @@ impl Dump {
         }
     }
 
-    /// A stage that every text has, right or wrong.
+    /// Prints a stage that every text has, with or without errors.
     fn text(&self, stage: TextStage) -> ExitCode {
         match std::fs::read_to_string(&self.file) {
             Ok(text) => {

@@ -1,4 +1,4 @@
-//! `calyx eval`: one expression.
+//! `calyx eval`: evaluates one expression.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::session::Session;
@@ -19,7 +19,8 @@ the functions and params of a file are available; its analyses are skipped.";
 pub struct Eval {
     /// An expression in the syntax of a model
     expression: String,
-    /// Unit system for bare numbers and the result: SI, mm_N_s or inch_lbf_s [default: the file's, or SI]
+    /// Unit system for bare numbers and the result: SI, mm_N_s or inch_lbf_s [default: the file's,
+    /// or SI]
     #[arg(long, value_name = "SYSTEM")]
     units: Option<String>,
     /// A model or module whose declarations are available in the expression
@@ -46,7 +47,7 @@ impl Eval {
     }
 }
 
-/// A session with the declarations of a file, in a unit system.
+/// Creates a session with the declarations of a file, in a unit system.
 pub fn session(file: Option<PathBuf>, units: Option<String>) -> Result<Session, ExitCode> {
     let format = MessageFormat::Human;
     let mut session = Session::new();

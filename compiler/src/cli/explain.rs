@@ -1,4 +1,4 @@
-//! `calyx explain`: the page behind a diagnostic code, or the plan of a model.
+//! `calyx explain`: prints the page of a diagnostic code, or the plan of a model.
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};

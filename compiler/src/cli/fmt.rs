@@ -1,4 +1,4 @@
-//! `calyx fmt`: models in their canonical layout.
+//! `calyx fmt`: formats models.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::replace::replace;
@@ -31,7 +31,7 @@ pub struct Fmt {
     stdin: bool,
 }
 
-/// What became of a file.
+/// Result of formatting a file.
 enum Outcome {
     Unchanged,
     Changed,
@@ -100,7 +100,7 @@ impl Fmt {
     }
 }
 
-/// The text in its canonical layout; where there is none, says why.
+/// Returns the formatted text; reports errors that prevent formatting.
 fn formatted(name: &str, text: &str) -> Option<String> {
     match format(text) {
         Ok(formatted) => Some(formatted),
@@ -118,8 +118,8 @@ fn formatted(name: &str, text: &str) -> Option<String> {
     }
 }
 
-/// Adds a file, or the models in a directory and below it, in order of name. Hidden ones and links to directories are
-/// passed over unless they are `named`.
+/// Adds a file, or the models in a directory and its subdirectories, sorted by name. Skips hidden
+/// ones and links to directories unless they are `named`.
 fn models(path: &Path, named: bool, files: &mut Vec<PathBuf>) -> io::Result<()> {
     let directory = if named { path.metadata()?.is_dir() } else { path.symlink_metadata()?.is_dir() };
     if !directory {

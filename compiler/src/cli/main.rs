@@ -1,4 +1,4 @@
-//! The `calyx` command: one file a subcommand.
+//! The `calyx` command, with one module per subcommand.
 
 mod allow;
 mod build;

@@ -1,5 +1,5 @@
-//! How the command speaks: to people, or one JSON object a line to programs. Both go to standard error, so that standard
-//! output holds what the model prints and nothing else.
+//! Messages of the command: text for users, or one JSON object per line for programs. Both go to
+//! standard error, so that standard output contains only what the model prints.
 
 use calyx::render;
 use calyx::rt::{InvalidParam, report};
@@ -12,12 +12,12 @@ use serde_json::json;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// The model, or its analysis, is wrong.
+/// Exit status: the model or its analysis has errors.
 pub const MODEL_ERROR: u8 = 1;
-/// The command was not used as it can be.
+/// Exit status: invalid arguments.
 pub const USAGE: u8 = 2;
 
-/// Who reads what the command says.
+/// Format of messages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum MessageFormat {
     /// Text with an excerpt of the source
@@ -28,7 +28,7 @@ pub enum MessageFormat {
 }
 
 impl MessageFormat {
-    /// Says diagnostics.
+    /// Prints diagnostics.
     pub fn diagnostics(self, diagnostics: &[Diagnostic], files: &[SourceFile]) {
         match self {
             MessageFormat::Human => eprint!("{}", render(diagnostics, files)),
@@ -38,7 +38,7 @@ impl MessageFormat {
         }
     }
 
-    /// Says what is wrong with something other than a place in a text.
+    /// Prints an error without a source location.
     pub fn failure(self, message: &str, help: &str) {
         match self {
             MessageFormat::Human => {
@@ -51,7 +51,7 @@ impl MessageFormat {
         }
     }
 
-    /// Says why a value given for a param cannot be used.
+    /// Prints the reason why a value given for a param is invalid.
     pub fn refused(self, refused: &InvalidParam) {
         match self {
             MessageFormat::Human => eprint!("{}", report::refused(refused)),
@@ -63,7 +63,7 @@ impl MessageFormat {
         }
     }
 
-    /// Says what deserves a second look and has no place in a text.
+    /// Prints a warning without a source location.
     pub fn warning(self, message: &str) {
         match self {
             MessageFormat::Human => eprintln!("warning: {}", visible(message)),
@@ -71,14 +71,14 @@ impl MessageFormat {
         }
     }
 
-    /// Says what only people want to know.
+    /// Prints a note in text format; omits it in JSON.
     pub fn note(self, text: &str) {
         if self == MessageFormat::Human {
             eprint!("{}", visible(text));
         }
     }
 
-    /// A model's file that cannot be read.
+    /// Reports a model file that cannot be read.
     pub fn unreadable(self, file: &Path, error: &std::io::Error) -> ExitCode {
         self.failure(
             &format!("cannot read {}: {error}", file.display()),

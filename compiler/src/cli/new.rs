@@ -1,4 +1,4 @@
-//! `calyx new`: a model to start from.
+//! `calyx new`: creates a model from a template.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::shell;
@@ -13,7 +13,7 @@ pub const EXAMPLES: &str = "Examples:
   calyx new pair.cx                   only the file
   calyx new planet --template frames  kinematics without gears";
 
-/// What the model is about.
+/// Template of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 #[value(rename_all = "snake_case")]
 enum Template {
@@ -80,7 +80,7 @@ impl New {
         }
     }
 
-    /// The directory to make, if one is, and the file to write.
+    /// Returns the directory to create, if any, and the file to write.
     fn places(&self) -> Option<(Option<PathBuf>, PathBuf)> {
         let name = self.name.file_name()?;
         if self.name.extension().is_some_and(|extension| extension == "cx") {

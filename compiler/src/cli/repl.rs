@@ -1,4 +1,4 @@
-//! `calyx repl`: the session of [`calyx::session`] at a terminal or from a pipe.
+//! `calyx repl`: runs the session of [`calyx::session`] in a terminal or from a pipe.
 
 use crate::eval::session;
 use crate::messages::{MODEL_ERROR, MessageFormat};
@@ -33,7 +33,8 @@ Commands:
 pub struct Repl {
     /// A model or module whose declarations are available
     file: Option<PathBuf>,
-    /// Unit system for bare numbers and results: SI, mm_N_s or inch_lbf_s [default: the file's, or SI]
+    /// Unit system for bare numbers and results: SI, mm_N_s or inch_lbf_s [default: the file's, or
+    /// SI]
     #[arg(long, value_name = "SYSTEM")]
     units: Option<String>,
 }
@@ -58,7 +59,7 @@ impl Repl {
 
 struct Conversation {
     session: Session,
-    /// Lines of an entry that is not complete yet.
+    /// Lines of an incomplete entry.
     pending: String,
     ended: bool,
 }
@@ -71,11 +72,11 @@ impl Conversation {
             let prompt = if self.pending.is_empty() { "> " } else { "... " };
             match editor.readline(prompt) {
                 Ok(line) => {
-                    // A history that cannot grow is no reason to stop.
+                    // Errors of the history do not end the session.
                     let _ = editor.add_history_entry(&line);
                     self.line(&line);
                 }
-                // Ctrl-C drops what was begun.
+                // Ctrl-C discards an incomplete entry.
                 Err(ReadlineError::Interrupted) => self.pending.clear(),
                 Err(ReadlineError::Eof) => break,
                 Err(error) => return Err(error),
@@ -109,7 +110,7 @@ impl Conversation {
         }
     }
 
-    /// Enters what is there, complete or not.
+    /// Enters the pending lines, complete or not.
     fn rest(&mut self) {
         let text = std::mem::take(&mut self.pending);
         match self.session.converted(&text) {

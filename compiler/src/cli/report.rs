@@ -1,4 +1,4 @@
-//! `calyx report`: the page of a run, made again from its directory.
+//! `calyx report`: regenerates the report of a run from its directory.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::directory::default_directory;
@@ -55,10 +55,10 @@ impl Report {
     }
 }
 
-/// Makes the report of the run in a directory while no run writes there.
+/// Writes the report of the run in a directory while no run writes to it.
 fn write(directory: &Path) -> Result<PathBuf, DirectoryError> {
     let unreadable = |error| DirectoryError::Io { path: directory.to_owned(), error };
-    // Of no run, nothing is written.
+    // Nothing is written if the directory contains no run.
     if !page::is_run(directory) {
         return Err(unreadable(ErrorKind::NotFound.into()));
     }

@@ -76,7 +76,7 @@ impl Run {
             before,
             default_directory: directory,
             messages: &messages,
-            // Progress bars are for people.
+            // Progress bars only in text format.
             silent: format == MessageFormat::Json,
         };
         ExitCode::from(command.execute(given))
@@ -93,7 +93,7 @@ fn print_params(file: &Path, allowed: &Arc<[PathBuf]>, quiet: bool, format: Mess
     }
 }
 
-/// What a run says, with the source beside it.
+/// Printer of the messages of a run, with source lines.
 struct RunMessages<'m> {
     module: &'m Module,
     format: MessageFormat,

@@ -1,4 +1,5 @@
-//! `calyx tradeoff`: a model at every level and setting, its error measured against its time.
+//! `calyx tradeoff`: measures error against computing time of a model at each fidelity level and
+//! setting.
 
 use crate::allow::AllowPath;
 use crate::compile::compile;
@@ -98,7 +99,7 @@ fn level(name: &str) -> Result<Fidelity, String> {
     knobs.fidelity.ok_or_else(|| name.to_owned())
 }
 
-/// A setting that is to be run, and the time it is predicted to take, s.
+/// Setting to run, and its predicted time, s.
 type Expected = (Setting, Option<f64>);
 
 impl Tradeoff {
@@ -159,7 +160,7 @@ impl Tradeoff {
             Err(RunError::Io { path, error }) => return unwritable(format, &path, &error.to_string()),
         };
         let known = |name: &str| measured.iter().any(|measured| measured.setting.name == name);
-        // Should the reference have failed, the finest that there is takes its place.
+        // If the reference failed, use the finest successful setting.
         let finest = measured.iter().max_by_key(|measured| {
             let level = Fidelity::ALL.iter().position(|level| level.name() == measured.setting.level());
             (level, measured.setting.overridden().is_empty())
@@ -178,7 +179,8 @@ impl Tradeoff {
         told
     }
 
-    /// The settings to run, in order, and the name of the reference; what is left out is noted.
+    /// Returns the settings to run, in order, and the name of the reference; records omitted
+    /// settings.
     fn plan(
         &self,
         given: &[ParamAssignment],
@@ -217,7 +219,7 @@ impl Tradeoff {
             of_level.retain(|setting| setting.overridden().iter().all(|(knob, _)| turned(knob)));
             for finest in &finest {
                 if !of_level.contains(finest) {
-                    // Settings of one mesh stand together; a mesh of its own comes last.
+                    // Settings of one mesh are adjacent; a separate mesh comes last.
                     let shares = |setting: &Setting| setting.mesh() == finest.mesh();
                     let at = of_level.iter().rposition(shares).map_or(of_level.len(), |at| at + 1);
                     added.push(finest.name.clone());
@@ -270,13 +272,13 @@ impl Tradeoff {
             Some(name) => Some(name.clone()),
             None => best_of_levels.pop(),
         };
-        // Of the finest grids of all levels one is needed.
+        // Of the settings added as references of the levels, keep only the selected reference.
         expected
             .retain(|(setting, _)| !added.contains(&setting.name) || chosen.as_ref() == Some(&setting.name));
         Ok((expected, chosen))
     }
 
-    /// Runs what is expected; `None` if somebody ended it.
+    /// Runs the planned settings; `None` if the user cancels.
     fn measure(
         &self,
         campaign: &Campaign,
@@ -290,7 +292,7 @@ impl Tradeoff {
             expected.iter().map(|(_, time)| time.unwrap_or(0.0)).collect(),
         );
         for (index, (setting, predicted)) in expected.iter().enumerate() {
-            // Of a level that a model cannot be analysed at no knob needs to be tried.
+            // If the model does not support a level, skip the settings of that level.
             if left.iter().any(|left| left.name == setting.level()) {
                 continue;
             }
@@ -328,7 +330,7 @@ impl Tradeoff {
             return unwritable(format, &path("tradeoff.svg"), &error.to_string());
         }
         if self.json {
-            // Whoever does not want to read to its end may close it.
+            // The reader may close the pipe early.
             let _ = writeln!(io::stdout().lock(), "{document:#}");
             return ExitCode::SUCCESS;
         }
@@ -349,14 +351,14 @@ fn beside(model: &Path) -> PathBuf {
     model.with_file_name(name)
 }
 
-/// Lists everything that a comparison writes at the top of its directory.
+/// Registers all files that a comparison writes at the top of its directory.
 fn claimed(locked: RunDirectory, path: &Path) -> Result<RunDirectory, DirectoryError> {
     let names = ["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"];
     let listed = locked.claim_all(names);
     listed.map(|()| locked).map_err(|error| DirectoryError::Io { path: path.to_owned(), error })
 }
 
-/// Says why results cannot be written to a directory.
+/// Reports why results cannot be written to a directory.
 fn refused(format: MessageFormat, error: &DirectoryError) -> ExitCode {
     format.failure(&error.to_string(), error.help());
     ExitCode::from(match error {

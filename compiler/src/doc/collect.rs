@@ -1,4 +1,4 @@
-//! From a syntax tree to what a page says.
+//! Extraction of a page's content from a syntax tree.
 
 use calyx_lang::ast::*;
 use calyx_lang::dimension::{Dimension, Rational};
@@ -7,14 +7,14 @@ use calyx_lang::span::{FileId, Span};
 use calyx_lang::units::UnitSystem;
 use std::collections::BTreeMap;
 
-/// A module or a model.
+/// Documented module or model.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
     pub name: String,
     pub doc: String,
-    /// Part of the library, as opposed to a file of the user's.
+    /// True for a library module, false for a user's file.
     pub library: bool,
-    /// In order of the source.
+    /// Entries in source order.
     pub entries: Vec<Entry>,
 }
 
@@ -29,48 +29,49 @@ pub enum Kind {
     Unit,
 }
 
-/// Something with a name.
+/// Documented declaration.
 #[derive(Clone, Debug)]
 pub struct Entry {
     pub kind: Kind,
     pub name: String,
     pub doc: String,
-    /// How it is used: a call, a declaration.
+    /// Usage: a call or a declaration.
     pub signature: String,
-    /// What a function gives, as written.
+    /// Result type of a function, as written.
     pub result: Option<Type>,
-    /// Parameters of a function, fields of a record; of a param the param itself.
+    /// Parameters of a function, fields of a record; for a param the param itself.
     pub fields: Vec<Field>,
-    /// How an engine function acts, in words; empty for others.
+    /// Side effect of an engine function, in words; empty for others.
     pub effect: &'static str,
 }
 
-/// A parameter, field or param.
+/// Parameter, field or param.
 #[derive(Clone, Debug)]
 pub struct Field {
     pub name: String,
-    /// `in`, `out` or `inout` for parameters, empty elsewhere.
+    /// `in`, `out` or `inout` for parameters, empty for others.
     pub mode: &'static str,
     pub doc: String,
     pub ty: Option<Type>,
     pub default: Option<String>,
     /// Allowed values, in words.
     pub domain: String,
-    /// Takes an expression, with `:=`.
+    /// True if the field accepts an expression, with `:=`.
     pub symbolic: bool,
 }
 
-/// A type as written.
+/// Type as written.
 #[derive(Clone, Debug)]
 pub struct Type {
     pub text: String,
-    /// The unit of its numbers in each system, if they have one: `mm`, `inch`.
+    /// Unit of its numbers in each system, if they have one: `mm`, `inch`.
     pub units: Vec<String>,
-    /// Names of types in it that are no dimensions: handles and records.
+    /// Names of types in it that are not dimensions: handles and records.
     pub names: Vec<String>,
 }
 
-/// Reads a page off a text. `types` are the inferred types of a model's params and outputs, as shown to people.
+/// Extracts the page of a text. `types` are the inferred types of a model's params and outputs, as
+/// shown to users.
 pub fn page(name: &str, text: &str, library: bool, types: &BTreeMap<String, String>) -> Page {
     let (module, _) = parse(FileId(0), text);
     let reader = Reader { text, types };
@@ -99,7 +100,7 @@ struct Reader<'t> {
 impl Reader<'_> {
     fn inferred(&self, name: &Ident) -> Option<Type> {
         let text = self.types.get(&name.name)?.clone();
-        // An output is an observable or a number over time: its dimension is what a reader wants.
+        // An output is an observable or a number over time: show its dimension.
         let inner =
             text.strip_prefix("Observable(").and_then(|inner| inner.strip_suffix(')')).unwrap_or(&text);
         let units = Dimension::from_name(inner).map(units).unwrap_or_default();
@@ -153,7 +154,7 @@ impl Reader<'_> {
             }
             StmtKind::Function(function) if !function.is_test => {
                 let fields: Vec<Field> = function.parameters.iter().map(|p| self.parameter(p)).collect();
-                // The prelude's names are known without a module's name before them.
+                // Names of the prelude need no module prefix.
                 let prefix = if library && module != "std" { format!("{module}.") } else { String::new() };
                 let signature = call(&format!("{prefix}{}", function.name.name), &fields);
                 let result = function.result.as_ref().map(|ty| self.ty(ty));
@@ -224,14 +225,14 @@ impl Reader<'_> {
         Type { text: self.slice(ty.span), units: units.unwrap_or_default(), names }
     }
 
-    /// What is written, on one line.
+    /// Returns the source text of a span, on one line.
     fn slice(&self, span: Span) -> String {
         let written = self.text.get(span.start as usize..span.end as usize).unwrap_or_default();
         written.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 }
 
-/// The unit of a dimension in each system.
+/// Returns the unit of a dimension in each system.
 fn units(dimension: Dimension) -> Vec<String> {
     let systems = [UnitSystem::MmNS, UnitSystem::InchLbfS];
     let names = systems.map(|system| system.unit_of(dimension).name);
@@ -240,7 +241,7 @@ fn units(dimension: Dimension) -> Vec<String> {
     units
 }
 
-/// A call with the arguments that must be given, and those that may be in brackets.
+/// Returns a call with the required arguments, and the optional ones in brackets.
 fn call(name: &str, fields: &[Field]) -> String {
     let argument = |field: &Field| {
         let bind = if field.symbolic { ":=" } else { "=" };
@@ -263,7 +264,7 @@ fn effect(function: &FunctionDecl) -> &'static str {
     }
 }
 
-/// The dimension of the numbers in a type, if there is one.
+/// Returns the dimension of the numbers in a type, if there is one.
 fn dimension(ty: &TypeExpr) -> Option<Dimension> {
     match &ty.kind {
         TypeKind::Name(name) => Dimension::from_name(&name.name),

@@ -1,4 +1,4 @@
-//! Pages as HTML: one file each, nothing loaded from elsewhere, readable on a phone and at a desk.
+//! HTML pages: self-contained files without external resources, for screens of any width.
 
 use super::collect::{Entry, Field, Kind, Page, Type};
 use pulldown_cmark::{CowStr, Event, Parser, html::push_html};
@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("search.js");
 
-/// Sections of a page in order: kind, heading, whether entries have a table of fields.
+/// Sections of a page in order: kind, heading, true if entries have a table of fields.
 const SECTIONS: [(Kind, &str); 7] = [
     (Kind::Param, "Params"),
     (Kind::Output, "Outputs"),
@@ -18,7 +18,7 @@ const SECTIONS: [(Kind, &str); 7] = [
     (Kind::Unit, "Units"),
 ];
 
-/// The page of one module or model; links lead to the other pages.
+/// Renders the page of one module or model; links lead to the other pages.
 pub fn page(page: &Page, all: &[Page]) -> String {
     let links = Links::new(page, all);
     let mut body = format!("<h1>{}</h1>\n", escape(&title(page)));
@@ -45,10 +45,10 @@ pub fn page(page: &Page, all: &[Page]) -> String {
     document(&title(page), &navigation, &body)
 }
 
-/// A list of everything on all pages.
+/// Renders an index of all entries of all pages.
 pub fn index(pages: &[Page]) -> String {
     let mut body = format!("<h1>Calyx reference</h1>\n{SEARCH_BOX}");
-    // Beside each other, names lead to their own pages; those within sentences would lead into this one.
+    // Entries link to their own pages; names in sentences would link to the index itself.
     let links = Links::default();
     for page in pages {
         body += &format!("<h2><a href=\"{0}.html\">{1}</a></h2>\n", escape(&page.name), escape(&title(page)));
@@ -77,7 +77,7 @@ fn title(page: &Page) -> String {
     }
 }
 
-/// By which a page of this program is recognised.
+/// Generator tag that identifies pages of this program.
 pub(super) const GENERATOR: &str = "<meta name=\"generator\" content=\"calyx doc\">";
 
 fn document(title: &str, navigation: &str, body: &str) -> String {
@@ -90,7 +90,7 @@ fn document(title: &str, navigation: &str, body: &str) -> String {
     )
 }
 
-/// Names with their first sentence, to find what one looks for at a glance.
+/// Renders a table of contents: names with their first sentence.
 fn contents(page: &Page) -> String {
     let mut out = String::from("<dl class=\"list contents\">\n");
     let links = Links::default();
@@ -163,7 +163,7 @@ fn field_html(entry: &Entry, field: &Field, links: &Links) -> String {
     )
 }
 
-/// What the handles of a module are made by and given to.
+/// Renders the handle types of a module with the functions that return and accept them.
 fn types(page: &Page, links: &Links) -> String {
     let mut made: BTreeMap<&str, (Vec<&str>, Vec<&str>)> = BTreeMap::new();
     for entry in page.entries.iter().filter(|entry| entry.kind == Kind::Function) {
@@ -198,7 +198,7 @@ fn types(page: &Page, links: &Links) -> String {
     out + "</dl>\n"
 }
 
-/// Where names lead.
+/// Link targets of names.
 #[derive(Default)]
 struct Links {
     targets: BTreeMap<String, String>,
@@ -214,7 +214,7 @@ impl Links {
                 if other.library && other.name != "std" {
                     targets.insert(format!("{}.{}", other.name, entry.name), target.clone());
                 }
-                // A page's own names come first.
+                // Names of the page itself take precedence.
                 if file.is_empty() || !targets.contains_key(&entry.name) {
                     targets.insert(entry.name.clone(), target);
                 }
@@ -226,7 +226,7 @@ impl Links {
         Links { targets }
     }
 
-    /// Code that leads somewhere if it is a known name, alone or called.
+    /// Renders code, with a link if it is a known name, alone or as a call.
     fn code(&self, text: &str) -> String {
         let name = text.split('(').next().unwrap_or(text);
         match self.targets.get(name) {
@@ -237,7 +237,7 @@ impl Links {
 
     fn ty(&self, ty: &Type) -> String {
         let mut out = String::new();
-        // Words of the type, with what stands between them.
+        // Identifiers of the type, with the text between them.
         let mut rest = ty.text.as_str();
         while let Some(start) = rest.find(|c: char| c.is_alphanumeric() || c == '_') {
             let length = rest[start..]
@@ -263,14 +263,14 @@ impl Links {
         out
     }
 
-    /// Markdown without the paragraph around it.
+    /// Renders Markdown without the enclosing paragraph.
     fn inline(&self, text: &str) -> String {
         let html = self.markdown(text);
         let html = html.trim();
         html.strip_prefix("<p>").and_then(|html| html.strip_suffix("</p>")).unwrap_or(html).to_owned()
     }
 
-    /// Names in backticks become links; HTML in a comment is text.
+    /// Parses Markdown: names in backticks become links, HTML becomes text.
     fn events<'t>(&'t self, text: &'t str) -> impl Iterator<Item = Event<'t>> {
         Parser::new(text).map(|event| match event {
             Event::Code(code) => Event::InlineHtml(CowStr::from(self.code(&code))),
@@ -280,7 +280,7 @@ impl Links {
     }
 }
 
-/// The page as a reader sees it.
+/// Returns the text of a page without markup.
 pub fn text(page: &Page) -> String {
     let mut out = format!("{}\n{}\n", title(page), page.doc);
     for (kind, heading) in SECTIONS {
@@ -317,7 +317,7 @@ fn field_text(field: &Field) -> String {
     parts.join("; ")
 }
 
-/// A long signature with one argument a line.
+/// Breaks a long signature into one argument per line.
 fn broken(signature: &str) -> String {
     const WIDTH: usize = 60;
     let (Some(open), true) = (signature.find('('), signature.chars().count() > WIDTH) else {
@@ -343,7 +343,7 @@ fn broken(signature: &str) -> String {
     format!("{lines}\n    {})", line.trim())
 }
 
-/// Up to the first full stop that ends a sentence, or the first blank line.
+/// Returns the text up to the first full stop that ends a sentence, or the first blank line.
 fn first_sentence(doc: &str) -> &str {
     let paragraph = doc.split("\n\n").next().unwrap_or(doc);
     let end = paragraph.find(". ").or_else(|| paragraph.find(".\n")).map_or(paragraph.len(), |at| at + 1);

@@ -1,4 +1,4 @@
-// Shows the entries whose name holds what is typed; "/" leads to the field.
+// Shows the entries whose name contains the typed text; "/" focuses the field.
 const field = document.getElementById("search");
 const entries = [...document.querySelectorAll(".entry")];
 field.addEventListener("input", () => {

@@ -1,16 +1,16 @@
-//! The expression graph of each symbolic site: every distinct operation once, operands before what uses them.
+//! Expression graphs of symbolic sites: every distinct operation once, operands before their uses.
 
 use calyx_abi::text::number;
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lower::kernels::{KernelError, SiteGraph, site_graph};
 use calyx_symbolic::{Node, NodeId};
 
-/// How graphs are written.
+/// Output format of graphs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Format {
     #[default]
     Text,
-    /// The language of Graphviz.
+    /// Graphviz format.
     Dot,
 }
 
@@ -65,7 +65,8 @@ fn operations(site: &SiteGraph) -> usize {
     site.nodes.iter().filter(leaf).count()
 }
 
-/// Nodes are numbered as they stand, so that the text does not depend on what was simplified away.
+/// Nodes are numbered in output order, so that the text is independent of nodes that were
+/// simplified away.
 fn name(site: &SiteGraph, id: NodeId) -> String {
     format!("n{}", site.nodes.binary_search(&id).unwrap_or(usize::MAX))
 }

@@ -1,4 +1,5 @@
-//! The typed program: params, externs, functions as graphs of basic blocks. Numbers are in SI, dimensions gone.
+//! Text of the typed program: params, externs, functions as graphs of basic blocks. Numbers are in
+//! SI units, without dimensions.
 
 use calyx_abi::Repr;
 use calyx_abi::display::Display;
@@ -43,7 +44,7 @@ struct Printer<'p> {
 }
 
 impl Printer<'_> {
-    /// Instances of one function differ by their number.
+    /// Instances of one function are distinguished by their number.
     fn function_name(&self, id: FunctionId) -> String {
         match self.program.functions.get(id.0 as usize) {
             Some(function) if !function.name.is_empty() => format!("{}#{}", function.name, id.0),

@@ -1,4 +1,4 @@
-//! Tokens, one a line: place, kind, text.
+//! Text of tokens, one per line: location, kind, text.
 
 use calyx_lang::lexer::lex;
 use calyx_lang::render::line_column;

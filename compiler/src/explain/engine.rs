@@ -1,4 +1,5 @@
-//! Pages of the codes that the library and the engine report; those of the language stand beside its checker.
+//! Explanations of the codes of the library and the engine; those of the language are next to its
+//! checker.
 
 use calyx_lang::codes::Explanation;
 

@@ -1,28 +1,29 @@
-//! Real editors and their tools, where they are installed: Neovim and Emacs talk to the real server, npm builds the Visual Studio
-//! Code extension.
+//! Tests with installed editors and their tools: Neovim and Emacs connect to the language server,
+//! npm builds the Visual Studio Code extension.
 //!
-//! What is not installed is skipped, visibly; with `CALYX_CI_STRICT=1`, which `.ci/run` sets after having installed all of it, that is
-//! a failure.
+//! Tests of missing programs are skipped with a message; with `CALYX_CI_STRICT=1`, which `.ci/run`
+//! sets after installing all of them, they fail.
 
 use super::editors;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Whether a program answers, and the test goes on.
+/// Returns true if a program is installed, so that the test continues.
 fn installed(program: &str, why: &str) -> bool {
     let answer = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     answer.is_ok_and(|status| status.success()) || skipped(&format!("`{program}` is not installed: {why}"))
 }
 
-/// Says that a test is skipped; where nothing may be skipped, fails.
+/// Reports a skipped test; fails in strict mode.
 fn skipped(why: &str) -> bool {
     assert!(std::env::var_os("CALYX_CI_STRICT").is_none_or(|strict| strict != "1"), "{why}");
-    // The harness hides what a test prints while it passes, but not what is written past it.
+    // The harness captures the output macros of a passing test, but not direct writes to standard
+    // error.
     let _ = std::io::Write::write_all(&mut std::io::stderr(), format!("SKIPPED: {why}\n").as_bytes());
     false
 }
 
-/// Runs a command to its end. What it said is shown if it fails.
+/// Runs a command to its end; shows its output if it fails.
 fn run(command: &mut Command) {
     let output = command.stdin(Stdio::null()).output().expect("the program starts");
     let said = [&output.stdout, &output.stderr].map(|stream| String::from_utf8_lossy(stream));
@@ -30,7 +31,7 @@ fn run(command: &mut Command) {
     assert!(output.status.success(), "{command:?}: {}\n{}{}", output.status, said[0], said[1]);
 }
 
-/// A session with a folder of its own for what editors and server keep between sessions.
+/// Creates a session with its own home directory for state of editors and server.
 fn session(program: &str, home: &Path) -> Command {
     let mut command = Command::new(program);
     command.env("CALYX", env!("CARGO_BIN_EXE_calyx")).env("HOME", home);
@@ -50,7 +51,7 @@ fn neovim_edits_the_example_with_the_server() {
     run(session("nvim", home.path()).args(["--headless", "-u", "NONE", "-i", "NONE", "-c", &script]));
 }
 
-/// Emacs on the tests of the mode that have a tag.
+/// Creates a command that runs the mode's tests with a tag in Emacs.
 fn emacs_tests(home: &Path, tag: &str) -> Command {
     let mut emacs = session("emacs", home);
     emacs.args(["--batch", "-L"]).arg(editors("emacs"));
@@ -65,7 +66,7 @@ fn emacs_compiles_the_mode_without_a_warning_and_shows_models_right() {
         return;
     }
     let home = tempfile::tempdir().expect("a folder");
-    // A copy: what is compiled stands beside its source.
+    // A copy, because compiled files are written next to their source.
     let copy = home.path().join("calyx-mode.el");
     std::fs::copy(editors("emacs/calyx-mode.el"), &copy).expect("copied");
     let strict =

@@ -1,5 +1,5 @@
-//! The editor set-ups of `lsp/editors/`: their words are the compiler's, their snippets are Calyx, and real editors get on with
-//! `calyx lsp`.
+//! Tests of the editor support in `lsp/editors/`: keywords match those of the compiler, snippets
+//! are valid Calyx, and installed editors work with `calyx lsp`.
 
 mod clients;
 mod snippets;
@@ -7,7 +7,7 @@ mod words;
 
 use std::path::{Path, PathBuf};
 
-/// A file or folder of `lsp/editors/`.
+/// Returns a file or directory of `lsp/editors/`.
 fn editors(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../lsp/editors").join(path)
 }

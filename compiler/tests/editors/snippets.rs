@@ -1,4 +1,4 @@
-//! Snippets, as they stand before anything is typed into their places, are Calyx laid out as `calyx fmt` would.
+//! Checks that snippets with their default texts are valid Calyx in the layout of `calyx fmt`.
 
 use super::read;
 use calyx_lang::format::format;
@@ -7,22 +7,22 @@ use calyx_lang::span::FileId;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
-/// A snippet with the texts that stand in its places.
+/// Snippet with the texts of its placeholders.
 struct Expansion<'a> {
     rest: &'a str,
-    /// Texts by number of their place; a place without a text of its own repeats one.
+    /// Texts by number of the placeholder; one without a text repeats an earlier one.
     places: BTreeMap<&'a str, String>,
 }
 
 impl<'a> Expansion<'a> {
     fn of(body: &str) -> String {
-        // A place may be repeated before the text that it has.
+        // A placeholder may be repeated before its definition.
         let mut first = Expansion { rest: body, places: BTreeMap::new() };
         let _ = first.text(false);
         Expansion { rest: body, places: first.places }.text(false)
     }
 
-    /// Up to the brace that closes a place, or the end.
+    /// Expands up to the brace that closes a placeholder, or to the end.
     fn text(&mut self, inside: bool) -> String {
         let mut out = String::new();
         while let Some(character) = self.rest.chars().next() {
@@ -49,7 +49,7 @@ impl<'a> Expansion<'a> {
         number
     }
 
-    /// `1`, `{1:text}` or `{1|one,other|}`, behind its dollar.
+    /// Expands a placeholder after its dollar sign: `1`, `{1:text}` or `{1|one,other|}`.
     fn place(&mut self) -> String {
         let Some(rest) = self.rest.strip_prefix('{') else {
             let number = self.number();
@@ -72,7 +72,7 @@ impl<'a> Expansion<'a> {
     }
 }
 
-/// With an empty statement where a line is to be typed.
+/// Adds an empty statement where the snippet leaves a line to the user.
 fn filled(text: &str) -> String {
     let fill = |line: &str| {
         let blank = !line.is_empty() && line.trim().is_empty();
@@ -81,7 +81,7 @@ fn filled(text: &str) -> String {
     text.trim_end().split('\n').map(fill).collect()
 }
 
-/// Prefix words and text of each snippet.
+/// Returns prefixes and text of each snippet.
 fn snippets() -> BTreeMap<String, (Vec<String>, String)> {
     let all: Map<String, Value> = serde_json::from_str(&read("vscode/snippets/calyx.json")).expect("JSON");
     let words = |value: &Value| match value {

@@ -1,4 +1,4 @@
-//! Highlighting repeats the language's words in three notations; each must hold all of them and no others.
+//! Checks that the keyword lists of the three syntax highlighters match the language exactly.
 
 use super::read;
 use calyx_lang::check::builtin_names;
@@ -15,13 +15,13 @@ fn set<'a>(words: impl IntoIterator<Item = &'a str>) -> Words {
     words.into_iter().map(str::to_owned).collect()
 }
 
-/// All spellings that are words; `%` is one of the operators to an editor.
+/// Returns all unit names that are words; editors treat `%` as an operator.
 fn units() -> Words {
     let spellings = Unit::all().iter().flat_map(|unit| unit.aliases.iter().chain([&unit.name]).copied());
     set(spellings.filter(|spelling| *spelling != "%"))
 }
 
-/// Names with a fixed meaning that are not functions.
+/// Returns the predefined names that are not functions.
 fn constants() -> Words {
     set(["Time", "e1", "e2", "e3", "pi", "inf", "nan", "TRUE", "FALSE"])
 }
@@ -30,14 +30,14 @@ fn functions() -> Words {
     set(builtin_names()).difference(&constants()).cloned().collect()
 }
 
-/// What may stand between `extern` and `function`.
+/// Words that are allowed between `extern` and `function`.
 const EFFECTS: [&str; 3] = ["pure", "scene", "effect"];
 
 fn without(words: &Words, others: impl IntoIterator<Item = &'static str>) -> Words {
     words.difference(&set(others)).cloned().collect()
 }
 
-/// The words that a regular expression spells out, leaving out its escapes: `\b`, `\p{L}`.
+/// Returns the words in a regular expression, without escapes such as `\b`, `\p{L}`.
 fn spelt_out(regex: &str) -> Words {
     let mut words = Words::new();
     let mut word = String::new();
@@ -57,7 +57,7 @@ fn spelt_out(regex: &str) -> Words {
     words
 }
 
-/// Everything spelt out in the regular expressions below a place of the grammar.
+/// Returns the words in all regular expressions below a node of the grammar.
 fn below(value: &Value) -> Words {
     match value {
         Value::Array(items) => items.iter().flat_map(below).collect(),
@@ -105,7 +105,7 @@ fn the_textmate_grammar_has_the_languages_words() {
     let mut expected = without(&set(keywords()), ["TRUE", "FALSE"]);
     expected.extend(set(EFFECTS));
     assert_eq!(found, expected);
-    // Each of the words that are always words is one of some rule of its own, whatever stands around it.
+    // Each unconditional keyword has a rule that is independent of its context.
     let always = grammar.sections(&["keywords"]);
     let contextual = [
         "import",
@@ -131,7 +131,8 @@ fn the_textmate_grammar_has_the_languages_words() {
     assert_eq!(grammar.pattern("calls", "support.function.calyx"), functions());
 }
 
-/// The words of `syn keyword GROUP ...`, which may go on in lines that begin with `\`.
+/// Returns the words of `syn keyword GROUP ...`, including continuation lines, which begin with
+/// `\`.
 fn vim_keywords(syntax: &str, group: &str) -> Words {
     let mut words = Words::new();
     let mut inside = false;
@@ -184,16 +185,16 @@ fn the_vim_syntax_has_the_languages_words() {
         assert!(in_match, "no rule knows `{word}`");
     }
     assert_eq!(groups(&["calyxConstant"]), without(&constants(), ["TRUE", "FALSE"]));
-    // `min` is a function only where it is called.
+    // `min` is a function only in a call.
     assert_eq!(groups(&["calyxBuiltin"]), without(&functions(), ["min"]));
     assert_eq!(groups(&["calyxUnitFactor"]), units());
     let dimensions = groups(&["calyxDimension"]);
-    // `Time` is shown as the time.
+    // `Time` is highlighted as the time.
     let missing: Words = set(Dimension::names()).difference(&dimensions).cloned().collect();
     assert_eq!(missing, set(["Time"]));
 }
 
-/// The strings of `(defconst NAME '(...))`.
+/// Returns the strings of `(defconst NAME '(...))`.
 fn lisp_list(text: &str, name: &str) -> Words {
     let (_, rest) = text.split_once(&format!("(defconst {name}")).unwrap_or_else(|| panic!("no {name}"));
     let (_, rest) = rest.split_once("'(").expect("a list");
@@ -212,7 +213,7 @@ fn the_emacs_mode_has_the_languages_words() {
     assert!(set(Dimension::names()).is_subset(&words(&["calyx--types"])));
 }
 
-/// What the protocol has names for; themes know their colours.
+/// Token types and modifiers of the protocol, for which themes define colours.
 const OF_THE_PROTOCOL: [&str; 19] = [
     "comment",
     "keyword",

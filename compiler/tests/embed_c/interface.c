@@ -1,5 +1,6 @@
-/* Uses every function of the C interface, rightly and wrongly, with two models in one program. The program says nothing and returns 0 if all
-   is as it should be. Without an argument it leaves out what takes long: the analysis of the spur pair. */
+/* Tests every function of the C interface, with valid and invalid arguments and two models in one
+   program. The program prints nothing and returns 0 on success. Without an argument it skips the
+   slow part: the analysis of the spur pair. */
 
 #include "small.h"
 #include "spur_pair.h"
@@ -11,7 +12,7 @@
 
 extern const calyx_model foreign_model;
 
-/* What does not hold is told with its line, and ends the program. */
+/* Reports a condition that is false with its line, and ends the program. */
 #define HOLDS(condition)                                                                                               \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \
@@ -102,12 +103,12 @@ static void params_and_printing(void)
     HOLDS(calyx_on_print(small, NULL, NULL) == CALYX_OK && calyx_step(small) == CALYX_END);
     HOLDS(strcmp(printed, "0.5 mm other TRUE\n") == 0);
 
-    /* An error of the model has a code and a place. */
+    /* An error of the model has a code and a source location. */
     HOLDS(calyx_set(small, "n", 7) == CALYX_OK && calyx_step(small) == CALYX_MODEL);
     HOLDS(calyx_error(small, &problem) == CALYX_OK && problem.status == CALYX_MODEL);
     HOLDS(strcmp(problem.code, "E0701") == 0 && strstr(problem.file, "small.cx"));
     HOLDS(problem.line == 13 && problem.column > 1 && strstr(problem.report, "small.cx:13:"));
-    /* A range that depends on other params is asked for when a run begins. */
+    /* A range that depends on other params is checked when a run begins. */
     HOLDS(calyx_set(small, "x", 101) == CALYX_GIVEN && calyx_error(small, &problem) == CALYX_OK);
     HOLDS(strstr(problem.message, "outside its range"));
     HOLDS(calyx_set(small, "x", 60) == CALYX_OK && calyx_step(small) == CALYX_GIVEN);
@@ -122,7 +123,7 @@ static void params_and_printing(void)
     HOLDS(calyx_set(small, "x", 51) == CALYX_OK && calyx_step(small) == CALYX_LIMIT);
     HOLDS(calyx_limit_memory(small, 0) == CALYX_OK && calyx_stop(small) == CALYX_OK);
     calyx_free(small);
-    /* The other outlives it. */
+    /* The other instance outlives it. */
     HOLDS(calyx_step(other) == CALYX_END);
     calyx_free(other);
 }
@@ -163,16 +164,16 @@ static void positions(void)
     HOLDS(calyx_summarize_in(pair, index, "arcsec", &in_arcsec) == CALYX_OK);
     HOLDS(in_arcsec.peak_to_peak > summary.peak_to_peak);
 
-    /* A run that was cancelled says so, and the next one begins anew. */
+    /* A cancelled run returns this error, and the next one starts from the beginning. */
     HOLDS(calyx_step(pair) == CALYX_OK && calyx_cancel(pair) == CALYX_OK);
-    /* Positions that were solved already may come first. */
+    /* Positions that are already solved may precede the error. */
     do
         status = calyx_step(pair);
     while (status == CALYX_OK);
     HOLDS(status == CALYX_CANCELLED);
     HOLDS(calyx_summarize(pair, index, &summary) == CALYX_GIVEN);
     HOLDS(calyx_step(pair) == CALYX_OK && calyx_where(pair, &position) == CALYX_OK && position.index == 0);
-    /* A run under way is ended with its instance. */
+    /* Destroying an instance ends its current run. */
     calyx_free(pair);
 }
 

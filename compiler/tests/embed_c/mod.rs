@@ -1,8 +1,8 @@
-//! Models in programs written in C: the header is C and C++, the interface keeps its promises, the example runs; valgrind finds
-//! nothing.
+//! Tests of models in C programs: the header is valid C and C++, the interface behaves as
+//! documented, the example runs; valgrind reports no errors.
 //!
-//! What is not installed is skipped, visibly; with `CALYX_CI_STRICT=1`, which `.ci/run` sets after having installed it, that is a
-//! failure.
+//! Tests of missing programs are skipped with a message; with `CALYX_CI_STRICT=1`, which `.ci/run`
+//! sets after installing them, they fail.
 #![cfg(unix)]
 
 use calyx::build::{BuildOptions, Emit, build, library};
@@ -23,7 +23,7 @@ fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
 }
 
-/// Whether a program answers, and the test goes on.
+/// Returns true if a program is installed, so that the test continues.
 fn installed(program: &str) -> bool {
     let answer = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     if answer.is_ok_and(|status| status.success()) {
@@ -31,12 +31,13 @@ fn installed(program: &str) -> bool {
     }
     let why = format!("`{program}` is not installed");
     assert!(std::env::var_os("CALYX_CI_STRICT").is_none_or(|strict| strict != "1"), "{why}");
-    // The harness hides what a test prints while it passes, but not what is written past it.
+    // The harness captures the output macros of a passing test, but not direct writes to standard
+    // error.
     let _ = std::io::Write::write_all(&mut std::io::stderr(), format!("SKIPPED: {why}\n").as_bytes());
     false
 }
 
-/// Runs a command that succeeds.
+/// Runs a command that must succeed.
 fn run(command: &mut Command) -> Output {
     let output = command.stdin(Stdio::null()).output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
     let said = [&output.stdout, &output.stderr].map(|stream| String::from_utf8_lossy(stream));
@@ -44,8 +45,8 @@ fn run(command: &mut Command) -> Output {
     output
 }
 
-/// A command that runs a program under valgrind, which must find no error and no leak; what is still in use by threads that go
-/// on is none. Stacks of programs are large, and only reserved.
+/// Creates a command that runs a program under valgrind, which must find no error and no leak,
+/// except memory that running threads still use. Stacks of programs are large, but only reserved.
 fn valgrind(program: &Path) -> Command {
     let mut command = Command::new("valgrind");
     command.args(["--quiet", "--error-exitcode=99", "--leak-check=full", "--max-stackframe=300000000"]);
@@ -64,7 +65,7 @@ fn made(model: &Path, directory: &Path, name: &str) {
     build(&checked, &options).unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// A program of the interface's test, with both its models and one that was compiled for another engine.
+/// Builds the interface test with both its models and one that was compiled for another engine.
 fn interface() -> (TempDir, PathBuf) {
     let directory = tempfile::tempdir().unwrap();
     let at = |name: &str| directory.path().join(name);
@@ -136,7 +137,7 @@ fn valgrind_finds_nothing_in_the_interface() {
     }
 }
 
-/// Every name that the header declares is one of the library, with C linkage.
+/// Every function in the header is in the library, with C linkage.
 #[test]
 fn what_the_header_declares_is_there() {
     let declared: Vec<&str> = calyx::rt::c_api::HEADER
@@ -152,7 +153,8 @@ fn what_the_header_declares_is_there() {
     }
 }
 
-/// The example, built by its own Makefile in a copy of the directory, after `old => new` of each edit of the model.
+/// Builds the example by its Makefile in a copy of the directory, after replacing `old => new` for
+/// each edit of the model.
 fn example(edits: &[(&str, &str)]) -> (TempDir, PathBuf) {
     let directory = tempfile::tempdir().unwrap();
     let text = fs::read_to_string(examples().join("spur_pair.cx")).unwrap();
@@ -185,7 +187,8 @@ fn the_example_prints_what_its_page_shows() {
     assert!(alike(shown, &printed), "the page shows\n{shown}\nand the example prints\n{printed}");
 }
 
-/// Whether two texts have the same words, and numbers that differ by no more than what refining the engine may change.
+/// Returns true if two texts have the same words, and numbers equal within the tolerance for
+/// changes of the engine.
 fn alike(one: &str, other: &str) -> bool {
     let same = |(one, other): (&str, &str)| match (one.parse::<f64>(), other.parse::<f64>()) {
         (Ok(one), Ok(other)) => (one - other).abs() <= 0.01 * one.abs() + 1e-3,
@@ -195,7 +198,8 @@ fn alike(one: &str, other: &str) -> bool {
     words[0] == words[1] && one.split_whitespace().zip(other.split_whitespace()).all(same)
 }
 
-/// Without meshes and estimates: they are what takes long under valgrind, and call nothing of the interface.
+/// Without meshes and error estimates, which are slow under valgrind and do not concern the
+/// interface.
 const WITHOUT_MESHES: [(&str, &str); 1] =
     [("    fidelity = fidelity,", "    fidelity = \"analytic\", error_estimates = \"none\",")];
 

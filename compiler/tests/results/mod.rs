@@ -1,17 +1,18 @@
-//! The final files of a run, for comparison byte by byte.
+//! Reads the final files of a run for byte-wise comparison.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// The file by which a run recognises its directory.
+/// File that marks a run directory.
 const MARKER: &str = ".calyx-run";
 
-/// Every file of a run directory by its path in it, but for what the run's own speed decides: `timing.json`, and the section of the report
-/// that shows it.
+/// Returns every file of a run directory by its relative path, except data that depends on
+/// computing times: `timing.json`, and its section in the report.
 ///
 /// # Panics
-/// If the run is not finished: `run.json` or one of those is missing, or something of a run under way is left.
+/// If the run is not finished: `run.json` or one of those files is missing, or temporary files
+/// exist.
 pub fn results(directory: &Path) -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
     read(directory, "", &mut all);
@@ -30,7 +31,7 @@ fn read(directory: &Path, below: &str, all: &mut BTreeMap<String, String>) {
     for entry in fs::read_dir(directory).expect("a directory") {
         let path = entry.expect("an entry").path();
         let name = format!("{below}{}", path.file_name().unwrap_or_default().to_string_lossy());
-        // The marker has the process and the time.
+        // The marker contains process id and time.
         if name == MARKER {
             continue;
         }

@@ -1,5 +1,6 @@
-//! Finds the tip relief with which the spur pair of the examples runs most quietly: its depth, and the roll angles at which it
-//! starts on pinion and gear, for the least peak-to-peak transmission error on average over a range of torques.
+//! Finds the tip relief that minimizes the transmission error of the spur pair of the examples: its
+//! depth, and the roll angles at which it starts on pinion and gear. The objective is the
+//! peak-to-peak transmission error, averaged over a range of torques.
 //!
 //! `cargo run --release -p embed-rust [EVALUATIONS [POSITIONS]]`
 
@@ -10,10 +11,10 @@ use calyx::{Engine, ErrorKind, Module, Output, Param};
 use rayon::prelude::*;
 use std::env;
 
-/// On the pinion, lbf inch.
+/// Torques on the pinion, lbf inch.
 const TORQUES: [f64; 5] = [250.0, 500.0, 750.0, 1000.0, 1250.0];
 
-/// The relief of the report: depth in mil (thousandths of an inch), starts in degrees of roll.
+/// Relief of the report: depth in mil (thousandths of an inch), starts in degrees of roll.
 const REPORT: [f64; 3] = [0.5, 27.25, 19.60];
 
 struct Pair {
@@ -35,12 +36,13 @@ impl Pair {
         Ok(Pair { relief: [depth?, pinion?, gear?], torque, error, positions, module })
     }
 
-    /// Peak-to-peak transmission error at every torque, urad: one instance each, on all cores.
+    /// Returns the peak-to-peak transmission error at every torque, urad, with one instance per
+    /// torque on all cores.
     fn peak_to_peak(&self, relief: &[f64]) -> Result<Vec<f64>, calyx::Error> {
         let at = |&torque: &f64| {
             let mut pair = self.module.instantiate();
             pair.set("steps", self.positions)?;
-            // In section: hundreds of pairs are solved.
+            // Plane model, because hundreds of pairs are solved.
             pair.set("fidelity", "plane")?;
             pair.set(self.torque, torque)?;
             for (param, value) in self.relief.into_iter().zip([1e-3 * relief[0], relief[1], relief[2]]) {
@@ -59,7 +61,7 @@ impl CostFunction for &Pair {
     fn cost(&self, relief: &Vec<f64>) -> Result<f64> {
         match self.peak_to_peak(relief) {
             Ok(errors) => Ok(errors.iter().sum::<f64>() / errors.len() as f64),
-            // Out of range, or no gear: the search stays away from there.
+            // Infeasible values, out of range or without a valid gear: the search avoids them.
             Err(error) if matches!(error.kind(), ErrorKind::Given | ErrorKind::Model) => Ok(f64::INFINITY),
             Err(error) => Err(error.into()),
         }

@@ -1,4 +1,4 @@
-//! The example runs, and what it finds is not worse than what it began with.
+//! Checks that the example runs, and that its result is not worse than its start.
 
 use std::process::Command;
 

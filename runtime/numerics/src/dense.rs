@@ -73,14 +73,14 @@ fn solve_lower_in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
     rayon::join(|| solve_lower_in_place(lower, one), || solve_lower_in_place(lower, other));
 }
 
-/// Computes `L^-1 B`, half of a solution: `B^T A^-1 B` is then a product of the result with its own
-/// transpose, symmetric and non-negative regardless of rounding.
+/// Computes `L^-1 B`, the first half of a solution: `B^T A^-1 B` is then a product of the result
+/// with its own transpose, symmetric and positive semidefinite regardless of rounding.
 pub fn solve_lower(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
     solve_lower_in_place(lower, right.as_mut());
     right
 }
 
-/// Computes `L^-T B`, the other half.
+/// Computes `L^-T B`, the second half of a solution.
 pub fn solve_upper(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
     fn in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
         let columns = right.ncols();

@@ -44,27 +44,28 @@ impl Drop for MemoryReservation {
     }
 }
 
-/// Cancellation callback, called at checkpoints. An error from it ends the work and is returned to
+/// Callback that the engine calls at checkpoints. Its error ends the analysis and is returned to
 /// the caller.
 ///
-/// It is called between positions, between batches of work while structures are built, at each row
-/// of a contact compliance matrix, and before each factorization of the contact solver and each
-/// piece of a large one; by several threads at the same time if work is parallel. It should return
-/// quickly (a flag, a clock), and after an error it should keep returning one.
+/// Checkpoints are between positions, between the batches of long computations while structures are
+/// built, at each row of a contact compliance, before each factorization of the contact solver and
+/// before each piece of a large one. Parallel computations call the callback from several threads
+/// concurrently. It should return quickly (test a flag, read a clock), and continue to fail after
+/// its first error.
 ///
-/// # Latency
+/// # Time between checkpoints
 /// The longest stages without a checkpoint concern the mesh of one sector, a tooth of a gear with
-/// its part of the rim: meshing, assembly of the stiffness matrix, its ordering, and elimination of
-/// the last separator. Each takes about a twentieth of an analysis of a mesh cycle with the default
-/// mesh, for any number of teeth (measured by `cargo bench -p calyx-gears --bench interruption`),
-/// and grows with the refinement of the mesh. With cached structures the longest stage is one piece
-/// of a factorization, less than a second.
+/// its part of the rim: mesh generation, stiffness assembly, ordering, and elimination of the last
+/// separator. Each takes about a twentieth of an analysis of a mesh cycle at the default mesh, for
+/// any number of teeth (`cargo bench -p calyx-gears --bench interruption` measures it), and grows
+/// with mesh refinement. With structures from the cache the longest stage is one piece of a
+/// factorization, less than a second.
 ///
 /// # Memory
-/// Before any large allocation (the condensation of a sector, a contact matrix) the callback
-/// receives the number of bytes, so that an analysis can end with an error instead of being killed.
-/// The request is an upper bound of the allocation for any number of threads. The callback also
-/// receives the memory that is reserved for parallel threads.
+/// Before large allocations (the condensation of a sector, a contact matrix) the callback receives
+/// the number of bytes, so that an analysis ends with an error before the operating system stops
+/// it. The number is an upper bound of the allocation, at any number of threads: the request
+/// includes the memory that is reserved for parallel computations and possibly not yet allocated.
 #[derive(Clone, Default)]
 pub struct Interrupt {
     question: Option<Arc<Question>>,

@@ -1,5 +1,5 @@
-//! Numerical foundations of the engine: dense matrices, three-dimensional vectors, quadrature, and
-//! the errors and interrupts of all crates above.
+//! Numerical foundations of the engine: dense matrices, vectors in three dimensions, quadrature,
+//! and the errors and interrupts of all other crates.
 
 #![warn(missing_docs)]
 

@@ -1,4 +1,4 @@
-//! The tables, filled from the cases of the corpus.
+//! Coverage tables of the cases of the corpus.
 
 use super::{Place, Table, program, report, symbolic, syntax};
 use crate::document::{Case, Document};
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Everything that needs a case.
+/// All tables that require cases.
 #[derive(Debug)]
 pub struct Coverage {
     productions: Table,
@@ -31,7 +31,7 @@ impl Default for Coverage {
 }
 
 impl Coverage {
-    /// All rows, none of them covered.
+    /// Creates the tables without covered rows.
     pub fn new() -> Coverage {
         Coverage {
             productions: Table::new(
@@ -69,7 +69,7 @@ impl Coverage {
         }
     }
 
-    /// Adds a judged case of the corpus.
+    /// Adds an evaluated case of the corpus.
     pub fn add(&mut self, document: &Document, case: &Case, judgement: &Judgement) {
         let stem = document.name.trim_end_matches(".md");
         let place = Place {
@@ -96,7 +96,7 @@ impl Coverage {
 
     fn add_codes<'c>(&mut self, codes: impl Iterator<Item = &'c str>, place: &Place) {
         for code in codes {
-            // A finding of the library that need not be wrong is a warning of the same number.
+            // A library finding that is not necessarily an error is a warning with the same number.
             let as_error = code.replacen('W', "E", 1);
             let row = self.codes.rows().iter().find(|row| row.starts_with(code));
             let row = row.or_else(|| self.codes.rows().iter().find(|row| row.starts_with(&as_error)));
@@ -106,7 +106,7 @@ impl Coverage {
         }
     }
 
-    /// Looks for the codes that no case of the corpus shows in the other tests.
+    /// Searches the other tests for the codes that no case of the corpus shows.
     pub fn add_other_tests(&mut self) {
         let open: Vec<String> =
             self.codes.rows().iter().filter(|row| !self.codes.is_covered(row)).cloned().collect();
@@ -122,7 +122,7 @@ impl Coverage {
         self.add_guards();
     }
 
-    /// Notes the codes that guard against what should not happen: no input is known to bring them about.
+    /// Adds the codes of internal checks: no known input produces them.
     fn add_guards(&mut self) {
         for code in GUARDS {
             let place = Place {
@@ -147,7 +147,7 @@ impl Coverage {
         vec![grammar, symbolic::derivatives(), symbolic::simplifications()]
     }
 
-    /// Rows without a case.
+    /// Returns the rows without a case.
     pub fn holes(&self) -> Vec<String> {
         let made = self.tables();
         made.iter().chain(self.collected()).flat_map(Table::holes).collect()
@@ -175,9 +175,10 @@ impl Coverage {
     }
 }
 
-/// Codes of checks on what should not happen: meshing and condensing a gear that the library has let pass, a contact
-/// problem that the engine has set up wrongly. E0712 ends a run whose user is told of the error of the file system. E0724 is found
-/// out before, by comparing what a run was given.
+/// Codes of internal checks, which indicate a defect: meshing and condensing a gear that passed the
+/// library's checks, an invalid contact problem of the engine. E0712 ends a run that reports the
+/// error of the file system instead. E0724 is prevented by an earlier comparison of the run's
+/// inputs.
 const GUARDS: [&str; 16] = [
     "E0662", "E0666", "E0674", "E0676", "E0677", "E0678", "E0679", "E0683", "E0712", "E0716", "E0717",
     "E0718", "E0719", "E0724", "E0760", "E0790",
@@ -190,18 +191,19 @@ Written by `CALYX_BLESS=1 cargo test -p calyx-tests --test language`, compared b
 has no case. The rows come from the compiler: a new kind of expression, operation, rule or diagnostic is a new row.
 ";
 
-/// The productions in a text.
+/// Returns the productions in a text.
 fn productions(text: &str) -> BTreeSet<&'static str> {
     syntax::used(&parse(FileId(0), text).0)
 }
 
-/// Whether a model imports a module of its document.
+/// Returns true if a model imports a module of its document.
 fn is_used(file: &str, model: &str) -> bool {
     let module = file.trim_end_matches(".cx").replace('/', ".");
     model.contains(&format!("import {module};"))
 }
 
-/// Codes with their titles: of the language, then those the reference lists for library and engine.
+/// Returns codes with their titles: those of the language, then those that the reference lists for
+/// library and engine.
 fn all_codes() -> Vec<String> {
     let reference = fs::read_to_string(root().join("docs/reference.md")).expect("the reference");
     let engine = reference.split("### Codes of library and engine").nth(1).expect("its section");
@@ -214,7 +216,8 @@ fn all_codes() -> Vec<String> {
     own.chain(engine).collect()
 }
 
-/// Whether a test expects a code: `"E0401"` in Rust, `[E0401]` in what is printed, `// ... E0401` in a program.
+/// Returns true if a test expects a code: `"E0401"` in Rust, `[E0401]` in output, `// ... E0401` in
+/// a program.
 fn expects(text: &str, code: &str) -> bool {
     let (quoted, printed) = (format!("\"{code}\""), format!("[{code}]"));
     text.lines().any(|line| {
@@ -223,7 +226,8 @@ fn expects(text: &str, code: &str) -> bool {
     })
 }
 
-/// Tests outside the corpus that show diagnostics, best first: fixtures, pages of the command line, then Rust.
+/// Returns the tests outside of the corpus that show diagnostics, in order of preference: fixtures,
+/// pages of the command line, then Rust.
 fn other_tests() -> Vec<PathBuf> {
     let folders = [
         "lang/tests",
@@ -252,7 +256,7 @@ fn other_tests() -> Vec<PathBuf> {
     files
 }
 
-/// Below a folder of tests, or in a file of them beside the code.
+/// Returns true for a file in a directory of tests, or a file of unit tests next to the code.
 fn is_test(path: &Path) -> bool {
     let folder = path.components().any(|part| part.as_os_str() == "tests");
     folder || path.file_stem().is_some_and(|stem| stem.to_string_lossy().ends_with("_tests"))

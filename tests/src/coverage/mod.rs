@@ -1,7 +1,8 @@
-//! Which production, diagnostic, type rule and operation is covered by which case: `tests/language/COVERAGE.md`.
+//! Coverage of productions, diagnostics, type rules and operations by cases:
+//! `tests/language/COVERAGE.md`.
 //!
-//! Every table lists all the rows there could be, from exhaustive matches over the compiler's own types or from its
-//! lists, so that what is new appears here by itself, as a hole.
+//! Every table lists all possible rows, from exhaustive matches over the compiler's types or from
+//! its lists, so that a new construct appears as an uncovered row.
 
 pub mod corpus;
 pub mod program;
@@ -11,7 +12,7 @@ pub mod syntax;
 
 use std::collections::BTreeMap;
 
-/// A match from values of a type to the rows that stand for them, and the list of these rows.
+/// Defines a match from values of a type to their rows, and the list of these rows.
 macro_rules! rows {
     ($name:ident($type:ty) { $($pattern:pat $(if $guard:expr)? => $row:literal,)+ }) => {
         pub mod $name {
@@ -29,22 +30,22 @@ macro_rules! rows {
 }
 use rows;
 
-/// A place that covers a row.
+/// Location of a test that covers a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// As shown.
+    /// Title in the table.
     pub title: String,
-    /// What it links to, from the folder of the table.
+    /// Link target, relative to the directory of the table.
     pub link: String,
 }
 
-/// Rows of one kind and what covers them.
+/// Rows of one kind with the tests that cover them.
 #[derive(Debug)]
 pub struct Table {
     pub title: &'static str,
-    /// What counts.
+    /// Definition of coverage in this table.
     pub note: &'static str,
-    /// In the order they are shown in.
+    /// Rows in display order.
     rows: Vec<String>,
     covered: BTreeMap<String, Vec<Place>>,
 }
@@ -63,7 +64,7 @@ impl Table {
         &self.rows
     }
 
-    /// Marks rows as covered; those that the table does not have are somebody else's.
+    /// Marks rows as covered; ignores rows of other tables.
     pub fn cover<'r>(&mut self, rows: impl IntoIterator<Item = &'r str>, place: &Place) {
         for row in rows {
             let places = self.covered.entry(row.to_owned()).or_default();
@@ -81,12 +82,12 @@ impl Table {
         !self.covering(row).is_empty()
     }
 
-    /// Rows that nothing covers.
+    /// Returns the uncovered rows.
     pub fn holes(&self) -> impl Iterator<Item = String> {
         self.rows.iter().filter(|row| !self.is_covered(row)).map(|row| format!("{}: {row}", self.title))
     }
 
-    /// As Markdown, with the first places of each row.
+    /// Renders Markdown with the first locations of each row.
     pub fn to_markdown(&self) -> String {
         let mut text = format!("\n## {}\n\n{}\n\n| | covered by |\n|---|---|\n", self.title, self.note);
         for row in &self.rows {
@@ -102,5 +103,5 @@ impl Table {
     }
 }
 
-/// Places shown per row.
+/// Number of locations shown per row.
 const MOST_SHOWN: usize = 2;

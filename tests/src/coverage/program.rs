@@ -1,7 +1,8 @@
-//! Which constructs and operations of the typed program a case runs.
+//! Coverage of constructs and operations of the typed program.
 //!
-//! Only cases that are run count, by the interpreter and as machine code with the same output, so a row is a construct
-//! that both evaluators do alike. As in [`super::syntax`] the matches are exhaustive.
+//! Only cases that both the interpreter and machine code run with the same output count, so a
+//! covered row is a construct on which both evaluators agree. As in [`super::syntax`] the matches
+//! are exhaustive.
 
 use super::rows;
 use calyx_abi::display::Display;
@@ -137,17 +138,18 @@ rows!(operation(Op) {
     Op::AngularAcceleration => "AngularAcceleration",
 });
 
-/// Operations that exist in symbolic expressions only.
+/// Operations that exist only in symbolic expressions.
 const SYMBOLIC_ONLY: [&str; 4] = ["Velocity", "Acceleration", "AngularVelocity", "AngularAcceleration"];
 
-/// What a program is made of.
+/// Constructs and operations of a program.
 #[derive(Debug, Default)]
 pub struct Used {
     /// Kinds of statements, expressions and symbolic expressions.
     pub constructs: BTreeSet<&'static str>,
     pub evaluated: BTreeSet<&'static str>,
     pub symbolic: BTreeSet<&'static str>,
-    /// Operations of symbolic expressions that are differentiated, by `Time` or a param.
+    /// Operations of symbolic expressions that are differentiated with respect to `Time` or a
+    /// param.
     pub differentiated: BTreeSet<&'static str>,
 }
 
@@ -163,8 +165,8 @@ pub fn symbolic_operations() -> Vec<&'static str> {
     operation::ALL.to_vec()
 }
 
-/// All but the truth values, which have no derivative, and the vector of three numbers, which are those of `e1`, `e2`
-/// and `e3` in every program.
+/// Returns the operations with a derivative. Excludes truth values, which have none, and the vector
+/// of three numbers, which every program contains in `e1`, `e2` and `e3`.
 pub fn differentiable() -> Vec<&'static str> {
     const RIGID: [&str; 8] =
         ["Not", "Less", "LessEqual", "Greater", "GreaterEqual", "Equal", "NotEqual", "Vector"];
@@ -177,7 +179,7 @@ pub fn used(program: &Program) -> Used {
     for site in &program.sites {
         walk.kernel(&site.expr, &site.shared, site.order > 0);
     }
-    // Callers first: they say what is differentiated.
+    // Callers first: they determine which functions are differentiated.
     for (index, function) in program.symbolic_functions.iter().enumerate().rev() {
         let differentiated = walk.differentiated_functions.contains(&index);
         walk.kernel(&function.body, &function.shared, differentiated);
@@ -188,9 +190,9 @@ pub fn used(program: &Program) -> Used {
 #[derive(Default)]
 struct Walk {
     used: Used,
-    /// Symbolic functions whose derivative is asked for.
+    /// Symbolic functions whose derivative is used.
     differentiated_functions: BTreeSet<usize>,
-    /// The same of the shared parts of the expression under way.
+    /// Shared parts of the current expression whose derivative is used.
     differentiated_parts: BTreeSet<usize>,
 }
 
@@ -275,7 +277,7 @@ impl Walk {
         }
     }
 
-    /// An expression and its shared parts, each of which may name those before it.
+    /// Visits an expression and its shared parts, each of which may refer to those before it.
     fn kernel(&mut self, e: &SymExpr, shared: &[SymExpr], differentiated: bool) {
         self.differentiated_parts.clear();
         self.symbolic(e, differentiated);
@@ -285,7 +287,7 @@ impl Walk {
         }
     }
 
-    /// `differentiated`: a derivative of the expression is asked for.
+    /// Visits an expression; `differentiated` is true if its derivative is used.
     fn symbolic(&mut self, e: &SymExpr, differentiated: bool) {
         self.used.constructs.insert(symbolic::row(&e.kind));
         match &e.kind {
@@ -329,7 +331,7 @@ impl Walk {
     }
 }
 
-/// Whether an expression contains a symbol.
+/// Returns true if an expression contains a symbol.
 fn varies(e: &SymExpr) -> bool {
     match &e.kind {
         SymKind::Time | SymKind::Param(_) | SymKind::Argument(_) | SymKind::Shared(_) => true,

@@ -1,4 +1,5 @@
-//! The productions of tables 3.1 and 3.2 of the report, each with the rows of [`super::syntax`] that stand for it.
+//! Productions of tables 3.1 and 3.2 of the report, each with the corresponding rows of
+//! [`super::syntax`].
 
 /// Left side, expansion, and rows any of which covers it.
 pub const PRODUCTIONS: &[(&str, &str, &[&str])] = &[

@@ -1,7 +1,7 @@
-//! Derivative rules and simplifications of the expression graph, and the tests that hold them.
+//! Coverage of derivative rules and simplifications of the expression graph.
 //!
-//! Their tests are Rust, beside the graph: differences at random points, and random evaluation. What they test is read
-//! from their sources, by the names of their cases.
+//! Their tests are in Rust, next to the graph: differences at random points, and random evaluation.
+//! The covered rows are read from the names of the cases in the test sources.
 
 use super::{Place, Table, rows};
 use crate::root;
@@ -46,7 +46,8 @@ const DERIVATIVE_TESTS: &str = "compiler/symbolic/tests/derivatives.rs";
 const SIMPLIFICATIONS: &str = "compiler/symbolic/src/simplify.rs";
 const SIMPLIFICATION_TESTS: &str = "compiler/symbolic/tests/simplification.rs";
 
-/// Every operation of the graph, covered by the cases of the derivative tests whose names begin with it.
+/// Returns all operations of the graph, covered by the derivative tests whose names begin with
+/// them.
 pub fn derivatives() -> Table {
     let rows = [unary::ALL, binary::ALL, &["select"]].concat();
     let mut table = Table::new(
@@ -65,7 +66,8 @@ pub fn derivatives() -> Table {
     table
 }
 
-/// Every left side in the table that heads `simplify.rs`, covered by the case of the same name.
+/// Returns all left sides in the table at the head of `simplify.rs`, covered by the case of the
+/// same name.
 pub fn simplifications() -> Table {
     let rules = simplification_rules();
     let mut table = Table::new(
@@ -87,7 +89,7 @@ pub fn simplifications() -> Table {
     table
 }
 
-/// The first column of the table of rules, one row for each expression in it.
+/// Returns the first column of the table of rules, one row for each expression in it.
 fn simplification_rules() -> Vec<String> {
     let source = read(SIMPLIFICATIONS);
     let rows = source.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1);
@@ -96,7 +98,7 @@ fn simplification_rules() -> Vec<String> {
     made.flat_map(outside_code).collect()
 }
 
-/// The parts of a cell between its commas, those inside backquotes left alone.
+/// Splits a cell at its commas outside of backquotes.
 fn outside_code(cell: &str) -> Vec<String> {
     let mut parts = vec![String::new()];
     let mut in_code = false;
@@ -110,7 +112,7 @@ fn outside_code(cell: &str) -> Vec<String> {
     parts.iter().map(|part| part.trim().to_owned()).collect()
 }
 
-/// Line and name of each `Case { name: "...", ... }` of a test.
+/// Returns line and name of each `Case { name: "...", ... }` of a test.
 fn named_cases(source: &str) -> Vec<(usize, &str)> {
     let mut cases = Vec::new();
     for (index, line) in source.lines().enumerate() {
@@ -124,7 +126,7 @@ fn named_cases(source: &str) -> Vec<(usize, &str)> {
 }
 
 fn place(name: &str, file: &str, _line: usize) -> Place {
-    // Without the line, which moves with every change of the file.
+    // Without the line number, which changes with every edit of the file.
     Place { title: format!("`{}`", name.replace('|', "\\|")), link: format!("../../{file}") }
 }
 

@@ -1,8 +1,8 @@
-//! Which productions of the grammar a model uses: a row per kind of node of the syntax tree, and per form of it that
-//! the parser reads in a way of its own.
+//! Coverage of productions of the grammar: a row per kind of node of the syntax tree, and per form
+//! of it with its own parser rule.
 //!
-//! The matches are exhaustive, so that a new kind of node does not compile until it has a row here, and then needs a
-//! case.
+//! The matches are exhaustive, so that a new kind of node does not compile without a row here, and
+//! then requires a case.
 
 use super::rows;
 use calyx_lang::ast::*;
@@ -158,7 +158,7 @@ rows!(binary(BinaryOp) {
     BinaryOp::Power => "`e ^ e`",
 });
 
-/// Forms that are no variants of their own.
+/// Forms without a variant of their own.
 const FORMS: [&str; 7] = [
     "`///` at the beginning of a file",
     "`///` before a declaration",
@@ -169,7 +169,7 @@ const FORMS: [&str; 7] = [
     "`host function`",
 ];
 
-/// All productions, in the order of the tree's definition.
+/// Returns all productions, in the order of the tree's definition.
 pub fn all() -> Vec<&'static str> {
     let groups = [
         statement::ALL,
@@ -190,7 +190,7 @@ pub fn all() -> Vec<&'static str> {
     groups.concat()
 }
 
-/// The productions of a file.
+/// Returns the productions of a file.
 pub fn used(module: &Module) -> BTreeSet<&'static str> {
     let mut walk = Walk(BTreeSet::new());
     if module.doc.is_some() {
