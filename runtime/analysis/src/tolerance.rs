@@ -313,7 +313,7 @@ impl Search<'_> {
             }
             // A level above the requested one does not support the scene.
             Err(error) if fidelity != self.options.fidelity => {
-                return Ok(self.pass_over(error).map(|()| false)?);
+                return self.pass_over(error).map(|()| false);
             }
             result => result?,
         };

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// 36 per term.
 const SERIES_FROM: f64 = 6.0;
 
-/// Surface modulus and reference length of a body, from [`calyx_structure::Structure`].
+/// Surface stiffness and reference length of one body, as [`crate::Structure`] gives them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfPlane {
     /// E', Pa; infinite for a rigid body.

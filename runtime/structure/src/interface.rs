@@ -112,7 +112,7 @@ pub trait Structure: Send + Sync {
         Vec::new()
     }
 
-    /// Returns the compliance matrix of the spline teeth with clearance ([`BoreSupport::SplineWithClearance`]):
+    /// Returns the compliance matrix of the spline teeth with clearance ([`crate::BoreSupport::SplineWithClearance`]):
     /// displacements by forces on them, all positive counter-clockwise, m/(N/m). The matrix is
     /// square and symmetric to the bit; `None` for a body without such spline teeth.
     fn spline_tooth_compliance(&self) -> Option<MatRef<'_, f64>> {

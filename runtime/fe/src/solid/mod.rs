@@ -1,7 +1,7 @@
 //! Solid finite elements: hexahedra, pentahedra, tetrahedra and swept sections, with separate
 //! interpolation of coordinates and displacements.
 //!
-//! Contact uses the true surfaces ([`crate::surface`]), which the coordinates' interpolation
+//! Contact uses the true surfaces (`calyx_structure::surface`), which the coordinates' interpolation
 //! approximates. Loads on the charts of swept meshes are functions of true arc length and axial
 //! coordinate, and have the exact total, independently of the mesh.
 //!
