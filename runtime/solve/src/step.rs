@@ -51,19 +51,11 @@ pub struct StepResult {
     pub modal: Vec<f64>,
     /// Rates of the DOFs and of the modal coordinates, per second; empty in equilibrium.
     pub velocity: Vec<f64>,
-<<<<<<< HEAD
     /// Additional forces on the frame of each body besides contact, bearings and its whole load, in
     /// the order of [`calyx_model::dof::DOF_NAMES`]: inertia, and the part of the load that a step
     /// leaves out; N and N m. Empty in equilibrium.
     pub other_loads: Vec<[f64; 6]>,
-    /// Free vibrations about the position, computed on request, see
-    /// [`crate::observables::Equilibrium::vibrations`].
-=======
-    /// What acts on the frame of each body beside contact, bearings and its whole load, in the order of [`calyx_model::freedom::DOF_NAMES`]: inertia, and
-    /// the part of the load that a step leaves out; N and N m. Empty in equilibrium.
-    pub beside: Vec<[f64; 6]>,
-    /// The free vibrations about it once somebody has asked for them, see [`System::vibrations`].
->>>>>>> a4c4ba83 (Fix links between the crates of the engine and two benches)
+    /// Free vibrations about the position, computed on request, see [`System::vibrations`].
     pub vibrations: OnceLock<Option<Arc<Vibrations>>>,
     /// Forces on the stops of bearings, whose gap equations follow those of the patches, and then
     /// on the flanks of spline teeth: N, in a plane model N per metre of face width.
