@@ -363,7 +363,7 @@ fn bearings_that_nothing_depends_on_are_left_out_with_the_reason() {
         )
     };
     let (bearings, ignored) = reasons(&scene);
-    assert!(bearings[0].0 && bearings[0].1.contains("held"), "{bearings:?}");
+    assert!(bearings[0].0 && bearings[0].1.contains("constrained"), "{bearings:?}");
     assert!(bearings[1].0 && bearings[1].1.contains("no output depends"), "{bearings:?}");
     assert!(ignored.is_empty());
     scene.add_observable(Displacement(idler, 0));
