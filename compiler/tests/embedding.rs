@@ -140,7 +140,7 @@ fn results_come_in_the_units_one_asks_for() {
     let foreign = other.output("twice").unwrap();
     for (refused, says) in [
         (step.value("transmission_eror").map(|_| ()), "did you mean `transmission_error`"),
-        (step.in_unit(error, "N").map(|_| ()), "`transmission_error_length` cannot be told in `N`"),
+        (step.in_unit(error, "N").map(|_| ()), "`transmission_error_length` cannot be shown in `N`"),
         (step.in_unit(error, "furlong").map(|_| ()), "no unit called `furlong`"),
         (step.si(foreign).map(|_| ()), "another model"),
         (results.summary(foreign).map(|_| ()), "another model"),
