@@ -135,9 +135,10 @@ fn a_mode_that_a_lumped_set_does_not_have_is_found_without_solving() {
         let errors = found.into_iter().filter(|d| d.severity == Severity::Error);
         errors.map(|d| format!("{} {}", d.code, d.message)).collect::<Vec<_>>()
     };
-    // `theta_z` of the pinion, `u_x` and `u_y` of the housing; the wheel is held.
-    assert_eq!(errors("3"), Vec::<String>::new());
-    assert_eq!(errors("4"), ["E0770 there is no mode 4: the set has 3"]);
+    // `theta_z` of the pinion, which is both sun and ring, and `u_x` and `u_y` of the housing. The
+    // wheel, which is the planet, is constrained.
+    assert_eq!(errors("4"), Vec::<String>::new());
+    assert_eq!(errors("5"), ["E0770 there is no mode 5: the set has 4"]);
 }
 
 #[test]
