@@ -1,7 +1,8 @@
 //! Checks that numbers in help messages fix the error: each row is a model with an error, and the
 //! change that its help advises.
 
-use calyx::check_text;
+use calyx::{Engine, Module, check_text};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Quantity of a model: its name in the text, its number and its unit.
@@ -216,4 +217,44 @@ fn a_remedy_cures() {
     }
     assert!(wrong.is_empty(), "\n{wrong}");
     assert!(rows.len() > 30, "{} rows", rows.len());
+}
+
+/// The template that `calyx new pair` creates.
+const TEMPLATE: &str = include_str!("../templates/spur_pair.cx");
+
+/// Warnings, largest contact pressure and its estimated error (Pa) of the template with a param
+/// and further arguments of its mesh.
+fn solved((param, value): (&str, f64), arguments: &str) -> (BTreeSet<String>, f64, f64) {
+    let text = TEMPLATE.replace("gears.mesh(pinion, gear)", &format!("gears.mesh(pinion, gear{arguments})"));
+    let mut model = Module::from_text(&Engine::default(), "model.cx", &text).expect("a model").instantiate();
+    model.set(param, value).expect("a param");
+    let results = model.solve().expect("results");
+    let rows = &results.analysis().expect("an analysis").rows;
+    let warnings = rows.iter().flat_map(|row| row.warnings.clone()).collect();
+    let pressure = results.summary_si("contact_pressure").expect("an output");
+    (warnings, pressure.max, pressure.error.as_ref().expect("an estimate").total.max)
+}
+
+#[test]
+fn an_advised_grid_width_suits_all_patches() {
+    let cases = [("tip_relief", 0.0), ("torque", 200.0), ("torque", 500.0), ("tip_relief", 0.06)];
+    for case in cases {
+        let (warnings, pressure, error) = solved(case, "");
+        assert_eq!(warnings, BTreeSet::new(), "{case:?}: the automatic widths suit");
+        for width in [0.02, 0.15, 0.2, 8.0] {
+            let (warnings, ..) = solved(case, &format!(", grid_width = {width} mm"));
+            assert!(!warnings.is_empty(), "{case:?}: a width of {width} mm is reported");
+            for warning in warnings {
+                let (_, advised) = warning.split_once("`grid_width = ").expect("a width");
+                let (advised, _) = advised.split_once('`').expect("a width");
+                let (again, cured, cured_error) = solved(case, &format!(", grid_width = {advised}"));
+                assert_eq!(again, BTreeSet::new(), "{case:?}: {warning}");
+                let difference = (cured - pressure).abs();
+                assert!(
+                    difference <= error + cured_error,
+                    "{case:?}: {warning}: {cured} instead of {pressure} Pa"
+                );
+            }
+        }
+    }
 }

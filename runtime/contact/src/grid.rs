@@ -92,6 +92,28 @@ pub struct Grid {
     pub flank: FlankEnds,
     /// Hertzian half-width of a line load of 1 N/m, m.
     pub unit_half_width: f64,
+    /// Rounded edges within reach.
+    edges: Vec<GradedEdge>,
+}
+
+/// Rounded edge beyond whose start a grid reaches less far than on the flank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct GradedEdge {
+    /// Start of the edge, m.
+    x: f64,
+    /// +1 if the edge lies at larger x, -1 if at smaller x.
+    towards: f64,
+    /// Ratio of the reach on the edge to that on the flank.
+    ratio: f64,
+}
+
+impl Grid {
+    /// Returns the width, measured on the flank, of a grid that reaches `x`, m.
+    fn width_to_reach(&self, x: f64) -> f64 {
+        let edges = self.edges.iter().filter(|edge| edge.towards * x > 0.0);
+        let beyond = edges.map(|edge| (x.abs() - (edge.towards * edge.x).max(0.0)) / edge.ratio);
+        2.0 * beyond.fold(x.abs(), f64::max)
+    }
 }
 
 /// Growth of the cell size with the distance from the start of an edge.
@@ -181,7 +203,11 @@ pub fn build_grid(
         .collect();
     let unit_half_width = unit_half_width(options.contact_modulus, flank[0] + flank[1]);
     let flank = flank_ends(&surfaces, &edges);
-    Grid { frame, cells, width, half_count: options.half_count, surface_ends, flank, unit_half_width }
+    let graded =
+        |edge: &Edge| GradedEdge { x: edge.x, towards: edge.towards, ratio: edge.cell * count / width };
+    let edges = edges.iter().map(graded).collect();
+    let half_count = options.half_count;
+    Grid { frame, cells, width, half_count, surface_ends, flank, unit_half_width, edges }
 }
 
 /// Returns the ends of the flanks on the left and on the right.
@@ -399,12 +425,15 @@ pub struct GridReport {
     pub truncated: [bool; 2],
     /// True if fewer than five cells are loaded, too few for a pressure distribution.
     pub under_resolved: bool,
-    /// Recommended width (m), for the same M.
+    /// Recommended width (m), for the same M. `None` for an under-resolved patch that no narrower
+    /// grid covers: it needs more cells.
     pub recommended_width: Option<f64>,
 }
 
 /// Number of loaded cells below which a patch is under-resolved.
 pub const LEAST_LOADED_CELLS: usize = 5;
+/// A grid is made narrower only to less than this part of its width.
+const LEAST_CHANGE: f64 = 0.95;
 
 /// Assesses a grid from the pressures (Pa) on it.
 pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
@@ -419,21 +448,28 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     let under_resolved = loaded_cells > 0 && loaded_cells < LEAST_LOADED_CELLS.min(cells.len());
     let recommended_width = if truncated[0] || truncated[1] {
         // Zero of the extrapolated p² if it lies outside; otherwise the patch is truncated too much
-        // for an estimate.
+        // for an estimate. On a side that is not truncated, the grid already reaches far enough.
+        let reach = |[left, right]: [f64; 2]| {
+            let ends = [cells[0].x[0], cells[cells.len() - 1].x[1]];
+            let left = if truncated[0] { left } else { left.max(ends[0]) };
+            let right = if truncated[1] { right } else { right.min(ends[1]) };
+            MARGIN * grid.width_to_reach(left).max(grid.width_to_reach(right))
+        };
         let wanted = super::pressure::zeros_of_squared_pressure(cells, pressures)
-            .map(|zeros| 2.0 * MARGIN * zeros[0].abs().max(zeros[1].abs()))
+            .map(reach)
             .filter(|&w| w > 1.1 * grid.width);
         Some(wanted.unwrap_or(2.0 * grid.width))
     } else if under_resolved {
         // The loaded cells bound the patch from above: a grid fitted to them has at least as many
-        // loaded cells.
-        let farthest = cells
+        // loaded cells. A grid narrower than they are would truncate the patch.
+        let needed = cells
             .iter()
             .zip(pressures)
             .filter(|&(_, &p)| p > 0.0)
-            .map(|(cell, _)| cell.x[0].abs().max(cell.x[1].abs()))
+            .map(|(cell, _)| grid.width_to_reach(cell.x[0]).max(grid.width_to_reach(cell.x[1])))
             .fold(0.0, f64::max);
-        Some((2.0 * MARGIN * farthest).min(0.5 * grid.width))
+        let fitted = (MARGIN * needed).min((0.5 * grid.width).max(needed));
+        Some(fitted).filter(|&fitted| fitted < LEAST_CHANGE * grid.width)
     } else {
         None
     };

@@ -12,6 +12,7 @@ mod contact_geometry;
 mod contact_layout;
 mod contact_solution;
 mod friction;
+mod grid_warnings;
 mod patch;
 mod plane;
 mod relinearization;

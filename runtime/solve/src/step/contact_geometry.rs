@@ -6,8 +6,6 @@ use super::friction::Action;
 use crate::modal::Modes;
 use crate::system::Teeth;
 use calyx_contact::problem::ContactProblem;
-use calyx_model::mechanism::Mechanism;
-use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
 
@@ -121,15 +119,12 @@ pub(super) trait ContactGeometry {
         wide: bool,
     ) -> Option<Self::Size>;
 
-    /// Returns the deficiencies of a grid after the solution (report figures 3.40 to 3.42). With
-    /// varying loads, `wide` grids are acceptable.
-    fn judge(
-        &self,
-        candidate: &Candidate<Self::Site>,
-        grid: &Self::Grid,
-        forces: &[f64],
-        wide: bool,
-    ) -> Option<String>;
+    /// Returns the width of the grid of a patch that carries this force, as for a pair without a
+    /// prescribed width, m.
+    fn automatic_width(&self, candidate: &Candidate<Self::Site>, force: f64) -> f64;
+
+    /// Assesses the width of a grid from the solution (report figures 3.40 to 3.42).
+    fn assess_width(&self, grid: &Self::Grid, forces: &[f64]) -> WidthReport;
 
     /// Returns the growth of the gap of each cell by each modal coordinate; none in three
     /// dimensions.
@@ -140,18 +135,18 @@ pub(super) trait ContactGeometry {
     /// Creates the patch for the results, without a grid if there is no pressure.
     fn patch(&self, candidate: &Candidate<Self::Site>, laid: Option<(Self::Grid, Vec<f64>)>) -> ContactPatch;
 }
-/// Returns the warning that a grid does not suit its patch, with a better width (m).
-pub(super) fn unsuitable(scene: &Mechanism, pair: &SurfacePair, too_wide: bool, better: f64) -> String {
-    let bodies = pair.bodies.map(|body| scene.bodies[body.0].name.as_str());
-    let trouble = if too_wide {
-        "is too wide: only a few of its cells carry load"
-    } else {
-        "is too narrow: the pressure does not fall to zero inside it"
-    };
-    // Round to two digits, so that all positions of a cycle have the same message.
-    let better: f64 = format!("{:.1e}", better * 1e3).parse().unwrap_or(better * 1e3);
-    format!(
-        "the contact grid of \"{}\" and \"{}\" {trouble}; `grid_width = {better} mm` suits it",
-        bodies[0], bodies[1]
-    )
+
+/// Assessment of the width of a grid.
+#[derive(Clone, Copy)]
+pub(super) struct WidthReport {
+    /// Requested width, m.
+    pub(super) width: f64,
+    /// M: half the number of cells across, the middle one not counted.
+    pub(super) half_count: usize,
+    /// True if an outermost cell is loaded although the surfaces continue.
+    pub(super) truncated: bool,
+    /// True if too few cells are loaded for a pressure distribution.
+    pub(super) under_resolved: bool,
+    /// Recommended width for this patch, m.
+    pub(super) recommended: Option<f64>,
 }

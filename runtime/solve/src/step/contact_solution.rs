@@ -78,13 +78,13 @@ impl<S: ContactGeometry> Solver<'_, S> {
             rounds -= 1;
         };
 
-        let (mut warnings, mut references) = (Vec::new(), Vec::new());
+        let warnings = self.grid_warnings(candidates, &grids, &solution.forces, &largest_forces);
+        let mut references = Vec::new();
         let mut patches = Vec::with_capacity(grids.len());
         let mut left = &solution.forces[..];
         for ((candidate, grid), friction_vectors) in candidates.iter().zip(grids).zip(drags) {
             let (forces, others) = left.split_at(self.space.count(&grid));
             left = others;
-            warnings.extend(self.space.judge(candidate, &grid, forces, self.under.in_time));
             if forces.iter().any(|&force| force > 0.0) {
                 references.push(ContactReference {
                     pair: candidate.teeth.0,

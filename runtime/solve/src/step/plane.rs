@@ -1,7 +1,7 @@
 //! Plane implementation of a position: closest approach of profiles, grids along their common
 //! tangent.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, unsuitable};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, WidthReport};
 use super::friction::Action;
 use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
@@ -103,19 +103,12 @@ impl ContactGeometry for Plane<'_> {
     }
 
     fn build_grid(&self, candidate: &Candidate<Site>, force: f64, width: Option<f64>) -> Grid {
-        let pair = self.pair(candidate);
-        let width = match width.or(pair.grid.width) {
-            Some(width) => Width::Total(width),
-            None => Width::Hertz { force },
-        };
-        let options = GridOptions {
-            half_count: pair.grid.half_cells_in_plane(),
-            width,
-            contact_modulus: self.contact_modulus(pair.bodies.map(|body| body.0)),
-            search_edges: pair.grid.edges,
-        };
-        let site = &candidate.site;
-        build_grid(site.placed(0), site.placed(1), &site.approach, &options)
+        let width = width.or(self.pair(candidate).grid.width);
+        self.grid_of_width(candidate, width.map_or(Width::Hertz { force }, Width::Total))
+    }
+
+    fn automatic_width(&self, candidate: &Candidate<Site>, force: f64) -> f64 {
+        self.grid_of_width(candidate, Width::Hertz { force }).width
     }
 
     fn count(&self, grid: &Grid) -> usize {
@@ -207,10 +200,15 @@ impl ContactGeometry for Plane<'_> {
         report.recommended_width.filter(|_| asked)
     }
 
-    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
+    fn assess_width(&self, grid: &Grid, forces: &[f64]) -> WidthReport {
         let report = assess(grid, &pressures(&grid.cells, forces));
-        let better = report.recommended_width.filter(|_| !(wide && report.under_resolved))?;
-        Some(unsuitable(self.system.scene, self.pair(candidate), report.under_resolved, better))
+        WidthReport {
+            width: grid.width,
+            half_count: grid.half_count,
+            truncated: report.truncated != [false; 2],
+            under_resolved: report.under_resolved,
+            recommended: report.recommended_width,
+        }
     }
 
     fn modal_arms(&self, laid: &[(&Candidate<Site>, &Grid)], modes: &Modes) -> Mat<f64> {
@@ -249,6 +247,18 @@ impl ContactGeometry for Plane<'_> {
 impl Plane<'_> {
     fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
         &self.system.scene.pairs[candidate.teeth.0]
+    }
+
+    fn grid_of_width(&self, candidate: &Candidate<Site>, width: Width) -> Grid {
+        let pair = self.pair(candidate);
+        let options = GridOptions {
+            half_count: pair.grid.half_cells_in_plane(),
+            width,
+            contact_modulus: self.contact_modulus(pair.bodies.map(|body| body.0)),
+            search_edges: pair.grid.edges,
+        };
+        let site = &candidate.site;
+        build_grid(site.placed(0), site.placed(1), &site.approach, &options)
     }
 
     /// Returns the pose of a body's frame at a time, with the deviations `moved` from its

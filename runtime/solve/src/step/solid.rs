@@ -1,7 +1,7 @@
 //! Three-dimensional implementation of a position: contact lines of surfaces, grids on their common
 //! tangent plane.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, unsuitable};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, WidthReport};
 use super::friction::Action;
 use super::patch::solid_arm;
 use super::{ContactGrid, ContactPatch};
@@ -133,18 +133,12 @@ impl ContactGeometry for Solid<'_> {
     }
 
     fn build_grid(&self, candidate: &Candidate<Site>, force: f64, size: Option<[Option<f64>; 2]>) -> Grid {
-        let (grid, site) = (&self.pair(candidate).grid, &candidate.site);
         let [width, length] = size.unwrap_or_default();
-        let options = GridOptions {
-            half_count: grid.half_cells_in_space(),
-            half_slices: grid.half_slices,
-            width: width.or(grid.width),
-            length,
-            force,
-            contact_modulus: self.contact_modulus(candidate),
-            search_edges: grid.edges,
-        };
-        build_grid(site.placed(0), site.placed(1), &site.contact_line, &options)
+        self.grid_of_size(candidate, force, [width.or(self.pair(candidate).grid.width), length])
+    }
+
+    fn automatic_width(&self, candidate: &Candidate<Site>, force: f64) -> f64 {
+        self.grid_of_size(candidate, force, [None; 2]).extent[0]
     }
 
     fn count(&self, grid: &Grid) -> usize {
@@ -219,10 +213,15 @@ impl ContactGeometry for Solid<'_> {
         Some([Some(width.unwrap_or(own_width)), Some(length.unwrap_or(own_length))])
     }
 
-    fn judge(&self, candidate: &Candidate<Site>, grid: &Grid, forces: &[f64], wide: bool) -> Option<String> {
+    fn assess_width(&self, grid: &Grid, forces: &[f64]) -> WidthReport {
         let report = assess(grid, &pressures(&grid.cells, forces));
-        let better = report.recommended[0].filter(|_| !(wide && report.under_resolved[0]))?;
-        Some(unsuitable(self.system.scene, self.pair(candidate), report.under_resolved[0], better))
+        WidthReport {
+            width: grid.extent[0],
+            half_count: grid.half_counts[0],
+            truncated: report.recommended[0].is_some() && !report.under_resolved[0],
+            under_resolved: report.under_resolved[0],
+            recommended: report.recommended[0],
+        }
     }
 
     fn patch(&self, candidate: &Candidate<Site>, laid: Option<(Grid, Vec<f64>)>) -> ContactPatch {
@@ -253,6 +252,22 @@ impl ContactGeometry for Solid<'_> {
 impl Solid<'_> {
     fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
         &self.system.scene.pairs[candidate.teeth.0]
+    }
+
+    /// Creates the grid of a patch of this width and length, or those that follow from the force.
+    fn grid_of_size(&self, candidate: &Candidate<Site>, force: f64, size: [Option<f64>; 2]) -> Grid {
+        let (grid, site) = (&self.pair(candidate).grid, &candidate.site);
+        let [width, length] = size;
+        let options = GridOptions {
+            half_count: grid.half_cells_in_space(),
+            half_slices: grid.half_slices,
+            width,
+            length,
+            force,
+            contact_modulus: self.contact_modulus(candidate),
+            search_edges: grid.edges,
+        };
+        build_grid(site.placed(0), site.placed(1), &site.contact_line, &options)
     }
 
     fn contact_modulus(&self, candidate: &Candidate<Site>) -> f64 {
