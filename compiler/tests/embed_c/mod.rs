@@ -117,7 +117,7 @@ fn headers_are_c_and_cpp() {
         "    /* Torque on the pinion.\n       0 lbf*inch .. 5000 lbf*inch; default 1000 lbf*inch. */\n    spur_pair_param_torque = 0,",
         "       TRUE or FALSE; default TRUE. */\n    spur_pair_param_tip_corner_contact = ",
         "whole numbers 2 .. 10000; default 32. */",
-        "    /* Largest contact pressure on the flanks, tip edges left out.\n       In psi. */\n",
+        "    /* Largest contact pressure on the flanks, excluding tip edges.\n       In psi. */\n",
     ] {
         assert!(header.contains(part), "{part}\nis not in\n{header}");
     }

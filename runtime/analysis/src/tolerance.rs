@@ -10,7 +10,7 @@
 //! setting. The number of positions is doubled if the variation between them is too large. An
 //! output without an error estimate fails the tolerance.
 //!
-//! Decisions depend on estimates and on counted work ([`search_cost`]), never on times, so they are
+//! Decisions depend on estimates and on counted work ([`mod@search_cost`]), never on times, so they are
 //! equal on every machine. A search that would take too much work, or that is interrupted, ends
 //! with the best results so far and reports this ([`ToleranceOutcome::ended`]).
 //!

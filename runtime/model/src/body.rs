@@ -18,7 +18,7 @@ pub struct Body {
     pub motion: Arc<dyn Motion>,
     /// Rotation of the structure in its frame, rad: the phase in which a gear is mounted.
     pub phase: f64,
-    /// Freedoms of the frame that are not held, in the order of [`crate::freedom::DOF_NAMES`].
+    /// Free degrees of freedom of the frame, in the order of [`crate::dof::DOF_NAMES`].
     pub free: [bool; 6],
     /// External load on the frame.
     pub load: Arc<dyn Load>,

@@ -1,4 +1,4 @@
-//! What contact uses of a plane body: its loadable surfaces, their compliance, recovered stresses.
+//! Interface of a plane body for contact: loadable surfaces, their compliance, recovered stresses.
 
 use crate::profile::Profile;
 use crate::spline_teeth::SplineToothForce;
@@ -112,9 +112,10 @@ pub trait Structure: Send + Sync {
         Vec::new()
     }
 
-    /// Returns the compliance matrix of the spline teeth with clearance ([`crate::BoreSupport::SplineWithClearance`]):
-    /// displacements by forces on them, all positive counter-clockwise, m/(N/m). The matrix is
-    /// square and symmetric to the bit; `None` for a body without such spline teeth.
+    /// Returns the compliance matrix of the spline teeth with clearance
+    /// ([`crate::BoreSupport::SplineWithClearance`]): displacements by forces on them, all positive
+    /// counter-clockwise, m/(N/m). The matrix is square and symmetric to the bit; `None` for a body
+    /// without such spline teeth.
     fn spline_tooth_compliance(&self) -> Option<MatRef<'_, f64>> {
         None
     }

@@ -70,7 +70,7 @@ impl<'s> History<'s> {
     ///
     /// # Errors
     /// E0761 to E0764, E0767: transient analysis does not support the scene or the options; those
-    /// of [`crate::analysis::Planned`]; those of the interrupt.
+    /// of [`crate::analysis::PlannedAnalysis`]; those of the interrupt.
     pub fn new(
         scene: &'s Scene,
         outputs: &'s [OutputRequest],
