@@ -174,18 +174,24 @@ impl RunDirectory {
         let mut created = false;
         for _ in 0..ATTEMPTS {
             created |= !path.exists();
-            fs::create_dir_all(path).map_err(unwritable)?;
+            match fs::create_dir_all(path) {
+                // Another process has removed the directory between two steps of its creation.
+                Err(error) if error.kind() == ErrorKind::AlreadyExists && !exists(path) => continue,
+                made => made.map_err(unwritable)?,
+            }
             let marker = path.join(MARKER);
             let marked = !exists(&marker);
             // Nothing is written to a directory of the user, not even a temporary marker.
-            if marked
-                && !force
-                && let Contents::Foreign(files) = contents(path, kind, "").map_err(unwritable)?
-            {
-                if exists(&marker) {
-                    continue;
+            if marked && !force {
+                match contents(path, kind, "") {
+                    Ok(Contents::Foreign(_)) if exists(&marker) => continue,
+                    Ok(Contents::Foreign(files)) => {
+                        return Err(DirectoryError::Foreign { path: path.to_owned(), kind, files });
+                    }
+                    // Another process has removed the directory that it had created.
+                    Err(error) if error.kind() == ErrorKind::NotFound => continue,
+                    found => drop(found.map_err(unwritable)?),
                 }
-                return Err(DirectoryError::Foreign { path: path.to_owned(), kind, files });
             }
             let file = match open(&marker) {
                 // Another process has removed the directory that it had created.
