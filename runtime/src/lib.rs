@@ -35,7 +35,7 @@
 //!         .loaded(Wrench::of_force([0.0, -force, 0.0])),
 //! );
 //! let contact = scene.add_pair(SurfacePair::new([lower, upper], [Disc::TOP, Disc::BOTTOM]));
-//! let peak = scene.observe(MaxContactPressure(contact));
+//! let peak = scene.add_observable(MaxContactPressure(contact));
 //!
 //! // One position at time 0; a mechanism would have many.
 //! let positions = [Position::at(0.0)];

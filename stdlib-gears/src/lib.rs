@@ -74,8 +74,8 @@
 //! assert!((meshed.geometry.contact_ratio - 1.6).abs() < 0.2);
 //!
 //! let outputs = [
-//!     OutputRequest::observing("transmission error", scene.observe(TransmissionError(meshed.pair))),
-//!     OutputRequest::observing("root stress", scene.observe(MaxRootStress(pinion))),
+//!     OutputRequest::observing("transmission error", scene.add_observable(TransmissionError(meshed.pair))),
+//!     OutputRequest::observing("root stress", scene.add_observable(MaxRootStress(pinion))),
 //! ];
 //! let cycle = scene.pairs[meshed.pair.0].mesh.as_ref().expect("gears are in mesh");
 //! let positions = mesh_cycle(cycle, 4);

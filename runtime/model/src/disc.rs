@@ -4,17 +4,20 @@
 //! Neither has teeth: every chart has tooth 0.
 //!
 //! ```
-//! use calyx_runtime::disc::{Disc, Facing, Platen};
-//! use calyx_runtime::load::Wrench;
-//! use calyx_runtime::material::Material;
-//! use calyx_runtime::motion::SteadyRotation;
-//! use calyx_runtime::scene::{Body, Component, Scene, SurfacePair};
+//! use calyx_fe::material::Material;
+//! use calyx_model::body::Body;
+//! use calyx_model::disc::{Disc, Facing, Platen};
+//! use calyx_model::dof::Component;
+//! use calyx_model::load::Wrench;
+//! use calyx_model::mechanism::Mechanism;
+//! use calyx_model::motion::SteadyRotation;
+//! use calyx_model::pairs::SurfacePair;
 //! use std::sync::Arc;
 //!
 //! // A roller of 40 mm diameter between two plates, loaded by the upper one.
 //! let roller = Arc::new(Disc::new(0.02, 0.01, Material::STEEL));
 //! let platen = |facing| Arc::new(Platen::new(0.04, 0.01, facing));
-//! let mut scene = Scene::default();
+//! let mut scene = Mechanism::default();
 //! let roller = scene.add_body(
 //!     Body::new("roller", roller, SteadyRotation::at_rest([0.0, 0.0])).free_in(&[Component::Uy]),
 //! );

@@ -84,7 +84,7 @@ impl Load for Impulse {
 /// change its sign. A NaN load ends the analysis with `E0723`.
 ///
 /// ```
-/// use calyx_runtime::load::{Load, Wrench};
+/// use calyx_model::load::{Load, Wrench};
 /// let shaking = |time: f64| Wrench::of_moment([0.0, 0.0, 100.0 + 20.0 * (50.0 * time).sin()]);
 /// assert_eq!(shaking.at(0.0), Wrench::of_moment([0.0, 0.0, 100.0]));
 /// ```
