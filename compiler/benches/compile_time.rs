@@ -20,7 +20,7 @@ fn sound(checked: Checked) -> Checked {
 #[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
 fn check_cold(bencher: Bencher, lines: usize) {
     let (text, loader) = (generator::model(lines), ModelLoader::default());
-    bencher.bench(|| calyx_lang::check::check_program("model.cx", black_box(&text), &loader));
+    bencher.bench(|| calyx_lang::check_program("model.cx", black_box(&text), &loader));
 }
 
 /// Complete `calyx check`: also runs the model at its defaults, up to the first analysis.

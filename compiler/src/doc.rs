@@ -11,7 +11,7 @@ pub use collect::{Entry, Field, Kind, Page};
 use crate::replace::replace;
 use calyx_elaborate::ModelLoader;
 use calyx_gears::library::{MODULES, PRELUDE};
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -8,7 +8,7 @@
 use calyx_elaborate::diagnostics::has_errors;
 use calyx_elaborate::{ModelLoader, elaborate_printing};
 use calyx_lang::ast::{Module, Stmt, StmtKind};
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::SourceFile;
 use calyx_lang::lexer::{Kind, lex};

@@ -10,7 +10,7 @@ use calyx_elaborate::diagnostics::{diagnostic, has_errors};
 use calyx_elaborate::{FUEL, Interpreted, MEMORY, ModelLoader};
 use calyx_gears::host::ModelHost;
 use calyx_lang::ast::{Stmt, StmtKind};
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::parser::parse;

@@ -154,8 +154,7 @@ fn checked(text: &str) -> (Vec<String>, String) {
 
 /// Returns the code that a run ends with before it builds a structure; `None` if it would continue.
 fn refused(text: &str, overrides: Override) -> Option<String> {
-    let program =
-        calyx_lang::check::check_program("model.cx", text, &calyx::elaborate::ModelLoader::default());
+    let program = calyx_lang::check_program("model.cx", text, &calyx::elaborate::ModelLoader::default());
     let program = program.program.unwrap_or_else(|| panic!("{:?}", program.diagnostics));
     let interpreted = Interpreted::new(&program, Purity::Effect).expect("the interpreter");
     let program: &dyn calyx::rt::Program = &interpreted;

@@ -2,7 +2,8 @@
 //!
 //! The crate does not depend on code generation or physics. Its stages are `text -> tokens ->
 //! syntax tree -> names, types, dimensions -> typed program`. Every stage returns a value and
-//! diagnostics; none fails.
+//! diagnostics; none fails. [`check_program`] runs all of them. The database ([`db`]) depends on
+//! the parser and the checker, and neither depends on the database.
 
 pub mod analysis;
 pub mod ast;
@@ -28,3 +29,5 @@ pub mod span;
 pub mod tree_text;
 pub mod units;
 pub mod vocabulary;
+
+pub use db::check_program;

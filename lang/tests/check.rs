@@ -4,7 +4,8 @@
 //! `//~^` on the line below it; `//= name: Length` expects a type. A block without `//~` must have
 //! no diagnostics.
 
-use calyx_lang::check::{Checked, Loader, check_program};
+use calyx_lang::check::{Checked, Loader};
+use calyx_lang::check_program;
 use calyx_lang::diagnostic::Diagnostic;
 use std::collections::BTreeSet;
 use std::fs;

@@ -4,7 +4,7 @@
 #[path = "support/library.rs"]
 mod library;
 
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use library::Library;
 
 /// Applies the first automatic fix; returns `None` if there is none.

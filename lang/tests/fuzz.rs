@@ -12,7 +12,7 @@ mod grammar;
 #[path = "support/library.rs"]
 mod library;
 
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use calyx_lang::diagnostic::Severity;
 use calyx_lang::lexer::lex;
 use calyx_lang::parser::parse;

@@ -7,7 +7,7 @@ mod generator;
 #[path = "support/library.rs"]
 mod library;
 
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use calyx_lang::ir::Program;
 use library::Library;
 

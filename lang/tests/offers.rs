@@ -7,7 +7,7 @@
 #[path = "support/library.rs"]
 mod library;
 
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use calyx_lang::diagnostic::{Diagnostic, Fix};
 use library::{Library, improper};
 use std::fs;

@@ -5,7 +5,7 @@
 #[path = "support/library.rs"]
 mod library;
 
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use calyx_lang::format::format;
 use library::{Library, improper};
 use std::sync::Mutex;

@@ -25,7 +25,7 @@ fn main() {
 }
 
 fn program(text: &str) -> Program {
-    let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
+    let checked = calyx_lang::check_program("model.cx", text, &ModelLoader::default());
     checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics))
 }
 

@@ -118,7 +118,7 @@ pub fn check_sources(files: &[SourceFile]) -> Checked {
 }
 
 fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Checked {
-    let checked = calyx_lang::check::check_program(name, text, loader);
+    let checked = calyx_lang::check_program(name, text, loader);
     let mut result = Checked {
         program: checked.program,
         description: ModelDescription::default(),

@@ -18,7 +18,7 @@
 //! ```
 //! use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
 //! let text = "var a = 1; assert(a > 2);";
-//! let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
+//! let checked = calyx_lang::check_program("model.cx", text, &ModelLoader::default());
 //! let program = checked.program.expect("the language has nothing against it");
 //! let elaboration = elaborate(&program, Params::Defaults, &Cancel::default())?;
 //! assert_eq!(elaboration.found[0].code, "E0705");

@@ -116,7 +116,7 @@ impl Loader for TextLoader<'_> {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
-    use calyx_lang::check::check_program;
+    use calyx_lang::check_program;
     use std::fs;
     use std::os::unix::fs::symlink;
 

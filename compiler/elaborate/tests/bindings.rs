@@ -5,7 +5,7 @@ use calyx_elaborate::binding::{Binding, binding, definition_in};
 use calyx_lang::ir::Program;
 
 fn program(text: &str) -> Program {
-    let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
+    let checked = calyx_lang::check_program("model.cx", text, &ModelLoader::default());
     checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics))
 }
 

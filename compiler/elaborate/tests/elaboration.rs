@@ -10,7 +10,7 @@ use std::thread;
 use std::time::Duration;
 
 fn program(text: &str) -> Program {
-    let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
+    let checked = calyx_lang::check_program("model.cx", text, &ModelLoader::default());
     checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics))
 }
 

@@ -3,7 +3,7 @@
 use calyx_elaborate::{Cancel, CreatedAt, Elaboration, ModelLoader, Params, Quantity, elaborate, shown};
 
 fn elaborated(text: &str) -> Elaboration {
-    let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
+    let checked = calyx_lang::check_program("model.cx", text, &ModelLoader::default());
     let program = checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     elaborate(&program, Params::Defaults, &Cancel::default()).expect("nobody cancels")
 }

@@ -6,7 +6,7 @@ mod library;
 
 use calyx_elaborate::{Cancel, Interpreted, ModelLoader, Params, check_text, elaborate};
 use calyx_gears::library::{MODULES, PRELUDE};
-use calyx_lang::check::check_program;
+use calyx_lang::check_program;
 use calyx_lang::diagnostic::Severity;
 use calyx_lang::ir::Program;
 use calyx_lang::span::FileId;

@@ -13,7 +13,7 @@ fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
 }
 
 fn planned_with(text: &str, set: &[(&str, &str)], overrides: Override) -> Option<Planned> {
-    let checked = calyx_lang::check::check_program("model.cx", text, &ModelLoader::default());
+    let checked = calyx_lang::check_program("model.cx", text, &ModelLoader::default());
     let program = checked.program.unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
     let given: Vec<ParamAssignment> =
         set.iter().map(|(name, text)| ParamAssignment::text(*name, *text)).collect();

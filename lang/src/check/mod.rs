@@ -5,8 +5,10 @@
 //! ([`excerpt`]). It resolves names ([`names`]), infers types and dimensions ([`infer`] and related
 //! modules), and builds a typed tree ([`tree`]); control-flow checks follow ([`flow`]). Callers
 //! depend only on the interface of a function ([`interface`]). Finally, the units of a program are
-//! lowered to the typed program ([`mod@lower`]). The database ([`crate::db`]) determines the units
-//! and when they are checked again.
+//! lowered to the typed program ([`mod@lower`]).
+//!
+//! The checker does not depend on the database ([`crate::db`]), which determines the units and when
+//! they are checked again. [`crate::check_program`] checks a whole model.
 
 mod angles;
 mod annotate;
@@ -66,7 +68,6 @@ pub(crate) use symbols::similar;
 pub(crate) use unit::sees;
 
 use crate::ast::Module;
-use crate::db::Database;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::dimension::Dimension;
 use crate::ir::{Program, SourceFile};
@@ -120,20 +121,6 @@ pub struct ModuleData {
     pub tree: Module,
     /// The system of `units ...;`, if the file has it.
     pub system: Option<UnitSystem>,
-}
-
-/// Checks a model and everything that it imports. `name` is the display name of the model's file.
-pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
-    let mut database = Database::new(loader);
-    database.set_model(name, text);
-    database.load_imports(name, loader);
-    let checked = database.check(name);
-    drop(database);
-    let mut checked = checked.and_then(Arc::into_inner).unwrap_or_default();
-    if let Some(program) = &mut checked.program {
-        program.allowed = loader.allowed();
-    }
-    checked
 }
 
 pub(crate) fn has_errors(diagnostics: &[Diagnostic]) -> bool {

@@ -234,6 +234,21 @@ impl Database {
     }
 }
 
+/// Checks a model and everything that it imports, with a database that is then dropped. `name` is
+/// the display name of the model's file.
+pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
+    let mut database = Database::new(loader);
+    database.set_model(name, text);
+    database.load_imports(name, loader);
+    let checked = database.check(name);
+    drop(database);
+    let mut checked = checked.and_then(Arc::into_inner).unwrap_or_default();
+    if let Some(program) = &mut checked.program {
+        program.allowed = loader.allowed();
+    }
+    checked
+}
+
 /// Runs queries on any databases, all of which may be interrupted as in [`Database::attempt`].
 ///
 /// # Errors

@@ -2,7 +2,8 @@
 
 use super::externs;
 use calyx_abi::{Context, Purity};
-use calyx_lang::check::{Loader, check_program};
+use calyx_lang::check::Loader;
+use calyx_lang::check_program;
 use calyx_lang::ir::Program;
 use calyx_lower::interpret::Interpreter;
 use std::path::Path;
