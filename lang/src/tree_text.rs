@@ -42,21 +42,7 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         StmtKind::Param(p) => format!("(param {} {}{}", p.name.name, expr(&p.default), domain(&p.domain)),
         StmtKind::Output { name, value } => format!("(output {} {}", name.name, expr(value)),
         StmtKind::Const { name, value } => format!("(const {} {}", name.name, expr(value)),
-        StmtKind::Record(record) => {
-            let mut head = format!("(record {}", record.name.name);
-            for field in &record.fields {
-                head.push_str(&format!(" ({}", field.name.name));
-                if let Some(annotation) = &field.annotation {
-                    head.push_str(&format!(": {}", type_text(annotation)));
-                }
-                head.push_str(&optional(&field.default));
-                if let Some(doc) = &field.doc {
-                    head.push_str(&format!(" {doc:?}"));
-                }
-                head.push(')');
-            }
-            head
-        }
+        StmtKind::Record(decl) => record(decl),
         StmtKind::Dimension { name, value } => {
             let value = value.as_ref().map(|t| format!(" {}", type_text(t))).unwrap_or_default();
             format!("(dimension {}{value}", name.name)
@@ -65,33 +51,16 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
             UnitMeaning::Coherent(dimension) => format!("(unit {}: {}", unit.name.name, type_text(dimension)),
             UnitMeaning::Equal(value) => format!("(unit {} {}", unit.name.name, expr(value)),
         },
-        StmtKind::Var(declared) => {
-            let one = |d: &VarDecl| match &d.init {
-                None => format!(" {}", d.name.name),
-                Some((bind, e)) => format!(" ({} {} {})", bind_text(*bind), d.name.name, expr(e)),
-            };
-            format!("(var{}", declared.iter().map(one).collect::<String>())
-        }
+        StmtKind::Var(declared) => format!("(var{}", declared.iter().map(variable).collect::<String>()),
         StmtKind::Assign { place, bind, value } => {
             format!("({} {} {}", bind_text(*bind), expr(place), expr(value))
         }
         StmtKind::Expr(e) => format!("(do {}", expr(e)),
         StmtKind::Function(f) => {
-            let mut head = format!("({} {}", function_word(f), f.name.name);
-            for p in &f.parameters {
-                head.push_str(&parameter(p));
+            if let FunctionBody::Statement(body) = &f.body {
+                children.push(body);
             }
-            if let Some(result) = &f.result {
-                head.push_str(&format!(" -> {}", type_text(result)));
-            }
-            match &f.body {
-                FunctionBody::Statement(body) => children.push(body),
-                FunctionBody::Symbolic(e) => head.push_str(&format!(" := {}", expr(e))),
-                FunctionBody::Extern { purity } => {
-                    head.push_str(&format!(" extern {}", purity.as_ref().map_or("", |p| &p.name)));
-                }
-            }
-            head
+            function(f)
         }
         StmtKind::Block(inner) => {
             children.extend(inner);
@@ -145,6 +114,48 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         statement(child, depth + 1, out);
     }
     out.push(')');
+}
+
+fn record(decl: &RecordDecl) -> String {
+    let mut head = format!("(record {}", decl.name.name);
+    for field in &decl.fields {
+        head.push_str(&format!(" ({}", field.name.name));
+        if let Some(annotation) = &field.annotation {
+            head.push_str(&format!(": {}", type_text(annotation)));
+        }
+        head.push_str(&optional(&field.default));
+        if let Some(doc) = &field.doc {
+            head.push_str(&format!(" {doc:?}"));
+        }
+        head.push(')');
+    }
+    head
+}
+
+fn variable(decl: &VarDecl) -> String {
+    match &decl.init {
+        None => format!(" {}", decl.name.name),
+        Some((bind, e)) => format!(" ({} {} {})", bind_text(*bind), decl.name.name, expr(e)),
+    }
+}
+
+/// Formats a function without a body of statements.
+fn function(f: &FunctionDecl) -> String {
+    let mut head = format!("({} {}", function_word(f), f.name.name);
+    for p in &f.parameters {
+        head.push_str(&parameter(p));
+    }
+    if let Some(result) = &f.result {
+        head.push_str(&format!(" -> {}", type_text(result)));
+    }
+    match &f.body {
+        FunctionBody::Statement(_) => {}
+        FunctionBody::Symbolic(e) => head.push_str(&format!(" := {}", expr(e))),
+        FunctionBody::Extern { purity } => {
+            head.push_str(&format!(" extern {}", purity.as_ref().map_or("", |p| &p.name)));
+        }
+    }
+    head
 }
 
 fn names(path: &[Ident], separator: &str) -> String {

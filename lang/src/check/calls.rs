@@ -1,19 +1,20 @@
-//! Checks calls: matches arguments to parameters and applies the requirements of each kind of
-//! function.
+//! Checks calls: applies the requirements of each kind of function to the matched arguments.
 
 use super::infer::Checker;
-use super::name_resolution::note_arguments;
 use super::places::place_value;
-use super::symbols::{Resolution, similar, with_article};
+use super::symbols::{Resolution, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
 use crate::diagnostic::Diagnostic;
-use crate::span::Span;
-use std::collections::HashMap;
+use crate::span::{FileId, Span};
 
-/// The argument of each parameter, and the fields of spread records by name.
-pub(super) type MatchedArguments<'a> = (Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>);
+/// A called function, and whether each of its parameters has an argument.
+struct Callee<'c> {
+    decl: &'c ast::FunctionDecl,
+    file: FileId,
+    with_argument: &'c [bool],
+}
 
 impl<'a> Checker<'a> {
     pub(super) fn call(&mut self, callee: &'a ast::Expr, arguments: &'a [ast::Argument], span: Span) -> Expr {
@@ -56,194 +57,6 @@ impl<'a> Checker<'a> {
         Expr::error(span)
     }
 
-    /// Checks the arguments of an invalid call, to report errors in them.
-    pub(super) fn check_loosely(&mut self, arguments: &'a [ast::Argument]) {
-        for argument in arguments {
-            let symbolic = matches!(argument.name, Some((_, Bind::Symbolic)));
-            let around = self.symbolic;
-            self.symbolic |= symbolic;
-            self.whole(&argument.value);
-            self.symbolic = around;
-        }
-    }
-
-    /// Matches arguments to parameters. `None` stands for a default; errors are reported.
-    pub(super) fn match_arguments(
-        &mut self,
-        function: &str,
-        parameters: &[(&str, bool)],
-        arguments: &'a [ast::Argument],
-        span: Span,
-    ) -> Option<Vec<Option<&'a ast::Argument>>> {
-        let mut given: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
-        let mut named = false;
-        let mut sound = true;
-        let list = || parameters.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        for (index, argument) in arguments.iter().enumerate() {
-            let at = match &argument.name {
-                // The caller handles spread arguments.
-                _ if argument.spread => {
-                    named = true;
-                    continue;
-                }
-                Some((name, _)) => {
-                    named = true;
-                    match parameters.iter().position(|(parameter, _)| *parameter == name.name) {
-                        Some(at) => at,
-                        None => {
-                            let diagnostic = Diagnostic::error(
-                                "E0205",
-                                format!("`{function}` has no parameter `{}`", name.name),
-                                name.span,
-                                "unknown parameter",
-                            );
-                            // A misspelt name cannot refer to a parameter that already has an
-                            // argument.
-                            let is_free = |parameter: &str| {
-                                let mut named =
-                                    arguments.iter().filter_map(|argument| argument.name.as_ref());
-                                !named.any(|(name, _)| name.name == parameter)
-                            };
-                            let free = parameters.iter().map(|(name, _)| *name).filter(|name| is_free(name));
-                            let diagnostic = match similar(&name.name, free) {
-                                Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
-                                    format!("change to `{near}`"),
-                                    name.span,
-                                    near,
-                                ),
-                                None => diagnostic.help(format!("its parameters are {}", list())),
-                            };
-                            self.report(diagnostic);
-                            sound = false;
-                            continue;
-                        }
-                    }
-                }
-                None if self.is_decimal_comma(arguments, index, named || index >= parameters.len()) => {
-                    sound = false;
-                    continue;
-                }
-                None if named => {
-                    let place = Span { end: argument.value.span.start, ..argument.value.span };
-                    let written = |parameter: &str| {
-                        let mut names = arguments.iter().filter_map(|argument| argument.name.as_ref());
-                        names.any(|(name, _)| name.name == *parameter)
-                    };
-                    let free = parameters
-                        .iter()
-                        .zip(&given)
-                        .filter(|((name, optional), given)| given.is_none() && !optional && !written(name));
-                    let diagnostic = Diagnostic::error(
-                        "E0206",
-                        "an argument without a name follows a named argument",
-                        argument.value.span,
-                        "which parameter is this?",
-                    )
-                    .help("name it, or move it to the front");
-                    let offer = |diagnostic: Diagnostic, name: &str| {
-                        diagnostic.suggest(format!("name it `{name}`"), place, format!("{name} = "))
-                    };
-                    let diagnostic = free.take(3).fold(diagnostic, |d, ((name, _), _)| offer(d, name));
-                    self.report(diagnostic);
-                    sound = false;
-                    continue;
-                }
-                None if index >= parameters.len() => {
-                    let help = match parameters.len() {
-                        0 => "it has no parameters".to_string(),
-                        _ => format!("its parameters are {}", list()),
-                    };
-                    self.report(
-                        Diagnostic::error(
-                            "E0206",
-                            format!(
-                                "`{function}` takes {} arguments, not {}",
-                                parameters.len(),
-                                arguments.len()
-                            ),
-                            argument.value.span,
-                            "extra argument",
-                        )
-                        .help(help),
-                    );
-                    sound = false;
-                    break;
-                }
-                None => index,
-            };
-            if let Some(first) = given[at] {
-                let before = index.checked_sub(1).and_then(|before| arguments.get(before));
-                let removed = Span {
-                    start: before.map_or(argument.value.span.start, |before| before.value.span.end),
-                    ..argument.value.span
-                };
-                self.report(
-                    Diagnostic::error(
-                        "E0206",
-                        format!("the argument `{}` occurs twice", parameters[at].0),
-                        argument.value.span,
-                        "second occurrence",
-                    )
-                    .label(first.value.span, "first occurrence")
-                    .help("remove one of the two")
-                    .suggest(format!("remove this `{}`", parameters[at].0), removed, ""),
-                );
-                sound = false;
-                continue;
-            }
-            given[at] = Some(argument);
-        }
-        let missing: Vec<String> = parameters
-            .iter()
-            .zip(&given)
-            .filter(|((_, optional), argument)| argument.is_none() && !optional)
-            .map(|((name, _), _)| format!("`{name}`"))
-            .collect();
-        if !missing.is_empty() && sound {
-            self.report(
-                Diagnostic::error(
-                    "E0206",
-                    format!("the call of `{function}` lacks {}", missing.join(" and ")),
-                    span,
-                    "an argument is missing",
-                )
-                .help(format!("its parameters are {}", list())),
-            );
-            sound = false;
-        }
-        if !sound {
-            self.check_loosely(arguments);
-        }
-        sound.then_some(given)
-    }
-
-    /// Reports a decimal comma if an argument without a parameter is the fraction of the previous
-    /// number. Returns `true` if reported.
-    fn is_decimal_comma(
-        &mut self,
-        arguments: &[ast::Argument],
-        index: usize,
-        has_no_parameter: bool,
-    ) -> bool {
-        let before = index.checked_sub(1).and_then(|before| arguments.get(before));
-        let (Some(before), Some(argument)) = (before, arguments.get(index)) else { return false };
-        let ExprKind::Number(_) = &before.value.kind else { return false };
-        let (first, second) = (before.value.span, argument.value.span);
-        let number = match &argument.value.kind {
-            ExprKind::Number(_) => second,
-            ExprKind::Quantity { unit, .. } => Span { end: unit.span.start, ..second },
-            _ => return false,
-        };
-        let between = Span { start: first.end, end: second.start, ..first };
-        if !has_no_parameter || self.text(between) != "," {
-            return false;
-        }
-        let number = self.text(number).trim_end();
-        let whole = Span { end: second.start + number.len() as u32, ..first };
-        let problem = Diagnostic::decimal_comma(whole, self.text(first), number);
-        problem.map(|problem| self.report(problem)).is_some()
-    }
-
     fn extern_call(
         &mut self,
         id: u32,
@@ -276,7 +89,8 @@ impl<'a> Checker<'a> {
             }
         }
         let (mut values, mut demands) = (Vec::new(), Vec::new());
-        let given_ones: Vec<bool> = given.iter().map(Option::is_some).collect();
+        let with_argument: Vec<bool> = given.iter().map(Option::is_some).collect();
+        let callee = Callee { decl, file, with_argument: &with_argument };
         for (parameter, argument) in decl.parameters.iter().zip(given) {
             let ty = self.in_file(file, |c| {
                 parameter.annotation.as_ref().map_or(Type::Error, |a| c.annotation(a, true))
@@ -287,26 +101,12 @@ impl<'a> Checker<'a> {
                     Type::Symbolic(inner) => {
                         self.symbolic_argument(inner, &parameter.name, &ty, argument, arguments)
                     }
-                    _ => {
-                        let reported = self.diagnostics.len();
-                        let value = self.value_argument(&ty, &parameter.name, argument);
-                        if self.diagnostics.len() > reported {
-                            let free = self.in_file(file, |c| c.free_parameters(decl, &given_ones));
-                            self.explain_argument(reported, (&parameter.name, &ty), argument, &value, &free);
-                        }
-                        value
-                    }
+                    _ => self.explained_argument(&ty, &parameter.name, argument, &callee),
                 },
                 (None, _) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(&ty, &parameter.name, &mut fields, span)
                 }
-                (None, Some((_, Some(default)))) => self.in_file(file, |c| {
-                    c.as_value(|c| {
-                        let value = c.whole(default);
-                        c.expect(&ty, &value, "the default", None);
-                        value
-                    })
-                }),
+                (None, Some((_, Some(default)))) => self.default_value(&ty, default, file),
                 // Already reported as missing.
                 (None, _) => Expr::error(span),
             };
@@ -326,7 +126,7 @@ impl<'a> Checker<'a> {
         self.observed(Expr { kind: Kind::CallExtern(id, values, demands), ty: result, span })
     }
 
-    pub(super) fn in_file<T>(&mut self, file: crate::span::FileId, work: impl FnOnce(&mut Self) -> T) -> T {
+    pub(super) fn in_file<T>(&mut self, file: FileId, work: impl FnOnce(&mut Self) -> T) -> T {
         let around = std::mem::replace(&mut self.file, file);
         let result = work(self);
         self.file = around;
@@ -410,28 +210,6 @@ impl<'a> Checker<'a> {
         Expr { kind: Kind::MakeSymbolic(def), ty, span }
     }
 
-    /// Returns the arguments of a function's parameters and the fields of spread records by name.
-    /// Returns `None` if they do not match, which is reported.
-    pub(super) fn given(
-        &mut self,
-        called: &str,
-        decl: &ast::FunctionDecl,
-        arguments: &'a [ast::Argument],
-        span: Span,
-    ) -> Option<MatchedArguments<'a>> {
-        let places = decl.parameters.iter().map(|p| (p.name.name.clone(), p.name.span));
-        note_arguments(&mut self.named_parts, places, arguments);
-        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
-        let fields = self.spread(called, &names, arguments)?;
-        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
-        let parameters: Vec<(&str, bool)> = decl
-            .parameters
-            .iter()
-            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
-            .collect();
-        Some((self.match_arguments(called, &parameters, arguments, span)?, fields))
-    }
-
     fn user_call(
         &mut self,
         id: FuncId,
@@ -457,7 +235,8 @@ impl<'a> Checker<'a> {
         };
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         let (mut values, mut copy_back, mut demands) = (Vec::new(), Vec::new(), Vec::new());
-        let given_ones: Vec<bool> = given.iter().map(Option::is_some).collect();
+        let with_argument: Vec<bool> = given.iter().map(Option::is_some).collect();
+        let callee = Callee { decl, file, with_argument: &with_argument };
         for (((parameter, argument), ty), variable) in
             decl.parameters.iter().zip(given).zip(&types).zip(variables)
         {
@@ -468,52 +247,24 @@ impl<'a> Checker<'a> {
                         self.hand_over(variable, &value);
                         value
                     }
-                    _ => {
-                        let reported = self.diagnostics.len();
-                        let value = self.value_argument(ty, &parameter.name, argument);
-                        if self.diagnostics.len() > reported {
-                            let free = self.in_file(file, |c| c.free_parameters(decl, &given_ones));
-                            self.explain_argument(reported, (&parameter.name, ty), argument, &value, &free);
-                        }
-                        value
-                    }
+                    _ => self.explained_argument(ty, &parameter.name, argument, &callee),
                 },
                 (Mode::In, None) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(ty, &parameter.name, &mut fields, span)
                 }
-                (Mode::In, None) if matches!(self.store.shallow(ty), Type::Symbolic(_)) => {
-                    match (&parameter.default, self.store.shallow(ty)) {
-                        (Some((_, Some(default))), Type::Symbolic(inner)) => {
-                            let value = self.in_file(file, |c| c.as_symbolic(|c| c.whole(default)));
-                            self.expect(&inner, &value, "the default", None);
-                            let value = self.made_symbolic(&parameter.name.name, value, ty.clone());
-                            self.hand_over(variable, &value);
-                            value
-                        }
-                        _ => Expr::error(span),
+                (Mode::In, None) => match (&parameter.default, self.store.shallow(ty)) {
+                    (Some((_, Some(default))), Type::Symbolic(inner)) => {
+                        let value = self.symbolic_default(&inner, &parameter.name, ty, default, file);
+                        self.hand_over(variable, &value);
+                        value
                     }
-                }
-                (Mode::In, None) => match &parameter.default {
-                    Some((_, Some(default))) => self.in_file(file, |c| {
-                        c.as_value(|c| {
-                            let value = c.whole(default);
-                            c.expect(ty, &value, "the default", None);
-                            value
-                        })
-                    }),
+                    (Some((_, Some(default))), _) => self.default_value(ty, default, file),
                     _ => Expr::error(span),
                 },
                 (_, Some(argument)) => {
-                    let Some(place) = self.as_value(|c| c.place(&argument.value)) else {
+                    let Some((place, value)) = self.place_argument(ty, &parameter.name, argument) else {
                         return Expr::error(span);
                     };
-                    let value =
-                        Expr { kind: place_value(&place), ty: place.ty.clone(), span: argument.value.span };
-                    let cause = (
-                        parameter.span(),
-                        format!("`{}` is an `out` or `inout` parameter", parameter.name.name),
-                    );
-                    self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
                     copy_back.push(place);
                     value
                 }
@@ -542,10 +293,61 @@ impl<'a> Checker<'a> {
         let call = Call { function: id, instance, arguments: values, copy_back, perhaps_same, demands };
         self.observed(Expr { kind: Kind::Call(Box::new(call)), ty: result, span })
     }
-}
 
-impl ast::Parameter {
-    fn span(&self) -> Span {
-        self.name.span
+    /// Checks an argument that is evaluated. The help of an error names the omitted parameters that
+    /// accept its value.
+    fn explained_argument(
+        &mut self,
+        ty: &Type,
+        parameter: &ast::Ident,
+        argument: &'a ast::Argument,
+        callee: &Callee<'_>,
+    ) -> Expr {
+        let reported = self.diagnostics.len();
+        let value = self.value_argument(ty, parameter, argument);
+        if self.diagnostics.len() > reported {
+            let free = self.in_file(callee.file, |c| c.free_parameters(callee.decl, callee.with_argument));
+            self.explain_argument(reported, (parameter, ty), argument, &value, &free);
+        }
+        value
+    }
+
+    /// Checks the default of a parameter, which is declared in `file`.
+    fn default_value(&mut self, ty: &Type, default: &'a ast::Expr, file: FileId) -> Expr {
+        self.in_file(file, |c| {
+            c.as_value(|c| {
+                let value = c.whole(default);
+                c.expect(ty, &value, "the default", None);
+                value
+            })
+        })
+    }
+
+    fn symbolic_default(
+        &mut self,
+        inner: &Type,
+        parameter: &ast::Ident,
+        ty: &Type,
+        default: &'a ast::Expr,
+        file: FileId,
+    ) -> Expr {
+        let value = self.in_file(file, |c| c.as_symbolic(|c| c.whole(default)));
+        self.expect(inner, &value, "the default", None);
+        self.made_symbolic(&parameter.name, value, ty.clone())
+    }
+
+    /// Checks the argument of an `out` or `inout` parameter. Reports an argument that cannot be
+    /// assigned, and returns `None`.
+    fn place_argument(
+        &mut self,
+        ty: &Type,
+        parameter: &ast::Ident,
+        argument: &'a ast::Argument,
+    ) -> Option<(Place, Expr)> {
+        let place = self.as_value(|c| c.place(&argument.value))?;
+        let value = Expr { kind: place_value(&place), ty: place.ty.clone(), span: argument.value.span };
+        let cause = (parameter.span, format!("`{}` is an `out` or `inout` parameter", parameter.name));
+        self.expect(ty, &value, &format!("`{}`", parameter.name), Some(cause));
+        Some((place, value))
     }
 }

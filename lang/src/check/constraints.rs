@@ -201,242 +201,276 @@ impl Checker<'_> {
 
     fn try_solve(&mut self, constraint: &Constraint) -> Outcome {
         match &constraint.kind {
-            Multiply(a, b, c) => {
-                let (left, right, result) =
-                    (self.store.shallow(a), self.store.shallow(b), self.store.shallow(c));
-                let number = |d: Dim| Type::Number(d);
-                let product = match (&left, &right) {
-                    (Type::Error, _) | (_, Type::Error) => Type::Error,
-                    (Type::Number(x), Type::Number(y)) => number(x.times(y)),
-                    (Type::Number(x), Type::Vector(y)) | (Type::Vector(x), Type::Number(y)) => {
-                        Type::Vector(x.times(y))
-                    }
-                    (Type::Transform, Type::Transform) => Type::Transform,
-                    (Type::Transform, Type::Vector(dim)) => {
-                        let length = super::length();
-                        if self.store.unify_dims(dim, &length).is_err() {
-                            let found = with_article(&self.store.show(&right));
-                            return Outcome::failed(
-                                Diagnostic::error(
-                                    "E0401",
-                                    format!("a frame takes a point, a Vector(Length), not {found}"),
-                                    constraint.span,
-                                    "frame times vector",
-                                )
-                                .help("use `direction(frame, v)` for a vector that is not a point"),
-                            );
-                        }
-                        Type::Vector(length)
-                    }
-                    (Type::Unknown(_), _) | (_, Type::Unknown(_)) => {
-                        // The result may determine the operands: a number is a product of numbers,
-                        // a frame of frames.
-                        let part = match result {
-                            Type::Number(_) => None,
-                            Type::Transform => Some(Type::Transform),
-                            _ => return Outcome::Open,
-                        };
-                        for side in [&left, &right] {
-                            let part = match &part {
-                                Some(part) => part.clone(),
-                                None => self.fresh_number(),
-                            };
-                            if let Outcome::Failed(diagnostic) = self.fit(constraint, side, &part) {
-                                return Outcome::Failed(diagnostic);
-                            }
-                        }
-                        return self.try_solve(constraint);
-                    }
-                    _ => {
-                        return Outcome::failed(
-                            self.bad_operands("multiply", "by", &left, &right, constraint),
-                        );
-                    }
-                };
-                self.fit(constraint, c, &product)
-            }
-            Divide(a, b, c) => {
-                let (left, right) = (self.store.shallow(a), self.store.shallow(b));
-                if matches!(right, Type::Unknown(_)) {
-                    // Only numbers can be divisors.
-                    let divisor = self.fresh_number();
-                    let _ = self.store.unify(&right, &divisor);
-                }
-                let right = self.store.shallow(b);
-                let quotient = match (&left, &right) {
-                    (Type::Error, _) | (_, Type::Error) => Type::Error,
-                    (Type::Number(x), Type::Number(y)) => Type::Number(x.over(y)),
-                    (Type::Vector(x), Type::Number(y)) => Type::Vector(x.over(y)),
-                    (Type::Unknown(_), _) => match self.store.shallow(c) {
-                        Type::Number(_) => {
-                            let dividend = self.fresh_number();
-                            let _ = self.store.unify(&left, &dividend);
-                            return self.try_solve(constraint);
-                        }
-                        _ => return Outcome::Open,
-                    },
-                    _ => {
-                        return Outcome::failed(self.bad_operands("divide", "by", &left, &right, constraint));
-                    }
-                };
-                self.fit(constraint, c, &quotient)
-            }
-            Additive(a) => match self.store.shallow(a) {
-                Type::Unknown(_) => Outcome::Open,
-                Type::Number(_) | Type::Vector(_) | Type::Error => Outcome::Solved,
-                Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
-                other => {
-                    let shown = with_article(&self.store.show(&other));
-                    let help = match other {
-                        Type::String => "join strings by interpolation: `\"{a}{b}\"`",
-                        Type::Array(_) => "use `push` to append, or a loop to add element by element",
-                        Type::Transform => "combine frames with `*`",
-                        _ => "only numbers and vectors can be added",
-                    };
-                    Outcome::failed(
-                        Diagnostic::error(
-                            "E0304",
-                            format!("{shown} cannot be added or subtracted"),
-                            constraint.span,
-                            format!("this is {shown}"),
-                        )
-                        .help(help),
-                    )
-                }
-            },
-            Comparable(a) => match self.store.shallow(a) {
-                Type::Unknown(_) => Outcome::Open,
-                Type::Array(element) => {
-                    self.try_solve(&Constraint { kind: Comparable(*element), span: constraint.span })
-                }
-                Type::Tuple(parts) => {
-                    for part in parts {
-                        match self.try_solve(&Constraint { kind: Comparable(part), span: constraint.span }) {
-                            Outcome::Solved => {}
-                            other => return other,
-                        }
-                    }
-                    Outcome::Solved
-                }
-                Type::Record(id) => {
-                    let parts = self.field_types(id);
-                    self.every_part(parts, Comparable, constraint)
-                }
-                Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => {
-                    Outcome::Solved
-                }
-                Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
-                other => {
-                    let shown = with_article(&self.store.show(&other));
-                    Outcome::failed(
-                        Diagnostic::error(
-                            "E0304",
-                            format!("{shown} cannot be compared"),
-                            constraint.span,
-                            format!("this is {shown}"),
-                        )
-                        .help("numbers, truth values, strings, vectors, and arrays and tuples of them can"),
-                    )
-                }
-            },
-            Printable(a) => match self.store.shallow(a) {
-                Type::Unknown(_) => Outcome::Open,
-                Type::Number(_)
-                | Type::Bool
-                | Type::String
-                | Type::Vector(_)
-                | Type::Transform
-                | Type::Error => Outcome::Solved,
-                Type::Array(element) => {
-                    self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
-                }
-                Type::Tuple(parts) => self.every_part(parts, Printable, constraint),
-                Type::Record(id) => {
-                    let parts = self.field_types(id);
-                    self.every_part(parts, Printable, constraint)
-                }
-                Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
-                other => {
-                    let shown = with_article(&self.store.show(&other));
-                    Outcome::failed(
-                        Diagnostic::error(
-                            "E0304",
-                            format!("{shown} cannot be converted to text"),
-                            constraint.span,
-                            format!("this is {shown}"),
-                        )
-                        .help("numbers, truth values, strings, vectors, frames, and arrays, tuples and records of them can"),
-                    )
-                }
-            },
+            Multiply(a, b, c) => self.solve_product(a, b, c, constraint),
+            Divide(a, b, c) => self.solve_quotient(a, b, c, constraint),
+            Additive(a) => self.solve_additive(a, constraint),
+            Comparable(a) => self.solve_comparable(a, constraint),
+            Printable(a) => self.solve_printable(a, constraint),
             Styled(a, unit, digits) => self.styled(a.clone(), *unit, *digits, constraint),
-            Field(base, name, result) => match self.store.shallow(base) {
-                Type::Error => self.fit(constraint, result, &Type::Error),
-                Type::Unknown(_) => Outcome::Open,
-                Type::Vector(dim) if matches!(name.as_str(), "x" | "y" | "z") => {
-                    self.fit(constraint, result, &Type::Number(dim))
-                }
-                Type::Record(id) => match self.store.field(id, name) {
-                    Some((_, ty)) => self.fit(constraint, result, &ty),
-                    None => Outcome::failed(self.no_field(&Type::Record(id), name, constraint.span)),
-                },
-                other => Outcome::failed(self.no_field(&other, name, constraint.span)),
-            },
-            Throwable(a) => match self.store.shallow(a) {
-                Type::Unknown(_) => Outcome::Open,
-                Type::String | Type::Error => Outcome::Solved,
-                other if other == self.error_type() => Outcome::Solved,
-                other => {
-                    let shown = with_article(&self.store.show(&other));
-                    Outcome::failed(
+            Field(base, name, result) => self.solve_field(base, name, result, constraint),
+            Throwable(a) => self.solve_throwable(a, constraint),
+            Index(base, at, element) => self.solve_index(base, *at, element, constraint),
+        }
+    }
+
+    /// Solves `a * b = c`.
+    fn solve_product(&mut self, a: &Type, b: &Type, c: &Type, constraint: &Constraint) -> Outcome {
+        let (left, right, result) = (self.store.shallow(a), self.store.shallow(b), self.store.shallow(c));
+        let number = |d: Dim| Type::Number(d);
+        let product = match (&left, &right) {
+            (Type::Error, _) | (_, Type::Error) => Type::Error,
+            (Type::Number(x), Type::Number(y)) => number(x.times(y)),
+            (Type::Number(x), Type::Vector(y)) | (Type::Vector(x), Type::Number(y)) => {
+                Type::Vector(x.times(y))
+            }
+            (Type::Transform, Type::Transform) => Type::Transform,
+            (Type::Transform, Type::Vector(dim)) => {
+                let length = super::length();
+                if self.store.unify_dims(dim, &length).is_err() {
+                    let found = with_article(&self.store.show(&right));
+                    return Outcome::failed(
                         Diagnostic::error(
-                            "E0304",
-                            format!("{shown} cannot be thrown"),
+                            "E0401",
+                            format!("a frame takes a point, a Vector(Length), not {found}"),
                             constraint.span,
-                            format!("this is {shown}"),
+                            "frame times vector",
                         )
-                        .help("throw a text: `throw \"...\";`, or an `Error(message = \"...\")`"),
+                        .help("use `direction(frame, v)` for a vector that is not a point"),
+                    );
+                }
+                Type::Vector(length)
+            }
+            (Type::Unknown(_), _) | (_, Type::Unknown(_)) => {
+                // The result may determine the operands: a number is a product of numbers, a frame
+                // of frames.
+                let part = match result {
+                    Type::Number(_) => None,
+                    Type::Transform => Some(Type::Transform),
+                    _ => return Outcome::Open,
+                };
+                for side in [&left, &right] {
+                    let part = match &part {
+                        Some(part) => part.clone(),
+                        None => self.fresh_number(),
+                    };
+                    if let Outcome::Failed(diagnostic) = self.fit(constraint, side, &part) {
+                        return Outcome::Failed(diagnostic);
+                    }
+                }
+                return self.try_solve(constraint);
+            }
+            _ => {
+                return Outcome::failed(self.bad_operands("multiply", "by", &left, &right, constraint));
+            }
+        };
+        self.fit(constraint, c, &product)
+    }
+
+    /// Solves `a / b = c`.
+    fn solve_quotient(&mut self, a: &Type, b: &Type, c: &Type, constraint: &Constraint) -> Outcome {
+        let (left, right) = (self.store.shallow(a), self.store.shallow(b));
+        if matches!(right, Type::Unknown(_)) {
+            // Only numbers can be divisors.
+            let divisor = self.fresh_number();
+            let _ = self.store.unify(&right, &divisor);
+        }
+        let right = self.store.shallow(b);
+        let quotient = match (&left, &right) {
+            (Type::Error, _) | (_, Type::Error) => Type::Error,
+            (Type::Number(x), Type::Number(y)) => Type::Number(x.over(y)),
+            (Type::Vector(x), Type::Number(y)) => Type::Vector(x.over(y)),
+            (Type::Unknown(_), _) => match self.store.shallow(c) {
+                Type::Number(_) => {
+                    let dividend = self.fresh_number();
+                    let _ = self.store.unify(&left, &dividend);
+                    return self.try_solve(constraint);
+                }
+                _ => return Outcome::Open,
+            },
+            _ => {
+                return Outcome::failed(self.bad_operands("divide", "by", &left, &right, constraint));
+            }
+        };
+        self.fit(constraint, c, &quotient)
+    }
+
+    /// Solves the constraint that values of a type can be added.
+    fn solve_additive(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
+        match self.store.shallow(a) {
+            Type::Unknown(_) => Outcome::Open,
+            Type::Number(_) | Type::Vector(_) | Type::Error => Outcome::Solved,
+            Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
+            other => {
+                let shown = with_article(&self.store.show(&other));
+                let help = match other {
+                    Type::String => "join strings by interpolation: `\"{a}{b}\"`",
+                    Type::Array(_) => "use `push` to append, or a loop to add element by element",
+                    Type::Transform => "combine frames with `*`",
+                    _ => "only numbers and vectors can be added",
+                };
+                Outcome::failed(
+                    Diagnostic::error(
+                        "E0304",
+                        format!("{shown} cannot be added or subtracted"),
+                        constraint.span,
+                        format!("this is {shown}"),
                     )
+                    .help(help),
+                )
+            }
+        }
+    }
+
+    /// Solves the constraint that values of a type can be compared.
+    fn solve_comparable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
+        match self.store.shallow(a) {
+            Type::Unknown(_) => Outcome::Open,
+            Type::Array(element) => {
+                self.try_solve(&Constraint { kind: Comparable(*element), span: constraint.span })
+            }
+            Type::Tuple(parts) => {
+                for part in parts {
+                    match self.try_solve(&Constraint { kind: Comparable(part), span: constraint.span }) {
+                        Outcome::Solved => {}
+                        other => return other,
+                    }
                 }
+                Outcome::Solved
+            }
+            Type::Record(id) => {
+                let parts = self.field_types(id);
+                self.every_part(parts, Comparable, constraint)
+            }
+            Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => Outcome::Solved,
+            Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
+            other => {
+                let shown = with_article(&self.store.show(&other));
+                Outcome::failed(
+                    Diagnostic::error(
+                        "E0304",
+                        format!("{shown} cannot be compared"),
+                        constraint.span,
+                        format!("this is {shown}"),
+                    )
+                    .help("numbers, truth values, strings, vectors, and arrays and tuples of them can"),
+                )
+            }
+        }
+    }
+
+    /// Solves the constraint that values of a type can be converted to text.
+    fn solve_printable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
+        match self.store.shallow(a) {
+            Type::Unknown(_) => Outcome::Open,
+            Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Transform | Type::Error => {
+                Outcome::Solved
+            }
+            Type::Array(element) => {
+                self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
+            }
+            Type::Tuple(parts) => self.every_part(parts, Printable, constraint),
+            Type::Record(id) => {
+                let parts = self.field_types(id);
+                self.every_part(parts, Printable, constraint)
+            }
+            Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
+            other => {
+                let shown = with_article(&self.store.show(&other));
+                Outcome::failed(
+                    Diagnostic::error(
+                        "E0304",
+                        format!("{shown} cannot be converted to text"),
+                        constraint.span,
+                        format!("this is {shown}"),
+                    )
+                    .help("numbers, truth values, strings, vectors, frames, and arrays, tuples and records of them can"),
+                )
+            }
+        }
+    }
+
+    /// Solves `base.name = result`.
+    fn solve_field(&mut self, base: &Type, name: &str, result: &Type, constraint: &Constraint) -> Outcome {
+        match self.store.shallow(base) {
+            Type::Error => self.fit(constraint, result, &Type::Error),
+            Type::Unknown(_) => Outcome::Open,
+            Type::Vector(dim) if matches!(name, "x" | "y" | "z") => {
+                self.fit(constraint, result, &Type::Number(dim))
+            }
+            Type::Record(id) => match self.store.field(id, name) {
+                Some((_, ty)) => self.fit(constraint, result, &ty),
+                None => Outcome::failed(self.no_field(&Type::Record(id), name, constraint.span)),
             },
-            Index(base, at, element) => match (self.store.shallow(base), at) {
-                (Type::Error, _) => self.fit(constraint, element, &Type::Error),
-                (Type::Unknown(_), _) => Outcome::Open,
-                (Type::Array(inner), _) => self.fit(constraint, element, &inner),
-                (Type::Tuple(parts), Some(at)) => match parts.get(*at) {
-                    Some(part) => self.fit(constraint, element, part),
-                    None => Outcome::failed(
-                        Diagnostic::error(
-                            "E0305",
-                            format!("this tuple has {} elements, so there is no element {at}", parts.len()),
-                            constraint.span,
-                            "index out of range",
-                        )
-                        .help("indices start at 0"),
-                    ),
-                },
-                (Type::Tuple(_), None) => Outcome::failed(
+            other => Outcome::failed(self.no_field(&other, name, constraint.span)),
+        }
+    }
+
+    /// Solves the constraint that values of a type can be thrown.
+    fn solve_throwable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
+        match self.store.shallow(a) {
+            Type::Unknown(_) => Outcome::Open,
+            Type::String | Type::Error => Outcome::Solved,
+            other if other == self.error_type() => Outcome::Solved,
+            other => {
+                let shown = with_article(&self.store.show(&other));
+                Outcome::failed(
+                    Diagnostic::error(
+                        "E0304",
+                        format!("{shown} cannot be thrown"),
+                        constraint.span,
+                        format!("this is {shown}"),
+                    )
+                    .help("throw a text: `throw \"...\";`, or an `Error(message = \"...\")`"),
+                )
+            }
+        }
+    }
+
+    /// Solves `base[at] = element`; `at` is the index if it is constant.
+    fn solve_index(
+        &mut self,
+        base: &Type,
+        at: Option<usize>,
+        element: &Type,
+        constraint: &Constraint,
+    ) -> Outcome {
+        match (self.store.shallow(base), at) {
+            (Type::Error, _) => self.fit(constraint, element, &Type::Error),
+            (Type::Unknown(_), _) => Outcome::Open,
+            (Type::Array(inner), _) => self.fit(constraint, element, &inner),
+            (Type::Tuple(parts), Some(at)) => match parts.get(at) {
+                Some(part) => self.fit(constraint, element, part),
+                None => Outcome::failed(
                     Diagnostic::error(
                         "E0305",
-                        "the index of a tuple must be a constant whole number",
+                        format!("this tuple has {} elements, so there is no element {at}", parts.len()),
                         constraint.span,
-                        "its elements have different types",
+                        "index out of range",
                     )
-                    .help("make the elements the same type to get an array"),
+                    .help("indices start at 0"),
                 ),
-                (other, _) => {
-                    let shown = with_article(&self.store.show(&other));
-                    Outcome::failed(
-                        Diagnostic::error(
-                            "E0305",
-                            format!("{shown} cannot be indexed"),
-                            constraint.span,
-                            format!("this is {shown}"),
-                        )
-                        .help("only arrays and tuples can be indexed"),
-                    )
-                }
             },
+            (Type::Tuple(_), None) => Outcome::failed(
+                Diagnostic::error(
+                    "E0305",
+                    "the index of a tuple must be a constant whole number",
+                    constraint.span,
+                    "its elements have different types",
+                )
+                .help("make the elements the same type to get an array"),
+            ),
+            (other, _) => {
+                let shown = with_article(&self.store.show(&other));
+                Outcome::failed(
+                    Diagnostic::error(
+                        "E0305",
+                        format!("{shown} cannot be indexed"),
+                        constraint.span,
+                        format!("this is {shown}"),
+                    )
+                    .help("only arrays and tuples can be indexed"),
+                )
+            }
         }
     }
 

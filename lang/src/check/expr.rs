@@ -1,18 +1,16 @@
 //! Checks expressions: converts syntax to the typed tree.
 
-use super::builtins::Builtin;
-use super::dim::Dim;
 use super::infer::Checker;
 use super::rules::{self, Rule};
-use super::symbols::{Constant, NumberConstant, Resolution, VarKind};
+use super::symbols::{Constant, Resolution};
 use super::tree::*;
 use super::types::{Store, Type};
 use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
 use crate::diagnostic::Diagnostic;
-use crate::dimension::{Base, Dimension, Rational};
+use crate::dimension::{Dimension, Rational};
 use crate::ir::Op;
 use crate::span::Span;
-use crate::units::{Unit, UnitSystem, powered};
+use crate::units::{UnitSystem, powered};
 use calyx_abi::units::to_si;
 
 /// The context of an expression.
@@ -183,121 +181,6 @@ impl<'a> Checker<'a> {
         value
     }
 
-    fn name(&mut self, name: &ast::Ident, span: Span) -> Expr {
-        let res = self.names.uses.get(&name.span).copied().unwrap_or(Resolution::Unknown);
-        let (kind, ty) = match res {
-            Resolution::Var(id) => {
-                if let Some(place) = self.constant_place {
-                    self.report(
-                        Diagnostic::error(
-                            "E0212",
-                            format!("{place} cannot use a variable"),
-                            span,
-                            "variables have no values when params are set",
-                        )
-                        .help("use literals, earlier params, and functions of them"),
-                    );
-                    return Expr::error(span);
-                }
-                if self.variable(id).kind == VarKind::Symbolic {
-                    return self.symbolic_name(id, span);
-                }
-                (Kind::Var(id), self.variable_type(id))
-            }
-            Resolution::Param(id) => match self.params.get(id as usize) {
-                Some(param) => (Kind::Param(id), param.ty.clone()),
-                None => {
-                    let place = self.constant_place.unwrap_or("this");
-                    self.report(
-                        Diagnostic::error(
-                            "E0212",
-                            format!("{place} cannot use a param, which is set before the run"),
-                            span,
-                            "not constant",
-                        )
-                        .help("use literals, units and constants"),
-                    );
-                    (Kind::Error, Type::Error)
-                }
-            },
-            Resolution::Output(id) => match self.output_defs.get(&id).copied() {
-                Some(def) => return self.use_def(def, span),
-                None => (Kind::Error, Type::Error),
-            },
-            Resolution::Constant(constant) => return self.constant(constant, span),
-            Resolution::Const(id) => return self.const_use(id, span),
-            Resolution::Record(_) => {
-                self.report(
-                    Diagnostic::error(
-                        "E0306",
-                        format!("`{}` is a record type, not a value", name.name),
-                        span,
-                        "not a value",
-                    )
-                    .help(format!("write `{}(field = value)`", name.name))
-                    .suggest(
-                        format!("write `{}()`", name.name),
-                        span,
-                        format!("{}()", name.name),
-                    ),
-                );
-                (Kind::Error, Type::Error)
-            }
-            Resolution::Dimension(_) => {
-                self.report(
-                    Diagnostic::error(
-                        "E0306",
-                        format!("`{}` is a dimension", name.name),
-                        span,
-                        "not a value",
-                    )
-                    .help("use dimensions in types and units in values"),
-                );
-                (Kind::Error, Type::Error)
-            }
-            Resolution::OwnUnit(id) => {
-                let unit = self.own_unit(id);
-                match unit.and_then(|unit| Some((unit.factor, Dimension::from_exponents(unit.dimension)?))) {
-                    Some((factor, dimension)) => (Kind::Number(factor), Type::quantity(dimension)),
-                    None => (Kind::Error, Type::Error),
-                }
-            }
-            Resolution::Unit(unit) => (Kind::Number(unit.factor), Type::quantity(unit.counted())),
-            Resolution::Builtin(_) if Unit::find(&name.name).is_some() => {
-                // `min` is a function if it is called, and otherwise the minute.
-                let unit = Unit::find(&name.name);
-                let (factor, dimension) = unit.map_or((1.0, Dimension::NONE), |u| (u.factor, u.dimension));
-                (Kind::Number(factor), Type::quantity(dimension))
-            }
-            Resolution::Builtin(_) | Resolution::Function(_) | Resolution::Extern(_) => {
-                self.report(
-                    Diagnostic::error(
-                        "E0306",
-                        format!("`{}` is a function, and functions are not values", name.name),
-                        span,
-                        "not called",
-                    )
-                    .help(format!("call it: `{}(...)`", name.name))
-                    .suggest(
-                        format!("write `{}()`", name.name),
-                        span,
-                        format!("{}()", name.name),
-                    ),
-                );
-                (Kind::Error, Type::Error)
-            }
-            Resolution::Module(_) => {
-                self.report(
-                    Diagnostic::error("E0306", format!("`{}` is a module", name.name), span, "not a value")
-                        .help(format!("use one of its names: `{}.name`", name.name)),
-                );
-                (Kind::Error, Type::Error)
-            }
-            Resolution::Unknown => (Kind::Error, Type::Error),
-        };
-        self.observed(Expr { kind, ty, span })
-    }
-
     /// Converts an observable in a `:=` to its value as a number.
     pub(super) fn observed(&mut self, e: Expr) -> Expr {
         match (self.symbolic, self.store.shallow(&e.ty)) {
@@ -307,38 +190,6 @@ impl<'a> Checker<'a> {
             }
             _ => e,
         }
-    }
-
-    fn constant(&mut self, constant: Constant, span: Span) -> Expr {
-        let (kind, ty) = match constant {
-            Constant::Bool(value) => (Kind::Bool(value), Type::Bool),
-            Constant::Number(NumberConstant::Pi) => (Kind::Number(std::f64::consts::PI), Type::number()),
-            Constant::Number(NumberConstant::Infinity) => {
-                (Kind::Number(f64::INFINITY), Type::Number(self.store.fresh_dim()))
-            }
-            Constant::Number(NumberConstant::NotANumber) => {
-                (Kind::Number(f64::NAN), Type::Number(self.store.fresh_dim()))
-            }
-            Constant::Basis(axis) => {
-                let components = (0..3)
-                    .map(|i| Expr {
-                        kind: Kind::Number(f64::from(u8::from(i == axis))),
-                        ty: Type::number(),
-                        span,
-                    })
-                    .collect();
-                (Kind::Op(Op::Vector, components), Type::Vector(Dim::none()))
-            }
-            Constant::Time => {
-                let ty = Type::quantity(Dimension::of(Base::Time));
-                if !self.symbolic {
-                    self.report(self.time_as_value(span));
-                    return Expr { kind: Kind::Error, ty, span };
-                }
-                (Kind::Time, ty)
-            }
-        };
-        Expr { kind, ty, span }
     }
 
     fn field(&mut self, base: &'a ast::Expr, field: &'a ast::Ident, span: Span) -> Expr {
@@ -535,59 +386,6 @@ impl<'a> Checker<'a> {
                 let whole = Expr { kind: Kind::At(Box::new(inner), sym, Box::new(time)), ty, span };
                 self.evaluate_now(whole, "at")
             }
-        }
-    }
-
-    /// Returns a symbol that can be differentiated or replaced: `Time` or a number param.
-    pub(super) fn symbol(&mut self, name: &ast::Ident) -> Option<(Sym, Dim)> {
-        match self.names.uses.get(&name.span).copied() {
-            Some(Resolution::Constant(Constant::Time)) => {
-                Some((Sym::Time, Dim::known(Dimension::of(Base::Time))))
-            }
-            Some(Resolution::Param(id)) => {
-                match self.params.get(id as usize).map(|param| self.store.shallow(&param.ty)) {
-                    Some(Type::Number(dim)) => Some((Sym::Param(id), dim)),
-                    Some(Type::Error) | None => None,
-                    Some(_) => {
-                        self.bad_symbol(name, "this param is not a number");
-                        None
-                    }
-                }
-            }
-            Some(Resolution::Var(id)) if self.is_argument(id) => {
-                let dim = self.store.fresh_dim();
-                let ty = self.variable_type(id);
-                if self.store.unify(&ty, &Type::Number(dim.clone())).is_err() {
-                    self.bad_symbol(name, "this argument is not a number");
-                    return None;
-                }
-                Some((Sym::Argument(id), dim))
-            }
-            Some(Resolution::Unknown) | None => None,
-            Some(_) => {
-                self.bad_symbol(name, "not a symbol");
-                None
-            }
-        }
-    }
-
-    fn bad_symbol(&mut self, name: &ast::Ident, label: &str) {
-        self.report(
-            Diagnostic::error(
-                "E0506",
-                format!("`{}` is neither `Time` nor a number param", name.name),
-                name.span,
-                label,
-            )
-            .help("only `Time`, number params and arguments of the enclosing symbolic function are symbols"),
-        );
-    }
-
-    /// Returns the built-in function that a name denotes if it is called.
-    pub(super) fn builtin(&self, name: &ast::Ident) -> Option<Builtin> {
-        match self.names.uses.get(&name.span) {
-            Some(Resolution::Builtin(builtin)) => Some(*builtin),
-            _ => None,
         }
     }
 

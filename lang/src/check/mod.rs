@@ -13,6 +13,7 @@
 mod angles;
 mod annotate;
 mod argument_help;
+mod arguments;
 mod axes;
 mod builtin_calls;
 pub(crate) mod builtins;
@@ -37,6 +38,7 @@ mod lower;
 mod mismatch;
 mod missed_dependence;
 pub(crate) mod name_resolution;
+mod name_uses;
 mod names;
 mod order;
 mod other_modules;

@@ -4,6 +4,7 @@
 //! Functions are visible in their whole block, variables after their declaration.
 
 mod ambiguous;
+mod test_functions;
 mod uses;
 
 use super::ModuleData;
@@ -312,57 +313,15 @@ impl<'a> Resolver<'a> {
             | StmtKind::Continue => {}
             StmtKind::Import(path) => self.import(path, top),
             StmtKind::Const { value, .. } => self.expr(value),
-            StmtKind::Record(decl) => {
-                let mut seen = HashSet::new();
-                for field in &decl.fields {
-                    if !seen.insert(&field.name.name) {
-                        self.twice(&field.name);
-                    }
-                    field.annotation.iter().for_each(|annotation| self.type_expr(annotation));
-                    field.default.iter().for_each(|default| self.expr(default));
-                }
-            }
+            StmtKind::Record(decl) => self.record(decl),
             StmtKind::Dimension { value, .. } => value.iter().for_each(|value| self.type_expr(value)),
             StmtKind::Unit(decl) => match &decl.meaning {
                 UnitMeaning::Coherent(dimension) => self.type_expr(dimension),
                 UnitMeaning::Equal(value) => self.expr(value),
             },
-            StmtKind::Param(decl) => {
-                self.expr(&decl.default);
-                match &decl.domain {
-                    Some(Domain::Range { low, high, .. }) => {
-                        low.iter().chain(high).for_each(|e| self.expr(e));
-                    }
-                    Some(Domain::Choices { values, .. }) => values.iter().for_each(|e| self.expr(e)),
-                    None => {}
-                }
-                // Not allowed inside a block; already reported by the parser.
-                if !top {
-                    return;
-                }
-                let id = self.names.params.len() as u32;
-                self.names.params.push((decl, statement.doc.as_deref()));
-                self.declare(&decl.name, Resolution::Param(id));
-            }
-            StmtKind::Output { name, value } => {
-                self.expr(value);
-                // Not allowed inside a block; already reported by the parser.
-                if !top {
-                    return;
-                }
-                let id = self.names.outputs.len() as u32;
-                self.names.outputs.push((name, value, statement.doc.as_deref()));
-                self.declare(name, Resolution::Output(id));
-            }
-            StmtKind::Var(decls) => {
-                for decl in decls {
-                    if let Some((_, value)) = &decl.init {
-                        self.expr(value);
-                    }
-                    let symbolic = matches!(decl.init, Some((Bind::Symbolic, _)));
-                    self.variable(&decl.name, if symbolic { VarKind::Symbolic } else { VarKind::Value });
-                }
-            }
+            StmtKind::Param(decl) => self.param(decl, statement.doc.as_deref(), top),
+            StmtKind::Output { name, value } => self.output(name, value, statement.doc.as_deref(), top),
+            StmtKind::Var(decls) => self.variables(decls),
             StmtKind::Assign { place, value, .. } => {
                 self.place(place);
                 self.expr(value);
@@ -405,17 +364,71 @@ impl<'a> Resolver<'a> {
             StmtKind::Default(inner) => self.statement(inner, false),
             StmtKind::Label { statement, .. } => self.statement(statement, false),
             StmtKind::Return(value) | StmtKind::Throw(value) => value.iter().for_each(|e| self.expr(e)),
-            StmtKind::Try { body, error, handler } => {
-                self.nested(body);
-                self.scoped(|r| {
-                    if let Some(error) = error {
-                        let id = r.variable(error, VarKind::Value);
-                        r.names.variables[id.0 as usize].reads = 1;
-                    }
-                    r.nested(handler);
-                });
-            }
+            StmtKind::Try { body, error, handler } => self.try_catch(body, error.as_ref(), handler),
         }
+    }
+
+    fn record(&mut self, decl: &'a RecordDecl) {
+        let mut seen = HashSet::new();
+        for field in &decl.fields {
+            if !seen.insert(&field.name.name) {
+                self.twice(&field.name);
+            }
+            field.annotation.iter().for_each(|annotation| self.type_expr(annotation));
+            field.default.iter().for_each(|default| self.expr(default));
+        }
+    }
+
+    fn param(&mut self, decl: &'a ParamDecl, doc: Option<&'a str>, top: bool) {
+        self.expr(&decl.default);
+        self.domain(decl.domain.as_ref());
+        // Not allowed inside a block; already reported by the parser.
+        if !top {
+            return;
+        }
+        let id = self.names.params.len() as u32;
+        self.names.params.push((decl, doc));
+        self.declare(&decl.name, Resolution::Param(id));
+    }
+
+    fn output(&mut self, name: &'a Ident, value: &'a Expr, doc: Option<&'a str>, top: bool) {
+        self.expr(value);
+        // Not allowed inside a block; already reported by the parser.
+        if !top {
+            return;
+        }
+        let id = self.names.outputs.len() as u32;
+        self.names.outputs.push((name, value, doc));
+        self.declare(name, Resolution::Output(id));
+    }
+
+    fn variables(&mut self, decls: &'a [VarDecl]) {
+        for decl in decls {
+            if let Some((_, value)) = &decl.init {
+                self.expr(value);
+            }
+            let symbolic = matches!(decl.init, Some((Bind::Symbolic, _)));
+            self.variable(&decl.name, if symbolic { VarKind::Symbolic } else { VarKind::Value });
+        }
+    }
+
+    fn domain(&mut self, domain: Option<&'a Domain>) {
+        match domain {
+            Some(Domain::Range { low, high, .. }) => low.iter().chain(high).for_each(|e| self.expr(e)),
+            Some(Domain::Choices { values, .. }) => values.iter().for_each(|e| self.expr(e)),
+            None => {}
+        }
+    }
+
+    fn try_catch(&mut self, body: &'a Stmt, error: Option<&'a Ident>, handler: &'a Stmt) {
+        self.nested(body);
+        self.scoped(|r| {
+            if let Some(error) = error {
+                let id = r.variable(error, VarKind::Value);
+                r.names.variables[id.0 as usize].reads = 1;
+            }
+            r.nested(handler);
+        });
     }
 
     /// Resolves a statement that is a block even without braces.
@@ -453,49 +466,6 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Rejects parameters and a result of a test function.
-    fn test(&mut self, decl: &FunctionDecl) {
-        let place = match (decl.parameters.first(), &decl.result) {
-            (Some(parameter), _) => parameter.name.span,
-            (None, Some(result)) => result.span,
-            (None, None) if matches!(decl.body, FunctionBody::Statement(_)) => return,
-            (None, None) => decl.name.span,
-        };
-        self.report(
-            Diagnostic::error(
-                "E0222",
-                format!("the test `{}` has a parameter or a result", decl.name.name),
-                place,
-                "not allowed in a test",
-            )
-            .help(
-                "write `test function name() { assert(...); }`, and call functions with arguments inside it",
-            ),
-        );
-    }
-
-    /// Rejects variables of the model in tests, which run without the model's top level.
-    fn refuse_in_test(&mut self, name: &Ident, id: VarId) {
-        let variable = &self.names.variables[id.0 as usize];
-        let (owner, declared) = (variable.owner, variable.span);
-        let mut at = Some(self.function);
-        while let Some(function) = at.filter(|function| *function != owner) {
-            let info = &self.names.functions[function.0 as usize];
-            if info.decl.is_some_and(|decl| decl.is_test) {
-                let diagnostic = Diagnostic::error(
-                    "E0223",
-                    format!("a test cannot use the variable `{}`", name.name),
-                    name.span,
-                    "a variable of the model",
-                )
-                .label(declared, "declared here")
-                .help("compute the value inside the test, or make it a `const` or a function");
-                return self.report(diagnostic);
-            }
-            at = info.parent;
-        }
-    }
-
     fn function(&mut self, decl: &'a FunctionDecl) {
         if decl.is_test {
             self.test(decl);
@@ -506,11 +476,7 @@ impl<'a> Resolver<'a> {
             if let Some((_, Some(default))) = &parameter.default {
                 self.expr(default);
             }
-            match &parameter.domain {
-                Some(Domain::Range { low, high, .. }) => low.iter().chain(high).for_each(|e| self.expr(e)),
-                Some(Domain::Choices { values, .. }) => values.iter().for_each(|e| self.expr(e)),
-                None => {}
-            }
+            self.domain(parameter.domain.as_ref());
         }
         let id = match self.names.uses.get(&decl.name.span) {
             Some(Resolution::Function(id)) => *id,

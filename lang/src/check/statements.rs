@@ -54,19 +54,7 @@ impl<'a> Checker<'a> {
                 Some(Resolution::Output(id)) => self.output(*id, name, value),
                 _ => StmtKind::Nothing,
             },
-            Ast::Var(decls) => {
-                let all =
-                    decls.iter().map(|decl| Stmt { kind: self.variable_decl(decl), span: decl.name.span });
-                let mut all: Vec<Stmt> = all.collect();
-                match (all.len(), all.pop()) {
-                    (1, Some(only)) => only.kind,
-                    (_, Some(last)) => {
-                        all.push(last);
-                        StmtKind::Block(all)
-                    }
-                    (_, None) => StmtKind::Nothing,
-                }
-            }
+            Ast::Var(decls) => self.variables(decls),
             Ast::Assign { place, bind, value } => self.assign(place, *bind, value),
             Ast::Expr(e) => self.expression(e),
             Ast::Function(decl) => {
@@ -77,53 +65,14 @@ impl<'a> Checker<'a> {
             }
             Ast::Block(statements) => StmtKind::Block(self.statements(statements)),
             Ast::If { condition, then, otherwise } => {
-                let condition = self.condition(condition);
-                self.note_evaluated(&condition);
-                self.dependence.open(Region::Choice);
-                self.dependence.decides(&condition);
-                let (then, otherwise) = self
-                    .either(|c| c.boxed(then), |c| otherwise.as_ref().map(|otherwise| c.boxed(otherwise)));
-                self.dependence.close();
-                StmtKind::If(condition, then, otherwise)
+                self.if_statement(condition, then, otherwise.as_deref())
             }
-            Ast::While { condition, body } => self.repeated(&[body], |c| {
-                c.dependence.open(Region::Loop);
-                let condition = c.loop_condition(condition);
-                let body = c.boxed(body);
-                c.dependence.close();
-                StmtKind::While(condition, body)
-            }),
-            Ast::DoWhile { body, condition } => self.repeated(&[body], |c| {
-                c.dependence.open(Region::Loop);
-                let body = c.boxed(body);
-                let condition = c.loop_condition(condition);
-                c.dependence.close();
-                StmtKind::DoWhile(body, condition)
-            }),
+            Ast::While { condition, body } => self.while_loop(condition, body),
+            Ast::DoWhile { body, condition } => self.do_while_loop(body, condition),
             Ast::For { init, condition, step, body } => {
-                let init = self.boxed(init);
-                self.repeated(&[step, body], |c| {
-                    c.dependence.open(Region::Loop);
-                    let condition = condition.as_ref().map(|condition| c.loop_condition(condition));
-                    let body = c.boxed(body);
-                    let step = c.boxed(step);
-                    c.dependence.close();
-                    StmtKind::For { init, condition, step, body }
-                })
+                self.for_loop(init, condition.as_ref(), step, body)
             }
-            Ast::Switch { value, body } => {
-                let value = self.expr(value);
-                let comparable = ConstraintKind::Comparable(value.ty.clone());
-                self.constrain(Constraint { kind: comparable, span: value.span });
-                self.note_evaluated(&value);
-                self.dependence.open(Region::Switch);
-                self.dependence.decides(&value);
-                self.switches.push((value.clone(), Vec::new()));
-                let body = self.repeated(&[body], |c| c.boxed(body));
-                self.switches.pop();
-                self.dependence.close();
-                StmtKind::Switch(value, body)
-            }
+            Ast::Switch { value, body } => self.switch(value, body),
             Ast::Case { value, statement: inner } => {
                 self.forget_rebound();
                 let value = self.case(value, statement.span);
@@ -158,6 +107,87 @@ impl<'a> Checker<'a> {
             Ast::Throw(value) => self.throw(value.as_ref(), statement.span),
             Ast::Try { body, error, handler } => self.try_catch(body, error.as_ref(), handler),
         }
+    }
+
+    fn variables(&mut self, decls: &'a [ast::VarDecl]) -> StmtKind {
+        let all = decls.iter().map(|decl| Stmt { kind: self.variable_decl(decl), span: decl.name.span });
+        let mut all: Vec<Stmt> = all.collect();
+        match (all.len(), all.pop()) {
+            (1, Some(only)) => only.kind,
+            (_, Some(last)) => {
+                all.push(last);
+                StmtKind::Block(all)
+            }
+            (_, None) => StmtKind::Nothing,
+        }
+    }
+
+    fn if_statement(
+        &mut self,
+        condition: &'a ast::Expr,
+        then: &'a ast::Stmt,
+        otherwise: Option<&'a ast::Stmt>,
+    ) -> StmtKind {
+        let condition = self.condition(condition);
+        self.note_evaluated(&condition);
+        self.dependence.open(Region::Choice);
+        self.dependence.decides(&condition);
+        let (then, otherwise) =
+            self.either(|c| c.boxed(then), |c| otherwise.map(|otherwise| c.boxed(otherwise)));
+        self.dependence.close();
+        StmtKind::If(condition, then, otherwise)
+    }
+
+    fn while_loop(&mut self, condition: &'a ast::Expr, body: &'a ast::Stmt) -> StmtKind {
+        self.repeated(&[body], |c| {
+            c.dependence.open(Region::Loop);
+            let condition = c.loop_condition(condition);
+            let body = c.boxed(body);
+            c.dependence.close();
+            StmtKind::While(condition, body)
+        })
+    }
+
+    fn do_while_loop(&mut self, body: &'a ast::Stmt, condition: &'a ast::Expr) -> StmtKind {
+        self.repeated(&[body], |c| {
+            c.dependence.open(Region::Loop);
+            let body = c.boxed(body);
+            let condition = c.loop_condition(condition);
+            c.dependence.close();
+            StmtKind::DoWhile(body, condition)
+        })
+    }
+
+    fn for_loop(
+        &mut self,
+        init: &'a ast::Stmt,
+        condition: Option<&'a ast::Expr>,
+        step: &'a ast::Stmt,
+        body: &'a ast::Stmt,
+    ) -> StmtKind {
+        let init = self.boxed(init);
+        self.repeated(&[step, body], |c| {
+            c.dependence.open(Region::Loop);
+            let condition = condition.map(|condition| c.loop_condition(condition));
+            let body = c.boxed(body);
+            let step = c.boxed(step);
+            c.dependence.close();
+            StmtKind::For { init, condition, step, body }
+        })
+    }
+
+    fn switch(&mut self, value: &'a ast::Expr, body: &'a ast::Stmt) -> StmtKind {
+        let value = self.expr(value);
+        let comparable = ConstraintKind::Comparable(value.ty.clone());
+        self.constrain(Constraint { kind: comparable, span: value.span });
+        self.note_evaluated(&value);
+        self.dependence.open(Region::Switch);
+        self.dependence.decides(&value);
+        self.switches.push((value.clone(), Vec::new()));
+        let body = self.repeated(&[body], |c| c.boxed(body));
+        self.switches.pop();
+        self.dependence.close();
+        StmtKind::Switch(value, body)
     }
 
     fn units(&mut self, name: &ast::Ident) {

@@ -3,7 +3,7 @@
 
 use super::document::Item;
 use super::printer::Printer;
-use crate::ast::{Bind, Expr, Module, Stmt, StmtKind};
+use crate::ast::{Bind, Expr, Ident, Module, Stmt, StmtKind};
 use crate::lexer::Kind;
 
 impl Printer<'_> {
@@ -41,41 +41,14 @@ impl Printer<'_> {
             // Texts with errors are not formatted.
             StmtKind::Error => {}
             StmtKind::Empty => self.token(Kind::Semicolon),
-            StmtKind::Import(path) => {
-                self.token(Kind::Import);
-                self.space();
-                for index in 0..path.len() {
-                    if index > 0 {
-                        self.token(Kind::Dot);
-                    }
-                    self.token(Kind::Identifier);
-                }
-                self.token(Kind::Semicolon);
-            }
-            StmtKind::Units(_) => {
-                self.token(Kind::Units);
-                self.space();
-                self.token(Kind::Identifier);
-                self.token(Kind::Semicolon);
-            }
+            StmtKind::Import(path) => self.import(path),
+            StmtKind::Units(_) => self.keyword_and_name(Kind::Units),
             StmtKind::Param(param) => self.param(param),
-            StmtKind::Const { value, .. } => {
-                self.token(Kind::Const);
-                self.space();
-                self.token(Kind::Identifier);
-                self.value(Bind::Evaluate, value);
-                self.token(Kind::Semicolon);
-            }
+            StmtKind::Const { value, .. } => self.named_value(Kind::Const, Bind::Evaluate, value),
             StmtKind::Record(record) => self.record(record),
             StmtKind::Dimension { value, .. } => self.dimension(value.is_some()),
             StmtKind::Unit(unit) => self.unit(unit),
-            StmtKind::Output { value, .. } => {
-                self.token(Kind::Output);
-                self.space();
-                self.token(Kind::Identifier);
-                self.value(Bind::Symbolic, value);
-                self.token(Kind::Semicolon);
-            }
+            StmtKind::Output { value, .. } => self.named_value(Kind::Output, Bind::Symbolic, value),
             StmtKind::Var(_) | StmtKind::Assign { .. } | StmtKind::Expr(_) => {
                 self.simple(statement);
                 self.token(Kind::Semicolon);
@@ -105,25 +78,7 @@ impl Printer<'_> {
                 self.token(Kind::Semicolon);
             }
             StmtKind::For { init, condition, step, body } => {
-                self.headed(body, |p| {
-                    p.token(Kind::For);
-                    p.space();
-                    p.token(Kind::OpenParen);
-                    p.group(|p| {
-                        p.simple(init);
-                        p.token(Kind::Semicolon);
-                        if let Some(condition) = condition {
-                            p.line();
-                            p.expression(condition);
-                        }
-                        p.token(Kind::Semicolon);
-                        if !matches!(step.kind, StmtKind::Empty) {
-                            p.line();
-                            p.simple(step);
-                        }
-                    });
-                    p.token(Kind::CloseParen);
-                });
+                self.for_loop(init, condition.as_ref(), step, body);
             }
             StmtKind::Switch { value, body } => {
                 self.headed(body, |p| {
@@ -149,38 +104,80 @@ impl Printer<'_> {
                 self.space();
                 self.statement(statement);
             }
-            StmtKind::Goto(_) => {
-                self.token(Kind::Goto);
-                self.space();
-                self.token(Kind::Identifier);
-                self.token(Kind::Semicolon);
-            }
-            StmtKind::Break => {
-                self.token(Kind::Break);
-                self.token(Kind::Semicolon);
-            }
-            StmtKind::Continue => {
-                self.token(Kind::Continue);
-                self.token(Kind::Semicolon);
-            }
+            StmtKind::Goto(_) => self.keyword_and_name(Kind::Goto),
+            StmtKind::Break => self.jump(Kind::Break, None),
+            StmtKind::Continue => self.jump(Kind::Continue, None),
             StmtKind::Return(value) => self.jump(Kind::Return, value.as_ref()),
             StmtKind::Throw(value) => self.jump(Kind::Throw, value.as_ref()),
-            StmtKind::Try { body, error, handler } => {
-                self.open();
-                self.headed_with(body, true, |p| p.token(Kind::Try));
-                self.after_body(body);
-                self.headed_with(handler, true, |p| {
-                    p.token(Kind::Catch);
-                    p.space();
-                    p.token(Kind::OpenParen);
-                    if error.is_some() {
-                        p.token(Kind::Identifier);
-                    }
-                    p.token(Kind::CloseParen);
-                });
-                self.item(Item::Close);
-            }
+            StmtKind::Try { body, error, handler } => self.try_catch(body, error.is_some(), handler),
         }
+    }
+
+    fn import(&mut self, path: &[Ident]) {
+        self.token(Kind::Import);
+        self.space();
+        for index in 0..path.len() {
+            if index > 0 {
+                self.token(Kind::Dot);
+            }
+            self.token(Kind::Identifier);
+        }
+        self.token(Kind::Semicolon);
+    }
+
+    /// Formats a statement of a keyword and a name.
+    fn keyword_and_name(&mut self, word: Kind) {
+        self.token(word);
+        self.space();
+        self.token(Kind::Identifier);
+        self.token(Kind::Semicolon);
+    }
+
+    /// Formats the declaration of a name with a value.
+    fn named_value(&mut self, word: Kind, bind: Bind, value: &Expr) {
+        self.token(word);
+        self.space();
+        self.token(Kind::Identifier);
+        self.value(bind, value);
+        self.token(Kind::Semicolon);
+    }
+
+    fn for_loop(&mut self, init: &Stmt, condition: Option<&Expr>, step: &Stmt, body: &Stmt) {
+        self.headed(body, |p| {
+            p.token(Kind::For);
+            p.space();
+            p.token(Kind::OpenParen);
+            p.group(|p| {
+                p.simple(init);
+                p.token(Kind::Semicolon);
+                if let Some(condition) = condition {
+                    p.line();
+                    p.expression(condition);
+                }
+                p.token(Kind::Semicolon);
+                if !matches!(step.kind, StmtKind::Empty) {
+                    p.line();
+                    p.simple(step);
+                }
+            });
+            p.token(Kind::CloseParen);
+        });
+    }
+
+    fn try_catch(&mut self, body: &Stmt, has_error: bool, handler: &Stmt) {
+        self.open();
+        self.headed_with(body, true, |p| p.token(Kind::Try));
+        self.after_body(body);
+        self.headed_with(handler, true, |p| {
+            p.token(Kind::Catch);
+            p.space();
+            p.token(Kind::OpenParen);
+            if has_error {
+                p.token(Kind::Identifier);
+            }
+            p.token(Kind::CloseParen);
+        });
+        self.item(Item::Close);
     }
 
     /// Formats a statement in the head of a `for`, without the `;`.
@@ -196,6 +193,7 @@ impl Printer<'_> {
         }
     }
 
+    /// Formats a statement of a keyword and an optional value.
     fn jump(&mut self, word: Kind, value: Option<&Expr>) {
         self.token(word);
         if let Some(value) = value {

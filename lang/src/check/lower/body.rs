@@ -3,7 +3,7 @@
 use super::Lowering;
 use crate::ast::Mode;
 use crate::check::flow;
-use crate::check::tree::{Expr, FuncId, Kind, Stmt, StmtKind, VarId};
+use crate::check::tree::{DefId, Expr, FuncId, Kind, Place, Stmt, StmtKind, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Block, BlockId, ExprKind, Function, Local, LocalId, Statement, Terminator};
@@ -327,150 +327,27 @@ impl<'l, 'c> Body<'l, 'c> {
         self.span = span;
         match &statement.kind {
             StmtKind::Nothing => {}
-            StmtKind::Assign(place, value) => {
-                let place = self.place(place, self.needs_statements(value));
-                match &value.kind {
-                    Kind::Call(call) if self.has_out_arguments(call.function) => {
-                        self.call_statement(call, Some(place), value.span);
-                    }
-                    _ => {
-                        let value = self.owned(value);
-                        self.push(Statement::Assign { place, value, span });
-                    }
-                }
-            }
-            StmtKind::Bind(name, def) => {
-                self.bind(*def);
-                if self.lowering.checker.chosen.contains(name) {
-                    let value = self.symbolic_value(*def, true, span);
-                    let local = self.local(*name);
-                    let place = ir::Place { local, steps: Vec::new(), repr: self.local_repr(local) };
-                    self.push(Statement::Assign { place, value, span });
-                }
-            }
-            StmtKind::Eval(value) => {
-                let done = match &value.kind {
-                    Kind::Call(call) => self.call_statement(call, None, value.span),
-                    Kind::Assert(assertion) => {
-                        self.assertion(assertion, value.span);
-                        true
-                    }
-                    _ => false,
-                };
-                if !done {
-                    let value = self.value(value);
-                    self.push(Statement::Eval(value));
-                }
-            }
+            StmtKind::Assign(place, value) => self.assignment(place, value, span),
+            StmtKind::Bind(name, def) => self.bind_name(*name, *def, span),
+            StmtKind::Eval(value) => self.evaluate(value),
             StmtKind::Push(place, value) => {
                 let place = self.place(place, self.needs_statements(value));
                 let value = self.owned(value);
                 self.push(Statement::Push { place, value, span });
             }
-            StmtKind::Output(index, def) => {
-                self.bind(*def);
-                let value = self.make_symbolic(*def, span);
-                let checker = self.lowering.checker;
-                let name = checker
-                    .outputs
-                    .get(*index as usize)
-                    .map(|output| output.name.clone())
-                    .unwrap_or_default();
-                if let (ExprKind::MakeSymbolic { site, .. }, Some(output)) =
-                    (&value.kind, self.lowering.program.outputs.get_mut(*index as usize))
-                {
-                    output.site = *site;
-                }
-                let name = ir::Expr { kind: ExprKind::String(name), repr: Repr::String, span };
-                let parameters = [("name", Repr::String), ("value", Repr::Symbolic(Box::new(Repr::Number)))];
-                let id = self.lowering.standard("output", Purity::Scene, &parameters, Repr::Unit);
-                let call = ExprKind::CallExtern(id, vec![name, value]);
-                self.push(Statement::Eval(ir::Expr { kind: call, repr: Repr::Unit, span }));
-            }
+            StmtKind::Output(index, def) => self.output(*index, *def, span),
             StmtKind::Block(statements) => self.block(statements),
             StmtKind::If(condition, then, otherwise) => {
-                let (on_true, after) = (self.new_block(), self.new_block());
-                let on_false = if otherwise.is_some() { self.new_block() } else { after };
-                self.branch(condition, on_true, on_false);
-                self.start(on_true);
-                self.nested(then);
-                self.jump(after);
-                if let Some(otherwise) = otherwise {
-                    self.start(on_false);
-                    self.nested(otherwise);
-                    self.jump(after);
-                }
-                self.start(after);
+                self.if_statement(condition, then, otherwise.as_deref());
             }
-            StmtKind::While(condition, body) => {
-                self.span = condition.span;
-                let (test, inside, after) = (self.new_block(), self.new_block(), self.new_block());
-                self.jump(test);
-                self.start(test);
-                self.branch(condition, inside, after);
-                self.start(inside);
-                self.loop_body(body, after, test);
-                self.jump(test);
-                self.start(after);
-            }
-            StmtKind::DoWhile(body, condition) => {
-                self.span = condition.span;
-                let (inside, test, after) = (self.new_block(), self.new_block(), self.new_block());
-                self.jump(inside);
-                self.start(inside);
-                self.loop_body(body, after, test);
-                self.jump(test);
-                self.start(test);
-                self.branch(condition, inside, after);
-                self.start(after);
-            }
+            StmtKind::While(condition, body) => self.while_loop(condition, body),
+            StmtKind::DoWhile(body, condition) => self.do_while_loop(body, condition),
             StmtKind::For { init, condition, step, body } => {
-                self.statement(init);
-                self.span = condition.as_ref().map_or(span, |condition| condition.span);
-                let (test, inside) = (self.new_block(), self.new_block());
-                let (next, after) = (self.new_block(), self.new_block());
-                self.jump(test);
-                self.start(test);
-                match condition {
-                    Some(condition) => self.branch(condition, inside, after),
-                    None => self.jump(inside),
-                }
-                self.start(inside);
-                self.loop_body(body, after, next);
-                self.jump(next);
-                self.start(next);
-                self.statement(step);
-                self.jump(test);
-                self.start(after);
+                self.for_loop(init, condition.as_ref(), step, body, span);
             }
             StmtKind::Switch(value, body) => self.switch(value, body),
-            StmtKind::Case(_, inner) | StmtKind::Default(inner) => {
-                match self.cases.last().and_then(|cases| cases.get(&span).copied()) {
-                    Some(block) => {
-                        self.jump(block);
-                        self.start(block);
-                    }
-                    None => self.lowering.report(
-                        Diagnostic::error(
-                            "E0214",
-                            "a case must be directly in the body of its `switch`",
-                            span,
-                            "inside another statement",
-                        )
-                        .help("move it out of the enclosing block"),
-                    ),
-                }
-                self.statement(inner);
-            }
-            StmtKind::Label(name, inner) => {
-                if let Some(block) = self.labels.last().and_then(|labels| labels.get(name).copied()) {
-                    self.jump(block);
-                    // A later `goto` may jump here.
-                    self.reached.insert(block);
-                    self.start(block);
-                }
-                self.statement(inner);
-            }
+            StmtKind::Case(_, inner) | StmtKind::Default(inner) => self.case(inner, span),
+            StmtKind::Label(name, inner) => self.label(name, inner),
             StmtKind::Goto(name) => self.goto(name, span),
             StmtKind::Break => match self.exits.last().map(|exit| exit.on_break) {
                 Some(to) => self.jump(to),
@@ -484,6 +361,151 @@ impl<'l, 'c> Body<'l, 'c> {
             StmtKind::Throw(value) => self.throw(value.as_ref(), span),
             StmtKind::Try { body, error, handler } => self.try_catch(body, *error, handler),
         }
+    }
+
+    fn assignment(&mut self, place: &Place, value: &Expr, span: Span) {
+        let place = self.place(place, self.needs_statements(value));
+        match &value.kind {
+            Kind::Call(call) if self.has_out_arguments(call.function) => {
+                self.call_statement(call, Some(place), value.span);
+            }
+            _ => {
+                let value = self.owned(value);
+                self.push(Statement::Assign { place, value, span });
+            }
+        }
+    }
+
+    /// Binds a `:=` name, and stores its expression if the name is selected at run time.
+    fn bind_name(&mut self, variable: VarId, def: DefId, span: Span) {
+        self.bind(def);
+        if self.lowering.checker.chosen.contains(&variable) {
+            let value = self.symbolic_value(def, true, span);
+            let local = self.local(variable);
+            let place = ir::Place { local, steps: Vec::new(), repr: self.local_repr(local) };
+            self.push(Statement::Assign { place, value, span });
+        }
+    }
+
+    /// Evaluates an expression for its effects.
+    fn evaluate(&mut self, value: &Expr) {
+        let done = match &value.kind {
+            Kind::Call(call) => self.call_statement(call, None, value.span),
+            Kind::Assert(assertion) => {
+                self.assertion(assertion, value.span);
+                true
+            }
+            _ => false,
+        };
+        if !done {
+            let value = self.value(value);
+            self.push(Statement::Eval(value));
+        }
+    }
+
+    fn output(&mut self, index: u32, def: DefId, span: Span) {
+        self.bind(def);
+        let value = self.make_symbolic(def, span);
+        let checker = self.lowering.checker;
+        let name = checker.outputs.get(index as usize).map(|output| output.name.clone()).unwrap_or_default();
+        if let (ExprKind::MakeSymbolic { site, .. }, Some(output)) =
+            (&value.kind, self.lowering.program.outputs.get_mut(index as usize))
+        {
+            output.site = *site;
+        }
+        let name = ir::Expr { kind: ExprKind::String(name), repr: Repr::String, span };
+        let parameters = [("name", Repr::String), ("value", Repr::Symbolic(Box::new(Repr::Number)))];
+        let id = self.lowering.standard("output", Purity::Scene, &parameters, Repr::Unit);
+        let call = ExprKind::CallExtern(id, vec![name, value]);
+        self.push(Statement::Eval(ir::Expr { kind: call, repr: Repr::Unit, span }));
+    }
+
+    fn if_statement(&mut self, condition: &Expr, then: &Stmt, otherwise: Option<&Stmt>) {
+        let (on_true, after) = (self.new_block(), self.new_block());
+        let on_false = if otherwise.is_some() { self.new_block() } else { after };
+        self.branch(condition, on_true, on_false);
+        self.start(on_true);
+        self.nested(then);
+        self.jump(after);
+        if let Some(otherwise) = otherwise {
+            self.start(on_false);
+            self.nested(otherwise);
+            self.jump(after);
+        }
+        self.start(after);
+    }
+
+    fn while_loop(&mut self, condition: &Expr, body: &Stmt) {
+        self.span = condition.span;
+        let (test, inside, after) = (self.new_block(), self.new_block(), self.new_block());
+        self.jump(test);
+        self.start(test);
+        self.branch(condition, inside, after);
+        self.start(inside);
+        self.loop_body(body, after, test);
+        self.jump(test);
+        self.start(after);
+    }
+
+    fn do_while_loop(&mut self, body: &Stmt, condition: &Expr) {
+        self.span = condition.span;
+        let (inside, test, after) = (self.new_block(), self.new_block(), self.new_block());
+        self.jump(inside);
+        self.start(inside);
+        self.loop_body(body, after, test);
+        self.jump(test);
+        self.start(test);
+        self.branch(condition, inside, after);
+        self.start(after);
+    }
+
+    fn for_loop(&mut self, init: &Stmt, condition: Option<&Expr>, step: &Stmt, body: &Stmt, span: Span) {
+        self.statement(init);
+        self.span = condition.map_or(span, |condition| condition.span);
+        let (test, inside) = (self.new_block(), self.new_block());
+        let (next, after) = (self.new_block(), self.new_block());
+        self.jump(test);
+        self.start(test);
+        match condition {
+            Some(condition) => self.branch(condition, inside, after),
+            None => self.jump(inside),
+        }
+        self.start(inside);
+        self.loop_body(body, after, next);
+        self.jump(next);
+        self.start(next);
+        self.statement(step);
+        self.jump(test);
+        self.start(after);
+    }
+
+    fn case(&mut self, inner: &Stmt, span: Span) {
+        match self.cases.last().and_then(|cases| cases.get(&span).copied()) {
+            Some(block) => {
+                self.jump(block);
+                self.start(block);
+            }
+            None => self.lowering.report(
+                Diagnostic::error(
+                    "E0214",
+                    "a case must be directly in the body of its `switch`",
+                    span,
+                    "inside another statement",
+                )
+                .help("move it out of the enclosing block"),
+            ),
+        }
+        self.statement(inner);
+    }
+
+    fn label(&mut self, name: &str, inner: &Stmt) {
+        if let Some(block) = self.labels.last().and_then(|labels| labels.get(name).copied()) {
+            self.jump(block);
+            // A later `goto` may jump here.
+            self.reached.insert(block);
+            self.start(block);
+        }
+        self.statement(inner);
     }
 
     fn return_value(&mut self, value: Option<&Expr>) {

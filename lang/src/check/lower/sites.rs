@@ -3,9 +3,9 @@
 
 use super::body::Body;
 use super::values::{BinaryForm, binary_form, unary_op};
-use crate::ast::BinaryOp;
+use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::constant_index;
-use crate::check::tree::{DefId, Expr, Kind, Sym, VarId};
+use crate::check::tree::{Call, DefId, Expr, Kind, Sym, VarId};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Capture, ExprKind, Op, Site, SiteId, SymExpr, SymKind, Symbol};
@@ -168,14 +168,7 @@ impl Body<'_, '_> {
             Kind::Call(call) if captures.plain && call.copy_back.is_empty() && call.demands.is_empty() => {
                 self.symbolic_node(&Expr { kind: Kind::SymbolicCall(call.clone()), ..e.clone() }, captures)
             }
-            Kind::SymbolicCall(call) => {
-                let Some(function) = self.symbolic_callee(call, span) else {
-                    return make(SymKind::Number(f64::NAN), Repr::Number);
-                };
-                let repr = self.lowering.program.symbolic_functions[function.0 as usize].result.clone();
-                let arguments = call.arguments.iter().map(|a| self.symbolic(a, captures)).collect();
-                make(SymKind::Call(function, arguments), repr)
-            }
+            Kind::SymbolicCall(call) => self.symbolic_call(call, span, captures),
             Kind::Array(all) | Kind::Tuple(all) => {
                 let all: Vec<_> = all.iter().map(|a| self.symbolic(a, captures)).collect();
                 let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
@@ -194,28 +187,8 @@ impl Body<'_, '_> {
                 let inner = self.symbolic(inner, captures);
                 SymExpr { repr: Repr::Number, ..inner }
             }
-            Kind::Var(id) => {
-                let index = *captures.by_variable.entry(*id).or_insert_with(|| {
-                    captures.all.push((*id, span));
-                    captures.all.len() as u32 - 1
-                });
-                let local = self.local(*id);
-                let repr = match self.local_repr(local) {
-                    Repr::Symbolic(inner) => *inner,
-                    repr => repr,
-                };
-                make(SymKind::Capture(index), repr)
-            }
-            Kind::Unary(op, a) => {
-                let a = self.symbolic(a, captures);
-                match unary_op(*op, &a.repr) {
-                    None => a,
-                    Some(op) => {
-                        let repr = a.repr.clone();
-                        make(SymKind::Op(op, vec![a]), repr)
-                    }
-                }
-            }
+            Kind::Var(id) => self.captured(*id, span, captures),
+            Kind::Unary(op, a) => self.symbolic_unary(*op, a, span, captures),
             Kind::Binary(op, a, b) => {
                 let (a, b) = (self.symbolic(a, captures), self.symbolic(b, captures));
                 symbolic_binary(*op, a, b, span)
@@ -240,18 +213,7 @@ impl Body<'_, '_> {
                 let repr = inner.repr.clone();
                 make(SymKind::Derivative(Box::new(inner), symbol(*sym, captures)), repr)
             }
-            Kind::Gradient(inner, by) => {
-                let inner = self.symbolic(inner, captures);
-                let repr = inner.repr.clone();
-                captures.shared.push(inner);
-                let index = captures.shared.len() as u32 - 1;
-                let parts = by.iter().map(|sym| {
-                    let inner = Box::new(make(SymKind::Shared(index), repr.clone()));
-                    make(SymKind::Derivative(inner, symbol(*sym, captures)), repr.clone())
-                });
-                let parts = parts.collect();
-                make(SymKind::Brackets(parts), Repr::Tuple(vec![repr; by.len()]))
-            }
+            Kind::Gradient(inner, by) => self.gradient(inner, by, span, captures),
             Kind::At(inner, sym, at) => {
                 let (inner, at) = (self.symbolic(inner, captures), self.symbolic(at, captures));
                 let repr = inner.repr.clone();
@@ -265,6 +227,63 @@ impl Body<'_, '_> {
                 make(SymKind::Number(f64::NAN), self.repr(&e.ty))
             }
         }
+    }
+
+    fn symbolic_call(&mut self, call: &Call, span: Span, captures: &mut Captures) -> SymExpr {
+        let make = |kind, repr| SymExpr { kind, repr, span };
+        let Some(function) = self.symbolic_callee(call, span) else {
+            return make(SymKind::Number(f64::NAN), Repr::Number);
+        };
+        let repr = self.lowering.program.symbolic_functions[function.0 as usize].result.clone();
+        let arguments = call.arguments.iter().map(|a| self.symbolic(a, captures)).collect();
+        make(SymKind::Call(function, arguments), repr)
+    }
+
+    /// Returns the value that a variable has when the `:=` is bound.
+    fn captured(&mut self, variable: VarId, span: Span, captures: &mut Captures) -> SymExpr {
+        let make = |kind, repr| SymExpr { kind, repr, span };
+        let index = *captures.by_variable.entry(variable).or_insert_with(|| {
+            captures.all.push((variable, span));
+            captures.all.len() as u32 - 1
+        });
+        let local = self.local(variable);
+        let repr = match self.local_repr(local) {
+            Repr::Symbolic(inner) => *inner,
+            repr => repr,
+        };
+        make(SymKind::Capture(index), repr)
+    }
+
+    fn symbolic_unary(
+        &mut self,
+        op: UnaryOp,
+        operand: &Expr,
+        span: Span,
+        captures: &mut Captures,
+    ) -> SymExpr {
+        let make = |kind, repr| SymExpr { kind, repr, span };
+        let a = self.symbolic(operand, captures);
+        match unary_op(op, &a.repr) {
+            None => a,
+            Some(op) => {
+                let repr = a.repr.clone();
+                make(SymKind::Op(op, vec![a]), repr)
+            }
+        }
+    }
+
+    fn gradient(&mut self, inner: &Expr, by: &[Sym], span: Span, captures: &mut Captures) -> SymExpr {
+        let make = |kind, repr| SymExpr { kind, repr, span };
+        let inner = self.symbolic(inner, captures);
+        let repr = inner.repr.clone();
+        captures.shared.push(inner);
+        let index = captures.shared.len() as u32 - 1;
+        let parts = by.iter().map(|sym| {
+            let inner = Box::new(make(SymKind::Shared(index), repr.clone()));
+            make(SymKind::Derivative(inner, symbol(*sym, captures)), repr.clone())
+        });
+        let parts = parts.collect();
+        make(SymKind::Brackets(parts), Repr::Tuple(vec![repr; by.len()]))
     }
 
     /// Returns a shared definition, which is added on first use.

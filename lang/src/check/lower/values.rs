@@ -3,7 +3,7 @@
 use super::body::Body;
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
-use crate::check::tree::{Expr, Kind, Style, TextPart};
+use crate::check::tree::{DefId, Expr, Kind, Style, TextPart};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
 use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, Op};
@@ -53,84 +53,26 @@ impl Body<'_, '_> {
                 let local = self.local(*id);
                 make(ExprKind::Local(local), self.local_repr(local))
             }
-            Kind::Eval(def, time) => {
-                let mut value = self.make_symbolic(*def, span);
-                let time = match time {
-                    Some(time) => {
-                        if self.needs_statements(time) {
-                            value = self.kept(value);
-                        }
-                        self.value(time)
-                    }
-                    None => make(ExprKind::Number(0.0), Repr::Number),
-                };
-                let repr = self.repr(&e.ty);
-                make(ExprKind::EvalSymbolic { value: Box::new(value), time: Box::new(time) }, repr)
-            }
+            Kind::Eval(def, time) => self.evaluation(*def, time.as_deref(), &e.ty, span),
             Kind::Observe(inner) => self.value(inner),
             Kind::Unary(op, a) => {
                 let a = self.value(a);
                 unary(*op, a, span)
             }
-            Kind::Binary(BinaryOp::And, a, b) if self.needs_statements(b) => {
-                let a = self.value(a);
-                self.choose(a, Repr::Bool, span, |f| f.value(b), |_| make(ExprKind::Bool(false), Repr::Bool))
-            }
-            Kind::Binary(BinaryOp::Or, a, b) if self.needs_statements(b) => {
-                let a = self.value(a);
-                self.choose(a, Repr::Bool, span, |_| make(ExprKind::Bool(true), Repr::Bool), |f| f.value(b))
-            }
-            Kind::Binary(BinaryOp::And, a, b) => {
-                let (a, b) = (self.value(a), self.value(b));
-                make(ExprKind::And(Box::new(a), Box::new(b)), Repr::Bool)
-            }
-            Kind::Binary(BinaryOp::Or, a, b) => {
-                let (a, b) = (self.value(a), self.value(b));
-                make(ExprKind::Or(Box::new(a), Box::new(b)), Repr::Bool)
-            }
-            Kind::Binary(op, a, b) => {
-                let (mut a, b) = self.pair(a, b);
-                if self.exchanged(e) {
-                    a = self.kept(a);
-                }
-                binary(*op, a, b, span)
-            }
+            Kind::Binary(op, a, b) => self.binary_value(e, *op, a, b),
             Kind::Op(op, all) => {
                 let all = self.values(all, span);
                 let repr = self.repr(&e.ty);
                 make(ExprKind::Op(*op, all), repr)
             }
-            Kind::If(condition, a, b) if self.needs_statements(a) || self.needs_statements(b) => {
-                let condition = self.value(condition);
-                let repr = self.repr(&e.ty);
-                self.choose(condition, repr, span, |f| f.value(a), |f| f.value(b))
-            }
-            Kind::If(condition, a, b) => {
-                let (condition, a, b) = (self.value(condition), self.value(a), self.value(b));
-                let repr = a.repr.clone();
-                make(ExprKind::If(Box::new(condition), Box::new(a), Box::new(b)), repr)
-            }
+            Kind::If(condition, a, b) => self.conditional(condition, a, b, &e.ty, span),
             Kind::Call(call) => self.call_value(call, &e.ty, span),
             Kind::CallExtern(id, all, demands) => {
                 let all = self.extern_arguments(all, demands, span);
                 let (id, repr) = self.lowering.extern_id(*id);
                 make(ExprKind::CallExtern(id, all), repr)
             }
-            Kind::Print(values, system) => {
-                let mut parts = Vec::new();
-                let last = values.iter().rposition(|value| self.needs_statements(value));
-                for (index, value) in values.iter().enumerate() {
-                    if index > 0 {
-                        parts.push(FormatPart::Text(" ".into()));
-                    }
-                    let kept = last.is_some_and(|last| index < last);
-                    self.format_part(value, None, *system, kept, &mut parts);
-                }
-                let line = make(ExprKind::Format(parts), Repr::String);
-                let id =
-                    self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)], Repr::Unit);
-                make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
-            }
+            Kind::Print(values, system) => self.print(values, *system, span),
             Kind::Array(all) => {
                 let all = self.owned_values(all, span);
                 make(ExprKind::Array(all), self.repr(&e.ty))
@@ -156,18 +98,7 @@ impl Body<'_, '_> {
                 };
                 make(ExprKind::TupleElement(Box::new(base), *at), repr)
             }
-            Kind::Field(base, name) => {
-                let field = self.field_of(&base.ty, name);
-                let base = self.value(base);
-                match (field, component(name)) {
-                    (Some((at, part)), _) => {
-                        make(ExprKind::TupleElement(Box::new(base), at), self.repr(&part))
-                    }
-                    (None, Some(op)) => make(ExprKind::Op(op, vec![base]), Repr::Number),
-                    // Unreachable: the checker guarantees that the field exists.
-                    (None, None) => make(ExprKind::Number(f64::NAN), Repr::Number),
-                }
-            }
+            Kind::Field(base, name) => self.field_value(base, name, span),
             Kind::UnitAxis(axis) => {
                 let axis = self.value(axis);
                 let id = self.lowering.unit_axis();
@@ -177,22 +108,115 @@ impl Body<'_, '_> {
                 let array = self.value(array);
                 make(ExprKind::Len(Box::new(array)), Repr::Number)
             }
-            Kind::Format(pieces, system) => {
-                let mut parts = Vec::new();
-                let last = pieces.iter().rposition(
-                    |piece| matches!(piece, TextPart::Value(value, _) if self.needs_statements(value)),
-                );
-                for (index, piece) in pieces.iter().enumerate() {
-                    match piece {
-                        TextPart::Text(text) => parts.push(FormatPart::Text(text.clone())),
-                        TextPart::Value(value, style) => {
-                            let kept = last.is_some_and(|last| index < last);
-                            self.format_part(value, style.as_ref(), *system, kept, &mut parts);
-                        }
-                    }
+            Kind::Format(pieces, system) => self.formatted(pieces, *system, span),
+        }
+    }
+
+    /// Lowers the evaluation of a definition at a time, by default 0.
+    fn evaluation(&mut self, def: DefId, time: Option<&Expr>, ty: &Type, span: Span) -> ir::Expr {
+        let make = |kind, repr| ir::Expr { kind, repr, span };
+        let mut value = self.make_symbolic(def, span);
+        let time = match time {
+            Some(time) => {
+                if self.needs_statements(time) {
+                    value = self.kept(value);
                 }
-                make(ExprKind::Format(parts), Repr::String)
+                self.value(time)
             }
+            None => make(ExprKind::Number(0.0), Repr::Number),
+        };
+        let repr = self.repr(ty);
+        make(ExprKind::EvalSymbolic { value: Box::new(value), time: Box::new(time) }, repr)
+    }
+
+    /// Lowers the binary operator of `e`. The second operand of `&` and `|` is evaluated only if
+    /// needed.
+    fn binary_value(&mut self, e: &Expr, op: BinaryOp, a: &Expr, b: &Expr) -> ir::Expr {
+        let span = e.span;
+        let make = |kind, repr| ir::Expr { kind, repr, span };
+        match op {
+            BinaryOp::And if self.needs_statements(b) => {
+                let a = self.value(a);
+                self.choose(a, Repr::Bool, span, |f| f.value(b), |_| make(ExprKind::Bool(false), Repr::Bool))
+            }
+            BinaryOp::Or if self.needs_statements(b) => {
+                let a = self.value(a);
+                self.choose(a, Repr::Bool, span, |_| make(ExprKind::Bool(true), Repr::Bool), |f| f.value(b))
+            }
+            BinaryOp::And => {
+                let (a, b) = (self.value(a), self.value(b));
+                make(ExprKind::And(Box::new(a), Box::new(b)), Repr::Bool)
+            }
+            BinaryOp::Or => {
+                let (a, b) = (self.value(a), self.value(b));
+                make(ExprKind::Or(Box::new(a), Box::new(b)), Repr::Bool)
+            }
+            _ => {
+                let (mut a, b) = self.pair(a, b);
+                if self.exchanged(e) {
+                    a = self.kept(a);
+                }
+                binary(op, a, b, span)
+            }
+        }
+    }
+
+    fn conditional(&mut self, condition: &Expr, a: &Expr, b: &Expr, ty: &Type, span: Span) -> ir::Expr {
+        if self.needs_statements(a) || self.needs_statements(b) {
+            let condition = self.value(condition);
+            let repr = self.repr(ty);
+            return self.choose(condition, repr, span, |f| f.value(a), |f| f.value(b));
+        }
+        let (condition, a, b) = (self.value(condition), self.value(a), self.value(b));
+        let repr = a.repr.clone();
+        ir::Expr { kind: ExprKind::If(Box::new(condition), Box::new(a), Box::new(b)), repr, span }
+    }
+
+    /// Lowers the call of `print`, which separates the values by spaces.
+    fn print(&mut self, values: &[Expr], system: UnitSystem, span: Span) -> ir::Expr {
+        let make = |kind, repr| ir::Expr { kind, repr, span };
+        let mut parts = Vec::new();
+        let last = values.iter().rposition(|value| self.needs_statements(value));
+        for (index, value) in values.iter().enumerate() {
+            if index > 0 {
+                parts.push(FormatPart::Text(" ".into()));
+            }
+            let kept = last.is_some_and(|last| index < last);
+            self.format_part(value, None, system, kept, &mut parts);
+        }
+        let line = make(ExprKind::Format(parts), Repr::String);
+        let id = self.lowering.standard("print", Purity::Scene, &[("line", Repr::String)], Repr::Unit);
+        make(ExprKind::CallExtern(id, vec![line]), Repr::Unit)
+    }
+
+    /// Lowers a string that contains values.
+    fn formatted(&mut self, pieces: &[TextPart], system: UnitSystem, span: Span) -> ir::Expr {
+        let mut parts = Vec::new();
+        let last = pieces
+            .iter()
+            .rposition(|piece| matches!(piece, TextPart::Value(value, _) if self.needs_statements(value)));
+        for (index, piece) in pieces.iter().enumerate() {
+            match piece {
+                TextPart::Text(text) => parts.push(FormatPart::Text(text.clone())),
+                TextPart::Value(value, style) => {
+                    let kept = last.is_some_and(|last| index < last);
+                    self.format_part(value, style.as_ref(), system, kept, &mut parts);
+                }
+            }
+        }
+        ir::Expr { kind: ExprKind::Format(parts), repr: Repr::String, span }
+    }
+
+    /// Lowers `base.name`: a field of a record or a component of a vector.
+    fn field_value(&mut self, base: &Expr, name: &str, span: Span) -> ir::Expr {
+        let make = |kind, repr| ir::Expr { kind, repr, span };
+        let field = self.field_of(&base.ty, name);
+        let base = self.value(base);
+        match (field, component(name)) {
+            (Some((at, part)), _) => make(ExprKind::TupleElement(Box::new(base), at), self.repr(&part)),
+            (None, Some(op)) => make(ExprKind::Op(op, vec![base]), Repr::Number),
+            // Unreachable: the checker guarantees that the field exists.
+            (None, None) => make(ExprKind::Number(f64::NAN), Repr::Number),
         }
     }
 

@@ -1,0 +1,257 @@
+//! Matches the arguments of a call to parameters.
+
+use super::infer::Checker;
+use super::name_resolution::note_arguments;
+use super::symbols::similar;
+use super::tree::Expr;
+use crate::ast::{self, Bind, ExprKind};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+use std::collections::HashMap;
+
+/// The argument of each parameter, and the fields of spread records by name.
+pub(super) type MatchedArguments<'a> = (Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>);
+
+impl<'a> Checker<'a> {
+    /// Returns the arguments of a function's parameters and the fields of spread records by name.
+    /// Returns `None` if they do not match, which is reported.
+    pub(super) fn given(
+        &mut self,
+        called: &str,
+        decl: &ast::FunctionDecl,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Option<MatchedArguments<'a>> {
+        let places = decl.parameters.iter().map(|p| (p.name.name.clone(), p.name.span));
+        note_arguments(&mut self.named_parts, places, arguments);
+        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let fields = self.spread(called, &names, arguments)?;
+        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
+        let parameters: Vec<(&str, bool)> = decl
+            .parameters
+            .iter()
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
+            .collect();
+        Some((self.match_arguments(called, &parameters, arguments, span)?, fields))
+    }
+
+    /// Matches arguments to parameters, each with its name and `true` if it is optional. `None`
+    /// stands for a default; errors are reported.
+    pub(super) fn match_arguments(
+        &mut self,
+        function: &str,
+        parameters: &[(&str, bool)],
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Option<Vec<Option<&'a ast::Argument>>> {
+        let mut given: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
+        let mut named = false;
+        let mut sound = true;
+        for (index, argument) in arguments.iter().enumerate() {
+            let at = match &argument.name {
+                // The caller handles spread arguments.
+                _ if argument.spread => {
+                    named = true;
+                    continue;
+                }
+                Some((name, _)) => {
+                    named = true;
+                    match parameters.iter().position(|(parameter, _)| *parameter == name.name) {
+                        Some(at) => at,
+                        None => {
+                            self.report(unknown_parameter(function, name, parameters, arguments));
+                            sound = false;
+                            continue;
+                        }
+                    }
+                }
+                None if self.is_decimal_comma(arguments, index, named || index >= parameters.len()) => {
+                    sound = false;
+                    continue;
+                }
+                None if named => {
+                    self.report(unnamed_after_named(argument, parameters, &given, arguments));
+                    sound = false;
+                    continue;
+                }
+                None if index >= parameters.len() => {
+                    self.report(extra_argument(function, argument, parameters, arguments.len()));
+                    sound = false;
+                    break;
+                }
+                None => index,
+            };
+            if let Some(first) = given[at] {
+                let before = index.checked_sub(1).and_then(|before| arguments.get(before));
+                self.report(second_occurrence(parameters[at].0, first, before, argument));
+                sound = false;
+                continue;
+            }
+            given[at] = Some(argument);
+        }
+        let missing: Vec<String> = parameters
+            .iter()
+            .zip(&given)
+            .filter(|((_, optional), argument)| argument.is_none() && !optional)
+            .map(|((name, _), _)| format!("`{name}`"))
+            .collect();
+        if !missing.is_empty() && sound {
+            self.report(
+                Diagnostic::error(
+                    "E0206",
+                    format!("the call of `{function}` lacks {}", missing.join(" and ")),
+                    span,
+                    "an argument is missing",
+                )
+                .help(format!("its parameters are {}", listed(parameters))),
+            );
+            sound = false;
+        }
+        if !sound {
+            self.check_loosely(arguments);
+        }
+        sound.then_some(given)
+    }
+
+    /// Reports a decimal comma if an argument without a parameter is the fraction of the previous
+    /// number. Returns `true` if reported.
+    fn is_decimal_comma(
+        &mut self,
+        arguments: &[ast::Argument],
+        index: usize,
+        has_no_parameter: bool,
+    ) -> bool {
+        let before = index.checked_sub(1).and_then(|before| arguments.get(before));
+        let (Some(before), Some(argument)) = (before, arguments.get(index)) else { return false };
+        let ExprKind::Number(_) = &before.value.kind else { return false };
+        let (first, second) = (before.value.span, argument.value.span);
+        let number = match &argument.value.kind {
+            ExprKind::Number(_) => second,
+            ExprKind::Quantity { unit, .. } => Span { end: unit.span.start, ..second },
+            _ => return false,
+        };
+        let between = Span { start: first.end, end: second.start, ..first };
+        if !has_no_parameter || self.text(between) != "," {
+            return false;
+        }
+        let number = self.text(number).trim_end();
+        let whole = Span { end: second.start + number.len() as u32, ..first };
+        let problem = Diagnostic::decimal_comma(whole, self.text(first), number);
+        problem.map(|problem| self.report(problem)).is_some()
+    }
+
+    /// Checks the arguments of an invalid call, to report errors in them.
+    pub(super) fn check_loosely(&mut self, arguments: &'a [ast::Argument]) {
+        for argument in arguments {
+            let symbolic = matches!(argument.name, Some((_, Bind::Symbolic)));
+            let around = self.symbolic;
+            self.symbolic |= symbolic;
+            self.whole(&argument.value);
+            self.symbolic = around;
+        }
+    }
+}
+
+fn listed(parameters: &[(&str, bool)]) -> String {
+    parameters.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn unknown_parameter(
+    function: &str,
+    name: &ast::Ident,
+    parameters: &[(&str, bool)],
+    arguments: &[ast::Argument],
+) -> Diagnostic {
+    let diagnostic = Diagnostic::error(
+        "E0205",
+        format!("`{function}` has no parameter `{}`", name.name),
+        name.span,
+        "unknown parameter",
+    );
+    // A misspelt name cannot refer to a parameter that already has an argument.
+    let is_free = |parameter: &str| {
+        let mut named = arguments.iter().filter_map(|argument| argument.name.as_ref());
+        !named.any(|(name, _)| name.name == parameter)
+    };
+    let free = parameters.iter().map(|(name, _)| *name).filter(|name| is_free(name));
+    match similar(&name.name, free) {
+        Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
+            format!("change to `{near}`"),
+            name.span,
+            near,
+        ),
+        None => diagnostic.help(format!("its parameters are {}", listed(parameters))),
+    }
+}
+
+fn unnamed_after_named(
+    argument: &ast::Argument,
+    parameters: &[(&str, bool)],
+    given: &[Option<&ast::Argument>],
+    arguments: &[ast::Argument],
+) -> Diagnostic {
+    let place = Span { end: argument.value.span.start, ..argument.value.span };
+    let written = |parameter: &str| {
+        let mut names = arguments.iter().filter_map(|argument| argument.name.as_ref());
+        names.any(|(name, _)| name.name == *parameter)
+    };
+    let free = parameters
+        .iter()
+        .zip(given)
+        .filter(|((name, optional), given)| given.is_none() && !optional && !written(name));
+    let diagnostic = Diagnostic::error(
+        "E0206",
+        "an argument without a name follows a named argument",
+        argument.value.span,
+        "which parameter is this?",
+    )
+    .help("name it, or move it to the front");
+    let offer = |diagnostic: Diagnostic, name: &str| {
+        diagnostic.suggest(format!("name it `{name}`"), place, format!("{name} = "))
+    };
+    free.take(3).fold(diagnostic, |d, ((name, _), _)| offer(d, name))
+}
+
+/// Returns the error for an argument beyond the last parameter; `arguments` is the number of
+/// arguments.
+fn extra_argument(
+    function: &str,
+    argument: &ast::Argument,
+    parameters: &[(&str, bool)],
+    arguments: usize,
+) -> Diagnostic {
+    let help = match parameters.len() {
+        0 => "it has no parameters".to_string(),
+        _ => format!("its parameters are {}", listed(parameters)),
+    };
+    Diagnostic::error(
+        "E0206",
+        format!("`{function}` takes {} arguments, not {}", parameters.len(), arguments),
+        argument.value.span,
+        "extra argument",
+    )
+    .help(help)
+}
+
+/// Returns the error for two arguments of one parameter. Its fix removes the second one from the
+/// end of the argument before it.
+fn second_occurrence(
+    parameter: &str,
+    first: &ast::Argument,
+    before: Option<&ast::Argument>,
+    argument: &ast::Argument,
+) -> Diagnostic {
+    let removed = Span {
+        start: before.map_or(argument.value.span.start, |before| before.value.span.end),
+        ..argument.value.span
+    };
+    Diagnostic::error(
+        "E0206",
+        format!("the argument `{parameter}` occurs twice"),
+        argument.value.span,
+        "second occurrence",
+    )
+    .label(first.value.span, "first occurrence")
+    .help("remove one of the two")
+    .suggest(format!("remove this `{parameter}`"), removed, "")
+}
