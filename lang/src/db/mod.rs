@@ -15,6 +15,7 @@ mod recent;
 #[cfg(test)]
 mod tests;
 mod units;
+mod visible;
 
 use crate::ast::Module;
 use crate::check::item::ItemKind;

@@ -4,9 +4,9 @@
 //! types and does not wait for a check of the current text.
 
 use super::Database;
-use super::analysis::NameInfo;
 use super::callables::Types;
 use super::items::items;
+use super::visible::NameInfo;
 use crate::analysis::{Callable, NameKind, SourceRange, Visible};
 use crate::ast::{FunctionDecl, RecordDecl, RecordField};
 use crate::check::ShownScheme;
