@@ -5,6 +5,7 @@ use crate::ast::{
     StmtKind, StringPart, VarDecl,
 };
 use crate::span::Span;
+use crate::walk::Node;
 
 /// A declaration in a syntax tree.
 #[derive(Clone, Copy, Debug)]
@@ -78,22 +79,13 @@ pub fn name_of(statement: &Stmt) -> Option<&Ident> {
 
 /// Returns the direct child statements of a statement in source order.
 pub fn children(statement: &Stmt) -> Vec<&Stmt> {
-    match &statement.kind {
-        StmtKind::Block(all) => all.iter().collect(),
-        StmtKind::If { then, otherwise, .. } => {
-            [Some(then), otherwise.as_ref()].into_iter().flatten().map(|inner| &**inner).collect()
+    let mut found = Vec::new();
+    Node::Statement(statement).children(&mut |child| {
+        if let Node::Statement(inner) = child {
+            found.push(inner);
         }
-        StmtKind::While { body, .. }
-        | StmtKind::DoWhile { body, .. }
-        | StmtKind::Switch { body, .. }
-        | StmtKind::Case { statement: body, .. }
-        | StmtKind::Default(body)
-        | StmtKind::Label { statement: body, .. } => vec![body],
-        StmtKind::For { init, step, body, .. } => vec![init, step, body],
-        StmtKind::Try { body, handler, .. } => vec![body, handler],
-        StmtKind::Function(FunctionDecl { body: FunctionBody::Statement(body), .. }) => vec![body],
-        _ => Vec::new(),
-    }
+    });
+    found
 }
 
 /// Returns the source text of a declaration without its body.

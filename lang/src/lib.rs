@@ -29,5 +29,6 @@ pub mod span;
 pub mod tree_text;
 pub mod units;
 pub mod vocabulary;
+pub mod walk;
 
 pub use db::check_program;

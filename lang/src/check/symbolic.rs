@@ -13,6 +13,7 @@ use super::symbols::{Resolution, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, Bind, ExprKind};
+use crate::declared::children;
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use std::collections::{BTreeSet, HashMap};
@@ -469,33 +470,13 @@ impl<'a> Checker<'a> {
 
     /// Collects the `:=` names assigned in a statement, without declarations.
     pub(super) fn bound_in(&self, statement: &ast::Stmt, bound: &mut BTreeSet<VarId>) {
-        use ast::StmtKind::*;
-        match &statement.kind {
-            Assign { place, bind: Bind::Symbolic, .. } => {
-                if let ExprKind::Name(name) = &place.kind
-                    && let Some(Resolution::Var(id)) = self.names.uses.get(&name.span)
-                {
-                    bound.insert(*id);
-                }
-            }
-            Block(all) => all.iter().for_each(|s| self.bound_in(s, bound)),
-            If { then, otherwise, .. } => {
-                self.bound_in(then, bound);
-                otherwise.iter().for_each(|s| self.bound_in(s, bound));
-            }
-            While { body, .. } | DoWhile { body, .. } | Switch { body, .. } => self.bound_in(body, bound),
-            For { init, step, body, .. } => [init, step, body].iter().for_each(|s| self.bound_in(s, bound)),
-            Case { statement, .. } | Default(statement) | Label { statement, .. } => {
-                self.bound_in(statement, bound)
-            }
-            Try { body, handler, .. } => [body, handler].iter().for_each(|s| self.bound_in(s, bound)),
-            Function(decl) => {
-                if let ast::FunctionBody::Statement(body) = &decl.body {
-                    self.bound_in(body, bound);
-                }
-            }
-            _ => {}
+        if let ast::StmtKind::Assign { place, bind: Bind::Symbolic, .. } = &statement.kind
+            && let ExprKind::Name(name) = &place.kind
+            && let Some(Resolution::Var(id)) = self.names.uses.get(&name.span)
+        {
+            bound.insert(*id);
         }
+        children(statement).into_iter().for_each(|inner| self.bound_in(inner, bound));
     }
 
     /// Checks code that may run repeatedly or be entered in the middle: names bound in it have

@@ -1,10 +1,10 @@
 //! Call hierarchy: callers and callees of a function.
 
 use super::source::Source;
-use super::walk::Node;
 use super::{Position, Snapshot};
 use calyx_lang::analysis::{Name, NameKind, SourceRange};
 use calyx_lang::ast::{FunctionDecl, Stmt, StmtKind};
+use calyx_lang::walk::Node;
 use std::sync::Arc;
 
 /// A function, or a file whose top level has calls.

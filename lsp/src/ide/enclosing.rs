@@ -1,8 +1,8 @@
 //! Syntax nodes around a position, from the outermost statement inwards.
 
-use super::walk::Node;
 use calyx_lang::ast::{Argument, Bind, Expr, ExprKind, Module, Stmt, StmtKind, VarDecl};
 use calyx_lang::span::Span;
+use calyx_lang::walk::Node;
 use std::ops::Range;
 
 /// Nodes that contain a range, outermost first.

@@ -4,9 +4,9 @@
 
 use super::lines::Lines;
 use super::source::Source;
-use super::walk::Node;
 use calyx_lang::ast::{Stmt, StmtKind};
 use calyx_lang::lexer::{CommentKind, Kind};
+use calyx_lang::walk::Node;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FoldKind {

@@ -5,9 +5,9 @@
 
 use super::lines::Lines;
 use super::source::Source;
-use super::walk::Node;
 use calyx_lang::ast::{Stmt, StmtKind};
 use calyx_lang::format::{self, FormatContext};
+use calyx_lang::walk::Node;
 use std::ops::Range;
 
 /// Replaces bytes `start..end` of a file.

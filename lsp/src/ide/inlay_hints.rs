@@ -3,10 +3,10 @@
 use super::Snapshot;
 use super::formatting::Change;
 use super::source::Source;
-use super::walk::Node;
 use calyx_lang::analysis::{Callable, Name, SourceRange};
 use calyx_lang::ast::*;
 use calyx_lang::units::UnitSystem;
+use calyx_lang::walk::Node;
 use std::collections::HashMap;
 use std::ops::Range;
 

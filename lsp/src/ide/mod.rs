@@ -30,7 +30,6 @@ pub mod signature;
 pub mod source;
 mod symbol_dependencies;
 pub mod symbols;
-mod walk;
 
 use calyx_lang::db::Database;
 use elaborated::Elaborated;

@@ -1,6 +1,5 @@
 //! Literals with units, and their conversion to other units.
 
-use super::walk::Node;
 use calyx_abi::text::number;
 use calyx_abi::units::{from_si, to_si};
 use calyx_lang::ast::{BinaryOp, Expr, ExprKind, Module, StmtKind, UnaryOp};
@@ -8,6 +7,7 @@ use calyx_lang::common_units::{usual, written};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::ir::DisplayUnit;
 use calyx_lang::units::{Unit, UnitSystem, combined, powered, pure};
+use calyx_lang::walk::Node;
 
 /// Returns the unit system selected by a file's `units` statement.
 pub fn system(module: &Module) -> Option<UnitSystem> {

@@ -2,9 +2,9 @@
 
 use super::lines::slice;
 use super::source::Source;
-use super::walk::Node;
 use calyx_lang::ast::{Stmt, StmtKind};
 use calyx_lang::lexer::{CommentKind, Kind};
+use calyx_lang::walk::Node;
 
 type Range = (u32, u32);
 

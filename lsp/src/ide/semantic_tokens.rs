@@ -7,10 +7,10 @@
 use super::lines::slice;
 use super::source::Source;
 use super::symbols::is_library;
-use super::walk::Node;
 use calyx_lang::analysis::{Name, NameKind};
 use calyx_lang::ast::{FunctionBody, Ident, Stmt, StmtKind, TypeExpr, TypeKind};
 use calyx_lang::lexer::{Comment, CommentKind, Kind, Token};
+use calyx_lang::walk::Node;
 use std::collections::HashMap;
 use std::ops::{BitOr, Range};
 

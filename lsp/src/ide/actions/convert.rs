@@ -2,9 +2,9 @@
 
 use super::{Action, ActionRequest, rewrite};
 use crate::ide::numbers::{LiteralWithUnit, needs_parentheses};
-use crate::ide::walk::Node;
 use calyx_lang::analysis::NameKind;
 use calyx_lang::ast::ExprKind;
+use calyx_lang::walk::Node;
 
 /// Largest number of units offered for one quantity.
 const MOST_UNITS: usize = 5;

@@ -7,10 +7,10 @@
 use super::unused::{computes, is_written, without_declaration};
 use super::{Action, ActionKind, ActionRequest, rewrite};
 use crate::ide::enclosing::{EnclosingNodes, Receiver};
-use crate::ide::walk::Node;
 use calyx_lang::analysis::{Name, NameKind};
 use calyx_lang::ast::{BinaryOp, Bind, Expr, ExprKind, Mode, Stmt, StmtKind};
 use calyx_lang::span::Span;
+use calyx_lang::walk::Node;
 
 pub(super) fn extracting(asked: &ActionRequest, found: &mut Vec<Action>) {
     if asked.range.is_empty() {

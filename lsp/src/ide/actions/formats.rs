@@ -1,10 +1,10 @@
 //! Actions that replace the unit of a format by a suitable one.
 
 use super::{Action, ActionRequest, fix};
-use crate::ide::walk::Node;
 use calyx_lang::ast::{Expr, ExprKind, Format, StringPart};
 use calyx_lang::common_units::usual;
 use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::walk::Node;
 
 /// Largest number of units offered for one format.
 const MOST_UNITS: usize = 4;

@@ -1,7 +1,9 @@
-//! Uniform traversal of syntax nodes.
+//! Visits syntax nodes and their descendants.
+//!
+//! `crate::relocate` visits all source ranges in order to change them.
 
-use calyx_lang::ast::*;
-use calyx_lang::span::Span;
+use crate::ast::*;
+use crate::span::Span;
 
 /// A syntax node that can have children.
 #[derive(Clone, Copy, Debug)]
