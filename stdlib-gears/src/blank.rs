@@ -167,7 +167,7 @@ impl Rim {
     /// gear.
     ///
     /// # Errors
-    /// E0665: the inner diameter is not positive or not the smaller one.
+    /// E0665: the inner diameter is not positive, or not smaller than the diameter.
     pub fn new(diameter: f64, inner_diameter: f64) -> Result<Rim, GeometryError> {
         if !(inner_diameter > 0.0 && inner_diameter < diameter) {
             return Err(GeometryError::error(
@@ -262,7 +262,7 @@ impl Rim {
                 "clearance",
                 sentence!["spline teeth that ", text what, " cannot have clearance"],
                 sentence![
-                    "with it they are contact of flanks in the plane, which has no room for a web; leave it out"
+                    "omit `clearance`: a spline with clearance is modelled as two-dimensional contact of its flanks, on a rim without a web"
                 ],
             ));
         }
@@ -376,13 +376,13 @@ impl Rim {
     /// surrounds the teeth is checked with the gear.
     ///
     /// # Errors
-    /// E0665: the diameter is not positive or not the smaller one.
+    /// E0665: the diameter is not positive, or not smaller than the outer diameter.
     pub fn outer(diameter: f64, outer_diameter: f64) -> Result<Rim, GeometryError> {
         if !(diameter > 0.0 && outer_diameter > diameter && outer_diameter.is_finite()) {
             return Err(GeometryError::error(
                 "E0665",
                 "outer_diameter",
-                sentence!["the rim's outer diameter must be larger than its diameter, and that positive"],
+                sentence!["the rim's diameter must be positive, and its outer diameter must be larger"],
                 sentence!["an internal gear is supported at its outer diameter"],
             ));
         }
@@ -411,7 +411,7 @@ pub enum Thickness {
 pub struct GearBlank {
     /// Number of teeth, at least 4.
     pub teeth: u32,
-    /// Tool that generates the teeth.
+    /// Generating rack.
     pub rack: Rack,
     /// Tip diameter; usually the pitch diameter plus two modules.
     pub outer_diameter: f64,
@@ -432,8 +432,8 @@ pub struct GearBlank {
     pub tip_edge_radius: Option<f64>,
     /// Modifications of both flanks of every tooth.
     pub modifications: Vec<Modification>,
-    /// Pitch deviation of each tooth along the pitch circle, from tooth 0, counter-clockwise. Teeth
-    /// beyond the list have none.
+    /// Cumulative pitch deviation (index deviation, ISO 1328-1) of each tooth along the reference
+    /// circle, m, counter-clockwise from tooth 0. Teeth beyond the list have none.
     pub pitch_errors: Vec<f64>,
 }
 

@@ -33,7 +33,7 @@ pub enum Kind {
 /// Quantity derived from the model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quantity {
-    /// Name in ISO 1122-1.
+    /// Term of ISO 1122-1, if it has one.
     pub name: &'static str,
     /// Symbol in formulas: `d_b`, `epsilon_alpha`.
     pub symbol: &'static str,
@@ -236,7 +236,7 @@ fn fillet_radius(radius: f64, form: &ToothForm) -> Quantity {
 fn undercut_margin(gear: &ExternalGear) -> Quantity {
     let margin = gear.undercut_margin();
     Quantity::number("profile shift above undercut", "x - x_min", margin).note(if margin < 0.0 {
-        "undercut; by so much more shift it were none"
+        "undercut; this much more profile shift would avoid it"
     } else {
         "so much less shift, and undercut begins"
     })

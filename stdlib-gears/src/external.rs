@@ -204,7 +204,7 @@ impl ExternalGear {
 
     /// Radius of the circle through the centres of balls (or pins, for spur gears) that rest in the
     /// tooth spaces, m. `base_helix` is the base helix angle, rad. A ball touches the flanks of
-    /// helical teeth along their normals (ISO 21771, 7.5).
+    /// helical teeth along their normals (ISO 21771:2007, annex A).
     pub fn pin_centre_radius(&self, pin_diameter: f64, base_helix: f64) -> f64 {
         let along_base_circle = 0.5 * pin_diameter / (self.base_radius * math::cos(base_helix));
         let value = self.half_base_angle + along_base_circle - PI / f64::from(self.teeth);

@@ -83,7 +83,8 @@ pub struct MeshGeometry {
     pub internal: bool,
     /// Circumferential backlash along the operating pitch circles.
     pub backlash: f64,
-    /// Normal backlash, along the line of action.
+    /// Backlash along the transverse line of action, m. The normal backlash j_bn of ISO 21771 is
+    /// smaller by the cosine of the base helix angle.
     pub normal_backlash: f64,
     /// Centre distance with zero backlash; `None` if the pair always has backlash.
     pub zero_backlash_center_distance: Option<f64>,

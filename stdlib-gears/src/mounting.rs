@@ -49,7 +49,7 @@ pub fn mount(
     Ok((phase, Sides { gears, geometry, mounting }.mesh(phase)?))
 }
 
-/// Smallest rotation of the second gear that brings rigid teeth into contact, rad.
+/// Phase offset: smallest rotation of the second gear that brings rigid teeth into contact, rad.
 pub fn center_offset(gears: [ToothForm; 2], geometry: &MeshGeometry, mounting: &Mounting) -> f64 {
     let sides = Sides { gears, geometry, mounting };
     // Angle of the second gear's tooth that would mate with tooth 0 of the first gear.

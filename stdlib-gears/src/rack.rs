@@ -1,4 +1,5 @@
-//! The basic rack (ISO 53), which generates the gear's tooth spaces by rolling on its pitch circle.
+//! The generating rack: the counterpart of the basic rack (ISO 53; ISO 21771:2007, 7.1). It
+//! generates the tooth spaces by rolling on the reference circle of the gear.
 
 use crate::error::{GeometryError, sentence};
 use crate::helix::Helix;
@@ -26,7 +27,7 @@ impl Plane {
     }
 }
 
-/// Basic rack with straight flanks and rounded tooth tips. SI units.
+/// Generating rack with straight flanks and rounded tooth tips. SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rack {
     /// Pitch divided by pi, m. In the transverse plane, this is the pitch diameter divided by the

@@ -24,7 +24,7 @@ impl fmt::Display for CodegenError {
         match self {
             CodegenError::Link(error) => error.fmt(f),
             CodegenError::Kernel(error) => f.write_str(&error.message),
-            CodegenError::Malformed(what) => write!(f, "internal error: the typed program holds {what}"),
+            CodegenError::Malformed(what) => write!(f, "internal error: the typed program contains {what}"),
             CodegenError::Cranelift(error) => write!(f, "the code generator failed: {error}"),
         }
     }

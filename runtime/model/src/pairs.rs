@@ -99,9 +99,9 @@ pub struct GearMesh {
     /// Angular velocity of the line of centres at time 0, rad/s: for a planet, that of the carrier.
     /// Zero if both axes are fixed.
     pub orbit: f64,
-    /// Rotation of the second gear from its prescribed position that brings rigid teeth into
-    /// contact, rad. Zero for a mesh that determined the phase of a gear. A mesh that closes a loop
-    /// may have a separation due to misplaced axes and thin teeth.
+    /// Angle, not a distance: rotation of the second gear from its prescribed position that brings
+    /// rigid teeth into contact, rad. Zero for a mesh that determined the phase of a gear. A mesh
+    /// that closes a loop may have a gap due to misplaced axes and thin teeth.
     pub center_offset: f64,
 }
 

@@ -191,10 +191,10 @@ impl Plan {
                 options,
                 reason: match (left_out, stresses) {
                     (true, _) if untouched => "left out: it touches nothing",
-                    (true, _) => "left out: no load goes through it to anything that an output looks at",
+                    (true, _) => "left out: it is not on a load path to a body that an output observes",
                     (false, _) if rigid => "rigid: it has no contact, and bearings support its frame",
                     (false, _) if model == BodyModel::Rigid => {
-                        "rigid, as the fidelity has it: its surfaces touch others as the load vanishes"
+                        "rigid at this fidelity: its surfaces touch others in the limit of vanishing load"
                     }
                     (false, true) => "elastic, with stress recovery: an output asks for its root stress",
                     (false, false) => "elastic, without stress recovery: no output asks for its stress",
@@ -401,7 +401,7 @@ fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> Be
     BearingPlan {
         name: bearing.name.clone(),
         reason: match (unwanted, idle) {
-            (true, _) => "left out: no output depends on what it connects",
+            (true, _) => "left out: no output depends on the bodies that it connects",
             (_, true) => "left out: the frames on both sides are constrained, and it carries no load",
             _ => "a stiffness between the frames of its races",
         },
@@ -415,7 +415,7 @@ fn ignored_bearing_inputs(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
         unseen.push(Ignored {
             input: DAMPING.into(),
-            reason: "a quasi-static analysis leaves rates out, and with them what bearings damp".into(),
+            reason: "a quasi-static analysis neglects velocities, so bearings have no damping".into(),
         });
     }
     let out_of_plane = |row: &usize| bearing.stiffness[*row].iter().any(|&entry| entry != 0.0);
@@ -439,7 +439,7 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
                 "body \"{body}\" is free in {}, which a two-dimensional model does not have",
                 DOF_NAMES[dof]
             ),
-            "take it out of `free`: a plane model has \"u_x\", \"u_y\" and \"theta_z\"",
+            "remove it from `free`: the degrees of freedom of a plane model are \"u_x\", \"u_y\" and \"theta_z\"",
         )
         .blame("free")),
         None => Ok(()),
@@ -517,7 +517,7 @@ fn unequal_widths(scene: &Mechanism, bodies: &[BodyPlan]) -> Vec<Ignored> {
     let told = wider.map(|(_, width)| Ignored {
         input: "face_width".into(),
         reason: format!(
-            "bodies that load each other have one width in a plane model, and are taken as wide as the narrowest, {} mm",
+            "a plane model has one face width for all connected bodies, the smallest one: {} mm",
             rounded_mm(width)
         ),
     });
@@ -531,14 +531,14 @@ fn out_of_plane(scene: &Mechanism, targets: &[Target], bodies: &[BodyPlan]) -> V
     let modelled = scene.bodies.iter().zip(bodies).filter(|(_, plan)| !plan.left_out);
     for (body, _) in modelled {
         let Wrench { force, moment } = body.load.at(0.0);
-        let about = "a plane model has no direction along e3, so the support of body";
+        let about = "a plane model has no face-width direction (e3), so the support of body";
         if force[2] != 0.0 {
-            found.push(ignored("force", format!("{about} \"{}\" takes its force along e3", body.name)));
+            found.push(ignored("force", format!("{about} \"{}\" carries its force along e3", body.name)));
         }
         if moment[0] != 0.0 || moment[1] != 0.0 {
             found.push(ignored(
                 "moment",
-                format!("{about} \"{}\" takes its moment about e1 and e2", body.name),
+                format!("{about} \"{}\" carries its moment about e1 and e2", body.name),
             ));
         }
     }
@@ -559,7 +559,7 @@ fn out_of_plane(scene: &Mechanism, targets: &[Target], bodies: &[BodyPlan]) -> V
             found.push(ignored(
                 "frame",
                 format!(
-                    "a plane model has no direction along e3: the faces of \"{one}\" and \"{other}\" overlap by {} mm, and are taken to be in contact over {} mm",
+                    "a plane model has no face-width direction (e3): the faces of \"{one}\" and \"{other}\" overlap by {} mm, and the model assumes contact over {} mm",
                     rounded_mm(common),
                     rounded_mm(narrowest)
                 ),
@@ -569,7 +569,8 @@ fn out_of_plane(scene: &Mechanism, targets: &[Target], bodies: &[BodyPlan]) -> V
     if targets.iter().any(|target| target.off_middle) {
         found.push(ignored(
             "axial",
-            "a plane model is the same all along the face, so gauges read the same".into(),
+            "a plane model does not vary along the face, so the axial position of a gauge has no effect"
+                .into(),
         ));
     }
     found
