@@ -113,7 +113,7 @@ pub struct Kernel {
     arguments: Vec<Quantity>,
     outputs: Vec<Quantity>,
     params: usize,
-    /// True if time is the first argument.
+    /// True if the kernel depends on time, which is then the first argument.
     moves: bool,
     tape: Tape,
     compiled: Arc<dyn CompiledKernel>,

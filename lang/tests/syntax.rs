@@ -151,7 +151,7 @@ fn examples_and_library_parse_without_errors() {
     }
 }
 
-/// An offered fix must remove its error.
+/// A suggested fix must remove its error.
 #[test]
 fn offered_fixes_fix_their_errors() {
     let mut applied = 0;
@@ -161,10 +161,10 @@ fn offered_fixes_fix_their_errors() {
             let (_, before) = parse(FileId(0), program);
             for problem in &before {
                 let Some(fix) = &problem.fix else { continue };
-                let mut mended = program.to_string();
-                mended.replace_range(fix.span.start as usize..fix.span.end as usize, &fix.replacement);
-                let (_, after) = parse(FileId(0), &mended);
-                assert!(after.len() < before.len(), "{}: {}\n{mended}{after:#?}", path.display(), fix.title);
+                let mut fixed = program.to_string();
+                fixed.replace_range(fix.span.start as usize..fix.span.end as usize, &fix.replacement);
+                let (_, after) = parse(FileId(0), &fixed);
+                assert!(after.len() < before.len(), "{}: {}\n{fixed}{after:#?}", path.display(), fix.title);
                 applied += 1;
             }
         }

@@ -34,8 +34,8 @@ pub struct Rim {
 /// tooth.
 const SPLINE_HARMONICS_PER_TOOTH: u32 = 4;
 
-/// Support of a rim by equally spaced spline teeth or keys. They carry load in both directions, and
-/// without play unless they have clearance.
+/// Support of a rim by equally spaced spline teeth or keys. They carry load in both directions;
+/// without clearance they have no backlash.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SplineSupport {
     /// Number of spline teeth, at least three; it need not be commensurate with the number of gear
@@ -57,7 +57,7 @@ pub struct SplineSupport {
     /// Clearance: width of a space minus thickness of a spline tooth along the bore circle, m. A
     /// centred tooth has half of it on either flank. With clearance, the spline teeth are contact
     /// cells of a two-dimensional model and support a body whose frame is free. 0 constrains them
-    /// without play.
+    /// without backlash.
     pub clearance: f64,
 }
 
@@ -292,7 +292,7 @@ impl Rim {
         }
     }
 
-    /// Numbers that distinguish supports.
+    /// Returns numbers that identify a support, for the key of a cached structure.
     pub(crate) fn support_numbers(hold: BoreSupport) -> Vec<f64> {
         match hold {
             BoreSupport::Rigid => vec![0.0; 3],

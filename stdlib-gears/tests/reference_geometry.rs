@@ -38,13 +38,13 @@ fn external(object: &Value) -> ExternalGear {
     ExternalGear::new(ExternalGearData {
         teeth: teeth as u32,
         rack: Rack::new(module, 20.0_f64.to_radians(), number(object, "rack_tip_radius"))
-            .expect("a sound rack"),
+            .expect("a valid rack"),
         tooth_thickness: number(object, "pitch_thickness"),
         outer_radius: number(object, "ra"),
         root_radius: number(object, "root_r"),
         tip_edge_radius: None,
     })
-    .expect("a sound gear")
+    .expect("a valid gear")
 }
 
 fn compare_external(name: &str, object: &Value) -> (ExternalGear, usize) {
@@ -126,7 +126,7 @@ fn all_pairs_agree_with_the_closed_forms() {
         root_radius: 125.0,
         tip_edge_radius: None,
     })
-    .expect("a sound gear");
+    .expect("a valid gear");
     let mut with = Comparison { name: "internal g2".to_owned(), object: ring, compared: 0 };
     with.close("rp", gear.pitch_radius);
     with.close("rb", gear.base_radius);

@@ -91,7 +91,7 @@ fn root_stress_grows_as_a_free_rim_gets_thin() {
 
 /// The local compliance of a tooth on a thick rim does not depend on the support of the bore.
 #[test]
-fn a_thick_rim_hides_its_bore() {
+fn a_thick_rim_makes_the_bore_support_irrelevant() {
     let options = StructureOptions::default();
     let [free, rigid] = [FREE, BoreSupport::Rigid].map(|hold| root_stresses(4.0, hold, &options)[0]);
     assert!((free / rigid - 1.0).abs() < 0.02, "{free:e}, {rigid:e}");
@@ -140,13 +140,13 @@ fn solved(hold: BoreSupport, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
         let radius = gear(TEETH, 0.8, hold).rim.fixed_radius;
         let around = |spline_tooth| value(&SplineToothLoad { body: BodyId(1), spline_tooth, radial: false });
         let torque = radius * (0..u32::from(spline_teeth.count)).map(around).sum::<f64>();
-        println!("{} lugs bear {torque} of {} N m", spline_teeth.count, supports[2]);
+        println!("{} spline teeth carry {torque} of {} N m", spline_teeth.count, supports[2]);
         assert!((torque / supports[2] - 1.0).abs() < 1e-3);
     }
     (supports, value(&TransmissionError(PairId(0))), value(&MaxRootCompression(BodyId(1))))
 }
 
-fn bear_the_same(fidelity: Fidelity, answers: &[([f64; 3], f64, f64)]) {
+fn assert_equal_reactions(fidelity: Fidelity, answers: &[([f64; 3], f64, f64)]) {
     for (supports, ..) in &answers[1..] {
         for (found, expected) in supports.iter().zip(answers[0].0) {
             assert!((found / expected - 1.0).abs() < 1e-6, "{fidelity:?}: {found:e} {expected:e}");
@@ -157,11 +157,11 @@ fn bear_the_same(fidelity: Fidelity, answers: &[([f64; 3], f64, f64)]) {
 /// A mean constraint of the bore has the same reactions as a rigid support: the whole load. The
 /// compliance of the gear increases.
 #[test]
-fn supports_bear_the_same_however_a_bore_is_held() {
+fn all_bore_supports_have_the_same_reactions() {
     for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
         let answers = [BoreSupport::Rigid, BoreSupport::Means { harmonics: Some(2), degree: 1 }, FREE]
             .map(|hold| solved(hold, fidelity));
-        bear_the_same(fidelity, &answers);
+        assert_equal_reactions(fidelity, &answers);
         let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
         let stresses: Vec<f64> = answers.iter().map(|answer| answer.2).collect();
         println!("{fidelity:?}: transmission errors {errors:?}, root compressions {stresses:?}");
@@ -172,14 +172,14 @@ fn supports_bear_the_same_however_a_bore_is_held() {
 
 fn splined(spline: &SplineSupport, backup: f64) -> BoreSupport {
     let rigid = gear(TEETH, backup, BoreSupport::Rigid);
-    rigid.rim.splined(spline).expect("lugs").hold
+    rigid.rim.splined(spline).expect("spline teeth").hold
 }
 
 /// Spline teeth carry the whole load, whatever the ratio of their number to that of the gear teeth.
 /// The force of each is larger if there are fewer, if they are softer, or if they constrain the
 /// bore circumferentially only.
 #[test]
-fn spline_teeth_of_a_spline_bear_the_load() {
+fn spline_teeth_carry_the_whole_load() {
     let seven = SplineSupport::new(7);
     let soft = Some(5e9);
     let diameter = RadialFit { stiffness: None };
@@ -192,7 +192,7 @@ fn spline_teeth_of_a_spline_bear_the_load() {
     for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
         let holds = [BoreSupport::Rigid].into_iter().chain(ways.iter().map(|spline| splined(spline, 0.8)));
         let answers: Vec<_> = holds.map(|hold| solved(hold, fidelity)).collect();
-        bear_the_same(fidelity, &answers);
+        assert_equal_reactions(fidelity, &answers);
         let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
         println!("{fidelity:?}: transmission errors {errors:?}");
         assert!(errors.windows(2).all(|pair| pair[0] < pair[1]), "{fidelity:?}: {errors:?}");
@@ -210,14 +210,14 @@ fn the_coarsest_mesh_resolves_the_spline_teeth_that_a_gear_may_have() {
     };
     let spline = SplineSupport { axial_order: 2, ..SplineSupport::new(26) };
     let rim = gear(20, 1.0, BoreSupport::Rigid).rim;
-    let gear = gear(20, 1.0, rim.splined(&spline).expect("lugs").hold);
-    gear.build(&coarse, &Interrupt::never()).expect("a structure in the plane");
-    gear.build_solid(&coarse, &Interrupt::never()).expect("a structure in space");
+    let gear = gear(20, 1.0, rim.splined(&spline).expect("spline teeth").hold);
+    gear.build(&coarse, &Interrupt::never()).expect("a plane structure");
+    gear.build_solid(&coarse, &Interrupt::never()).expect("a solid structure");
     let found = gear
         .rim
         .held(BoreSupport::Rigid)
         .splined(&SplineSupport { spline_teeth: 27, ..spline })
-        .expect("lugs");
+        .expect("spline teeth");
     let blank =
         GearBlank::standard(20, Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack"));
     let refused = blank.rim(Rim { hold: found.hold, ..gear.rim }).cut().err().expect("too many");
@@ -227,7 +227,7 @@ fn the_coarsest_mesh_resolves_the_spline_teeth_that_a_gear_may_have() {
 /// Structures with different supports have different keys, and a web separates the plane model from
 /// its bore.
 #[test]
-fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
+fn the_bore_support_is_part_of_the_structure_key() {
     let options = StructureOptions::default();
     let ways = [
         BoreSupport::Rigid,
@@ -247,7 +247,7 @@ fn how_a_bore_is_held_is_part_of_what_a_structure_is() {
     let [rigid, free, third, fourth, spline_teeth, turned, mean] = gears.map(|gear| gear.key(&options));
     assert!(spline_teeth != free && spline_teeth != turned && turned == mean);
     assert!(rigid != free && free != third && rigid != third);
-    assert!(third == fourth, "there is nothing along the axis in the plane");
+    assert!(third == fourth, "a plane model has no axial order");
     // Only the contact problem uses the clearance and the stiffness of the spline teeth.
     let with_clearance = [(50e-6, None), (80e-6, Some(1e9))].map(|(clearance, stiffness)| {
         gear(TEETH, 1.0, splined(&SplineSupport { clearance, stiffness, ..SplineSupport::new(9) }, 1.0))

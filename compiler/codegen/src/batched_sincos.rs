@@ -1,13 +1,13 @@
-//! Groups the sines and cosines of a tape for one point, because eight angles in one call cost
-//! little more than one. The tape is reordered like a batch tape, in which each stage ends with its
-//! angles.
+//! Vectorizes the sines and cosines of a kernel that is evaluated at one point: one call computes up
+//! to eight angles at little more than the cost of one. The tape is reordered like a batch tape, in
+//! which each stage ends with its angles.
 
 use calyx_symbolic::batch::{BatchTape, Source};
 use calyx_symbolic::{Instruction, Tape};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// The smallest number of angles that is worth a common call.
+/// Smallest number of angles for which one vector call is faster than scalar calls.
 const WORTH_IT: usize = 3;
 
 /// Number of angles of the widest function; missing angles are filled with zeros.

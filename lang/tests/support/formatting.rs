@@ -15,27 +15,27 @@ pub fn judge(text: &str) -> Result<String, String> {
     let formatted = match format(text) {
         Ok(formatted) => formatted,
         Err(FormatError::Errors(_)) => return Ok(text.into()),
-        Err(FormatError::WouldChange) => return Err("it would be changed".into()),
+        Err(FormatError::WouldChange) => return Err("formatting would change the program".into()),
     };
     let (before, _) = parse(FileId(0), text);
     let (after, _) = parse(FileId(0), &formatted);
     let (before, after) = (tree::print(&before), tree::print(&after));
     if before != after {
-        return Err(format!("another tree:\n{before}\n{after}"));
+        return Err(format!("formatting changes the syntax tree:\n{before}\n{after}"));
     }
     if comments(text) != comments(&formatted) {
-        return Err("other comments".into());
+        return Err("formatting changes comments".into());
     }
     match format(&formatted) {
         Ok(again) if again == formatted => {}
-        Ok(again) => return Err(format!("not yet done:\n{formatted}\nbecomes\n{again}")),
-        Err(_) => return Err(format!("cannot be read again:\n{formatted}")),
+        Ok(again) => return Err(format!("formatting is not idempotent:\n{formatted}\nbecomes\n{again}")),
+        Err(_) => return Err(format!("the formatted text has syntax errors:\n{formatted}")),
     }
     if let Some(line) = formatted.lines().find(|line| line.ends_with(' ') && !line.contains("*/")) {
-        return Err(format!("blanks at the end of `{line}`"));
+        return Err(format!("trailing blanks in `{line}`"));
     }
     if applied(text) != Ok(formatted.clone()) {
-        return Err(format!("the edits give something else than\n{formatted}"));
+        return Err(format!("the edits do not produce\n{formatted}"));
     }
     Ok(formatted)
 }

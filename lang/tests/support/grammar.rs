@@ -98,7 +98,7 @@ impl Grammar {
                     let mut at = 0;
                     let node = choice(&tokens, &mut at);
                     assert_eq!(at, tokens.len(), "the rule {name} ends early");
-                    assert!(rules.insert(name.to_string(), node).is_none(), "{name} stands twice");
+                    assert!(rules.insert(name.to_string(), node).is_none(), "{name} is defined twice");
                 }
                 lines.clear();
             }
@@ -127,7 +127,10 @@ impl Grammar {
             self.depths.extend(known);
         }
         for name in self.rules.keys() {
-            assert!(self.depths.contains_key(name), "the rule {name} has no end or names an unknown rule");
+            assert!(
+                self.depths.contains_key(name),
+                "the rule {name} never terminates or refers to an unknown rule"
+            );
         }
     }
 

@@ -20,8 +20,8 @@ pub struct SurfacePair {
     pub friction: f64,
     /// Gear mesh data, if the two bodies are gears in mesh.
     pub mesh: Option<GearMesh>,
-    /// Pair of the drive flanks, if this pair consists of the coast flanks. Both belong to one mesh
-    /// with one transmission error.
+    /// Pair of the drive flanks, if this pair consists of the coast flanks; `None` for drive flanks.
+    /// Both belong to one mesh with one transmission error.
     pub front: Option<PairId>,
 }
 
@@ -50,7 +50,7 @@ pub struct GridOptions {
 }
 
 impl GridOptions {
-    /// Returns M of plane models, where a cell is cheap.
+    /// Returns M of two-dimensional models, where a cell costs little.
     pub fn half_cells_in_plane(&self) -> usize {
         self.half_cells.unwrap_or(24)
     }

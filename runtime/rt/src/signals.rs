@@ -80,7 +80,7 @@ pub fn is_name_of_a_run(description: &ModelDescription, file: &str) -> bool {
     })
 }
 
-/// Formats the largest peaks of each spectrum, in the units of the model.
+/// Formats the largest peaks of each spectrum in the units of the model.
 pub fn summary(description: &ModelDescription, signals: &[Signal]) -> String {
     let mut text = String::new();
     for (name, signal) in names(signals).iter().zip(signals).filter(|(_, signal)| !signal.peaks.is_empty()) {

@@ -49,16 +49,16 @@ pub(crate) struct BoreCoupling {
     pub pitch: f64,
     /// Rotation of the amplitudes from sector to sector.
     pub shared: SharedUnknowns,
-    /// Amplitudes by forces; with spline teeth in the body's frame, otherwise in that of any
-    /// sector.
+    /// Flexibility: amplitudes per unit force, in the body's frame with spline teeth, otherwise in
+    /// the frame of any sector.
     pub release: Mat<f64>,
     /// Spline teeth that support the amplitudes, if any.
     pub spline_teeth: Option<SplineToothSet>,
     /// Spline teeth with clearance, if any.
     pub with_clearance: Option<SplineWithClearance>,
-    /// Equivalent forces by the unknowns of a table, for each loadable side.
+    /// Equivalent forces per unit of the unknowns of a table, for each loadable side.
     pub loads: Vec<Mat<f64>>,
-    /// Stress by amplitudes, for each surface.
+    /// Stress per unit amplitude, for each surface.
     pub stress: Vec<Mat<f64>>,
 }
 

@@ -63,7 +63,7 @@ fn external(teeth: u32, thickness: f64, bore: f64) -> Arc<GearPrototype> {
         root_radius,
         tip_edge_radius: None,
     })
-    .expect("a sound gear");
+    .expect("a valid gear");
     let rim = Rim { radius: root_radius - module, fixed_radius: bore, web: None, hold: BoreSupport::Rigid };
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
@@ -86,7 +86,7 @@ pub fn ring(outer: f64, hold: BoreSupport) -> Arc<GearPrototype> {
         root_radius: 142.8e-3,
         tip_edge_radius: None,
     })
-    .expect("a sound ring");
+    .expect("a valid ring gear");
     let rim = Rim { radius: 145.5e-3, fixed_radius: outer, web: None, hold };
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
@@ -94,11 +94,10 @@ pub fn ring(outer: f64, hold: BoreSupport) -> Arc<GearPrototype> {
 /// The default ring on spline teeth.
 fn splined(spline: &SplineSupport) -> Arc<GearPrototype> {
     let rim = Rim { radius: 145.5e-3, fixed_radius: 155e-3, web: None, hold: BoreSupport::Rigid };
-    ring(155e-3, rim.splined(spline).expect("lugs that hold").hold)
+    ring(155e-3, rim.splined(spline).expect("a valid spline").hold)
 }
 
-/// Steady rotation on a pin that moves around the origin of ground; `off` is the position of the
-/// body's origin relative to its pin, in the body.
+/// Steady rotation on a pin that revolves about the origin of ground.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Planet {
     /// Position of the pin relative to the carrier's axis, in the carrier, m.
@@ -107,7 +106,7 @@ pub struct Planet {
     pub carrier: [f64; 2],
     /// Angle and speed of the body relative to the carrier.
     pub own: [f64; 2],
-    /// Position of the body's origin relative to its pin, m.
+    /// Position of the body's origin relative to its pin, in body coordinates, m.
     pub off: [f64; 2],
 }
 
