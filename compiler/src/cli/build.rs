@@ -157,7 +157,7 @@ fn told(built: &Built) -> String {
         Emit::Library => {
             format!("{shown}: {size}; link it with: cc PROGRAM.c {shown} -lm -lpthread -ldl\n")
         }
-        Emit::Header => format!("{shown}: what the library offers, params and outputs of the model\n"),
+        Emit::Header => format!("{shown}: interface of the library, params and outputs of the model\n"),
     }
 }
 

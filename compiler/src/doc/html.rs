@@ -71,7 +71,7 @@ const SEARCH_BOX: &str = "<p class=\"search\"><input id=\"search\" type=\"search
 
 fn title(page: &Page) -> String {
     match page.name.as_str() {
-        "std" => "What every model sees".into(),
+        "std" => "Names available in every model".into(),
         name if page.library => format!("Module {name}"),
         name => name.to_owned(),
     }
