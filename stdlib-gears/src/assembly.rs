@@ -283,7 +283,7 @@ impl Pairing {
             return error.into();
         }
         let help = sentence![
-            "speeds count against the line of centres, which turns too: from ground, let a frame turn with its carrier, move out, and turn by as much as it does against the carrier, like `Rotate(own * Time, e3) * Translate(distance * e1) * Rotate(carrier * Time, e3)`"
+            "speeds are relative to the line of centres, which rotates too: read from ground, the frame of a planet rotates with the carrier, translates to its pin, and rotates relative to the carrier, like `Rotate(own * Time, e3) * Translate(distance * e1) * Rotate(carrier * Time, e3)`"
         ];
         GeometryError { help, ..error }.into()
     }

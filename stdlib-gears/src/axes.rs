@@ -52,11 +52,11 @@ impl Axes {
             return Err(EngineError::new(
                 "E0648",
                 format!(
-                    "the axes of the two gears are {} deg from parallel, which is no misalignment any more",
+                    "the axes of the two gears are {} deg from parallel, which is more than a misalignment",
                     shown(angle / DEGREE)
                 ),
                 format!(
-                    "let both axes be parallel but for at most {} deg; gears on crossed axes are not modelled",
+                    "make the axes parallel to within {} deg; gears on crossed axes are not supported",
                     shown(LARGEST_MISALIGNMENT / DEGREE)
                 ),
             )
@@ -149,7 +149,7 @@ pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
         "E0610",
         format!("the body turns about an axis that leans {} deg from e3", shown(lean.max(falls) / DEGREE)),
         format!(
-            "let the frame use rotations about e3 (an axis of unit length) and translations; an axis that is misaligned leans by at most {} deg",
+            "build the frame from rotations about e3 (an axis of unit length) and translations; a misaligned axis is inclined by at most {} deg",
             shown(LARGEST_LEAN / DEGREE)
         ),
     )

@@ -167,8 +167,10 @@ fn check_speeds(teeth: [u32; 2], sign: f64, speeds: [f64; 2]) -> Result<f64, Geo
         return Err(GeometryError::error(
             "E0650",
             "first",
-            sentence!["the first gear does not turn against the line of centres, so its mesh has no cycle"],
-            sentence!["let the frames turn with Time, like `Rotate(3 rpm * Time, e3)`"],
+            sentence![
+                "the first gear does not rotate relative to the line of centres, so its mesh has no cycle"
+            ],
+            sentence!["let the frames rotate with Time, like `Rotate(3 rpm * Time, e3)`"],
         ));
     }
     if (second - fitting).abs() > 1e-9 * fitting.abs() {
@@ -182,11 +184,11 @@ fn check_speeds(teeth: [u32; 2], sign: f64, speeds: [f64; 2]) -> Result<f64, Geo
             ],
             if sign > 0.0 {
                 sentence![
-                    "let the second frame's angle be minus the first's times the first's teeth over the second's"
+                    "rotate the second frame by minus the angle of the first, times the teeth of the first gear over those of the second"
                 ]
             } else {
                 sentence![
-                    "a ring turns the same way as the gear in it: let the second frame's angle be the first's times the first's teeth over the second's"
+                    "a ring gear rotates in the same direction as the gear in it: rotate the second frame by the angle of the first, times the teeth of the first gear over those of the second"
                 ]
             },
         ));

@@ -203,10 +203,10 @@ pub(crate) fn orbit(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Res
         return Err(EngineError::new(
             "E0658",
             format!(
-                "the axes of the two gears come nearer to each other or part, by {:.3e} of their distance in a second",
+                "the centre distance of the two gears is not constant: it changes by {:.3e} of its value per second",
                 parting.abs()
             ),
-            "let planets go round on a circle about the axis of what they mesh with, like `Rotate(own * Time, e3) * Translate(distance * e1) * Rotate(carrier * Time, e3)`",
+            "let planets move on a circle about the axis of their mate, like `Rotate(own * Time, e3) * Translate(distance * e1) * Rotate(carrier * Time, e3)`",
         )
         .blame("second"));
     }

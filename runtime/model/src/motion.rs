@@ -193,7 +193,7 @@ fn out_of_plane() -> EngineError {
     EngineError::new(
         "E0610",
         "a plane model needs every body to turn about an axis parallel to e3",
-        "let the frame use rotations about e3 (an axis of unit length) and translations in the plane only",
+        "build the frame from rotations about e3 (an axis of unit length) and translations in the plane",
     )
     .blame("frame")
 }

@@ -255,7 +255,7 @@ impl Plan {
         let rigid: Vec<String> = modelled.filter_map(rigid).collect();
         if !rigid.is_empty() {
             let bodies = rigid.join("; ");
-            let reason = format!("some bodies vibrate as rigid ones on their elastic teeth, {bodies}");
+            let reason = format!("some bodies vibrate as rigid bodies on their elastic teeth, {bodies}");
             self.ignored.push(Ignored { input: "highest_frequency".into(), reason });
         }
         self.ignored.sort();
