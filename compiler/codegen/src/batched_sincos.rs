@@ -1,6 +1,6 @@
-//! Vectorizes the sines and cosines of a kernel that is evaluated at one point: one call computes up
-//! to eight angles at little more than the cost of one. The tape is reordered like a batch tape, in
-//! which each stage ends with its angles.
+//! Vectorizes the sines and cosines of a kernel that is evaluated at one point: one call computes
+//! up to eight angles at little more than the cost of one. The tape is reordered like a batch tape,
+//! in which each stage ends with its angles.
 
 use calyx_symbolic::batch::{BatchTape, Source};
 use calyx_symbolic::{Instruction, Tape};

@@ -20,8 +20,8 @@ pub struct SurfacePair {
     pub friction: f64,
     /// Gear mesh data, if the two bodies are gears in mesh.
     pub mesh: Option<GearMesh>,
-    /// Pair of the drive flanks, if this pair consists of the coast flanks; `None` for drive flanks.
-    /// Both belong to one mesh with one transmission error.
+    /// Pair of the drive flanks, if this pair consists of the coast flanks; `None` otherwise. Both
+    /// belong to one mesh with one transmission error.
     pub front: Option<PairId>,
 }
 

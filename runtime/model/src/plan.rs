@@ -191,7 +191,7 @@ impl Plan {
                 options,
                 reason: match (left_out, stresses) {
                     (true, _) if untouched => "left out: it touches nothing",
-                    (true, _) => "left out: it is not on a load path to a body that an output observes",
+                    (true, _) => "left out: no load goes through it to a body that an output observes",
                     (false, _) if rigid => "rigid: it has no contact, and bearings support its frame",
                     (false, _) if model == BodyModel::Rigid => {
                         "rigid at this fidelity: its surfaces touch others in the limit of vanishing load"
