@@ -4,7 +4,7 @@ use crate::error::CodegenError;
 use crate::function::{FunctionLowering, slot_types};
 use calyx_abi::helpers::CaptureKind;
 use calyx_abi::{Repr, repr_code};
-use calyx_lang::ir::{Expr, ExprKind, FormatPart, Op, SiteId};
+use calyx_lang::ir::{Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
 use calyx_lower::layout::{blame_table, stride, tuple_offset};
 use calyx_lower::operations::{Scalars, expand, is_scalar};
 use cranelift_codegen::ir::condcodes::IntCC;
@@ -24,14 +24,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 self.finish_text()?
             }
             ExprKind::Local(local) => self.local(*local)?,
-            ExprKind::Param(index) => {
-                let offset = self.module.param_offsets.get(*index as usize);
-                let offset = *offset.ok_or(CodegenError::Malformed("a param that is not there"))?;
-                let types = slot_types(&expr.repr);
-                let (offset, count) = (self.word(offset), self.word(types.len()));
-                self.at(expr.span);
-                self.helper_into(&types, |f, into| f.helper("calyx_param", &[offset, into, count]))?
-            }
+            ExprKind::Param(index) => self.param(expr, *index)?,
             ExprKind::Op(op, operands) => self.operation(expr, *op, operands)?,
             ExprKind::And(a, b) => {
                 let a = self.scalar(a)?;
@@ -52,27 +45,8 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 let arguments = self.expressions(arguments)?;
                 self.call_function(*id, &arguments, &slot_types(&expr.repr), expr.span)?
             }
-            ExprKind::CallExtern(id, arguments) => {
-                let values = self.expressions(arguments)?;
-                let index = id.0 as usize;
-                let declaration = self.module.program.externs.get(index);
-                let (Some(&target), Some(declaration)) = (self.module.externs.get(index), declaration) else {
-                    return Err(CodegenError::Malformed("a provided function that is not there"));
-                };
-                self.at(expr.span);
-                self.call_slots(target, &values, &slot_types(&expr.repr), |f| {
-                    let table = f.constant(&blame_table(declaration, arguments, expr.span))?;
-                    f.helper_status("calyx_blame", &table)
-                })?
-            }
-            ExprKind::Array(elements) => {
-                let values = self.expressions(elements)?;
-                self.store_buffer(0, &values);
-                let (from, into) = (self.buffer_address(0), self.buffer_address(values.len()));
-                let (stride, count) = (self.word(stride(&expr.repr)), self.word(values.len()));
-                self.helper("calyx_array_new", &[stride, from, count, into])?;
-                self.load_buffer(values.len(), &[types::I64])
-            }
+            ExprKind::CallExtern(id, arguments) => self.call_extern(expr, *id, arguments)?,
+            ExprKind::Array(elements) => self.array(expr, elements)?,
             ExprKind::Index(array, index) => {
                 let array = self.scalar(array)?;
                 let value = self.scalar(index)?;
@@ -87,16 +61,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                     .and_then(|before| values.get(before..before + expr.repr.slots()));
                 slots.ok_or(CodegenError::Malformed("an element of what is no tuple"))?.to_vec()
             }
-            ExprKind::Copy(value) => {
-                let values = self.expression(value)?;
-                let types = slot_types(&value.repr);
-                self.at(expr.span);
-                self.store_buffer(0, &values);
-                let [code, length] = self.constant(&repr_code::encode(&value.repr))?;
-                let (address, count) = (self.buffer_address(0), self.word(values.len()));
-                self.helper("calyx_copy", &[code, length, address, count])?;
-                self.load_buffer(0, &types)
-            }
+            ExprKind::Copy(value) => self.copy(expr, value)?,
             ExprKind::Len(array) => {
                 let array = self.scalar(array)?;
                 self.at(expr.span);
@@ -123,18 +88,63 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 self.at(expr.span);
                 self.make_symbolic(*site, &captures)?
             }
-            ExprKind::EvalSymbolic { value, time } => {
-                let value = self.scalar(value)?;
-                let time = self.scalar(time)?;
-                let time = self.bits(time);
-                let types = slot_types(&expr.repr);
-                let count = self.word(types.len());
-                let [code, length] = self.constant(&repr_code::encode(&expr.repr))?;
-                self.at(expr.span);
-                self.helper_into(&types, |f, into| {
-                    f.helper("calyx_eval_symbolic", &[value, time, code, length, into, count])
-                })?
-            }
+            ExprKind::EvalSymbolic { value, time } => self.eval_symbolic(expr, value, time)?,
+        })
+    }
+
+    fn param(&mut self, expr: &'m Expr, index: u32) -> Values {
+        let offset = self.module.param_offsets.get(index as usize);
+        let offset = *offset.ok_or(CodegenError::Malformed("a param that is not there"))?;
+        let types = slot_types(&expr.repr);
+        let (offset, count) = (self.word(offset), self.word(types.len()));
+        self.at(expr.span);
+        self.helper_into(&types, |f, into| f.helper("calyx_param", &[offset, into, count]))
+    }
+
+    fn call_extern(&mut self, expr: &'m Expr, id: ExternId, arguments: &'m [Expr]) -> Values {
+        let values = self.expressions(arguments)?;
+        let index = id.0 as usize;
+        let declaration = self.module.program.externs.get(index);
+        let (Some(&target), Some(declaration)) = (self.module.externs.get(index), declaration) else {
+            return Err(CodegenError::Malformed("a provided function that is not there"));
+        };
+        self.at(expr.span);
+        self.call_slots(target, &values, &slot_types(&expr.repr), |f| {
+            let table = f.constant(&blame_table(declaration, arguments, expr.span))?;
+            f.helper_status("calyx_blame", &table)
+        })
+    }
+
+    fn array(&mut self, expr: &'m Expr, elements: &'m [Expr]) -> Values {
+        let values = self.expressions(elements)?;
+        self.store_buffer(0, &values);
+        let (from, into) = (self.buffer_address(0), self.buffer_address(values.len()));
+        let (stride, count) = (self.word(stride(&expr.repr)), self.word(values.len()));
+        self.helper("calyx_array_new", &[stride, from, count, into])?;
+        Ok(self.load_buffer(values.len(), &[types::I64]))
+    }
+
+    fn copy(&mut self, expr: &'m Expr, value: &'m Expr) -> Values {
+        let values = self.expression(value)?;
+        let types = slot_types(&value.repr);
+        self.at(expr.span);
+        self.store_buffer(0, &values);
+        let [code, length] = self.constant(&repr_code::encode(&value.repr))?;
+        let (address, count) = (self.buffer_address(0), self.word(values.len()));
+        self.helper("calyx_copy", &[code, length, address, count])?;
+        Ok(self.load_buffer(0, &types))
+    }
+
+    fn eval_symbolic(&mut self, expr: &'m Expr, value: &'m Expr, time: &'m Expr) -> Values {
+        let value = self.scalar(value)?;
+        let time = self.scalar(time)?;
+        let time = self.bits(time);
+        let types = slot_types(&expr.repr);
+        let count = self.word(types.len());
+        let [code, length] = self.constant(&repr_code::encode(&expr.repr))?;
+        self.at(expr.span);
+        self.helper_into(&types, |f, into| {
+            f.helper("calyx_eval_symbolic", &[value, time, code, length, into, count])
         })
     }
 

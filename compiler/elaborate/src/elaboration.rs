@@ -135,20 +135,9 @@ fn elaborate_with(
         Err(found) => return Ok(unrunnable(found)),
     };
     go_on(cancel)?;
-    let overrides = match params {
-        Params::Defaults => Override::default(),
-        Params::Given(_, overrides, _) => overrides,
-    };
-    let host = ModelHost { checking: true, overrides, ..ModelHost::new(&interpreted.description().units) };
-    let mut context = Context::new(Box::new(host));
-    context.cancel = cancel.clone();
-    context.fuel = FUEL;
-    let memory = if let Params::Given(_, _, Some(limit)) = params { limit.min(MEMORY) } else { MEMORY };
-    context.limits.memory = Some(memory);
+    let mut context = checking_context(&interpreted, params, cancel, print);
     let seen = NanLog::new(cancel.clone(), context.limits);
     context.kernels = seen.watched(interpreted.kernels());
-    context.keeps_output = print.is_some();
-    context.print = print.unwrap_or_else(|| Box::new(|_| {}));
     let defaults =
         apply(&interpreted, &[], &mut context).and_then(|()| interpreted.describe_params(&mut context));
     let (applied, given) = match params {
@@ -226,6 +215,28 @@ fn elaborate_with(
         values,
         geometry,
     })
+}
+
+/// Returns the context of a run that builds the scene and solves nothing, without kernels.
+fn checking_context(
+    interpreted: &Interpreted,
+    params: Params,
+    cancel: &Cancel,
+    print: Option<PrintLine>,
+) -> Context {
+    let overrides = match params {
+        Params::Defaults => Override::default(),
+        Params::Given(_, overrides, _) => overrides,
+    };
+    let host = ModelHost { checking: true, overrides, ..ModelHost::new(&interpreted.description().units) };
+    let mut context = Context::new(Box::new(host));
+    context.cancel = cancel.clone();
+    context.fuel = FUEL;
+    let memory = if let Params::Given(_, _, Some(limit)) = params { limit.min(MEMORY) } else { MEMORY };
+    context.limits.memory = Some(memory);
+    context.keeps_output = print.is_some();
+    context.print = print.unwrap_or_else(|| Box::new(|_| {}));
+    context
 }
 
 /// Returns the result for a program that cannot run for any params.

@@ -28,14 +28,7 @@ impl<'p> Machine<'_, 'p> {
                 let slots = self.local(*local)?;
                 self.stack.extend_from_within(slots);
             }
-            ExprKind::Param(index) => {
-                let offsets = &self.interpreter.param_offsets;
-                let offset =
-                    *offsets.get(*index as usize).ok_or_else(|| malformed("a param that is not there"))?;
-                let start = self.reserve(expr.repr.slots());
-                self.at(expr.span);
-                helpers::param(self.ctx, offset, &mut self.stack[start..])?;
-            }
+            ExprKind::Param(index) => self.param(expr, *index)?,
             ExprKind::Op(op, operands) => self.operation(expr, *op, operands)?,
             ExprKind::And(a, b) => {
                 let a = self.slot(a)?;
@@ -75,13 +68,7 @@ impl<'p> Machine<'_, 'p> {
             ExprKind::Tuple(elements) => {
                 self.eval_all(elements)?;
             }
-            ExprKind::TupleElement(tuple, index) => {
-                let start = self.stack.len();
-                self.eval(tuple)?;
-                let before = tuple_offset(&tuple.repr, *index).ok_or_else(|| malformed("not a tuple"))?;
-                self.stack.copy_within(start + before..start + before + expr.repr.slots(), start);
-                self.stack.truncate(start + expr.repr.slots());
-            }
+            ExprKind::TupleElement(tuple, index) => self.tuple_element(expr, tuple, *index)?,
             ExprKind::Copy(value) => {
                 let start = self.stack.len();
                 self.eval(value)?;
@@ -107,15 +94,35 @@ impl<'p> Machine<'_, 'p> {
                 let start = self.eval_all(captures)?;
                 self.make_symbolic(*site, start, expr.span)?;
             }
-            ExprKind::EvalSymbolic { value, time } => {
-                let value = self.slot(value)?;
-                let time = self.number(time)?;
-                let start = self.reserve(expr.repr.slots());
-                self.at(expr.span);
-                helpers::eval_symbolic(self.ctx, value, time, &expr.repr, &mut self.stack[start..])?;
-                self.trace_symbolic(value, time, start);
-            }
+            ExprKind::EvalSymbolic { value, time } => self.eval_symbolic(expr, value, time)?,
         }
+        Ok(())
+    }
+
+    fn param(&mut self, expr: &'p Expr, index: u32) -> Result<(), RuntimeError> {
+        let offsets = &self.interpreter.param_offsets;
+        let offset = *offsets.get(index as usize).ok_or_else(|| malformed("a param that is not there"))?;
+        let start = self.reserve(expr.repr.slots());
+        self.at(expr.span);
+        helpers::param(self.ctx, offset, &mut self.stack[start..])
+    }
+
+    fn tuple_element(&mut self, expr: &'p Expr, tuple: &'p Expr, index: usize) -> Result<(), RuntimeError> {
+        let start = self.stack.len();
+        self.eval(tuple)?;
+        let before = tuple_offset(&tuple.repr, index).ok_or_else(|| malformed("not a tuple"))?;
+        self.stack.copy_within(start + before..start + before + expr.repr.slots(), start);
+        self.stack.truncate(start + expr.repr.slots());
+        Ok(())
+    }
+
+    fn eval_symbolic(&mut self, expr: &'p Expr, value: &'p Expr, time: &'p Expr) -> Result<(), RuntimeError> {
+        let value = self.slot(value)?;
+        let time = self.number(time)?;
+        let start = self.reserve(expr.repr.slots());
+        self.at(expr.span);
+        helpers::eval_symbolic(self.ctx, value, time, &expr.repr, &mut self.stack[start..])?;
+        self.trace_symbolic(value, time, start);
         Ok(())
     }
 
