@@ -9,11 +9,11 @@ use crate::gear::{Gear, ToothForm};
 use crate::helix::Helix;
 use crate::modification::Modification;
 use crate::modified_structure::modified_structure;
-use crate::sector_mesh::{Refinement, TipEdge, sector_mesh};
+use crate::sector_mesh::{Refinement, sector_mesh};
 use crate::solid_prototype::SolidSector;
 use calyx_runtime::cache::{Key, KeyWriter};
 use calyx_runtime::error::EngineError;
-use calyx_runtime::fe::{ElementOrder, PlaneMesh, PlaneModel};
+use calyx_runtime::fe::{PlaneMesh, PlaneModel};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
@@ -47,8 +47,6 @@ pub const DEEPEST_SHARED: f64 = 0.02;
 const SHARP_EDGE: f64 = 1e-6;
 /// Largest edge radius, in modules, of such an edge in the mesh, which requires one.
 const SHARP_EDGE_IN_MESH: f64 = 5e-3;
-/// Largest ratio of the length of cubic elements to the distance from the tip edge.
-const COARSEST_TIP_GROWTH: f64 = 0.4;
 
 /// Largest Poisson's ratio for which elements of order below three recover stress to about one
 /// percent. Errors of the volumetric strain enter the stress multiplied by Lamé's first constant,
@@ -190,7 +188,7 @@ impl GearPrototype {
 
     /// Two-dimensional mesh of tooth 0 with its sector of the rim.
     pub(crate) fn plane_mesh(&self, options: &StructureOptions) -> Result<PlaneMesh, EngineError> {
-        let refinement = refined(Refinement::MEDIUM, options.refinement, options.order);
+        let refinement = Refinement::MEDIUM.refined(options.refinement, options.order);
         let [_, tip] = self.roundings(options);
         let flanks = self.flanks_with(tip, self.meshed_modifications())?;
         sector_mesh(&self.gear, flanks, self.rim.ring_radius(), &refinement).map_err(unmeshable)
@@ -340,26 +338,6 @@ fn misshapen() -> EngineError {
 fn flanks(form: ToothForm, modifications: &[Modification]) -> Result<[Arc<Flank>; 2], Vec<GeometryError>> {
     let flank = |side| Flank::new(form, modifications, side).map(Arc::new);
     Ok([flank(Side::CounterClockwise)?, flank(Side::Clockwise)?])
-}
-
-/// Mesh that is `factor` times as fine in every direction, with elements of another order.
-pub(crate) fn refined(base: Refinement, factor: f64, order: usize) -> Refinement {
-    let times = |count: usize| ((count as f64 * factor).round() as usize).max(1);
-    Refinement {
-        layers: times(base.layers),
-        across: times(base.across),
-        flank: base.flank / factor,
-        fillet: times(base.fillet),
-        edge: match base.edge {
-            TipEdge::Rounded(elements) => TipEdge::Rounded(times(elements)),
-            TipEdge::Corner(last) => TipEdge::Corner(last / factor),
-        },
-        // Matching depths are counted in nodes and must stay well below the distance from the tip
-        // edge.
-        tip_growth: (base.tip_growth / factor).min(COARSEST_TIP_GROWTH) * order as f64 / 3.0,
-        rim_growth: base.rim_growth.powf(1.0 / factor),
-        order: ElementOrder::full(order as u8),
-    }
 }
 
 /// Error for a mesh that folds over itself.

@@ -22,6 +22,9 @@
 
 mod boundary;
 mod divisions;
+mod refinement;
+
+pub use refinement::{Refinement, TipEdge};
 
 use boundary::Boundary;
 use divisions::{divisions, ends, growth, normalised, piecewise_linear};
@@ -31,97 +34,9 @@ use crate::flank::Flank;
 use crate::gear::Gear;
 use calyx_abi::math;
 use calyx_runtime::fe::block::{graded, uniform};
-use calyx_runtime::fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, Side};
+use calyx_runtime::fe::{Block, Curve, MeshBuilder, MeshError, PlaneMesh, Side};
 use calyx_runtime::profile::Profile;
 use std::sync::Arc;
-
-/// Refinement of a sector mesh.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Refinement {
-    /// Number of elements through the strip along the boundary.
-    pub layers: usize,
-    /// Number of elements from the strip to the tooth's centreline.
-    pub across: usize,
-    /// Largest length of an element along the flank, in modules.
-    pub flank: f64,
-    /// Number of elements along the fillet.
-    pub fillet: usize,
-    /// Mesh of the tip edge.
-    pub edge: TipEdge,
-    /// Ratio of the length of elements along the flank to the distance from the tip edge.
-    pub tip_growth: f64,
-    /// Ratio of successive element depths into the rim.
-    pub rim_growth: f64,
-    /// Order of displacements and coordinates.
-    pub order: ElementOrder,
-}
-
-/// Mesh of the tip edge.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TipEdge {
-    /// The mesh follows the rounding, with this number of elements over either half of the arc.
-    Rounded(usize),
-    /// The mesh ends in a corner where the rounding begins, and omits the material between the
-    /// corner and the rounding. Elements along the flank have this length next to the corner, in
-    /// modules.
-    Corner(f64),
-}
-
-impl TipEdge {
-    /// Number of elements over either half of the arc.
-    fn elements(self) -> usize {
-        match self {
-            TipEdge::Rounded(elements) => elements,
-            TipEdge::Corner(_) => 0,
-        }
-    }
-}
-
-impl Refinement {
-    /// For first estimates.
-    pub const COARSE: Self = Self {
-        layers: 3,
-        across: 3,
-        flank: 0.3,
-        fillet: 4,
-        edge: TipEdge::Rounded(1),
-        tip_growth: 0.4,
-        rim_growth: 1.8,
-        order: ElementOrder::CUBIC,
-    };
-    /// Fillet stresses and compliances accurate to about one part in a thousand.
-    pub const MEDIUM: Self = Self {
-        layers: 5,
-        across: 5,
-        flank: 0.15,
-        fillet: 10,
-        edge: TipEdge::Rounded(1),
-        tip_growth: 0.27,
-        rim_growth: 1.5,
-        order: ElementOrder::CUBIC,
-    };
-    /// For convergence studies.
-    pub const FINE: Self = Self {
-        layers: 6,
-        across: 6,
-        flank: 0.09,
-        fillet: 12,
-        edge: TipEdge::Rounded(2),
-        tip_growth: 0.2,
-        rim_growth: 1.3,
-        order: ElementOrder::CUBIC,
-    };
-
-    /// Returns the refinement called `"coarse"`, `"medium"` or `"fine"`.
-    pub fn named(name: &str) -> Option<Self> {
-        match name {
-            "coarse" => Some(Self::COARSE),
-            "medium" => Some(Self::MEDIUM),
-            "fine" => Some(Self::FINE),
-            _ => None,
-        }
-    }
-}
 
 /// Smallest thickness between root circle and bore that can be meshed, in modules.
 pub const THINNEST_RIM: f64 = 0.25;

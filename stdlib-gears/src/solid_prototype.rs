@@ -8,7 +8,7 @@
 use crate::blank::Rim;
 use crate::gear_surface::GearSurface;
 use crate::modification::{LeadModification, Modification, Topography};
-use crate::prototype::{GearPrototype, refined, unmeshable};
+use crate::prototype::{GearPrototype, unmeshable};
 use crate::sector_mesh::webbed_sector_mesh;
 use crate::template::{along_face, section};
 use calyx_abi::math;
@@ -42,7 +42,7 @@ const LONGER_LAYER: f64 = 0.25;
 /// Sampling points of recovered stress on each element edge along a fillet and on each layer of
 /// elements.
 pub(crate) fn stress_points(mesh: &SolidMesh, options: &StructureOptions) -> [usize; 2] {
-    let fillet_elements = refined(section(options.template), options.refinement, options.order).fillet;
+    let fillet_elements = section(options.template).refined(options.refinement, options.order).fillet;
     let face_elements = mesh.swept.as_ref().map_or(1, |swept| swept.stations.len() - 1);
     let [along_fillet, along_face] = STRESS_POINTS;
     [along_fillet.div_ceil(fillet_elements).max(STRESS_POINTS_PER_EDGE), along_face.div_ceil(face_elements)]
@@ -137,7 +137,7 @@ impl GearPrototype {
     /// Plane mesh of the section that is swept into the three-dimensional mesh.
     fn section_mesh(&self, options: &StructureOptions) -> Result<PlaneMesh, EngineError> {
         options.check()?;
-        let refinement = refined(section(options.template), options.refinement, options.order);
+        let refinement = section(options.template).refined(options.refinement, options.order);
         let [tip, _] = self.roundings(options);
         let plain = self.flanks_with(tip, &[])?;
         // A separately meshed web is not part of the mesh of the teeth.
