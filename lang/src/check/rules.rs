@@ -1,8 +1,7 @@
 //! Names of the type inference rules, and a record of the rules that a check applied.
 //!
-//! The language corpus uses the record, because it must apply every rule
-//! (`tests/language/COVERAGE.md`). The record is per thread and requires the feature `rule-record`;
-//! otherwise recording does nothing.
+//! The test of the language corpus uses the record, because the corpus must apply every rule. The
+//! record is per thread and requires the feature `rule-record`; otherwise recording does nothing.
 
 use super::tree::ConstraintKind;
 use super::types::{Mismatch, Type};

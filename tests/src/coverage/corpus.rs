@@ -1,6 +1,6 @@
 //! Coverage tables of the cases of the corpus.
 
-use super::{Place, Table, program, report, symbolic, syntax};
+use super::{Table, program, report, symbolic, syntax};
 use crate::document::{Case, Document};
 use crate::judge::Judgement;
 use crate::root;
@@ -34,74 +34,48 @@ impl Coverage {
     /// Creates the tables without covered rows.
     pub fn new() -> Coverage {
         Coverage {
-            productions: Table::new(
-                "Productions",
-                "Every kind of node of the syntax tree, and every form of it that is read in a way of its own.",
-                syntax::all(),
-            ),
-            codes: Table::new(
-                "Diagnostics",
-                "Every code of the language, the library and the engine. What only a test written in Rust or a page of \
-                 the command line can bring about is covered there.",
-                all_codes(),
-            ),
-            rules: Table::new(
-                "Type rules",
-                "Rules that inference applied or, where they refuse something, reported; as the checker recorded them.",
-                Rule::ALL.iter().map(|rule| rule.text()),
-            ),
-            constructs: Table::new(
-                "Constructs of the typed program",
-                "Run by the interpreter and as machine code, with the same output.",
-                program::constructs(),
-            ),
-            evaluated: Table::new("Operations, evaluated", "Run both ways, as above.", program::evaluated()),
-            symbolic: Table::new(
-                "Operations in symbolic expressions",
-                "Kernels, run both ways.",
-                program::symbolic_operations(),
-            ),
-            differentiated: Table::new(
-                "Operations, differentiated",
-                "Kernels with a derivative of the operation by `Time` or a param, run both ways.",
-                program::differentiable(),
-            ),
+            // Kinds of nodes of the syntax tree, and forms of them with a parser rule of their own.
+            productions: Table::new("Productions", syntax::all()),
+            codes: Table::new("Diagnostics", all_codes()),
+            // Rules that inference applied or, if they reject something, reported.
+            rules: Table::new("Type rules", Rule::ALL.iter().map(|rule| rule.text())),
+            // Cases run by the interpreter and as machine code, with the same output.
+            constructs: Table::new("Constructs of the typed program", program::constructs()),
+            evaluated: Table::new("Operations, evaluated", program::evaluated()),
+            symbolic: Table::new("Operations in symbolic expressions", program::symbolic_operations()),
+            // Kernels with a derivative of the operation by `Time` or a param.
+            differentiated: Table::new("Operations, differentiated", program::differentiable()),
         }
     }
 
     /// Adds an evaluated case of the corpus.
     pub fn add(&mut self, document: &Document, case: &Case, judgement: &Judgement) {
-        let stem = document.name.trim_end_matches(".md");
-        let place = Place {
-            title: format!("{stem}: {}", case.heading),
-            link: format!("{}#{}", document.name, case.anchor),
-        };
-        self.productions.cover(productions(&case.model.text), &place);
+        self.productions.cover(productions(&case.model.text));
         for (_, text) in document.files.iter().filter(|(name, _)| is_used(name, &case.model.text)) {
-            self.productions.cover(productions(text), &place);
+            self.productions.cover(productions(text));
         }
-        self.rules.cover(judgement.rules.iter().map(|rule| rule.text()), &place);
-        self.add_codes(judgement.codes.iter().map(String::as_str), &place);
+        self.rules.cover(judgement.rules.iter().map(|rule| rule.text()));
+        self.add_codes(judgement.codes.iter().map(String::as_str));
         if let Some(error) = case.expects("error") {
-            self.add_codes(error.text.split(':').take(1), &place);
+            self.add_codes(error.text.split(':').take(1));
         }
         if let Some(program) = judgement.program.as_ref().filter(|_| judgement.ran) {
             let used = program::used(program);
-            self.constructs.cover(used.constructs, &place);
-            self.evaluated.cover(used.evaluated, &place);
-            self.symbolic.cover(used.symbolic, &place);
-            self.differentiated.cover(used.differentiated, &place);
+            self.constructs.cover(used.constructs);
+            self.evaluated.cover(used.evaluated);
+            self.symbolic.cover(used.symbolic);
+            self.differentiated.cover(used.differentiated);
         }
     }
 
-    fn add_codes<'c>(&mut self, codes: impl Iterator<Item = &'c str>, place: &Place) {
+    fn add_codes<'c>(&mut self, codes: impl Iterator<Item = &'c str>) {
         for code in codes {
             // A library finding that is not necessarily an error is a warning with the same number.
             let as_error = code.replacen('W', "E", 1);
             let row = self.codes.rows().iter().find(|row| row.starts_with(code));
             let row = row.or_else(|| self.codes.rows().iter().find(|row| row.starts_with(&as_error)));
             if let Some(row) = row.cloned() {
-                self.codes.cover([row.as_str()], place);
+                self.codes.cover([row.as_str()]);
             }
         }
     }
@@ -114,37 +88,24 @@ impl Coverage {
         for file in other_tests() {
             let text = fs::read_to_string(root().join(&file)).unwrap_or_default();
             let shown: Vec<&str> = left.iter().copied().filter(|code| expects(&text, code)).collect();
-            let name = file.display().to_string();
-            let place = Place { title: name.clone(), link: format!("../../{name}") };
-            self.add_codes(shown.iter().copied(), &place);
+            self.add_codes(shown.iter().copied());
             left.retain(|code| !shown.contains(code));
         }
-        self.add_guards();
+        self.add_codes(GUARDS.into_iter());
     }
 
-    /// Adds the codes of internal checks: no known input produces them.
-    fn add_guards(&mut self) {
-        for code in GUARDS {
-            let place = Place {
-                title: "a guard, which no model is known to reach".into(),
-                link: "#diagnostics".into(),
-            };
-            self.add_codes([code].into_iter(), &place);
-        }
-    }
-
-    fn tables(&self) -> Vec<Table> {
+    fn tables(&self) -> [Table; 3] {
+        let production = |left: &str, right: &str| format!("{left} → {right}");
         let mut grammar = Table::new(
             "Grammar of the report",
-            "The productions of tables 3.1 and 3.2.",
-            report::PRODUCTIONS.iter().map(|(left, right, _)| format!("{left} → {right}")),
+            report::PRODUCTIONS.iter().map(|(left, right, _)| production(left, right)),
         );
         for (left, right, rows) in report::PRODUCTIONS {
-            for place in rows.iter().flat_map(|row| self.productions.covering(row)) {
-                grammar.cover([format!("{left} → {right}").as_str()], place);
+            if rows.iter().any(|row| self.productions.is_covered(row)) {
+                grammar.cover([production(left, right).as_str()]);
             }
         }
-        vec![grammar, symbolic::derivatives(), symbolic::simplifications()]
+        [grammar, symbolic::derivatives(), symbolic::simplifications()]
     }
 
     /// Returns the rows without a case.
@@ -164,32 +125,16 @@ impl Coverage {
             &self.differentiated,
         ]
     }
-
-    pub fn to_markdown(&self) -> String {
-        let mut text = String::from(HEADER);
-        let made = self.tables();
-        for table in made.iter().take(1).chain(self.collected()).chain(&made[1..]) {
-            text.push_str(&table.to_markdown());
-        }
-        text
-    }
 }
 
-/// Codes of internal checks, which indicate a defect: meshing and condensing a gear that passed the
-/// library's checks, an invalid contact problem of the engine. E0712 ends a run that reports the
-/// error of the file system instead. E0724 is prevented by an earlier comparison of the run's
-/// inputs.
+/// Codes of internal checks, which no known input produces: meshing and condensing a gear that
+/// passed the library's checks, an invalid contact problem of the engine. E0712 ends a run that
+/// reports the error of the file system instead. E0724 is prevented by an earlier comparison of the
+/// run's inputs.
 const GUARDS: [&str; 16] = [
     "E0662", "E0666", "E0674", "E0676", "E0677", "E0678", "E0679", "E0683", "E0712", "E0716", "E0717",
     "E0718", "E0719", "E0724", "E0760", "E0790",
 ];
-
-const HEADER: &str = "\
-# What the language corpus covers
-
-Written by `CALYX_BLESS=1 cargo test -p calyx-tests --test language`, compared by the same test, which fails where a row
-has no case. The rows come from the compiler: a new kind of expression, operation, rule or diagnostic is a new row.
-";
 
 /// Returns the productions in a text.
 fn productions(text: &str) -> BTreeSet<&'static str> {

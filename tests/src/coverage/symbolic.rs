@@ -3,7 +3,7 @@
 //! Their tests are in Rust, next to the graph: differences at random points, and random evaluation.
 //! The covered rows are read from the names of the cases in the test sources.
 
-use super::{Place, Table, rows};
+use super::{Table, rows};
 use crate::root;
 use calyx_symbolic::{Binary, Unary};
 use std::fs;
@@ -50,17 +50,12 @@ const SIMPLIFICATION_TESTS: &str = "compiler/symbolic/tests/simplification.rs";
 /// them.
 pub fn derivatives() -> Table {
     let rows = [unary::ALL, binary::ALL, &["select"]].concat();
-    let mut table = Table::new(
-        "Derivative rules",
-        "First, second and mixed derivatives against independent values at random points, by \
-         [derivatives.rs](../../compiler/symbolic/tests/derivatives.rs).",
-        rows.clone(),
-    );
+    let mut table = Table::new("Derivative rules", rows.clone());
     let source = read(DERIVATIVE_TESTS);
-    for (line, name) in named_cases(&source) {
+    for name in named_cases(&source) {
         let operation = name.split(',').next().unwrap_or_default();
         if let Some(row) = rows.iter().copied().find(|row| *row == operation) {
-            table.cover([row], &place(name, DERIVATIVE_TESTS, line));
+            table.cover([row]);
         }
     }
     table
@@ -70,20 +65,15 @@ pub fn derivatives() -> Table {
 /// same name.
 pub fn simplifications() -> Table {
     let rules = simplification_rules();
-    let mut table = Table::new(
-        "Simplifications",
-        "Rules of [simplify.rs](../../compiler/symbolic/src/simplify.rs), each held to its value at random points by \
-         [simplification.rs](../../compiler/symbolic/tests/simplification.rs).",
-        rules.clone(),
-    );
+    let mut table = Table::new("Simplifications", rules.clone());
     let source = read(SIMPLIFICATION_TESTS);
-    for (index, line) in source.lines().enumerate() {
+    for line in source.lines() {
         let Some((name, _)) = line.trim().strip_prefix('"').and_then(|rest| rest.split_once("\": |")) else {
             continue;
         };
         let plain = |text: &str| text.replace([' ', '`', '\\'], "");
         if let Some(rule) = rules.iter().find(|rule| plain(rule) == plain(name)) {
-            table.cover([rule.as_str()], &place(name, SIMPLIFICATION_TESTS, index + 1));
+            table.cover([rule.as_str()]);
         }
     }
     table
@@ -112,22 +102,10 @@ fn outside_code(cell: &str) -> Vec<String> {
     parts.iter().map(|part| part.trim().to_owned()).collect()
 }
 
-/// Returns line and name of each `Case { name: "...", ... }` of a test.
-fn named_cases(source: &str) -> Vec<(usize, &str)> {
-    let mut cases = Vec::new();
-    for (index, line) in source.lines().enumerate() {
-        if let Some((_, rest)) = line.split_once("name: \"")
-            && let Some((name, _)) = rest.split_once('"')
-        {
-            cases.push((index + 1, name));
-        }
-    }
-    cases
-}
-
-fn place(name: &str, file: &str, _line: usize) -> Place {
-    // Without the line number, which changes with every edit of the file.
-    Place { title: format!("`{}`", name.replace('|', "\\|")), link: format!("../../{file}") }
+/// Returns the name of each `Case { name: "...", ... }` of a test.
+fn named_cases(source: &str) -> Vec<&str> {
+    let after = source.lines().filter_map(|line| line.split_once("name: \"")).map(|(_, rest)| rest);
+    after.filter_map(|rest| rest.split_once('"')).map(|(name, _)| name).collect()
 }
 
 fn read(file: &str) -> String {

@@ -6,6 +6,7 @@
 
 use super::rows;
 use calyx_lang::ast::*;
+use calyx_lang::walk::Node;
 use std::collections::BTreeSet;
 
 rows!(statement(StmtKind) {
@@ -192,189 +193,52 @@ pub fn all() -> Vec<&'static str> {
 
 /// Returns the productions of a file.
 pub fn used(module: &Module) -> BTreeSet<&'static str> {
-    let mut walk = Walk(BTreeSet::new());
+    let mut found = BTreeSet::new();
     if module.doc.is_some() {
-        walk.0.insert(FORMS[0]);
+        found.insert(FORMS[0]);
     }
-    walk.statements(&module.statements);
-    walk.0
+    for s in &module.statements {
+        Node::Statement(s).walk(&mut |node| add(node, &mut found));
+    }
+    found
 }
 
-struct Walk(BTreeSet<&'static str>);
-
-impl Walk {
-    fn statements(&mut self, statements: &[Stmt]) {
-        statements.iter().for_each(|s| self.statement(s));
-    }
-
-    fn statement(&mut self, s: &Stmt) {
-        self.0.insert(statement::row(&s.kind));
-        if s.doc.is_some() {
-            self.0.insert(FORMS[1]);
+fn add(node: Node<'_>, found: &mut BTreeSet<&'static str>) {
+    let mut form = |form: usize, is_used: bool| {
+        if is_used {
+            found.insert(FORMS[form]);
         }
-        if s.private {
-            self.0.insert(FORMS[4]);
+    };
+    match node {
+        Node::Statement(s) => {
+            form(1, s.doc.is_some());
+            form(4, s.private);
+            if let StmtKind::Function(function) = &s.kind {
+                form(3, function.result.is_some());
+                form(5, function.is_test);
+                form(6, function.is_host);
+                found.insert(body::row(&function.body));
+            }
+            found.insert(statement::row(&s.kind));
         }
-        match &s.kind {
-            StmtKind::Empty
-            | StmtKind::Error
-            | StmtKind::Import(_)
-            | StmtKind::Units(_)
-            | StmtKind::Goto(_)
-            | StmtKind::Break
-            | StmtKind::Continue => {}
-            StmtKind::Param(param) => {
-                self.expression(&param.default);
-                self.domain(param.domain.as_ref());
-            }
-            StmtKind::Output { value, .. } | StmtKind::Expr(value) => self.expression(value),
-            StmtKind::Var(declarations) => {
-                for one in declarations {
-                    self.0.insert(declaration::row(one));
-                    if let Some((_, value)) = &one.init {
-                        self.expression(value);
-                    }
-                }
-            }
-            StmtKind::Assign { place, value, .. } => self.expressions([place, value]),
-            StmtKind::Function(function) => self.function(function),
-            StmtKind::Const { value, .. } => self.expression(value),
-            StmtKind::Record(record) => {
-                for one in &record.fields {
-                    self.0.insert(field::row(one));
-                    one.annotation.iter().for_each(|ty| self.annotation(ty));
-                    self.expressions(&one.default);
-                }
-            }
-            StmtKind::Dimension { value, .. } => value.iter().for_each(|ty| self.annotation(ty)),
-            StmtKind::Unit(unit) => match &unit.meaning {
-                UnitMeaning::Coherent(ty) => self.annotation(ty),
-                UnitMeaning::Equal(value) => self.expression(value),
-            },
-            StmtKind::Block(inner) => self.statements(inner),
-            StmtKind::If { condition, then, otherwise } => {
-                self.expression(condition);
-                self.statement(then);
-                otherwise.iter().for_each(|s| self.statement(s));
-            }
-            StmtKind::While { condition, body } | StmtKind::DoWhile { body, condition } => {
-                self.expression(condition);
-                self.statement(body);
-            }
-            StmtKind::For { init, condition, step, body } => {
-                self.expressions(condition);
-                [init, step, body].into_iter().for_each(|s| self.statement(s));
-            }
-            StmtKind::Switch { value, body } | StmtKind::Case { value, statement: body } => {
-                self.expression(value);
-                self.statement(body);
-            }
-            StmtKind::Default(inner) | StmtKind::Label { statement: inner, .. } => self.statement(inner),
-            StmtKind::Return(value) | StmtKind::Throw(value) => self.expressions(value),
-            StmtKind::Try { body, handler, .. } => {
-                self.statement(body);
-                self.statement(handler);
-            }
+        Node::Parameter(one) => {
+            form(2, one.doc.is_some());
+            found.extend([mode::row(&one.mode), parameter::row(one)]);
         }
-    }
-
-    fn domain(&mut self, written: Option<&Domain>) {
-        let Some(written) = written else { return };
-        self.0.insert(domain::row(written));
-        match written {
-            Domain::Range { low, high, .. } => self.expressions(low.iter().chain(high)),
-            Domain::Choices { values, .. } => self.expressions(values),
-        }
-    }
-
-    fn function(&mut self, function: &FunctionDecl) {
-        self.0.insert(body::row(&function.body));
-        for one in &function.parameters {
-            self.0.insert(mode::row(&one.mode));
-            self.0.insert(parameter::row(one));
-            if one.doc.is_some() {
-                self.0.insert(FORMS[2]);
+        Node::Expression(e) => {
+            match &e.kind {
+                ExprKind::Unary { op, .. } => found.extend([unary::row(op)]),
+                ExprKind::Binary { op, .. } => found.extend([binary::row(op)]),
+                ExprKind::String(parts) => found.extend(parts.iter().map(string_part::row)),
+                _ => {}
             }
-            one.annotation.iter().for_each(|ty| self.annotation(ty));
-            if let Some((_, Some(default))) = &one.default {
-                self.expression(default);
-            }
-            self.domain(one.domain.as_ref());
+            found.insert(expression::row(&e.kind));
         }
-        if let Some(result) = &function.result {
-            self.0.insert(FORMS[3]);
-            self.annotation(result);
-        }
-        if function.is_test {
-            self.0.insert(FORMS[5]);
-        }
-        if function.is_host {
-            self.0.insert(FORMS[6]);
-        }
-        match &function.body {
-            FunctionBody::Statement(statement) => self.statement(statement),
-            FunctionBody::Symbolic(value) => self.expression(value),
-            FunctionBody::Extern { .. } => {}
-        }
-    }
-
-    fn annotation(&mut self, ty: &TypeExpr) {
-        self.0.insert(annotation::row(&ty.kind));
-        match &ty.kind {
-            TypeKind::Name(_) | TypeKind::Member(..) | TypeKind::Error => {}
-            TypeKind::Apply(_, inner) => inner.iter().for_each(|ty| self.annotation(ty)),
-            TypeKind::Product(a, b) | TypeKind::Quotient(a, b) => {
-                self.annotation(a);
-                self.annotation(b);
-            }
-            TypeKind::Power(base, ..) => self.annotation(base),
-        }
-    }
-
-    fn expressions<'e>(&mut self, all: impl IntoIterator<Item = &'e Expr>) {
-        all.into_iter().for_each(|e| self.expression(e));
-    }
-
-    fn expression(&mut self, e: &Expr) {
-        self.0.insert(expression::row(&e.kind));
-        match &e.kind {
-            ExprKind::Error
-            | ExprKind::Number(_)
-            | ExprKind::Quantity { .. }
-            | ExprKind::Bool(_)
-            | ExprKind::Name(_) => {}
-            ExprKind::String(parts) => {
-                for part in parts {
-                    self.0.insert(string_part::row(part));
-                    if let StringPart::Value(value, format) = part {
-                        self.expression(value);
-                        self.expressions(format.iter().filter_map(|format| format.unit.as_ref()));
-                    }
-                }
-            }
-            ExprKind::Field { base, .. } => self.expression(base),
-            ExprKind::Call { callee, arguments } => {
-                self.expression(callee);
-                for one in arguments {
-                    self.0.insert(argument::row(one));
-                    self.expression(&one.value);
-                }
-            }
-            ExprKind::Index { base, index } => self.expressions([&**base, &**index]),
-            ExprKind::Unary { op, operand } => {
-                self.0.insert(unary::row(op));
-                self.expression(operand);
-            }
-            ExprKind::Binary { op, left, right, .. } => {
-                self.0.insert(binary::row(op));
-                self.expressions([&**left, &**right]);
-            }
-            ExprKind::List(elements) => self.expressions(elements),
-            ExprKind::If { condition, then, otherwise } => {
-                self.expressions([&**condition, &**then, &**otherwise]);
-            }
-            ExprKind::At { value, at, .. } => self.expressions([&**value, &**at]),
-            ExprKind::Paren(inner) => self.expression(inner),
-        }
+        Node::Variable(one) => found.extend([declaration::row(one)]),
+        Node::Field(one) => found.extend([field::row(one)]),
+        Node::Domain(written) => found.extend([domain::row(written)]),
+        Node::Type(ty) => found.extend([annotation::row(&ty.kind)]),
+        Node::Argument(one) => found.extend([argument::row(one)]),
+        Node::Name(_) => {}
     }
 }
