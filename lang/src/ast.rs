@@ -66,6 +66,14 @@ pub enum StmtKind {
         bind: Bind,
         value: Expr,
     },
+    /// `place += value;`: `op` is `Add`, `Subtract`, `Multiply` or `Divide`.
+    Update {
+        place: Expr,
+        op: BinaryOp,
+        /// Span of the operator.
+        op_span: Span,
+        value: Expr,
+    },
     Expr(Expr),
     Function(FunctionDecl),
     Block(Vec<Stmt>),
@@ -88,6 +96,12 @@ pub enum StmtKind {
         init: Box<Stmt>,
         condition: Option<Expr>,
         step: Box<Stmt>,
+        body: Box<Stmt>,
+    },
+    /// `for (variable in values) body`
+    ForEach {
+        variable: Ident,
+        values: Values,
         body: Box<Stmt>,
     },
     Switch {
@@ -278,6 +292,12 @@ pub enum ExprKind {
         base: Box<Expr>,
         index: Box<Expr>,
     },
+    /// `base[low .. high]`; either limit may be missing.
+    Slice {
+        base: Box<Expr>,
+        low: Option<Box<Expr>>,
+        high: Option<Box<Expr>>,
+    },
     Unary {
         op: UnaryOp,
         operand: Box<Expr>,
@@ -291,6 +311,16 @@ pub enum ExprKind {
     },
     /// `[a, b, c]`
     List(Vec<Expr>),
+    /// `[a, b, c] inch^2`: numbers in brackets, followed by their unit.
+    Measured {
+        elements: Vec<Expr>,
+        unit: Ident,
+        exponent: i32,
+        /// Span of the exponent, if written.
+        exponent_span: Option<Span>,
+    },
+    /// `[element for variable in values if condition]`
+    Comprehension(Box<Comprehension>),
     /// `if (c) a else b`
     If {
         condition: Box<Expr>,
@@ -304,6 +334,41 @@ pub enum ExprKind {
         at: Box<Expr>,
     },
     Paren(Box<Expr>),
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comprehension {
+    pub element: Expr,
+    pub variable: Ident,
+    pub values: Values,
+    pub condition: Option<Expr>,
+}
+
+/// The values that a loop goes through.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// The elements of an array.
+    Elements(Expr),
+    /// `low .. high`: `low`, `low + 1`, and so on, below `high`.
+    Range(Expr, Expr),
+}
+
+impl Values {
+    /// Returns the expressions in order.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            Values::Elements(array) => vec![array],
+            Values::Range(low, high) => vec![low, high],
+        }
+    }
+
+    /// Returns the source range from the first to the last expression.
+    pub fn span(&self) -> Span {
+        match self {
+            Values::Elements(array) => array.span,
+            Values::Range(low, high) => low.span.to(high.span),
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -56,13 +56,13 @@ const BUILTINS: &[Help] = &[
     help("abs", "Absolute value.", "print(abs(-3 N));"),
     help(
         "min",
-        "The smallest of two or more numbers with the same dimension.",
-        "print(min(3 mm, 1 mm, 2 mm));",
+        "The smallest of two or more numbers with the same dimension, or of an array of them.",
+        "print(min(3 mm, 1 mm, 2 mm), min([3, 1, 2]));",
     ),
     help(
         "max",
-        "The largest of two or more numbers with the same dimension.",
-        "print(max(3 mm, 1 mm, 2 mm));",
+        "The largest of two or more numbers with the same dimension, or of an array of them.",
+        "print(max(3 mm, 1 mm, 2 mm), max([3, 1, 2]));",
     ),
     help("floor", "The largest integer that is not greater.", "print(floor(2.7));"),
     help("ceil", "The smallest integer that is not less.", "print(ceil(2.1));"),
@@ -130,6 +130,16 @@ const BUILTINS: &[Help] = &[
         "push",
         "Appends an element to an array. It is a statement without a value.",
         "var widths = [10 mm, 20 mm];\npush(widths, 30 mm);\nprint(widths);",
+    ),
+    help(
+        "sum",
+        "The sum of the elements of an array: numbers, vectors, or arrays of equal length.",
+        "print(sum([10 mm, 20 mm]));",
+    ),
+    help(
+        "sort",
+        "The numbers of an array in ascending order; NaN follows all others.",
+        "print(sort([3 mm, 1 mm, 2 mm]));",
     ),
     help(
         "print",

@@ -89,6 +89,11 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
             expr(place, visit);
             expr(value, visit);
         }
+        StmtKind::Update { place, op_span, value, .. } => {
+            visit(op_span, None);
+            expr(place, visit);
+            expr(value, visit);
+        }
         StmtKind::Expr(e) => expr(e, visit),
         StmtKind::Function(decl) => {
             function_header(decl, visit);
@@ -112,6 +117,11 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
                 expr(condition, visit);
             }
             statement(step, visit);
+            statement(body, visit);
+        }
+        StmtKind::ForEach { variable, values, body } => {
+            ident(variable, visit);
+            loop_values(values, visit);
             statement(body, visit);
         }
         StmtKind::Switch { value, body } | StmtKind::Case { value, statement: body } => {
@@ -203,6 +213,16 @@ fn type_expr(ty: &mut TypeExpr, visit: &mut Visit<'_>) {
     }
 }
 
+fn loop_values(values: &mut Values, visit: &mut Visit<'_>) {
+    match values {
+        Values::Elements(array) => expr(array, visit),
+        Values::Range(low, high) => {
+            expr(low, visit);
+            expr(high, visit);
+        }
+    }
+}
+
 pub fn expr(e: &mut Expr, visit: &mut Visit<'_>) {
     visit(&mut e.span, None);
     match &mut e.kind {
@@ -247,6 +267,10 @@ pub fn expr(e: &mut Expr, visit: &mut Visit<'_>) {
             expr(base, visit);
             expr(index, visit);
         }
+        ExprKind::Slice { base, low, high } => {
+            expr(base, visit);
+            low.iter_mut().chain(high).for_each(|limit| expr(limit, visit));
+        }
         ExprKind::Unary { operand, .. } => expr(operand, visit),
         ExprKind::Binary { op_span, left, right, .. } => {
             visit(op_span, None);
@@ -254,6 +278,21 @@ pub fn expr(e: &mut Expr, visit: &mut Visit<'_>) {
             expr(right, visit);
         }
         ExprKind::List(all) => all.iter_mut().for_each(|e| expr(e, visit)),
+        ExprKind::Measured { elements, unit, exponent_span, .. } => {
+            elements.iter_mut().for_each(|e| expr(e, visit));
+            ident(unit, visit);
+            if let Some(span) = exponent_span {
+                visit(span, None);
+            }
+        }
+        ExprKind::Comprehension(parts) => {
+            expr(&mut parts.element, visit);
+            ident(&mut parts.variable, visit);
+            loop_values(&mut parts.values, visit);
+            if let Some(condition) = &mut parts.condition {
+                expr(condition, visit);
+            }
+        }
         ExprKind::If { condition, then, otherwise } => {
             expr(condition, visit);
             expr(then, visit);

@@ -55,6 +55,9 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         StmtKind::Assign { place, bind, value } => {
             format!("({} {} {}", bind_text(*bind), expr(place), expr(value))
         }
+        StmtKind::Update { place, op, value, .. } => {
+            format!("({}= {} {}", operator(*op), expr(place), expr(value))
+        }
         StmtKind::Expr(e) => format!("(do {}", expr(e)),
         StmtKind::Function(f) => {
             if let FunctionBody::Statement(body) = &f.body {
@@ -82,6 +85,10 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         StmtKind::For { init, condition, step, body } => {
             children.extend([&**init, step, body]);
             format!("(for {}", condition.as_ref().map_or("always".into(), expr))
+        }
+        StmtKind::ForEach { variable, values, body } => {
+            children.push(body);
+            format!("(for {} in {}", variable.name, loop_values(values))
         }
         StmtKind::Switch { value, body } => {
             children.push(body);
@@ -256,6 +263,10 @@ pub fn expr(e: &Expr) -> String {
             format!("({}{})", expr(callee), arguments.iter().map(one).collect::<String>())
         }
         ExprKind::Index { base, index } => format!("([] {} {})", expr(base), expr(index)),
+        ExprKind::Slice { base, low, high } => {
+            let end = |e: &Option<Box<Expr>>| e.as_ref().map_or("_".into(), |e| expr(e));
+            format!("([] {} {} .. {})", expr(base), end(low), end(high))
+        }
         ExprKind::Unary { op, operand } => {
             let sign = match op {
                 UnaryOp::Plus => "+",
@@ -265,29 +276,50 @@ pub fn expr(e: &Expr) -> String {
             format!("({sign} {})", expr(operand))
         }
         ExprKind::Binary { op, left, right, .. } => {
-            let sign = match op {
-                BinaryOp::Or => "|",
-                BinaryOp::And => "&",
-                BinaryOp::Less => "<",
-                BinaryOp::LessEqual => "<=",
-                BinaryOp::Greater => ">",
-                BinaryOp::GreaterEqual => ">=",
-                BinaryOp::Equal => "==",
-                BinaryOp::NotEqual => "!=",
-                BinaryOp::Add => "+",
-                BinaryOp::Subtract => "-",
-                BinaryOp::Multiply => "*",
-                BinaryOp::Divide => "/",
-                BinaryOp::Power => "^",
-            };
-            format!("({sign} {} {})", expr(left), expr(right))
+            format!("({} {} {})", operator(*op), expr(left), expr(right))
         }
         ExprKind::List(items) => format!("[{}]", list(items)),
+        ExprKind::Measured { elements, unit, exponent: 1, exponent_span: None } => {
+            format!("[{}]'{}", list(elements), unit.name)
+        }
+        ExprKind::Measured { elements, unit, exponent, .. } => {
+            format!("[{}]'{}^{exponent}", list(elements), unit.name)
+        }
+        ExprKind::Comprehension(parts) => {
+            let condition = parts.condition.as_ref().map(|e| format!(" if {}", expr(e))).unwrap_or_default();
+            let (element, variable) = (expr(&parts.element), &parts.variable.name);
+            format!("[{element} for {variable} in {}{condition}]", loop_values(&parts.values))
+        }
         ExprKind::If { condition, then, otherwise } => {
             format!("(if {} {} {})", expr(condition), expr(then), expr(otherwise))
         }
         ExprKind::At { value, symbol, at } => format!("(at {} {} {})", expr(value), symbol.name, expr(at)),
         ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
+    }
+}
+
+fn operator(op: BinaryOp) -> &'static str {
+    match op {
+        BinaryOp::Or => "|",
+        BinaryOp::And => "&",
+        BinaryOp::Less => "<",
+        BinaryOp::LessEqual => "<=",
+        BinaryOp::Greater => ">",
+        BinaryOp::GreaterEqual => ">=",
+        BinaryOp::Equal => "==",
+        BinaryOp::NotEqual => "!=",
+        BinaryOp::Add => "+",
+        BinaryOp::Subtract => "-",
+        BinaryOp::Multiply => "*",
+        BinaryOp::Divide => "/",
+        BinaryOp::Power => "^",
+    }
+}
+
+fn loop_values(values: &Values) -> String {
+    match values {
+        Values::Elements(array) => expr(array),
+        Values::Range(low, high) => format!("{} .. {}", expr(low), expr(high)),
     }
 }
 

@@ -131,6 +131,10 @@ fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
             visit(Node::Expression(place));
             visit(Node::Expression(value));
         }
+        StmtKind::Update { place, value, .. } => {
+            visit(Node::Expression(place));
+            visit(Node::Expression(value));
+        }
         StmtKind::Expr(e) => visit(Node::Expression(e)),
         StmtKind::Function(function) => {
             visit(Node::Name(&function.name));
@@ -162,6 +166,11 @@ fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
             visit(Node::Statement(init));
             condition.iter().for_each(|condition| visit(Node::Expression(condition)));
             visit(Node::Statement(step));
+            visit(Node::Statement(body));
+        }
+        StmtKind::ForEach { variable, values, body } => {
+            visit(Node::Name(variable));
+            values.expressions().into_iter().for_each(|e| visit(Node::Expression(e)));
             visit(Node::Statement(body));
         }
         StmtKind::Switch { value, body } => {
@@ -213,12 +222,26 @@ fn expression_children<'t>(kind: &'t ExprKind, visit: &mut dyn FnMut(Node<'t>)) 
             visit(Node::Expression(base));
             visit(Node::Expression(index));
         }
+        ExprKind::Slice { base, low, high } => {
+            visit(Node::Expression(base));
+            low.iter().chain(high).for_each(|limit| visit(Node::Expression(limit)));
+        }
         ExprKind::Unary { operand, .. } => visit(Node::Expression(operand)),
         ExprKind::Binary { left, right, .. } => {
             visit(Node::Expression(left));
             visit(Node::Expression(right));
         }
         ExprKind::List(items) => items.iter().for_each(|item| visit(Node::Expression(item))),
+        ExprKind::Measured { elements, unit, .. } => {
+            elements.iter().for_each(|item| visit(Node::Expression(item)));
+            visit(Node::Name(unit));
+        }
+        ExprKind::Comprehension(parts) => {
+            visit(Node::Expression(&parts.element));
+            visit(Node::Name(&parts.variable));
+            parts.values.expressions().into_iter().for_each(|e| visit(Node::Expression(e)));
+            parts.condition.iter().for_each(|e| visit(Node::Expression(e)));
+        }
         ExprKind::If { condition, then, otherwise } => {
             visit(Node::Expression(condition));
             visit(Node::Expression(then));

@@ -19,6 +19,13 @@ const OF_THE_LANGUAGE: &[&str] = &[
     "calyx_std_first_outside",
     "calyx_std_first_vector_outside",
     "calyx_std_first_unknown",
+    "calyx_std_range_start",
+    "calyx_std_range_end",
+    "calyx_std_slice_end",
+    "calyx_std_same_length",
+    "calyx_std_smallest",
+    "calyx_std_largest",
+    "calyx_std_sorted",
 ];
 
 /// Returns link symbol, declaration and doc comment of every extern function of the library.

@@ -51,7 +51,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                 let array = self.scalar(array)?;
                 let value = self.scalar(index)?;
                 self.at(index.span);
-                let element = self.element(array, value)?;
+                let element = self.element("calyx_array_element", array, value)?;
                 self.load_slots(element, 0, &slot_types(&expr.repr))
             }
             ExprKind::Tuple(elements) => self.expressions(elements)?,

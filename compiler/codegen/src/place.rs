@@ -35,7 +35,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         }
     }
 
-    /// Returns the array stored in a place.
+    /// Returns the array stored in a place that changes.
     pub fn array_in(&mut self, place: &Place, indices: &[Value]) -> Result<Value, CodegenError> {
         let spot = self.spot(place, indices)?;
         self.array_at(place, &spot)
@@ -73,7 +73,7 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
                     };
                     let array = self.array_at(place, &spot)?;
                     self.at(expr.span);
-                    spot = Storage::Element(self.element(array, index)?, 0);
+                    spot = Storage::Element(self.element("calyx_array_slot", array, index)?, 0);
                     repr = element;
                 }
             }
@@ -81,11 +81,17 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         Ok(spot)
     }
 
-    /// Returns the address of an array element, valid until the next call.
-    pub fn element(&mut self, array: Value, index: Value) -> Result<Value, CodegenError> {
+    /// Returns the address of an array element, valid until the next call. `helper` returns it for
+    /// reading or for a change.
+    pub fn element(
+        &mut self,
+        helper: &'static str,
+        array: Value,
+        index: Value,
+    ) -> Result<Value, CodegenError> {
         let index = self.bits(index);
         let into = self.buffer_address(0);
-        self.helper("calyx_array_element", &[array, index, into])?;
+        self.helper(helper, &[array, index, into])?;
         Ok(self.load_buffer(0, &[types::I64])[0])
     }
 }

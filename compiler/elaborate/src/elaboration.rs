@@ -12,7 +12,7 @@ use calyx_abi::{Cancel, Context, Purity, RuntimeError};
 use calyx_gears::externs::{check_plan, check_unrestrained};
 use calyx_gears::host::ModelHost;
 use calyx_gears::signal_externs::check as check_signals;
-use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
@@ -185,10 +185,12 @@ fn elaborate_with(
         found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
     }
     match ran {
-        // A run may need more steps than checking allows.
-        Err(Error::Model(error))
-            if matches!(error.code.as_str(), codes::LIMIT | codes::EXHAUSTED)
-                && matches!(params, Params::Given(..)) => {}
+        // A run may need more steps and memory than checking allows.
+        Err(Error::Model(error)) if matches!(error.code.as_str(), codes::LIMIT | codes::EXHAUSTED) => {
+            if matches!(params, Params::Defaults) {
+                found.push(unfinished(at_place(&error)));
+            }
+        }
         // An error after a failed call may be a consequence of that failure.
         Err(Error::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
         Err(Error::Model(_)) => {}
@@ -237,6 +239,21 @@ fn checking_context(
     context.keeps_output = print.is_some();
     context.print = print.unwrap_or_else(|| Box::new(|_| {}));
     context
+}
+
+/// Returns the warning for a program that exceeds a limit of checking, which a run does not have.
+fn unfinished(error: Diagnostic) -> Diagnostic {
+    let limit = match error.code.as_str() {
+        codes::LIMIT => format!("{} million steps", FUEL / 1_000_000),
+        _ => format!("{} MB of memory", MEMORY / 1_000_000),
+    };
+    Diagnostic {
+        severity: Severity::Warning,
+        code: error.code.replacen('E', "W", 1),
+        message: format!("the check ends at its limit of {limit}; a run goes on"),
+        help: Some("look for a loop that does not end; the statements after it are not checked".into()),
+        ..error
+    }
 }
 
 /// Returns the result for a program that cannot run for any params.

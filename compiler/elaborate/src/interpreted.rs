@@ -92,6 +92,7 @@ impl<'p> Interpreted<'p> {
             param.default = Some(match param.repr {
                 Repr::Bool => ParamValue::Bool(slot != 0),
                 Repr::String => ParamValue::String(context.heap.str(slot).unwrap_or_default().to_owned()),
+                Repr::Array(_) => ParamValue::Numbers(context.heap.numbers(slot).unwrap_or_default()),
                 _ => ParamValue::Number(f64::from_bits(slot)),
             });
         }

@@ -48,6 +48,10 @@ pub fn default_of(param: &ParamDescription) -> Option<String> {
         ParamValue::Bool(true) => "TRUE".into(),
         ParamValue::Bool(false) => "FALSE".into(),
         ParamValue::String(text) => format!("{text:?}"),
+        ParamValue::Numbers(numbers) => {
+            let numbers: Vec<String> = numbers.iter().map(|number| of_param(*number, param)).collect();
+            format!("[{}]", numbers.join(", "))
+        }
     })
 }
 

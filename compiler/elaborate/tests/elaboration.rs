@@ -46,7 +46,10 @@ fn another_thread_cancels_a_loop_without_end() {
 
 #[test]
 fn a_loop_without_end_is_found() {
-    assert_eq!(codes(&elaborated("while (TRUE) {}")), ["E0703"]);
+    assert_eq!(codes(&elaborated("while (TRUE) {}")), ["W0703"]);
+    // A run has a memory limit only if one is given.
+    let text = "var text = \"x\"; for (i in 0 .. 40) text = \"{text}{text}\";";
+    assert_eq!(codes(&elaborated(text)), ["W0707"]);
 }
 
 #[test]

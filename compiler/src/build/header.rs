@@ -5,7 +5,7 @@ use calyx_abi::Repr;
 use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue};
 use calyx_codegen::model_symbol;
 use calyx_rt::c_api::HEADER;
-use calyx_rt::params::{domain, shown};
+use calyx_rt::params::{domain, shown, shown_list};
 use std::fmt::Write;
 
 /// Returns the whole header of a model called `name` in C.
@@ -63,6 +63,10 @@ fn about_param(param: &ParamDescription) -> String {
             choices if choices.is_empty() => "A text".into(),
             choices => choices,
         },
+        Repr::Array(_) => match domain(param, param.low, param.high) {
+            range if range.is_empty() => format!("An array of numbers {}", param.unit.name).trim_end().into(),
+            range => format!("An array of numbers, each {range}"),
+        },
         _ => match domain(param, param.low, param.high) {
             range if range.is_empty() && param.unit.name.is_empty() => "Any number".into(),
             range if range.is_empty() => format!("Any number of {}", param.unit.name),
@@ -73,6 +77,7 @@ fn about_param(param: &ParamDescription) -> String {
         Some(ParamValue::Number(si)) => format!("; default {}", shown(param, *si)),
         Some(ParamValue::Bool(value)) => format!("; default {}", if *value { "TRUE" } else { "FALSE" }),
         Some(ParamValue::String(value)) => format!("; default \"{value}\""),
+        Some(ParamValue::Numbers(values)) => format!("; default {}", shown_list(param, values)),
         None => String::new(),
     };
     joined(&param.doc, &format!("{kind}{default}."))

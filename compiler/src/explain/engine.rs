@@ -103,7 +103,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0696" "a disc web and its hub do not fit each other" "The web ends at the bore, or at a hub whose diameter is between that of the bore and the inner diameter of the rim. The hub is at least as wide as the web there and covers both its ends: `hub_offset` moves the hub along the axis, `dish` moves the inner end of the web."
     "E0701" "an array index that is not an integer or is out of range" "Elements are numbered from 0 to the length minus one. Use `round` for a computed index."
     "E0702" "the call stack is too deep" "At most 1000 calls can be nested. Add a base case to the recursion, or write a loop."
-    "E0703" "the program takes too long to check" "`calyx check` and the editor stop a program that does not end. Check for a loop whose condition never becomes false."
+    "E0703" "the program takes too long to check" "`calyx check`, `calyx test` and the editor stop a program after 20 million steps. It is an error in a test. In a check it is a warning, because a run has no such limit. Look for a loop whose condition never becomes false."
     "E0704" "the run was cancelled" "The run was interrupted."
     "E0705" "an assertion failed" "The condition of an `assert` was false. The message shows both sides of a comparison."
     "E0706" "the value of an observable is used while the model is built" "An observable has a value at each position of an analysis. Make it an `output`."
@@ -181,4 +181,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0823" "an invalid number of planets" "The number of planets is an integer of at least 1. `places`, if given, has one position per planet."
     "E0824" "two torques on a planetary set" "The torques on sun and ring are related by equilibrium. Give one of them."
     "E0825" "a planetary set that rotates as a whole" "If sun, carrier and ring have the same speed, the teeth do not roll on each other, and there is no mesh cycle to analyse. Give the sun or the ring another speed."
+    "E0852" "a slice outside of its array" "The limits of a slice lie between 0 and the length of the array, and its start is not greater than its end. Limit a computed end with `min(end, len(array))`."
+    "E0853" "a sum of arrays of different lengths" "`+` and `-` add arrays element by element, so both need the same length. Use a slice of the longer one."
+    "E0854" "the extreme of an empty array" "An empty array has neither a smallest nor a largest element. Test `len(array) > 0` before."
 };

@@ -22,10 +22,18 @@ impl<'a> Checker<'a> {
         match builtin {
             Builtin::Operation(signature) => self.operation(signature, arguments, span),
             Builtin::Extreme(op) => {
-                if arguments.len() < 2 {
-                    return self.wrong_count(&name.name, "two or more numbers", arguments, span);
-                }
                 self.refuse_names(&name.name, arguments);
+                if let [array] = arguments {
+                    let array = self.as_value(|c| c.expr(&array.value));
+                    if matches!(self.store.shallow(&array.ty), Type::Number(_)) {
+                        return self.wrong_count(&name.name, span);
+                    }
+                    let function = if op == Op::Min { Standard::Smallest } else { Standard::Largest };
+                    return self.of_numbers(function, &name.name, array, span);
+                }
+                if arguments.is_empty() {
+                    return self.wrong_count(&name.name, span);
+                }
                 let ty = self.fresh_number();
                 let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
                 for value in &values {
@@ -91,6 +99,14 @@ impl<'a> Checker<'a> {
                 self.expect(&Type::array(element), &array, "the argument of `len`", None);
                 Expr { kind: Kind::Len(Box::new(array)), ty: Type::number(), span }
             }
+            Builtin::Sum => self.sum(arguments, span),
+            Builtin::Sort => {
+                let Some([array]) = self.plain("sort", arguments, span, ["array"]) else {
+                    return Expr::error(span);
+                };
+                let array = self.as_value(|c| c.expr(array));
+                self.of_numbers(Standard::Sort, "sort", array, span)
+            }
             Builtin::Push => {
                 self.check_loosely(arguments);
                 self.report(
@@ -120,14 +136,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn wrong_count(
-        &mut self,
-        function: &str,
-        wanted: &str,
-        arguments: &'a [ast::Argument],
-        span: Span,
-    ) -> Expr {
-        self.check_loosely(arguments);
+    fn wrong_count(&mut self, function: &str, span: Span) -> Expr {
+        let wanted = "two or more numbers, or an array of numbers";
         self.report(
             Diagnostic::error(
                 "E0206",

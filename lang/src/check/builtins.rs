@@ -12,7 +12,7 @@ use crate::ir::Op;
 pub enum Builtin {
     /// A function with a [`Signature`] in the table.
     Operation(&'static Signature),
-    /// Minimum or maximum of two or more numbers with the same dimension.
+    /// Minimum or maximum of two or more numbers with the same dimension, or of an array of them.
     Extreme(Op),
     Sqrt,
     Derivative,
@@ -21,6 +21,8 @@ pub enum Builtin {
     Assert,
     Len,
     Push,
+    Sum,
+    Sort,
 }
 
 /// Parameters and result of a built-in function, with at most one dimension variable `d`.
@@ -116,6 +118,8 @@ const SPECIAL: &[(&str, Builtin)] = &[
     ("assert", Builtin::Assert),
     ("len", Builtin::Len),
     ("push", Builtin::Push),
+    ("sum", Builtin::Sum),
+    ("sort", Builtin::Sort),
 ];
 
 impl Builtin {
@@ -143,6 +147,8 @@ const SHOWN: &[ShownBuiltin] = &[
     ("assert", &[("condition", "Bool"), ("message", "String")], false, None),
     ("len", &[("array", "Array(T)")], false, Some("Number")),
     ("push", &[("array", "Array(T)"), ("value", "T")], false, None),
+    ("sum", &[("array", "Array(T)")], false, Some("T")),
+    ("sort", &[("array", "Array(a)")], false, Some("Array(a)")),
 ];
 
 impl Shape {

@@ -223,6 +223,12 @@ impl Checker<'_> {
             (Type::Number(x), Type::Vector(y)) | (Type::Vector(x), Type::Number(y)) => {
                 Type::Vector(x.times(y))
             }
+            (Type::Number(_), Type::Array(element)) => {
+                self.each(constraint, |part| Multiply(left.clone(), (**element).clone(), part))
+            }
+            (Type::Array(element), Type::Number(_)) => {
+                self.each(constraint, |part| Multiply((**element).clone(), right.clone(), part))
+            }
             (Type::Transform, Type::Transform) => Type::Transform,
             (Type::Transform, Type::Vector(dim)) => {
                 let length = super::length();
@@ -279,6 +285,9 @@ impl Checker<'_> {
             (Type::Error, _) | (_, Type::Error) => Type::Error,
             (Type::Number(x), Type::Number(y)) => Type::Number(x.over(y)),
             (Type::Vector(x), Type::Number(y)) => Type::Vector(x.over(y)),
+            (Type::Array(element), Type::Number(_)) => {
+                self.each(constraint, |part| Divide((**element).clone(), right.clone(), part))
+            }
             (Type::Unknown(_), _) => match self.store.shallow(c) {
                 Type::Number(_) => {
                     let dividend = self.fresh_number();
@@ -299,14 +308,16 @@ impl Checker<'_> {
         match self.store.shallow(a) {
             Type::Unknown(_) => Outcome::Open,
             Type::Number(_) | Type::Vector(_) | Type::Error => Outcome::Solved,
+            Type::Array(element) => {
+                self.try_solve(&Constraint { kind: Additive(*element), span: constraint.span })
+            }
             Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
             other => {
                 let shown = with_article(&self.store.show(&other));
                 let help = match other {
                     Type::String => "join strings by interpolation: `\"{a}{b}\"`",
-                    Type::Array(_) => "use `push` to append, or a loop to add element by element",
                     Type::Transform => "combine frames with `*`",
-                    _ => "only numbers and vectors can be added",
+                    _ => "only numbers, vectors and arrays of them can be added",
                 };
                 Outcome::failed(
                     Diagnostic::error(
@@ -474,6 +485,13 @@ impl Checker<'_> {
         }
     }
 
+    /// Applies an operator to the elements of an array, and returns the array of the results.
+    fn each(&mut self, constraint: &Constraint, kind: impl FnOnce(Type) -> ConstraintKind) -> Type {
+        let part = self.store.fresh();
+        self.constrain(Constraint { kind: kind(part.clone()), span: constraint.span });
+        Type::array(part)
+    }
+
     fn field_types(&self, id: RecordId) -> Vec<Type> {
         let fields = self.store.record(id).into_iter().flat_map(|record| &record.fields);
         fields.map(|(_, ty)| ty.clone()).collect()
@@ -577,7 +595,12 @@ impl Checker<'_> {
             (Type::Vector(_), Type::Vector(_)) if verb == "multiply" => "use `dot(a, b)` or `cross(a, b)`",
             (Type::Vector(_), Type::Transform) => "write the frame first: `frame * point`",
             (_, Type::Transform) if verb == "divide" => "multiply by `inverse(frame)`",
-            _ => "numbers multiply and divide numbers and vectors; frames multiply frames and points",
+            (Type::Array(_), Type::Array(_)) if verb == "multiply" => {
+                "multiply the elements in a comprehension: `[a[i] * b[i] for i in 0 .. len(a)]`"
+            }
+            _ => {
+                "numbers multiply and divide numbers, vectors and arrays of them; frames multiply frames and points"
+            }
         };
         Diagnostic::error(
             "E0304",

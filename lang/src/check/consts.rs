@@ -115,6 +115,7 @@ fn variable_part(e: &Expr, parts: &mut usize) -> Option<(Span, &'static str)> {
         Kind::Time => Some("`Time`"),
         Kind::Call(_) | Kind::CallExtern(..) => Some("a call of a function that is not built in"),
         Kind::Print(..) | Kind::Assert(..) => Some("a statement"),
+        Kind::Sequence(..) => Some("a comprehension, a slice or a sum over an array"),
         Kind::Def(_)
         | Kind::MakeSymbolic(_)
         | Kind::Eval(..)

@@ -314,6 +314,14 @@ impl Dependence {
                 }
                 return;
             }
+            // Its conditions decide which parts are evaluated.
+            Kind::Sequence(..) => {
+                if has_call(e) {
+                    let guards = guarded(guards, e);
+                    e.children().into_iter().for_each(|child| self.calls(child, &guards, owner));
+                }
+                return;
+            }
             Kind::Call(call) => {
                 let here = self.conditions();
                 let around = Node::Called(self.around.function);
@@ -523,7 +531,12 @@ fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
 fn can_fail(e: &Expr) -> bool {
     let itself = matches!(
         e.kind,
-        Kind::Index(..) | Kind::Call(_) | Kind::CallExtern(..) | Kind::Assert(_) | Kind::Op(Op::Rotate, _)
+        Kind::Index(..)
+            | Kind::Call(_)
+            | Kind::CallExtern(..)
+            | Kind::Standard(..)
+            | Kind::Assert(_)
+            | Kind::Op(Op::Rotate, _)
     );
     itself || e.children().into_iter().any(can_fail)
 }

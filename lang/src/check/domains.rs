@@ -120,7 +120,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Returns the type of the numbers in an array or vector; for any other type, the type itself.
-    fn scalar(&self, ty: &Type) -> Type {
+    pub(super) fn scalar(&self, ty: &Type) -> Type {
         match self.store.shallow(ty) {
             Type::Array(element) => self.scalar(&element),
             Type::Vector(dim) => Type::Number(dim),

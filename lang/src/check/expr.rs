@@ -82,7 +82,12 @@ impl<'a> Checker<'a> {
             ExprKind::Binary { op, op_span, left, right } => {
                 return self.binary(*op, *op_span, left, right, position, span);
             }
+            ExprKind::Slice { base, low, high } => {
+                return self.slice(base, low.as_deref(), high.as_deref(), span);
+            }
             ExprKind::List(elements) => return self.list(elements, given, span),
+            ExprKind::Measured { elements, unit, exponent, .. } => self.measured(elements, unit, *exponent),
+            ExprKind::Comprehension(parts) => return self.as_value(|c| c.comprehension(parts, span)),
             ExprKind::If { condition, then, otherwise } => {
                 let condition = self.expr(condition);
                 self.expect(&Type::Bool, &condition, "the condition", None);
@@ -119,7 +124,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn quantity(&mut self, value: f64, unit: &ast::Ident, exponent: i32) -> (Kind, Type) {
+    pub(super) fn quantity(&mut self, value: f64, unit: &ast::Ident, exponent: i32) -> (Kind, Type) {
         let known = self.unit_named(unit);
         if known.is_none() && !matches!(self.names.uses.get(&unit.span), Some(Resolution::OwnUnit(_))) {
             self.unknown_unit(unit, "a name right after a number must be a unit");
@@ -295,6 +300,11 @@ impl<'a> Checker<'a> {
             return self.power(left, right, span);
         }
         let (a, b) = (self.expr_at(left, position), self.expr_at(right, position));
+        self.combined(op, op_span, a, b, span)
+    }
+
+    /// Applies an operator other than `^` to checked operands.
+    pub(super) fn combined(&mut self, op: BinaryOp, op_span: Span, a: Expr, b: Expr, span: Span) -> Expr {
         let ty = match op {
             BinaryOp::And | BinaryOp::Or => {
                 let what = if op == BinaryOp::And { "an operand of `&`" } else { "an operand of `|`" };

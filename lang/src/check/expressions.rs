@@ -31,7 +31,8 @@ pub fn touching(typed: &Typed, range: Span) -> Vec<analysis::Typed> {
 }
 
 fn touches(span: Span, range: Span) -> bool {
-    span.file == range.file && span.start <= range.end && range.start <= span.end
+    let written = span.start < span.end;
+    written && span.file == range.file && span.start <= range.end && range.start <= span.end
 }
 
 fn statement(s: &Stmt, range: Span, collect: &mut dyn FnMut(&Expr)) {

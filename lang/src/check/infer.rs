@@ -86,6 +86,11 @@ pub struct Checker<'a> {
     pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
     pub(super) file: FileId,
+    /// Variables whose first value is the literal `0`, and its location.
+    pub(super) zero_starts: HashMap<VarId, Span>,
+    /// Variables of the enclosing comprehensions, and the hidden variables that stand for them. A
+    /// comprehension in a default belongs to the function that evaluates the default.
+    pub(super) elements: HashMap<VarId, VarId>,
     /// Names of arguments, and the declarations of the parameters or fields that they refer to.
     pub(super) named_parts: Vec<(Span, Span)>,
     /// Types of the parameters of the checked engine functions.
@@ -146,6 +151,8 @@ impl<'a> Checker<'a> {
             making: Vec::new(),
             function: FuncId(0),
             file: FileId(0),
+            zero_starts: HashMap::new(),
+            elements: HashMap::new(),
             named_parts: Vec::new(),
             parameter_types: HashMap::new(),
             named_fields: Vec::new(),

@@ -57,6 +57,10 @@ impl Checker<'_> {
                     "add" => format!("cannot add {right} to {left}"),
                     _ => format!("cannot {verb} {right} from {left}"),
                 };
+                if let Some(diagnostic) = self.vector_and_zero(a, b, &message) {
+                    self.report(diagnostic);
+                    return false;
+                }
                 let text = [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.shallow(ty), Type::String));
                 let help = if text && verb == "add" {
                     "convert values to text by interpolation: `\"{a}{b}\"`"
@@ -74,6 +78,27 @@ impl Checker<'_> {
         };
         self.report(diagnostic);
         false
+    }
+
+    /// Returns the error for the sum of a vector and a variable that starts with `0`, if the operands
+    /// are these.
+    fn vector_and_zero(&self, a: &Expr, b: &Expr, message: &str) -> Option<Diagnostic> {
+        let started = |e: &Expr| match e.kind {
+            Kind::Var(id) | Kind::Updated(id) => Some((id, *self.zero_starts.get(&id)?)),
+            _ => None,
+        };
+        let (id, zero) = started(a).or_else(|| started(b))?;
+        let vector = |e: &Expr| matches!(self.store.shallow(&e.ty), Type::Vector(_));
+        if !vector(a) && !vector(b) {
+            return None;
+        }
+        let name = &self.variable(id).name;
+        Some(
+            Diagnostic::error("E0301", message, b.span, format!("`{name}` is a number"))
+                .label(zero, "the number 0")
+                .help(format!("start `{name}` with the null vector: `0 * e1`"))
+                .suggest("write `0 * e1`", zero, "0 * e1"),
+        )
     }
 
     pub(super) fn dimension_mismatch(
@@ -173,9 +198,15 @@ impl Checker<'_> {
     /// Describes the factor between two dimensions: multiply or divide by a common quantity if
     /// possible, otherwise the product of base dimensions.
     fn missing_factor(&self, wanted: &Type, got: &Type) -> Option<String> {
-        let known = |ty: &Type| match self.store.resolve(ty) {
-            Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
-            _ => None,
+        let known = |ty: &Type| {
+            let mut ty = self.store.resolve(ty);
+            while let Type::Array(element) = ty {
+                ty = *element;
+            }
+            match ty {
+                Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
+                _ => None,
+            }
         };
         let missing = known(wanted)?.over(known(got)?).without_angle();
         let inverse = missing.power(Rational::integer(-1))?;

@@ -18,6 +18,7 @@ mod axes;
 mod builtin_calls;
 pub(crate) mod builtins;
 mod calls;
+mod collections;
 mod constant;
 mod constraints;
 mod consts;

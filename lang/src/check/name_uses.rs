@@ -17,6 +17,10 @@ impl Checker<'_> {
     pub(super) fn name(&mut self, name: &ast::Ident, span: Span) -> Expr {
         let res = self.names.uses.get(&name.span).copied().unwrap_or(Resolution::Unknown);
         let (kind, ty) = match res {
+            Resolution::Var(id) if self.elements.contains_key(&id) => {
+                let id = self.elements[&id];
+                (Kind::Var(id), self.variable_type(id))
+            }
             Resolution::Var(id) => return self.variable_use(id, span),
             Resolution::Param(id) => self.param_use(id, span),
             Resolution::Output(id) => match self.output_defs.get(&id).copied() {

@@ -326,6 +326,10 @@ impl<'a> Resolver<'a> {
                 self.place(place);
                 self.expr(value);
             }
+            StmtKind::Update { place, value, .. } => {
+                self.place(place);
+                self.expr(value);
+            }
             StmtKind::Expr(e) => self.expr(e),
             StmtKind::Function(decl) => self.function(decl),
             StmtKind::Block(statements) => self.scoped(|r| {
@@ -353,6 +357,13 @@ impl<'a> Resolver<'a> {
                 r.statement(step, false);
                 r.nested(body);
             }),
+            StmtKind::ForEach { variable, values, body } => {
+                self.values(values);
+                self.scoped(|r| {
+                    r.element(variable);
+                    r.nested(body);
+                });
+            }
             StmtKind::Switch { value, body } => {
                 self.expr(value);
                 self.nested(body);

@@ -23,12 +23,19 @@ impl<'a> Checker<'a> {
                         decl.default.span,
                         format!("`{name}` is a {} by its default", self.store.show(&ty)),
                     ));
+                    // The range of an array holds for each element.
+                    let limit = self.scalar(&ty);
                     for (end, e) in [(&mut low, l), (&mut high, h)] {
                         if let Some(e) = e {
                             let e = self.whole(e);
                             let number = self.fresh_number();
                             self.expect(&number, &e, "a limit of a range", None);
-                            self.expect(&ty, &e, &format!("a limit of the range of `{name}`"), cause.clone());
+                            self.expect(
+                                &limit,
+                                &e,
+                                &format!("a limit of the range of `{name}`"),
+                                cause.clone(),
+                            );
                             *end = Some(e);
                         }
                     }
@@ -81,7 +88,11 @@ impl<'a> Checker<'a> {
         for index in 0..self.params.len() {
             let (ty, span) = (self.store.resolve(&self.params[index].ty), self.params[index].span);
             let decl = self.names.params[index].0;
-            match &ty {
+            let element = match &ty {
+                Type::Array(element) => self.store.resolve(element),
+                other => other.clone(),
+            };
+            match &element {
                 Type::Number(dim) => {
                     let dimension = dim.as_known().unwrap_or(Dimension::NONE);
                     let written = self
@@ -91,10 +102,10 @@ impl<'a> Checker<'a> {
                     self.params[index].whole &= dimension.is_none();
                     self.params[index].unit = Some(written);
                 }
-                Type::Bool | Type::String | Type::Error => self.params[index].whole = false,
-                Type::Unknown(_) => {}
-                other => {
-                    let shown = with_article(&self.store.show(other));
+                Type::Bool | Type::String | Type::Error if element == ty => self.params[index].whole = false,
+                Type::Unknown(_) if element == ty => {}
+                _ => {
+                    let shown = with_article(&self.store.show(&ty));
                     self.report(
                         Diagnostic::error(
                             "E0312",
@@ -102,7 +113,7 @@ impl<'a> Checker<'a> {
                             span,
                             "declared here",
                         )
-                        .help("params are numbers, truth values and strings"),
+                        .help("params are numbers, arrays of numbers, truth values and strings"),
                     );
                 }
             }
@@ -148,6 +159,7 @@ fn is_whole(e: &ast::Expr) -> bool {
         ExprKind::Number(value) => value.fract() == 0.0,
         ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => is_whole(operand),
         ExprKind::Paren(inner) => is_whole(inner),
+        ExprKind::List(all) => !all.is_empty() && all.iter().all(is_whole),
         _ => false,
     }
 }

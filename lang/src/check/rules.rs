@@ -36,15 +36,18 @@ rules! {
     MultiplyNumbers "Number(a) * Number(b) is Number(a*b)"
     MultiplyNumberVector "Number(a) * Vector(b) is Vector(a*b)"
     MultiplyVectorNumber "Vector(a) * Number(b) is Vector(a*b)"
+    MultiplyArray "a product of a number and an array is the array of the products"
     MultiplyFrames "Transform * Transform is Transform"
     MultiplyFramePoint "Transform * Vector(Length) is Vector(Length)"
     MultiplyOpen "a product of unknown types is a pending constraint"
     MultiplyRefused "other types cannot be multiplied"
     DivideNumbers "Number(a) / Number(b) is Number(a/b)"
+    DivideArray "a quotient of an array and a number is the array of the quotients"
     DivideVector "Vector(a) / Number(b) is Vector(a/b)"
     DivideOpen "a quotient of unknown types is a pending constraint"
     DivideRefused "other types cannot be divided"
     AddNumbers "numbers with the same dimension can be added"
+    AddArrays "arrays are added element by element"
     AddVectors "vectors with the same dimension can be added"
     AddOpen "a sum of unknown types is a pending constraint"
     AddRefused "other types cannot be added"
@@ -161,6 +164,7 @@ pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: i
                 (Type::Number(_), Type::Number(_)) => Some(MultiplyNumbers),
                 (Type::Number(_), Type::Vector(_)) => Some(MultiplyNumberVector),
                 (Type::Vector(_), Type::Number(_)) => Some(MultiplyVectorNumber),
+                (Type::Array(_), _) | (_, Type::Array(_)) => Some(MultiplyArray),
                 (Type::Transform, Type::Transform) => Some(MultiplyFrames),
                 (Type::Transform, Type::Vector(_)) => Some(MultiplyFramePoint),
                 _ => None,
@@ -168,11 +172,13 @@ pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: i
             Divide(a, _, _) => match shallow(a) {
                 Type::Number(_) => Some(DivideNumbers),
                 Type::Vector(_) => Some(DivideVector),
+                Type::Array(_) => Some(DivideArray),
                 _ => None,
             },
             Additive(a) => match shallow(a) {
                 Type::Number(_) => Some(AddNumbers),
                 Type::Vector(_) => Some(AddVectors),
+                Type::Array(_) => Some(AddArrays),
                 _ => None,
             },
             Comparable(a) => match shallow(a) {

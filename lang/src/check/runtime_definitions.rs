@@ -101,9 +101,11 @@ impl<'a> Checker<'a> {
                 self.bound_in_functions(then, found);
                 otherwise.iter().for_each(|s| self.bound_in_functions(s, found));
             }
-            While { body, .. } | DoWhile { body, .. } | Switch { body, .. } | For { body, .. } => {
-                self.bound_in_functions(body, found)
-            }
+            While { body, .. }
+            | DoWhile { body, .. }
+            | Switch { body, .. }
+            | For { body, .. }
+            | ForEach { body, .. } => self.bound_in_functions(body, found),
             Case { statement, .. } | Default(statement) | Label { statement, .. } => {
                 self.bound_in_functions(statement, found)
             }
@@ -147,7 +149,7 @@ impl<'a> Checker<'a> {
                 )
                 .label(self.variable(*id).span, "declared here")
                 .help(format!(
-                    "bind with `:=` to keep `Time`, or evaluate at a time: `{name} at Time = 0.1 s`"
+                    "bind the result with `:=`, too, or evaluate at a time: `{name} at Time = 0.1 s`"
                 )),
             );
         }

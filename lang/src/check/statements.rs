@@ -4,7 +4,7 @@ use super::builtins::Builtin;
 use super::constant;
 use super::dependence::Region;
 use super::infer::Checker;
-use super::symbols::{Resolution, VarKind, similar};
+use super::symbols::{Resolution, VarKind, similar, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, Bind, ExprKind};
@@ -56,6 +56,9 @@ impl<'a> Checker<'a> {
             },
             Ast::Var(decls) => self.variables(decls),
             Ast::Assign { place, bind, value } => self.assign(place, *bind, value),
+            Ast::Update { place, op, op_span, value } => {
+                self.update(place, (*op, *op_span), value, statement.span)
+            }
             Ast::Expr(e) => self.expression(e),
             Ast::Function(decl) => {
                 if let Some(Resolution::Function(id)) = self.names.uses.get(&decl.name.span) {
@@ -71,6 +74,9 @@ impl<'a> Checker<'a> {
             Ast::DoWhile { body, condition } => self.do_while_loop(body, condition),
             Ast::For { init, condition, step, body } => {
                 self.for_loop(init, condition.as_ref(), step, body)
+            }
+            Ast::ForEach { variable, values, body } => {
+                self.for_each(variable, values, body)
             }
             Ast::Switch { value, body } => self.switch(value, body),
             Ast::Case { value, statement: inner } => {
@@ -233,14 +239,14 @@ impl<'a> Checker<'a> {
     }
 
     /// Records the dependences of a value assigned to a place.
-    fn assigned(&mut self, place: &Place, value: &Expr) {
+    pub(super) fn assigned(&mut self, place: &Place, value: &Expr) {
         self.note_circular(place.variable, value);
         let owner = self.variable(place.variable).owner;
         self.dependence.assigned(place, owner, value);
     }
 
     /// Checks a complete value that is stored or returned.
-    fn stored(&mut self, e: &'a ast::Expr) -> Expr {
+    pub(super) fn stored(&mut self, e: &'a ast::Expr) -> Expr {
         let value = self.whole(e);
         if matches!(self.store.shallow(&value.ty), Type::Unit) {
             self.report(
@@ -269,6 +275,9 @@ impl<'a> Checker<'a> {
             }
             Some((Bind::Symbolic, value)) => self.bind(id, value),
             Some((Bind::Evaluate, value)) => {
+                if matches!(value.kind, ExprKind::Number(0.0)) {
+                    self.zero_starts.insert(id, value.span);
+                }
                 let value = self.stored(value);
                 let ty = self.variable_type(id);
                 self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
@@ -299,6 +308,13 @@ impl<'a> Checker<'a> {
         };
         let value = self.stored(value);
         let Some(target) = target else { return StmtKind::Nothing };
+        self.expect_stored(&target, &value);
+        self.assigned(&target, &value);
+        StmtKind::Assign(target, value)
+    }
+
+    /// Requires that a value has the type of the place that it is assigned to.
+    fn expect_stored(&mut self, target: &Place, value: &Expr) {
         let variable = self.variable(target.variable).clone();
         let what = match target.steps.is_empty() {
             true => format!("`{}`", variable.name),
@@ -306,9 +322,30 @@ impl<'a> Checker<'a> {
         };
         let shown = self.variable_type(target.variable);
         let cause = (variable.span, format!("`{}` is a {}", variable.name, self.store.show(&shown)));
-        self.expect(&target.ty.clone(), &value, &what, Some(cause));
+        self.expect(&target.ty, value, &what, Some(cause));
+    }
+
+    /// Checks `place += value` and the like.
+    fn update(
+        &mut self,
+        place: &'a ast::Expr,
+        (op, op_span): (BinaryOp, Span),
+        value: &'a ast::Expr,
+        span: Span,
+    ) -> StmtKind {
+        if let Some(id) = self.symbolic_target(place) {
+            self.report(self.keeps_expression(id, place.span));
+            self.expr(value);
+            return StmtKind::Nothing;
+        }
+        let target = self.place(place);
+        let value = self.expr(value);
+        let Some(target) = target else { return StmtKind::Nothing };
+        let present = Expr { kind: Kind::Updated(target.variable), ty: target.ty.clone(), span: place.span };
+        let value = self.combined(op, op_span, present, value, span);
+        self.expect_stored(&target, &value);
         self.assigned(&target, &value);
-        StmtKind::Assign(target, value)
+        StmtKind::Update(target, value)
     }
 
     fn rebind(&mut self, place: &'a ast::Expr, value: &'a ast::Expr) -> StmtKind {
@@ -380,10 +417,18 @@ impl<'a> Checker<'a> {
         let place = self.place(array);
         let value = self.stored(value);
         let Some(place) = place else { return StmtKind::Nothing };
-        let cause = (place.span, format!("this is an {}", self.store.show(&place.ty)));
-        let array = Type::array(value.ty.clone());
-        let pushed = Expr { kind: Kind::Error, ty: array, span: value.span };
-        self.expect(&place.ty.clone(), &pushed, "what is pushed, as an array,", Some(cause));
+        let cause = (place.span, format!("this is {}", with_article(&self.store.show(&place.ty))));
+        let element = match self.store.shallow(&place.ty) {
+            Type::Array(element) => *element,
+            _ => {
+                let element = self.store.fresh();
+                let present = Expr { kind: Kind::Error, ty: place.ty.clone(), span: place.span };
+                self.expect(&Type::array(element.clone()), &present, "the first argument of `push`", None);
+                element
+            }
+        };
+        let what = format!("an element of `{}`", self.text(place.span));
+        self.expect(&element, &value, &what, Some(cause));
         self.assigned(&place, &value);
         StmtKind::Push(place, value)
     }

@@ -99,7 +99,7 @@ impl<'a> Checker<'a> {
                 )
                 .label(bound, "bound to this expression")
                 .help(format!(
-                    "bind with `:=` to keep `Time`, or evaluate at a time: `{name} at Time = 0.1 s`"
+                    "bind the result with `:=`, too, or evaluate at a time: `{name} at Time = 0.1 s`"
                 ))
             };
             self.report(diagnostic);

@@ -274,7 +274,14 @@ fn parts(e: &ast::Expr) -> Vec<&ast::Expr> {
         ExprKind::At { value, at, .. } => vec![value, at],
         ExprKind::If { condition, then, otherwise } => vec![condition, then, otherwise],
         ExprKind::Call { arguments, .. } => arguments.iter().map(|argument| &argument.value).collect(),
-        ExprKind::List(all) => all.iter().collect(),
+        ExprKind::List(all) | ExprKind::Measured { elements: all, .. } => all.iter().collect(),
+        ExprKind::Slice { base, low, high } => {
+            low.iter().chain(high).chain([base]).map(|part| &**part).collect()
+        }
+        ExprKind::Comprehension(parts) => {
+            let inside = parts.condition.iter().chain([&parts.element]);
+            parts.values.expressions().into_iter().chain(inside).collect()
+        }
         _ => Vec::new(),
     }
 }

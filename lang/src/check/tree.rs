@@ -82,6 +82,14 @@ pub enum Kind {
     Array(Vec<Expr>),
     Tuple(Vec<Expr>),
     Index(Box<Expr>, Box<Expr>),
+    /// Executes statements that assign hidden variables, then has the value of the expression.
+    Sequence(Vec<Stmt>, Box<Expr>),
+    /// The value that [`StmtKind::Update`] replaces, in a place of this variable.
+    Updated(VarId),
+    /// The sum of no terms: `0`, or the null vector.
+    Zero,
+    /// A function of the runtime without effects.
+    Standard(Standard, Vec<Expr>),
     /// An element of a tuple, or a field of a record.
     TupleElement(Box<Expr>, usize),
     /// A field of a record or a component of a vector; the types of a call determine which.
@@ -95,6 +103,22 @@ pub enum Kind {
     /// The gradient: derivatives in brackets.
     Gradient(Box<Expr>, Vec<Sym>),
     At(Box<Expr>, Sym, Box<Expr>),
+}
+
+/// A function of the runtime that expressions call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standard {
+    /// Returns the start of a range, which must be an integer.
+    RangeStart,
+    /// Returns the end of a range, which must be an integer or infinite.
+    RangeEnd,
+    /// Returns the end of a slice: checks its start and its end against the length of the array.
+    SliceEnd,
+    /// The smallest and the largest element of an array of numbers.
+    Smallest,
+    Largest,
+    /// The elements of an array of numbers in ascending order.
+    Sort,
 }
 
 #[derive(Clone, Debug)]
@@ -182,6 +206,8 @@ pub enum StmtKind {
     /// No operation: a declaration, or a statement that was already reported.
     Nothing,
     Assign(Place, Expr),
+    /// Assigns a value computed from the present one, [`Kind::Updated`].
+    Update(Place, Expr),
     /// Executes a `:=`: stores its captures, and the expression itself if the name is selected at
     /// run time.
     Bind(VarId, DefId),
@@ -362,7 +388,15 @@ impl Expr {
             | Kind::Time
             | Kind::Def(_)
             | Kind::Chosen(_)
+            | Kind::Updated(_)
+            | Kind::Zero
             | Kind::MakeSymbolic(_) => Vec::new(),
+            Kind::Sequence(statements, value) => {
+                let mut all = Vec::new();
+                statements.iter().for_each(|s| s.walk(&mut |s| all.extend(s.expressions())));
+                all.push(value);
+                all
+            }
             Kind::Eval(_, time) => time.iter().map(|e| &**e).collect(),
             Kind::Observe(a)
             | Kind::Unary(_, a)
@@ -378,6 +412,7 @@ impl Expr {
             Kind::Op(_, all)
             | Kind::CallExtern(_, all, _)
             | Kind::Print(all, _)
+            | Kind::Standard(_, all)
             | Kind::Array(all)
             | Kind::Tuple(all) => all.iter().collect(),
             Kind::Call(call) | Kind::SymbolicCall(call) => {
@@ -428,9 +463,9 @@ impl Stmt {
     /// Returns the expressions of this statement, without those of nested statements.
     pub fn expressions(&self) -> Vec<&Expr> {
         match &self.kind {
-            StmtKind::Assign(place, value) | StmtKind::Push(place, value) => {
-                place.indices().chain([value]).collect()
-            }
+            StmtKind::Assign(place, value)
+            | StmtKind::Update(place, value)
+            | StmtKind::Push(place, value) => place.indices().chain([value]).collect(),
             StmtKind::Eval(e)
             | StmtKind::If(e, ..)
             | StmtKind::While(e, _)

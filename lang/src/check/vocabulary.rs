@@ -250,10 +250,11 @@ impl<'a> Checker<'a> {
     pub(super) fn written_unit(&mut self, e: &ast::Expr) -> Option<DisplayUnit> {
         match &e.kind {
             ExprKind::Number(_) => Some(pure()),
-            ExprKind::Quantity { unit, exponent, .. } => {
+            ExprKind::Quantity { unit, exponent, .. } | ExprKind::Measured { unit, exponent, .. } => {
                 let unit = self.unit_named(unit)?;
                 powered(&unit, *exponent)
             }
+            ExprKind::List(elements) => self.written_unit(elements.first()?),
             ExprKind::Name(name) => self.unit_named(name),
             ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => self.written_unit(inner),
             ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => {

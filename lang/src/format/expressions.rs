@@ -3,7 +3,7 @@
 
 use super::document::Item;
 use super::printer::{Layout, Printer};
-use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, UnaryOp};
+use crate::ast::{Argument, BinaryOp, Bind, Comprehension, Expr, ExprKind, UnaryOp, Values};
 use crate::lexer::Kind;
 use crate::units::Unit;
 
@@ -15,14 +15,13 @@ impl Printer<'_> {
             ExprKind::Number(_) => self.token(Kind::Number),
             ExprKind::Quantity { exponent_span, .. } => {
                 self.token(Kind::Number);
-                self.space();
-                // A name or `%`.
-                self.any_token();
-                if exponent_span.is_some() {
-                    self.token(Kind::Caret);
-                    self.exponent();
-                }
+                self.unit_after(exponent_span.is_some());
             }
+            ExprKind::Measured { elements, exponent_span, .. } => {
+                self.list(elements);
+                self.unit_after(exponent_span.is_some());
+            }
+            ExprKind::Comprehension(parts) => self.group(|p| p.comprehension(parts)),
             ExprKind::Bool(value) => self.token(if *value { Kind::True } else { Kind::False }),
             ExprKind::String(_) => self.string(),
             ExprKind::Name(_) => self.token(Kind::Identifier),
@@ -44,6 +43,12 @@ impl Printer<'_> {
                 self.expression(base);
                 self.token(Kind::OpenBracket);
                 self.expression(index);
+                self.token(Kind::CloseBracket);
+            }
+            ExprKind::Slice { base, low, high } => {
+                self.expression(base);
+                self.token(Kind::OpenBracket);
+                self.range(low.as_deref(), high.as_deref());
                 self.token(Kind::CloseBracket);
             }
             ExprKind::Unary { op, operand } => {
@@ -81,10 +86,68 @@ impl Printer<'_> {
         }
     }
 
+    /// Formats ` inch^2` after a number or brackets.
+    fn unit_after(&mut self, raised: bool) {
+        self.space();
+        // A name or `%`.
+        self.any_token();
+        if raised {
+            self.token(Kind::Caret);
+            self.exponent();
+        }
+    }
+
+    /// Formats `[element for x in values if condition]`.
+    fn comprehension(&mut self, parts: &Comprehension) {
+        self.token(Kind::OpenBracket);
+        self.expression(&parts.element);
+        self.line();
+        self.token(Kind::For);
+        self.space();
+        self.token(Kind::Identifier);
+        self.space();
+        self.token(Kind::In);
+        self.space();
+        self.values(&parts.values);
+        if let Some(condition) = &parts.condition {
+            self.line();
+            self.token(Kind::If);
+            self.space();
+            self.expression(condition);
+        }
+        self.token(Kind::CloseBracket);
+    }
+
+    /// Formats `array` or `low .. high` after the `in` of a loop.
+    pub(super) fn values(&mut self, values: &Values) {
+        match values {
+            Values::Elements(array) => self.expression(array),
+            Values::Range(low, high) => self.range(Some(low), Some(high)),
+        }
+    }
+
+    /// Formats `low .. high`.
+    fn range(&mut self, low: Option<&Expr>, high: Option<&Expr>) {
+        if let Some(low) = low {
+            self.expression(low);
+            self.space();
+        }
+        self.token(Kind::DotDot);
+        if let Some(high) = high {
+            self.space();
+            self.expression(high);
+        }
+    }
+
     /// Formats the value after `=` or `:=`.
     pub(super) fn value(&mut self, bind: Bind, e: &Expr) {
         self.space();
         self.bind(bind);
+        self.assigned(e);
+    }
+
+    /// Formats the value after the operator of an assignment.
+    pub(super) fn assigned(&mut self, e: &Expr) {
         // Otherwise the value starts on the same line and breaks inside.
         let below = self.comment_ahead();
         if below {
@@ -218,7 +281,11 @@ fn argument_layout(arguments: &[Argument]) -> Layout {
 fn breaks_inside(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Unary { operand, .. } => breaks_inside(operand),
-        ExprKind::Call { .. } | ExprKind::List(_) | ExprKind::Binary { .. } | ExprKind::Paren(_) => true,
+        ExprKind::Call { .. }
+        | ExprKind::List(_)
+        | ExprKind::Comprehension(_)
+        | ExprKind::Binary { .. }
+        | ExprKind::Paren(_) => true,
         _ => false,
     }
 }
@@ -238,6 +305,9 @@ fn is_short(e: &Expr) -> bool {
         ExprKind::Error
         | ExprKind::Call { .. }
         | ExprKind::List(_)
+        | ExprKind::Measured { .. }
+        | ExprKind::Comprehension(_)
+        | ExprKind::Slice { .. }
         | ExprKind::If { .. }
         | ExprKind::At { .. }
         | ExprKind::Paren(_) => false,
@@ -250,7 +320,7 @@ fn is_leaf(e: &Expr) -> bool {
 
 fn is_quantity(e: &Expr) -> bool {
     match &e.kind {
-        ExprKind::Quantity { .. } => true,
+        ExprKind::Quantity { .. } | ExprKind::Measured { .. } => true,
         ExprKind::Unary { operand, .. } => is_quantity(operand),
         _ => false,
     }

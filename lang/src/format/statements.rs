@@ -3,7 +3,7 @@
 
 use super::document::Item;
 use super::printer::Printer;
-use crate::ast::{Bind, Expr, Ident, Module, Stmt, StmtKind};
+use crate::ast::{BinaryOp, Bind, Expr, Ident, Module, Stmt, StmtKind};
 use crate::lexer::Kind;
 
 impl Printer<'_> {
@@ -49,7 +49,7 @@ impl Printer<'_> {
             StmtKind::Dimension { value, .. } => self.dimension(value.is_some()),
             StmtKind::Unit(unit) => self.unit(unit),
             StmtKind::Output { value, .. } => self.named_value(Kind::Output, Bind::Symbolic, value),
-            StmtKind::Var(_) | StmtKind::Assign { .. } | StmtKind::Expr(_) => {
+            StmtKind::Var(_) | StmtKind::Assign { .. } | StmtKind::Update { .. } | StmtKind::Expr(_) => {
                 self.simple(statement);
                 self.token(Kind::Semicolon);
             }
@@ -79,6 +79,19 @@ impl Printer<'_> {
             }
             StmtKind::For { init, condition, step, body } => {
                 self.for_loop(init, condition.as_ref(), step, body);
+            }
+            StmtKind::ForEach { values, body, .. } => {
+                self.headed(body, |p| {
+                    p.token(Kind::For);
+                    p.space();
+                    p.token(Kind::OpenParen);
+                    p.token(Kind::Identifier);
+                    p.space();
+                    p.token(Kind::In);
+                    p.space();
+                    p.values(values);
+                    p.token(Kind::CloseParen);
+                });
             }
             StmtKind::Switch { value, body } => {
                 self.headed(body, |p| {
@@ -187,6 +200,17 @@ impl Printer<'_> {
             StmtKind::Assign { place, bind, value } => {
                 self.expression(place);
                 self.value(*bind, value);
+            }
+            StmtKind::Update { place, op, value, .. } => {
+                self.expression(place);
+                self.space();
+                self.token(match op {
+                    BinaryOp::Subtract => Kind::SubtractAssign,
+                    BinaryOp::Multiply => Kind::MultiplyAssign,
+                    BinaryOp::Divide => Kind::DivideAssign,
+                    _ => Kind::AddAssign,
+                });
+                self.assigned(value);
             }
             StmtKind::Expr(e) => self.expression(e),
             _ => {}
@@ -320,6 +344,7 @@ fn is_plain(statement: &Stmt) -> bool {
         StmtKind::Empty
         | StmtKind::Var(_)
         | StmtKind::Assign { .. }
+        | StmtKind::Update { .. }
         | StmtKind::Expr(_)
         | StmtKind::Goto(_)
         | StmtKind::Break
@@ -340,6 +365,7 @@ fn is_plain(statement: &Stmt) -> bool {
         | StmtKind::If { .. }
         | StmtKind::DoWhile { .. }
         | StmtKind::For { .. }
+        | StmtKind::ForEach { .. }
         | StmtKind::Switch { .. }
         | StmtKind::Case { .. }
         | StmtKind::Default(_)

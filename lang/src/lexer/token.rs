@@ -68,6 +68,10 @@ pub enum Kind {
     DotDot,
     Assign,
     Bind,
+    AddAssign,
+    SubtractAssign,
+    MultiplyAssign,
+    DivideAssign,
     Arrow,
     Plus,
     Minus,
@@ -119,6 +123,19 @@ impl Kind {
                 | Kind::CloseParen
                 | Kind::CloseBracket
                 | Kind::Percent
+        )
+    }
+
+    /// Returns `true` for `=`, `:=`, `+=` and the like.
+    pub fn assigns(self) -> bool {
+        matches!(
+            self,
+            Kind::Assign
+                | Kind::Bind
+                | Kind::AddAssign
+                | Kind::SubtractAssign
+                | Kind::MultiplyAssign
+                | Kind::DivideAssign
         )
     }
 
@@ -204,6 +221,10 @@ pub(super) const SYMBOLS: &[Spelling] = &[
     ("..", Kind::DotDot, "`..`"),
     (":=", Kind::Bind, "`:=`"),
     ("->", Kind::Arrow, "`->`"),
+    ("+=", Kind::AddAssign, "`+=`"),
+    ("-=", Kind::SubtractAssign, "`-=`"),
+    ("*=", Kind::MultiplyAssign, "`*=`"),
+    ("/=", Kind::DivideAssign, "`/=`"),
     ("<=", Kind::LessEqual, "`<=`"),
     (">=", Kind::GreaterEqual, "`>=`"),
     ("==", Kind::Equal, "`==`"),

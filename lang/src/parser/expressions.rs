@@ -1,12 +1,13 @@
 //! Parses expressions, literals and argument lists.
 
+use super::brackets::{brackets, element, items, list, values};
 use super::recovery::{
     Reader, advance_to, assigns_on_new_line, close, expect, identifier, in_value, index_of, name, position,
     when,
 };
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule};
-use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Format, Ident, StringPart, UnaryOp};
+use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Format, Ident, StringPart, UnaryOp, Values};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{Kind, unescape};
 use crate::span::Span;
@@ -27,6 +28,8 @@ pub(super) struct Expressions<'a> {
     pub condition: Rule<'a, Expr>,
     /// The elements of `[a, b, c]`, without the node around them.
     pub list: Rule<'a, Vec<Expr>>,
+    /// `array` or `low .. high`, after the `in` of a loop.
+    pub values: Rule<'a, Values>,
 }
 
 // From lowest to highest precedence; `at` has a lower precedence than all of these and is not an
@@ -50,13 +53,13 @@ pub(super) fn expressions<'a>(source: &'a Source<'a>) -> Expressions<'a> {
     let any = full.boxed();
     let condition = condition(source, any.clone());
     let list = list(source, any.clone());
-    Expressions { operators: operators(source, any.clone()), full: any, condition, list }
+    let values = values(any.clone());
+    Expressions { operators: operators(source, any.clone()), full: any, condition, list, values }
 }
 
 /// Parses operators and their operands, without `at`.
 fn operators<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
     let rule = recursive(|operators| {
-        let list = list(source, any.clone());
         let condition = condition(source, any.clone());
         let atom = choice((
             number(source),
@@ -64,7 +67,7 @@ fn operators<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> 
             boolean(source),
             variable(source),
             parenthesised(source, any.clone()),
-            spanned(source, list.map(ExprKind::List)),
+            brackets(source, any.clone()),
             conditional(source, condition, any.clone(), operators.boxed()),
             missing(source),
         ))
@@ -113,25 +116,33 @@ fn number<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
         input.next();
         // The lexer has already reported malformed numbers.
         let value = source.text(at).parse().unwrap_or(f64::NAN);
-        let unit_at = at + 1;
-        let is_unit = match source.kind(unit_at) {
-            Some(Kind::Percent) => true,
-            // A name on the next line more likely starts a statement after a missing `;`.
-            Some(Kind::Identifier) => {
-                !source.begins_line(unit_at) || Unit::find(source.text(unit_at)).is_some()
-            }
-            _ => false,
-        };
-        if !is_unit {
+        let Some((unit, exponent, exponent_span)) = unit_after(source, input) else {
             return Ok(Expr { kind: ExprKind::Number(value), span: source.place(at) });
-        }
-        input.next();
-        let (exponent, exponent_span) = unit_exponent(source, input);
-        let unit = source.ident(unit_at);
+        };
         let span = source.place(at).to(exponent_span.unwrap_or(unit.span));
         Ok(Expr { kind: ExprKind::Quantity { value, unit, exponent, exponent_span }, span })
     })
     .boxed()
+}
+
+/// Parses a unit and its exponent after a number or after brackets, if there is one.
+pub(super) fn unit_after<'a>(
+    source: &'a Source<'a>,
+    input: &mut Reader<'a, '_>,
+) -> Option<(Ident, i32, Option<Span>)> {
+    let at = position(input);
+    let is_unit = match source.kind(at) {
+        Some(Kind::Percent) => true,
+        // A name on the next line more likely starts a statement after a missing `;`.
+        Some(Kind::Identifier) => !source.begins_line(at) || Unit::find(source.text(at)).is_some(),
+        _ => false,
+    };
+    if !is_unit {
+        return None;
+    }
+    input.next();
+    let (exponent, exponent_span) = unit_exponent(source, input);
+    Some((source.ident(at), exponent, exponent_span))
 }
 
 /// Parses `^2` or `^-1` after a unit.
@@ -155,7 +166,9 @@ fn unit_exponent<'a>(source: &'a Source<'a>, input: &mut Reader<'a, '_>) -> (i32
     let mut problem =
         Diagnostic::error("E0121", "the exponent of a unit must be an integer", span, "not an integer")
             .help("put the quantity in parentheses to raise all of it to a power: `(2 inch)^x`");
-    if let (Some(unit), Some(number)) = (caret.checked_sub(1), caret.checked_sub(2)) {
+    if let (Some(unit), Some(number)) = (caret.checked_sub(1), caret.checked_sub(2))
+        && source.kind(number) == Some(Kind::Number)
+    {
         let raised = format!("({} {})", source.text(number), source.text(unit));
         let place = source.place(number).to(source.place(unit));
         problem = problem.suggest(format!("raise `{raised}`"), place, raised);
@@ -270,6 +283,10 @@ fn variable<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
             Some(
                 Kind::Assign
                     | Kind::Bind
+                    | Kind::AddAssign
+                    | Kind::SubtractAssign
+                    | Kind::MultiplyAssign
+                    | Kind::DivideAssign
                     | Kind::Plus
                     | Kind::Minus
                     | Kind::Star
@@ -299,23 +316,6 @@ fn parenthesised<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Ex
         "an operator or `)`",
     ));
     spanned(source, inner.map(|e| ExprKind::Paren(Box::new(e))))
-}
-
-/// Parses items up to a closing bracket; a trailing comma is allowed.
-fn items<'a, T: 'a>(source: &'a Source<'a>, item: Rule<'a, T>) -> Rule<'a, Vec<T>> {
-    when(move |at| may_begin(source.kind(at)))
-        .ignore_then(item)
-        .separated_by(just(Kind::Comma))
-        .allow_trailing()
-        .collect()
-        .boxed()
-}
-
-fn list<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Expr>> {
-    just(Kind::OpenBracket)
-        .ignore_then(items(source, any))
-        .then_ignore(close(source, Kind::CloseBracket, "`,` or `]`"))
-        .boxed()
 }
 
 fn arguments<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Argument>> {
@@ -396,10 +396,10 @@ fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
         let doubled = at >= 2 && source.touches_previous(at - 1) && source.previous(at - 1) == before;
         problem.help = match (before, source.kind(at)) {
             (Some(Kind::Plus | Kind::Minus), _) if doubled => {
-                Some("write `i = i + 1`; there is no `++` or `--`".into())
+                Some("write `i += 1`; there is no `++` or `--`".into())
             }
             (Some(Kind::Plus | Kind::Minus | Kind::Star | Kind::Slash), Some(Kind::Assign)) => {
-                Some("write `a = a + b`; there is no `+=`".into())
+                Some("write `+=` without a space".into())
             }
             (Some(Kind::Star), Some(Kind::Star)) => Some("write a power as `a^b`".into()),
             _ => None,
@@ -441,9 +441,10 @@ fn divided_quantity(left: &Expr, op: BinaryOp, right: &Expr) -> Option<Diagnosti
 }
 
 /// A suffix of an operand.
-enum Suffix {
+pub(super) enum Suffix {
     Call(Vec<Argument>),
     Index(Expr),
+    Slice(Option<Expr>, Option<Expr>),
     Field(Option<Ident>),
 }
 
@@ -488,10 +489,7 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
     });
     let suffix = choice((
         arguments(source, any.clone()).map(Suffix::Call),
-        just(Kind::OpenBracket)
-            .ignore_then(any)
-            .then_ignore(close(source, Kind::CloseBracket, "`]`"))
-            .map(Suffix::Index),
+        element(source, any),
         just(Kind::Dot).ignore_then(no_field.or(name(source, "the field"))).map(Suffix::Field),
     ))
     .map_with(|suffix, extra| (suffix, source.range(extra.span())))
@@ -504,6 +502,9 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
             let kind = match suffix {
                 Suffix::Call(arguments) => ExprKind::Call { callee: base, arguments },
                 Suffix::Index(index) => ExprKind::Index { base, index: Box::new(index) },
+                Suffix::Slice(low, high) => {
+                    ExprKind::Slice { base, low: low.map(Box::new), high: high.map(Box::new) }
+                }
                 Suffix::Field(Some(field)) => ExprKind::Field { base, field },
                 Suffix::Field(None) => ExprKind::Error,
             };

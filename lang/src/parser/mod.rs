@@ -6,6 +6,7 @@
 //! hide others and there is always a tree. Rules are boxed, because the types of unboxed rules take
 //! minutes to compile.
 
+mod brackets;
 pub(crate) mod chunks;
 mod declarations;
 mod definitions;

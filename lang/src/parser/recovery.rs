@@ -89,20 +89,20 @@ pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, O
     .boxed()
 }
 
-/// Returns `true` if a token starts a line with an assignment, `name = ...` or `name := ...`. If a
-/// value is missing before it, this line is a separate statement and the one above is incomplete.
+/// Returns `true` if a token starts a line with an assignment, such as `name = ...`. If a value is
+/// missing before it, this line is a separate statement and the one above is incomplete.
 pub(super) fn assigns_on_new_line(source: &Source<'_>, at: usize) -> bool {
     source.kind(at) == Some(Kind::Identifier)
-        && matches!(source.kind(at + 1), Some(Kind::Assign | Kind::Bind))
+        && source.kind(at + 1).is_some_and(Kind::assigns)
         && source.begins_line(at)
 }
 
-/// Returns `true` if a `=`, `:=`, `return` or `throw` precedes a token in its statement.
+/// Returns `true` if a `=`, `:=`, `+=`, `return` or `throw` precedes a token in its statement.
 pub(super) fn in_value(source: &Source<'_>, at: usize) -> bool {
     let before = (0..at).rev().map_while(|i| source.kind(i));
     before
         .take_while(|k| !matches!(k, Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace))
-        .any(|k| matches!(k, Kind::Assign | Kind::Bind | Kind::Return | Kind::Throw))
+        .any(|k| k.assigns() || matches!(k, Kind::Return | Kind::Throw))
 }
 
 /// Parses the `;` at the end of a statement. If it is missing, it is reported and the next
@@ -174,8 +174,7 @@ fn unknown_word(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     })
 }
 
-/// Adds a fix for `i++`, `a += b` and `a ** b` to the error for a missing operand, if the change is
-/// certain.
+/// Adds a fix for `i++` and `a ** b` to the error for a missing operand, if the change is certain.
 pub(super) fn foreign_operator(source: &Source<'_>, at: usize, problem: Diagnostic) -> Diagnostic {
     let ends = |index| {
         matches!(source.kind(index), None | Some(Kind::Semicolon | Kind::CloseParen | Kind::CloseBrace))
@@ -186,26 +185,10 @@ pub(super) fn foreign_operator(source: &Source<'_>, at: usize, problem: Diagnost
         Some(Kind::Star) if source.touches_previous(at) => {
             problem.fix("write `^`", source.place(sign).to(source.place(at)), "^")
         }
-        Some(Kind::Assign) if source.touches_previous(at) && named(first) => {
-            // A sum on the right would need parentheses.
-            let simple = |kind| {
-                matches!(kind, Kind::Number | Kind::Identifier | Kind::Dot | Kind::Caret | Kind::Percent)
-            };
-            let mut end = at + 1;
-            while source.kind(end).is_some_and(simple) {
-                end += 1;
-            }
-            if end == at + 1 || !ends(end) {
-                return problem;
-            }
-            let place = source.place(sign).to(source.place(at));
-            let written = format!("= {} {}", source.text(first), source.text(sign));
-            problem.fix(format!("write `{} {written} ...`", source.text(first)), place, written)
-        }
         _ if ends(at) && first > 0 && named(first - 1) => {
             let name = source.text(first - 1);
             let place = source.place(first).to(source.place(sign));
-            let written = format!("= {name} {} 1", source.text(sign));
+            let written = format!("{}= 1", source.text(sign));
             let place = Span { start: source.after(first).end, ..place };
             problem.fix(format!("write `{name} {written}`"), place, format!(" {written}"))
         }

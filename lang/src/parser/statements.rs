@@ -7,7 +7,7 @@ use super::recovery::{
 };
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule, declarations, definitions};
-use crate::ast::{Bind, Expr, ExprKind, Stmt, StmtKind};
+use crate::ast::{BinaryOp, Bind, Expr, ExprKind, Stmt, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
 use chumsky::prelude::*;
@@ -72,19 +72,34 @@ fn simple<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind>
     empty.or(declarations::variables(source, e.full.clone())).boxed()
 }
 
-/// Parses `place = value`, `place := value` or an expression, without the `;`.
+/// An operator of an assignment.
+#[derive(Clone, Copy)]
+enum Assignment {
+    Bind(Bind),
+    Update(BinaryOp),
+}
+
+/// Parses `place = value`, `place := value`, `place += value` or an expression, without the `;`.
 fn expression_or_assignment<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
-    let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
+    let operator = select! {
+        Kind::Assign => Assignment::Bind(Bind::Evaluate),
+        Kind::Bind => Assignment::Bind(Bind::Symbolic),
+        Kind::AddAssign => Assignment::Update(BinaryOp::Add),
+        Kind::SubtractAssign => Assignment::Update(BinaryOp::Subtract),
+        Kind::MultiplyAssign => Assignment::Update(BinaryOp::Multiply),
+        Kind::DivideAssign => Assignment::Update(BinaryOp::Divide),
+    }
+    .map_with(|operator, extra| (operator, source.range(extra.span())));
     // Labels, `name :`, were tried before.
     when(move |at| {
         source.begin_statement(at);
         may_begin(source.kind(at)) && begins_expression(source.kind(at))
     })
     .ignore_then(e.full.clone())
-    .then(bind.then(e.full.clone()).or_not())
+    .then(operator.then(e.full.clone()).or_not())
     .map_with(|(place, assigned), extra| match assigned {
         None => StmtKind::Expr(place),
-        Some((bind, value)) => {
+        Some(((operator, op_span), value)) => {
             if !is_place(&place) {
                 extra.emit(
                     Diagnostic::error(
@@ -97,7 +112,10 @@ fn expression_or_assignment<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> 
                     .into(),
                 );
             }
-            StmtKind::Assign { place, bind, value }
+            match operator {
+                Assignment::Bind(bind) => StmtKind::Assign { place, bind, value },
+                Assignment::Update(op) => StmtKind::Update { place, op, op_span, value },
+            }
         }
     })
     .boxed()
@@ -126,7 +144,7 @@ fn is_place(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Name(_) | ExprKind::Error => true,
         ExprKind::Index { base, .. } | ExprKind::Field { base, .. } => is_place(base),
-        // `a += 1`: reported at the missing operand.
+        // `a + = 1`: reported at the missing operand.
         ExprKind::Binary { right, .. } => matches!(right.kind, ExprKind::Error),
         _ => false,
     }
@@ -247,10 +265,50 @@ fn loops<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) 
         .then_ignore(expect(source, Kind::Semicolon, "after the condition of a `for`"))
         .then(step)
         .then_ignore(close(source, Kind::CloseParen, "`)`"));
-    let count = just(Kind::For).ignore_then(header).then(body).map(|(((init, condition), step), body)| {
-        StmtKind::For { init: Box::new(init), condition, step: Box::new(step), body: Box::new(body) }
+    let count =
+        just(Kind::For).ignore_then(header).then(body.clone()).map(|(((init, condition), step), body)| {
+            StmtKind::For { init: Box::new(init), condition, step: Box::new(step), body: Box::new(body) }
+        });
+    choice((repeat, repeat_after, each(source, e, body), count)).boxed()
+}
+
+/// Parses `for (x in values) body`.
+fn each<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
+    let declares = move |at| source.kind(at) == Some(Kind::Var);
+    // `for (var x in values)`, as in other languages.
+    let declaration = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if declares(at) {
+            input.next();
+            let message = "the element of a `for` loop is declared without `var`";
+            let place = source.place(at);
+            let between = crate::span::Span { end: source.place(at + 1).start, ..place };
+            input.emit(
+                Diagnostic::error("E0850", message, place, "not expected here")
+                    .help("write `for (x in values)`, which declares `x` for the loop")
+                    .fix("remove `var`", between, "")
+                    .into(),
+            );
+        }
+        Ok(())
     });
-    choice((repeat, repeat_after, count)).boxed()
+    when(move |at| {
+        let name = at + 2 + usize::from(declares(at + 2));
+        source.kind(at) == Some(Kind::For)
+            && source.kind(at + 1) == Some(Kind::OpenParen)
+            && source.kind(name) == Some(Kind::Identifier)
+            && source.kind(name + 1) == Some(Kind::In)
+    })
+    .ignore_then(just(Kind::For))
+    .ignore_then(just(Kind::OpenParen))
+    .ignore_then(declaration)
+    .ignore_then(identifier(source))
+    .then_ignore(just(Kind::In))
+    .then(e.values.clone())
+    .then_ignore(close(source, Kind::CloseParen, "`)`"))
+    .then(body)
+    .map(|((variable, values), body)| StmtKind::ForEach { variable, values, body: Box::new(body) })
+    .boxed()
 }
 
 /// Parses `case e:`, `default:` and `label:`, with their statements.

@@ -195,7 +195,7 @@ impl Grammar {
     fn rule(&self, name: &str, depth: usize, random: &mut Random, out: &mut Vec<Piece>, in_line: bool) {
         let start = out.len();
         // A string ends on its line, and a unit is on the line of its number.
-        let one_line = in_line || matches!(name, "string" | "quantity");
+        let one_line = in_line || matches!(name, "string" | "quantity" | "measure");
         self.generate(&self.rules[name], depth, random, out, one_line);
         if one_line && !in_line && start < out.len() {
             out[start].same_line = follows_jump(&out[..start]);

@@ -92,7 +92,7 @@ impl Exits {
         let start = statement.span.start;
         let word = |length: usize| Span { end: start + length as u32, ..statement.span };
         let opened = match &statement.kind {
-            StmtKind::For { .. } => Some((word("for".len()), false, true)),
+            StmtKind::For { .. } | StmtKind::ForEach { .. } => Some((word("for".len()), false, true)),
             StmtKind::While { .. } => Some((word("while".len()), false, true)),
             StmtKind::DoWhile { .. } => Some((word("do".len()), false, true)),
             StmtKind::Switch { .. } => Some((word("switch".len()), false, false)),

@@ -124,6 +124,8 @@ pub enum ParamValue {
     /// Number in SI.
     Number(f64),
     String(String),
+    /// Array of numbers in SI.
+    Numbers(Vec<f64>),
 }
 
 /// Requested output.

@@ -188,6 +188,14 @@ entry_points! {
     /// function.
     fn calyx_array_element(ctx, array, index, result) {
         let element = helpers::element(ctx, array, f64::from_bits(index))?;
+        slots_mut(result, 1)[0] = element.as_ptr() as u64;
+        Ok(())
+    }
+
+    /// Stores the address of an element for a change in `result`; it is valid until the next call of
+    /// any function.
+    fn calyx_array_slot(ctx, array, index, result) {
+        let element = helpers::element_mut(ctx, array, f64::from_bits(index))?;
         slots_mut(result, 1)[0] = element.as_mut_ptr() as u64;
         Ok(())
     }

@@ -113,6 +113,14 @@ pub mod codes {
     pub const OBSERVABLE: &str = "E0706";
     /// The limit on time or memory was reached.
     pub const EXHAUSTED: &str = "E0707";
+    /// A limit of a range or a slice is not an integer.
+    pub const RANGE: &str = "E0851";
+    /// The limits of a slice are not within the array.
+    pub const SLICE: &str = "E0852";
+    /// Arrays of different lengths are added or subtracted.
+    pub const LENGTHS: &str = "E0853";
+    /// The extreme of an empty array is requested.
+    pub const EMPTY: &str = "E0854";
     /// The program threw an error without a code of its own.
     pub const THROWN: &str = "E0720";
     /// A host function of the embedding program failed.

@@ -142,7 +142,7 @@ impl<T: Value> Value for Vec<T> {
         for (element, place) in self.into_iter().zip(flat.chunks_mut(stride.max(1))) {
             element.write(context, place);
         }
-        slots[0] = context.heap.insert(Object::Array { stride, slots: flat });
+        slots[0] = context.heap.insert(Object::array(stride, flat));
     }
     fn bytes_to_read(context: &Context, slots: &[Slot]) -> u64 {
         let Some((flat, stride)) = slots.first().and_then(|&slot| context.heap.array(slot)) else { return 0 };

@@ -2,8 +2,9 @@
 //! instance.
 //!
 //! Arrays have value semantics: the program copies an array when it binds one that has another name
-//! (the compiler inserts the copies). Nothing is freed before the instance ends, because models are
-//! built once and are small.
+//! (the compiler inserts the copies). A copy shares its elements with the original until one of the
+//! two changes. Nothing is freed before the instance ends, because models are built once and are
+//! small.
 
 use crate::call::{Repr, Slot};
 use crate::error::{Call, RuntimeError};
@@ -133,22 +134,35 @@ impl SymbolicValue {
 #[derive(Clone)]
 pub enum Object {
     String(Arc<str>),
-    /// Flat slots of the elements, `stride` slots each.
-    Array {
-        stride: usize,
-        slots: Vec<Slot>,
-    },
+    Array(Array),
     Symbolic(Arc<SymbolicValue>),
     /// Caught error.
     Error(Arc<RuntimeError>),
 }
 
+/// Array. Its copies have the same slots until one of them changes.
+#[derive(Clone)]
+pub struct Array {
+    /// Number of slots of an element.
+    stride: usize,
+    /// Flat slots of the elements.
+    slots: Arc<Vec<Slot>>,
+    /// Representation of the elements, if they contain arrays and the array has been copied: the
+    /// first change also separates these arrays.
+    element: Option<Arc<Repr>>,
+}
+
 impl Object {
+    /// Creates an array of elements of `stride` slots.
+    pub fn array(stride: usize, slots: Vec<Slot>) -> Object {
+        Object::Array(Array { stride, slots: Arc::new(slots), element: None })
+    }
+
     /// Returns its approximate size, bytes.
     fn bytes(&self) -> u64 {
         let content = match self {
             Object::String(text) => text.len(),
-            Object::Array { slots, .. } => size_of_val(slots.as_slice()),
+            Object::Array(array) => size_of_val(array.slots.as_slice()),
             Object::Symbolic(value) => {
                 let lists = size_of_val(value.captured.as_slice())
                     + size_of_val(value.observables.as_slice())
@@ -213,7 +227,7 @@ impl Heap {
     /// Returns the flat slots of an array and its stride.
     pub fn array(&self, id: HeapId) -> Option<(&[Slot], usize)> {
         match self.get(id)? {
-            Object::Array { stride, slots } => Some((slots, *stride)),
+            Object::Array(array) => Some((&array.slots, array.stride)),
             _ => None,
         }
     }
@@ -231,34 +245,66 @@ impl Heap {
         }
     }
 
-    /// Makes a deep copy of an array. `element` is the element's representation.
+    /// Returns the slots of an array for a change, and its stride.
     ///
     /// # Errors
-    /// E0707 before the memory exceeds the limit; internal if the slots do not fit the
-    /// representation.
+    /// E0707 if the slots are shared with a copy and separate ones would exceed the memory limit;
+    /// internal if it is not an array.
+    pub fn array_mut(
+        &mut self,
+        id: HeapId,
+        limits: &Limits,
+    ) -> Result<(&mut Vec<Slot>, usize), RuntimeError> {
+        self.separate(id, limits)?;
+        match self.get_mut(id) {
+            Some(Object::Array(array)) => Ok((Arc::make_mut(&mut array.slots), array.stride)),
+            _ => Err(malformed("not an array")),
+        }
+    }
+
+    /// Gives an array slots of its own if a copy shares them.
+    fn separate(&mut self, id: HeapId, limits: &Limits) -> Result<(), RuntimeError> {
+        let Some(Object::Array(array)) = self.get_mut(id) else { return Ok(()) };
+        if Arc::get_mut(&mut array.slots).is_some() {
+            return Ok(());
+        }
+        let Array { stride, slots, element } = array.clone();
+        let bytes = size_of_val(slots.as_slice()) as u64;
+        limits.check_memory(self.bytes + bytes)?;
+        self.bytes += bytes;
+        let mut own = slots.to_vec();
+        if let Some(element) = &element {
+            own.chunks_mut(stride.max(1)).try_for_each(|chunk| self.copy_value(chunk, element, limits))?;
+        }
+        if let Some(Object::Array(array)) = self.get_mut(id) {
+            array.slots = Arc::new(own);
+        }
+        Ok(())
+    }
+
+    /// Copies an array. `element` is the element's representation. The copy shares the elements
+    /// until the array or the copy changes.
+    ///
+    /// # Errors
+    /// E0707 before the memory exceeds the limit; internal if it is not an array.
     pub fn copy_array(
         &mut self,
         id: HeapId,
         element: &Repr,
         limits: &Limits,
     ) -> Result<HeapId, RuntimeError> {
-        let (slots, stride) = self.array(id).ok_or_else(not_copied)?;
-        limits.check_memory(self.bytes + OBJECT + size_of_val(slots) as u64)?;
-        let slots = slots.to_vec();
-        let stride_of_parts = if contains_array(element) { stride } else { 0 };
-        // Insert the copy before its elements are copied, so that all its memory counts.
-        let copy = self.insert(Object::Array { stride, slots });
-        if stride_of_parts > 0 {
-            let mut slots = self.take_slots(copy);
-            let copied =
-                slots.chunks_mut(stride).try_for_each(|chunk| self.copy_value(chunk, element, limits));
-            self.put_slots(copy, slots);
-            copied?;
+        limits.check_memory(self.bytes + OBJECT)?;
+        let Some(Object::Array(array)) = self.get_mut(id) else { return Err(not_copied()) };
+        if array.element.is_none() && contains_array(element) {
+            array.element = Some(Arc::new(element.clone()));
         }
-        Ok(copy)
+        let copy = Object::Array(array.clone());
+        self.bytes += OBJECT;
+        self.objects.push(copy);
+        Ok((self.objects.len() - 1) as HeapId)
     }
 
-    /// Replaces the arrays inside a value by deep copies.
+    /// Replaces the arrays inside a value by copies.
     ///
     /// # Errors
     /// As for [`Heap::copy_array`].
@@ -285,21 +331,6 @@ impl Heap {
         }
         Ok(())
     }
-
-    /// Takes the slots out of an array under construction.
-    fn take_slots(&mut self, id: HeapId) -> Vec<Slot> {
-        match self.get_mut(id) {
-            Some(Object::Array { slots, .. }) => std::mem::take(slots),
-            _ => Vec::new(),
-        }
-    }
-
-    /// Returns the slots to the array.
-    fn put_slots(&mut self, id: HeapId, taken: Vec<Slot>) {
-        if let Some(Object::Array { slots, .. }) = self.get_mut(id) {
-            *slots = taken;
-        }
-    }
 }
 
 /// Returns the error of slots that do not contain a value of their representation.
@@ -319,29 +350,62 @@ fn contains_array(repr: &Repr) -> bool {
 mod tests {
     use super::*;
 
-    #[test]
-    fn copies_of_nested_arrays_share_nothing() {
-        let mut heap = Heap::default();
-        let inner = heap.insert(Object::Array { stride: 1, slots: vec![1f64.to_bits()] });
-        let outer = heap.insert(Object::Array { stride: 1, slots: vec![inner] });
-        let copy = heap.copy_array(outer, &Repr::Array(Box::new(Repr::Number)), &Limits::default()).unwrap();
-        let copied_inner = heap.array(copy).unwrap().0[0];
-        assert_ne!(copied_inner, inner);
-        if let Some(Object::Array { slots, .. }) = heap.get_mut(copied_inner) {
-            slots[0] = 2f64.to_bits();
-        }
-        assert_eq!(heap.numbers(inner).unwrap(), [1.0]);
+    fn numbers() -> Repr {
+        Repr::Array(Box::new(Repr::Number))
+    }
+
+    /// Writes a number into a row of a table.
+    fn write(heap: &mut Heap, table: HeapId, value: f64) {
+        let limits = Limits::default();
+        let row = heap.array_mut(table, &limits).unwrap().0[0];
+        heap.array_mut(row, &limits).unwrap().0[0] = value.to_bits();
+    }
+
+    fn read(heap: &Heap, table: HeapId) -> f64 {
+        heap.numbers(heap.array(table).unwrap().0[0]).unwrap()[0]
     }
 
     #[test]
-    fn copies_are_refused_before_they_are_made() {
+    fn changes_of_nested_arrays_are_not_visible_in_copies() {
         let mut heap = Heap::default();
-        let row = heap.insert(Object::Array { stride: 1, slots: vec![0; 1000] });
-        let table = heap.insert(Object::Array { stride: 1, slots: vec![row; 1000] });
-        let limit = 100_000;
+        let row = heap.insert(Object::array(1, vec![1f64.to_bits()]));
+        let table = heap.insert(Object::array(1, vec![row]));
+        let copy = heap.copy_array(table, &numbers(), &Limits::default()).unwrap();
+        let second = heap.copy_array(copy, &numbers(), &Limits::default()).unwrap();
+        write(&mut heap, copy, 2.0);
+        assert_eq!([table, copy, second].map(|id| read(&heap, id)), [1.0, 2.0, 1.0]);
+        write(&mut heap, table, 3.0);
+        assert_eq!([table, copy, second].map(|id| read(&heap, id)), [3.0, 2.0, 1.0]);
+        write(&mut heap, copy, 4.0);
+        write(&mut heap, second, 5.0);
+        assert_eq!([table, copy, second].map(|id| read(&heap, id)), [3.0, 4.0, 5.0]);
+    }
+
+    #[test]
+    fn copies_share_their_elements_until_one_of_them_changes() {
+        let mut heap = Heap::default();
+        let array = heap.insert(Object::array(1, vec![0; 20_000]));
+        let limits = Limits::default();
+        let before = heap.bytes();
+        let copies: Vec<HeapId> =
+            (0..20_000).map(|_| heap.copy_array(array, &Repr::Number, &limits).unwrap()).collect();
+        assert_eq!(heap.bytes() - before, 20_000 * OBJECT);
+        let shared = heap.array(array).unwrap().0.as_ptr();
+        assert!(copies.iter().all(|copy| heap.array(*copy).unwrap().0.as_ptr() == shared));
+        heap.array_mut(copies[0], &limits).unwrap().0[0] = 1;
+        assert_eq!(heap.bytes() - before, 20_000 * OBJECT + 160_000);
+        assert_eq!([array, copies[0], copies[1]].map(|id| heap.array(id).unwrap().0[0]), [0, 1, 0]);
+    }
+
+    #[test]
+    fn changes_are_refused_before_they_exceed_the_limit() {
+        let mut heap = Heap::default();
+        let row = heap.insert(Object::array(1, vec![0; 1000]));
+        let table = heap.insert(Object::array(1, vec![row; 1000]));
+        let limit = 60_000;
         let limits = Limits { memory: Some(limit), ..Limits::default() };
-        let nested = Repr::Array(Box::new(Repr::Number));
-        assert_eq!(heap.copy_array(table, &nested, &limits).unwrap_err().code, "E0707");
+        let copy = heap.copy_array(table, &numbers(), &limits).unwrap();
+        assert_eq!(heap.array_mut(copy, &limits).unwrap_err().code, "E0707");
         assert!(heap.bytes() <= limit, "{}", heap.bytes());
     }
 }

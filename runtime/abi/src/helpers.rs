@@ -55,7 +55,7 @@ pub fn outcome(ctx: &mut Context, status: i32) -> Result<(), RuntimeError> {
 /// E0707 if it takes too much memory.
 pub fn new_array(ctx: &mut Context, stride: usize, slots: Vec<Slot>) -> Result<HeapId, RuntimeError> {
     request_memory(ctx, OBJECT + size_of_val(slots.as_slice()) as u64)?;
-    Ok(ctx.heap.insert(Object::Array { stride, slots }))
+    Ok(ctx.heap.insert(Object::array(stride, slots)))
 }
 
 /// Creates a string.
@@ -67,11 +67,8 @@ pub fn new_string(ctx: &mut Context, text: &str) -> Result<HeapId, RuntimeError>
     Ok(ctx.heap.string(text))
 }
 
-fn array(ctx: &mut Context, id: HeapId) -> Result<(&mut Vec<Slot>, usize), RuntimeError> {
-    match ctx.heap.get_mut(id) {
-        Some(Object::Array { stride, slots }) => Ok((slots, *stride)),
-        _ => Err(malformed("not an array")),
-    }
+fn array(ctx: &Context, id: HeapId) -> Result<(&[Slot], usize), RuntimeError> {
+    ctx.heap.array(id).ok_or_else(|| malformed("not an array"))
 }
 
 fn length(slots: usize, stride: usize) -> usize {
@@ -82,7 +79,7 @@ fn length(slots: usize, stride: usize) -> usize {
 ///
 /// # Errors
 /// Internal if it is not an array.
-pub fn array_length(ctx: &mut Context, id: HeapId) -> Result<f64, RuntimeError> {
+pub fn array_length(ctx: &Context, id: HeapId) -> Result<f64, RuntimeError> {
     let (slots, stride) = array(ctx, id)?;
     Ok(length(slots.len(), stride) as f64)
 }
@@ -91,9 +88,20 @@ pub fn array_length(ctx: &mut Context, id: HeapId) -> Result<f64, RuntimeError> 
 ///
 /// # Errors
 /// E0701 if the index is not an integer from 0 to the length minus one.
-pub fn element(ctx: &mut Context, id: HeapId, index: f64) -> Result<&mut [Slot], RuntimeError> {
+pub fn element(ctx: &Context, id: HeapId, index: f64) -> Result<&[Slot], RuntimeError> {
     let (slots, stride) = array(ctx, id)?;
     let range = element_range(index, slots.len(), stride)?;
+    Ok(&slots[range])
+}
+
+/// Returns the slots of an element for a change, which copies of the array do not see.
+///
+/// # Errors
+/// As for [`element`]; E0707 if the array takes too much memory.
+pub fn element_mut(ctx: &mut Context, id: HeapId, index: f64) -> Result<&mut [Slot], RuntimeError> {
+    let (slots, stride) = array(ctx, id)?;
+    let range = element_range(index, slots.len(), stride)?;
+    let (slots, _) = ctx.heap.array_mut(id, &ctx.limits)?;
     Ok(&mut slots[range])
 }
 
@@ -128,13 +136,13 @@ pub fn push(ctx: &mut Context, id: HeapId, value: &[Slot]) -> Result<(), Runtime
         return Err(malformed("an element of the wrong size"));
     }
     request_memory(ctx, size_of_val(value) as u64)?;
-    let (slots, _) = array(ctx, id)?;
+    let (slots, _) = ctx.heap.array_mut(id, &ctx.limits)?;
     slots.extend_from_slice(value);
     ctx.heap.grown(value.len());
     Ok(())
 }
 
-/// Replaces the arrays inside a value by deep copies.
+/// Replaces the arrays inside a value by copies.
 ///
 /// # Errors
 /// Internal if the slots do not contain such a value; E0707 if it takes too much memory.
@@ -374,7 +382,7 @@ pub fn zero_value(ctx: &mut Context, repr: &Repr) -> Vec<Slot> {
     match repr {
         Repr::String => vec![ctx.heap.string("")],
         Repr::Array(element) => {
-            vec![ctx.heap.insert(Object::Array { stride: element.slots(), slots: Vec::new() })]
+            vec![ctx.heap.insert(Object::array(element.slots(), Vec::new()))]
         }
         Repr::Tuple(parts) => parts.iter().flat_map(|part| zero_value(ctx, part)).collect(),
         _ => vec![0; repr.slots()],

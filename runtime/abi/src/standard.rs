@@ -71,6 +71,92 @@ crate::externs! {
         let _ = context;
         Ok(index_of(values.iter().position(|value| !choices.contains(value))))
     }
+
+    /// Start of a range: returns an integer unchanged, and fails with E0851 for any other number.
+    Pure fn calyx_std_range_start(context, start: f64) -> f64 {
+        let _ = context;
+        whole("the start of a range", start)
+    }
+
+    /// End of a range: returns an integer or infinity unchanged, and fails with E0851 for any other
+    /// number.
+    Pure fn calyx_std_range_end(context, end: f64) -> f64 {
+        let _ = context;
+        if end.is_infinite() { Ok(end) } else { whole("the end of a range", end) }
+    }
+
+    /// End of the slice `start .. end` of an array. Fails with E0852 unless 0 <= start <= end <=
+    /// length.
+    Pure fn calyx_std_slice_end(context, start: f64, end: f64, length: f64) -> f64 {
+        let _ = context;
+        whole("the start of a slice", start)?;
+        whole("the end of a slice", end)?;
+        if 0.0 <= start && start <= end && end <= length {
+            return Ok(end);
+        }
+        let shown = crate::text::number;
+        let message = format!(
+            "the slice {} .. {} of an array of {}", shown(start), shown(end), elements(length)
+        );
+        let help = match start > end {
+            true => "the start is not greater than the end".to_string(),
+            false => format!("the limits lie between 0 and {}", shown(length)),
+        };
+        Err(RuntimeError::new(codes::SLICE, message, help))
+    }
+
+    /// Fails with E0853 unless two arrays that are added have the same length.
+    Pure fn calyx_std_same_length(context, left: f64, right: f64) -> () {
+        let _ = context;
+        if left == right {
+            return Ok(());
+        }
+        let shown = crate::text::number;
+        let message =
+            format!("an array of {} and one of {} cannot be added or subtracted", shown(left), elements(right));
+        let help = "use arrays of the same length, or a slice of the longer one";
+        Err(RuntimeError::new(codes::LENGTHS, message, help))
+    }
+
+    /// The smallest number of an array. Fails with E0854 if the array is empty.
+    Pure fn calyx_std_smallest(context, values: Vec<f64>) -> f64 {
+        let _ = context;
+        values.into_iter().reduce(crate::math::min).ok_or_else(|| empty("min"))
+    }
+
+    /// The largest number of an array. Fails with E0854 if the array is empty.
+    Pure fn calyx_std_largest(context, values: Vec<f64>) -> f64 {
+        let _ = context;
+        values.into_iter().reduce(crate::math::max).ok_or_else(|| empty("max"))
+    }
+
+    /// Numbers in ascending order; NaN follows all others.
+    Pure fn calyx_std_sorted(context, values: Vec<f64>) -> Vec<f64> {
+        let _ = context;
+        let mut values = values;
+        values.sort_by(|a, b| a.is_nan().cmp(&b.is_nan()).then(a.total_cmp(b)));
+        Ok(values)
+    }
+}
+
+/// Returns an integer unchanged, or the error for any other number.
+fn whole(what: &str, value: f64) -> Result<f64, RuntimeError> {
+    if value.fract() == 0.0 {
+        return Ok(value);
+    }
+    let shown = crate::text::number(value);
+    let message = format!("{what} must be a whole number, not {shown}");
+    Err(RuntimeError::new(codes::RANGE, message, "`round` makes a number whole"))
+}
+
+fn elements(count: f64) -> String {
+    let noun = if count == 1.0 { "element" } else { "elements" };
+    format!("{} {noun}", crate::text::number(count))
+}
+
+fn empty(function: &str) -> RuntimeError {
+    let message = format!("`{function}` of an empty array");
+    RuntimeError::new(codes::EMPTY, message, "test `len(array) > 0` before")
 }
 
 fn is_outside(value: f64, low: f64, high: f64, nan_passes: bool) -> bool {

@@ -424,11 +424,19 @@ fn param_json(param: &ParamDescription, value: &ParamValue) -> Value {
         ParamValue::Bool(value) => json!({ "value": value }),
         ParamValue::String(text) => json!({ "value": text }),
         ParamValue::Number(si) => {
-            // Removes the rounding error of the unit conversion.
-            let shown: f64 = format!("{:.14e}", from_si(*si, param.unit.factor)).parse().unwrap_or(f64::NAN);
+            json!({ "value": si, "display": { "unit": param.unit.name, "value": displayed(*si, param) } })
+        }
+        ParamValue::Numbers(si) => {
+            let shown: Vec<f64> = si.iter().map(|si| displayed(*si, param)).collect();
             json!({ "value": si, "display": { "unit": param.unit.name, "value": shown } })
         }
     }
+}
+
+/// Converts a number to the unit of the param's default, without the rounding error of the
+/// conversion.
+fn displayed(si: f64, param: &ParamDescription) -> f64 {
+    format!("{:.14e}", from_si(si, param.unit.factor)).parse().unwrap_or(f64::NAN)
 }
 
 /// Returns the model's hash, and name and hash of each of its files and of each table that it reads

@@ -1,6 +1,6 @@
 //! `--help` of an executable: the docs of the model, its params and its outputs.
 
-use crate::params::{domain, shortest, shown};
+use crate::params::{domain, shortest, shown, shown_list};
 use calyx_abi::Repr;
 use calyx_abi::description::{ModelDescription, OutputDescription, ParamDescription, ParamValue};
 use calyx_abi::units::from_si;
@@ -103,6 +103,7 @@ fn default(param: &ParamDescription) -> String {
         Some(ParamValue::Number(si)) => shown(param, *si),
         Some(ParamValue::Bool(truth)) => (if *truth { "TRUE" } else { "FALSE" }).into(),
         Some(ParamValue::String(text)) => format!("\"{text}\""),
+        Some(ParamValue::Numbers(numbers)) => shown_list(param, numbers),
         None => "?".into(),
     }
 }

@@ -29,6 +29,8 @@ pub enum AssignedValue {
     Bool(bool),
     /// Quantity such as `0.5 mm`, or the value of a string param; never a Boolean.
     String(String),
+    /// Elements of an array.
+    List(Vec<AssignedValue>),
 }
 
 impl ParamAssignment {
@@ -89,6 +91,13 @@ impl From<String> for AssignedValue {
     }
 }
 
+/// Converts numbers in the unit of the param's default.
+impl From<Vec<f64>> for AssignedValue {
+    fn from(numbers: Vec<f64>) -> AssignedValue {
+        AssignedValue::List(numbers.into_iter().map(AssignedValue::Number).collect())
+    }
+}
+
 /// Converts a number and its unit.
 impl From<(f64, &str)> for AssignedValue {
     fn from((number, unit): (f64, &str)) -> AssignedValue {
@@ -103,6 +112,9 @@ impl From<ParamValue> for AssignedValue {
             ParamValue::Bool(truth) => AssignedValue::Bool(truth),
             ParamValue::Number(si) => AssignedValue::Si(si),
             ParamValue::String(text) => AssignedValue::String(text),
+            ParamValue::Numbers(numbers) => {
+                AssignedValue::List(numbers.into_iter().map(AssignedValue::Si).collect())
+            }
         }
     }
 }
@@ -116,6 +128,10 @@ impl fmt::Display for AssignedValue {
             AssignedValue::Quantity(number, unit) => write!(f, "{number} {unit}"),
             AssignedValue::Si(number) => write!(f, "{number} in SI"),
             AssignedValue::Bool(truth) => write!(f, "{truth}"),
+            AssignedValue::List(elements) => {
+                let elements: Vec<String> = elements.iter().map(ToString::to_string).collect();
+                write!(f, "[{}]", elements.join(", "))
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use calyx_abi::description::{
 };
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::{from_si, to_si};
-use calyx_abi::{Context, Repr, Slot, stack};
+use calyx_abi::{Context, Repr, Slot, helpers, stack};
 
 /// Reason why an assigned value is invalid.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +49,9 @@ impl Setting {
         let (origin, param) = (origin.cloned(), &description.params[param]);
         let in_range = |value: &ParamValue| match value {
             ParamValue::Number(si) if param.independent => check_range(param, *si, (param.low, param.high)),
+            ParamValue::Numbers(all) if param.independent => {
+                check_ranges(param, all, (param.low, param.high))
+            }
             _ => Ok(()),
         };
         match read(param, value, description).and_then(|value| in_range(&value).map(|()| value)) {
@@ -112,6 +115,10 @@ fn set(
         Some(ParamValue::Bool(value)) => u64::from(*value),
         Some(ParamValue::Number(si)) => si.to_bits(),
         Some(ParamValue::String(text)) => context.heap.string(text),
+        Some(ParamValue::Numbers(all)) => {
+            let slots = all.iter().map(|si| si.to_bits()).collect();
+            helpers::new_array(context, 1, slots)?
+        }
         None => {
             let default = program.param_function(index, ParamFunction::Default, context)?;
             default.unwrap_or(f64::NAN.to_bits())
@@ -124,6 +131,12 @@ fn set(
             context.params[index] = f64::from_bits(slot);
             let origin = setting.and_then(|setting| setting.origin.as_ref());
             let checked = check_range(param, f64::from_bits(slot), ends);
+            checked.map_err(|refused| Error::Given(refused).placed(origin))?;
+        }
+        Repr::Array(_) => {
+            let origin = setting.and_then(|setting| setting.origin.as_ref());
+            let all = context.heap.numbers(slot).unwrap_or_default();
+            let checked = check_ranges(param, &all, ends);
             checked.map_err(|refused| Error::Given(refused).placed(origin))?;
         }
         _ => {}
@@ -141,6 +154,7 @@ fn value_of(param: &ParamDescription, slot: Slot, context: &Context) -> ParamVal
     match param.repr {
         Repr::Bool => ParamValue::Bool(slot != 0),
         Repr::String => ParamValue::String(context.heap.str(slot).unwrap_or_default().to_owned()),
+        Repr::Array(_) => ParamValue::Numbers(context.heap.numbers(slot).unwrap_or_default()),
         _ => ParamValue::Number(f64::from_bits(slot)),
     }
 }
@@ -190,7 +204,7 @@ fn range(
     param: &ParamDescription,
     context: &mut Context,
 ) -> Result<Ends, Error> {
-    if param.repr != Repr::Number {
+    if !matches!(param.repr, Repr::Number | Repr::Array(_)) {
         return Ok((None, None));
     }
     let mut end = |which| {
@@ -228,8 +242,35 @@ fn read(
             }
             other => Err(refused(&format!("`{other}`"), ": it is a text")),
         },
+        Repr::Array(_) => read_numbers(param, value, description).map(ParamValue::Numbers),
         _ => read_number(param, value, description).map(ParamValue::Number),
     }
+}
+
+/// Converts the elements of an array: a list, or a text such as `[1, 2 mm]` or `[1, 2] mm`.
+fn read_numbers(
+    param: &ParamDescription,
+    value: &AssignedValue,
+    description: &ModelDescription,
+) -> Result<Vec<f64>, InvalidParam> {
+    let text = match value {
+        AssignedValue::List(elements) => {
+            return elements.iter().map(|element| read_number(param, element, description)).collect();
+        }
+        AssignedValue::Text(text) | AssignedValue::String(text) => text.trim(),
+        _ => "",
+    };
+    let Some((elements, unit)) = text.strip_prefix('[').and_then(|rest| rest.split_once(']')) else {
+        let message = format!("`{}` cannot be `{value}`: it is an array", param.name);
+        return Err(InvalidParam::new(message, takes(param)));
+    };
+    let elements = elements.trim().trim_end_matches(',');
+    let each = elements.split(',').filter(|_| !elements.is_empty());
+    each.map(|element| {
+        let written = AssignedValue::Text(format!("{} {}", element.trim(), unit.trim()).trim().to_owned());
+        read_number(param, &written, description)
+    })
+    .collect()
 }
 
 fn read_number(
@@ -252,7 +293,7 @@ fn read_number(
             Ok(Quantity { value: *value, dimension: quantity::PURE, unit: false })
         }
         AssignedValue::Si(si) => Ok(Quantity { value: *si, dimension: param.unit.dimension, unit: true }),
-        AssignedValue::Bool(_) => Err("it is a number".into()),
+        AssignedValue::Bool(_) | AssignedValue::List(_) => Err("it is a number".into()),
     };
     let quantity = quantity.map_err(|why| refused(&why))?;
     // A bare number is in the unit of the default.
@@ -308,6 +349,10 @@ fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), I
     Err(InvalidParam::new(message, "give a value within the range, or widen the range in the model"))
 }
 
+fn check_ranges(param: &ParamDescription, values: &[f64], ends: Ends) -> Result<(), InvalidParam> {
+    values.iter().try_for_each(|value| check_range(param, *value, ends))
+}
+
 /// Describes the accepted values, with the other params at their defaults, and the syntax of the
 /// assignment.
 fn takes(param: &ParamDescription) -> String {
@@ -317,10 +362,18 @@ fn takes(param: &ParamDescription) -> String {
         domain if domain.is_empty() => format!("any value in {unit}"),
         domain => domain,
     };
+    let domain = match &param.repr {
+        Repr::Array(_) => format!("an array, each element {domain}"),
+        _ => domain,
+    };
     let example = match &param.default {
         Some(ParamValue::Bool(value)) => (if *value { "TRUE" } else { "FALSE" }).to_owned(),
         Some(ParamValue::String(value)) => value.clone(),
         Some(ParamValue::Number(si)) => shortest(from_si(*si, param.unit.factor)),
+        Some(ParamValue::Numbers(all)) => {
+            let all: Vec<String> = all.iter().map(|si| shortest(from_si(*si, param.unit.factor))).collect();
+            format!("[{}]", all.join(","))
+        }
         None => return format!("`{name}` takes {domain}"),
     };
     let bare = if unit.is_empty() { String::new() } else { format!(", in {unit} if no unit is given") };
@@ -345,6 +398,12 @@ pub fn domain(param: &ParamDescription, low: Option<f64>, high: Option<f64>) -> 
 /// Formats a number in the unit of the param's default.
 pub fn shown(param: &ParamDescription, si: f64) -> String {
     format!("{} {}", shortest(from_si(si, param.unit.factor)), param.unit.name).trim_end().to_owned()
+}
+
+/// Formats an array of numbers in the unit of the param's default: `[1, 2] mm`.
+pub fn shown_list(param: &ParamDescription, si: &[f64]) -> String {
+    let all: Vec<String> = si.iter().map(|si| shortest(from_si(*si, param.unit.factor))).collect();
+    format!("[{}] {}", all.join(", "), param.unit.name).trim_end().to_owned()
 }
 
 /// Formats a number for people, without the rounding error that a unit conversion adds in the

@@ -59,7 +59,7 @@ fn given(
     ParamAssignment { name: name.to_owned(), value, name_origin: of_name, origin: of_value }
 }
 
-const KINDS: &str = "a param is a number, a text like \"0.5 mm\", or true or false";
+const KINDS: &str = "a param is a number, a text like \"0.5 mm\", true or false, or an array of numbers";
 
 /// Parses names and values of a JSON file, `{"torque": 500}`.
 fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidParam> {
@@ -88,24 +88,34 @@ fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
         if all.iter().any(|known| known.name == name) {
             return Err(wrong(file, of_name, format!("`{name}` is given twice"), "keep one of them"));
         }
-        let value = match value.as_bytes().first() {
-            Some(b't') => AssignedValue::Bool(true),
-            Some(b'f') => AssignedValue::Bool(false),
-            Some(b'"') => AssignedValue::String(serde_json::from_str(value).unwrap_or_default()),
-            // Parsed as on a command line, to the same bits.
-            Some(b'-' | b'0'..=b'9') => AssignedValue::Number(value.parse().unwrap_or(f64::NAN)),
-            other => {
-                let kind = match other {
-                    Some(b'{') => "an object",
-                    Some(b'[') => "an array",
-                    _ => "null",
-                };
-                return Err(wrong(file, of_value, format!("`{name}` is {kind}"), KINDS));
-            }
+        let value = match json_value(value) {
+            Ok(value) => value,
+            Err(kind) => return Err(wrong(file, of_value, format!("`{name}` is {kind}"), KINDS)),
         };
         all.push(given(file, &name, value, [of_name, of_value]));
     }
     Ok(all)
+}
+
+/// Parses the text of a value; returns the kind of one that no param takes.
+fn json_value(value: &str) -> Result<AssignedValue, &'static str> {
+    Ok(match value.as_bytes().first() {
+        Some(b't') => AssignedValue::Bool(true),
+        Some(b'f') => AssignedValue::Bool(false),
+        Some(b'"') => AssignedValue::String(serde_json::from_str(value).unwrap_or_default()),
+        // Parsed as on a command line, to the same bits.
+        Some(b'-' | b'0'..=b'9') => AssignedValue::Number(value.parse().unwrap_or(f64::NAN)),
+        Some(b'[') => {
+            let elements: Vec<&RawValue> = serde_json::from_str(value).map_err(|_| "an array")?;
+            let elements = elements.into_iter().map(|element| match json_value(element.get())? {
+                AssignedValue::List(_) => Err("an array of arrays"),
+                element => Ok(element),
+            });
+            AssignedValue::List(elements.collect::<Result<_, _>>()?)
+        }
+        Some(b'{') => return Err("an object"),
+        _ => return Err("null"),
+    })
 }
 
 /// Returns the byte offset of a line and column, both counted from 1, the column in bytes.
@@ -152,22 +162,7 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
     for (name, value) in table.into_inner() {
         let at = [name.span(), value.span()];
         let name = name.into_inner();
-        let kind = match value.into_inner() {
-            DeValue::Boolean(truth) => Ok(AssignedValue::Bool(truth)),
-            DeValue::String(text) => Ok(AssignedValue::String(text.into_owned())),
-            DeValue::Float(number) => Ok(AssignedValue::Number(number.as_str().parse().unwrap_or(f64::NAN))),
-            DeValue::Integer(number) if number.radix() == 10 => {
-                Ok(AssignedValue::Number(number.as_str().parse().unwrap_or(f64::NAN)))
-            }
-            DeValue::Integer(number) => {
-                let whole = i64::from_str_radix(number.as_str(), number.radix());
-                Ok(AssignedValue::Number(whole.map_or(f64::NAN, |whole| whole as f64)))
-            }
-            DeValue::Datetime(_) => Err("a date"),
-            DeValue::Array(_) => Err("an array"),
-            DeValue::Table(_) => Err("a table"),
-        };
-        match kind {
+        match toml_value(value.into_inner()) {
             Ok(value) => all.push(given(file, &name, value, at)),
             Err(kind) => return Err(wrong(file, at[0].clone(), format!("`{name}` is {kind}"), KINDS)),
         }
@@ -175,6 +170,31 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
     // The table is sorted by name; errors are reported in the order of the file.
     all.sort_by_key(|given| given.origin.as_ref().map(|origin| origin.start));
     Ok(all)
+}
+
+/// Converts a value; returns the kind of one that no param takes.
+fn toml_value(value: DeValue<'_>) -> Result<AssignedValue, &'static str> {
+    Ok(match value {
+        DeValue::Boolean(truth) => AssignedValue::Bool(truth),
+        DeValue::String(text) => AssignedValue::String(text.into_owned()),
+        DeValue::Float(number) => AssignedValue::Number(number.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Integer(number) if number.radix() == 10 => {
+            AssignedValue::Number(number.as_str().parse().unwrap_or(f64::NAN))
+        }
+        DeValue::Integer(number) => {
+            let whole = i64::from_str_radix(number.as_str(), number.radix());
+            AssignedValue::Number(whole.map_or(f64::NAN, |whole| whole as f64))
+        }
+        DeValue::Array(elements) => {
+            let elements = elements.into_iter().map(|element| match toml_value(element.into_inner())? {
+                AssignedValue::List(_) => Err("an array of arrays"),
+                element => Ok(element),
+            });
+            AssignedValue::List(elements.collect::<Result<_, _>>()?)
+        }
+        DeValue::Datetime(_) => return Err("a date"),
+        DeValue::Table(_) => return Err("a table"),
+    })
 }
 
 #[cfg(test)]

@@ -40,36 +40,52 @@ fn of_param(param: &ParamDescription) -> Value {
                 add("enum", json!(param.choices));
             }
         }
-        _ => {
-            // A string is a quantity with its own unit; bounds apply to numbers only.
-            add("type", json!([if param.integral { "integer" } else { "number" }, "string"]));
-            add("pattern", json!(QUANTITY));
-            // Bounds that depend on other params may differ in a run.
-            if let Some(low) = param.low.filter(|_| param.independent) {
-                add("minimum", number(bound(low, param)));
-            }
-            if let Some(high) = param.high.filter(|_| param.independent) {
-                add("maximum", number(bound(high, param)));
-            }
+        Repr::Array(_) => {
+            // A string is the array as in the model, such as `[1, 2] mm`.
+            add("type", json!(["array", "string"]));
+            add("items", Value::Object(of_number(param)));
         }
+        _ => of_number(param).into_iter().for_each(|(key, value)| {
+            add(&key, value);
+        }),
     }
     if let Some(default) = &param.default {
         let default = match default {
             ParamValue::Bool(truth) => json!(truth),
             ParamValue::String(text) => json!(text),
             ParamValue::Number(si) => number(bound(*si, param)),
+            ParamValue::Numbers(all) => all.iter().map(|si| number(bound(*si, param))).collect(),
         };
         add("default", default);
     }
-    if param.repr == Repr::Number {
+    if matches!(param.repr, Repr::Number | Repr::Array(_)) {
         add("x-unit", json!(param.unit.name));
     }
     let unit = match (&param.repr, param.unit.name.as_str()) {
-        (Repr::Number, unit) if !unit.is_empty() => format!("In {unit}, or a string with another unit."),
+        (Repr::Number | Repr::Array(_), unit) if !unit.is_empty() => {
+            format!("In {unit}, or a string with another unit.")
+        }
         _ => String::new(),
     };
     add("description", json!([param.doc.as_str(), &unit].join("\n").trim()));
     Value::Object(schema)
+}
+
+/// Returns the properties of a number, or of an element of an array.
+fn of_number(param: &ParamDescription) -> Map<String, Value> {
+    let mut schema = Map::new();
+    let mut add = |key: &str, value: Value| schema.insert(key.into(), value);
+    // A string is a quantity with its own unit; bounds apply to numbers only.
+    add("type", json!([if param.integral { "integer" } else { "number" }, "string"]));
+    add("pattern", json!(QUANTITY));
+    // Bounds that depend on other params may differ in a run.
+    if let Some(low) = param.low.filter(|_| param.independent) {
+        add("minimum", number(bound(low, param)));
+    }
+    if let Some(high) = param.high.filter(|_| param.independent) {
+        add("maximum", number(bound(high, param)));
+    }
+    schema
 }
 
 /// Converts a bound to the unit of the param's default, shortened if that yields the same SI value.

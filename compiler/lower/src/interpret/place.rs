@@ -31,7 +31,7 @@ impl<'p> Machine<'_, 'p> {
             }
             Storage::Element { array, index, range } => {
                 let value = self.stack.get(from..from + count).map(<[Slot]>::to_vec);
-                let element = helpers::element(self.ctx, array, index)?.get_mut(range);
+                let element = helpers::element_mut(self.ctx, array, index)?.get_mut(range);
                 match (value, element) {
                     (Some(value), Some(element)) if value.len() == element.len() => {
                         element.copy_from_slice(&value);
@@ -44,7 +44,7 @@ impl<'p> Machine<'_, 'p> {
         }
     }
 
-    /// Returns the array stored in a place.
+    /// Returns the array stored in a place that changes.
     pub(super) fn array_in(&mut self, place: &Place, indices: &[f64]) -> Result<Slot, RuntimeError> {
         let spot = self.spot(place, indices)?;
         self.array_at(&spot)
@@ -84,7 +84,7 @@ impl<'p> Machine<'_, 'p> {
                     };
                     let array = self.array_at(&spot)?;
                     self.at(expr.span);
-                    helpers::element(self.ctx, array, index)?;
+                    helpers::element_mut(self.ctx, array, index)?;
                     spot = Storage::Element { array, index, range: 0..element.slots() };
                     repr = element;
                 }

@@ -1,6 +1,7 @@
 //! Lowers one function: converts statements to a graph of basic blocks.
 
 use super::Lowering;
+use super::sequence::calls;
 use crate::ast::Mode;
 use crate::check::flow;
 use crate::check::tree::{DefId, Expr, FuncId, Kind, Place, Stmt, StmtKind, VarId};
@@ -47,6 +48,8 @@ pub(super) struct Body<'l, 'c> {
     pub(super) sequenced: bool,
     /// Errors handled by the enclosing `catch` sections, innermost last.
     pub(super) caught: Vec<LocalId>,
+    /// The present value of the place that an enclosing `Update` assigns.
+    pub(super) updated: Option<ir::Expr>,
 }
 
 impl<'l, 'c> Body<'l, 'c> {
@@ -73,6 +76,7 @@ impl<'l, 'c> Body<'l, 'c> {
             handler: None,
             sequenced: true,
             caught: Vec::new(),
+            updated: None,
         }
     }
 
@@ -322,12 +326,13 @@ impl<'l, 'c> Body<'l, 'c> {
         }
     }
 
-    fn statement(&mut self, statement: &Stmt) {
+    pub(super) fn statement(&mut self, statement: &Stmt) {
         let span = statement.span;
         self.span = span;
         match &statement.kind {
             StmtKind::Nothing => {}
             StmtKind::Assign(place, value) => self.assignment(place, value, span),
+            StmtKind::Update(place, value) => self.update(place, value, span),
             StmtKind::Bind(name, def) => self.bind_name(*name, *def, span),
             StmtKind::Eval(value) => self.evaluate(value),
             StmtKind::Push(place, value) => {
@@ -374,6 +379,17 @@ impl<'l, 'c> Body<'l, 'c> {
                 self.push(Statement::Assign { place, value, span });
             }
         }
+    }
+
+    /// Assigns a place a value that is computed from its present value.
+    fn update(&mut self, place: &Place, value: &Expr, span: Span) {
+        let place = self.place(place, place.indices().any(calls) || self.needs_statements(value));
+        let present = self.read(place.clone(), span);
+        let present = if self.needs_statements(value) { self.kept(present) } else { present };
+        let around = self.updated.replace(present);
+        let value = self.owned(value);
+        self.updated = around;
+        self.push(Statement::Assign { place, value, span });
     }
 
     /// Binds a `:=` name, and stores its expression if the name is selected at run time.
@@ -461,7 +477,12 @@ impl<'l, 'c> Body<'l, 'c> {
 
     fn for_loop(&mut self, init: &Stmt, condition: Option<&Expr>, step: &Stmt, body: &Stmt, span: Span) {
         self.statement(init);
-        self.span = condition.map_or(span, |condition| condition.span);
+        // The condition of a loop over values is not written.
+        self.span = match condition {
+            Some(condition) if condition.span.start < condition.span.end => condition.span,
+            Some(_) => init.span,
+            None => span,
+        };
         let (test, inside) = (self.new_block(), self.new_block());
         let (next, after) = (self.new_block(), self.new_block());
         self.jump(test);

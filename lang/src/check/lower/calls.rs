@@ -185,7 +185,7 @@ impl Body<'_, '_> {
     }
 
     /// Returns the value stored in a place.
-    fn read(&self, place: ir::Place, span: Span) -> ir::Expr {
+    pub(super) fn read(&self, place: ir::Place, span: Span) -> ir::Expr {
         let local = ExprKind::Local(place.local);
         let whole = ir::Expr { kind: local, repr: self.local_repr(place.local), span };
         place.steps.into_iter().fold(whole, |base, step| {

@@ -23,7 +23,7 @@ pub fn closures(
         for statement in &function.body {
             statement.walk(&mut |s| {
                 match &s.kind {
-                    StmtKind::Assign(place, _) | StmtKind::Push(place, _) => {
+                    StmtKind::Assign(place, _) | StmtKind::Update(place, _) | StmtKind::Push(place, _) => {
                         walk.used.insert(place.variable, true);
                     }
                     StmtKind::Bind(name, def) => {

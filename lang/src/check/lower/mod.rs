@@ -6,6 +6,7 @@ mod assertions;
 mod body;
 mod calls;
 mod closures;
+mod elementwise;
 mod errors;
 mod hosts;
 mod jumps;
@@ -332,7 +333,7 @@ impl<'c> Lowering<'c> {
         (self.add_extern(decl), result)
     }
 
-    fn standard(
+    pub(super) fn standard(
         &mut self,
         name: &str,
         purity: Purity,

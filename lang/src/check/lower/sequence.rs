@@ -3,6 +3,7 @@
 //! `&`, `|` and `if` become branches.
 
 use super::body::Body;
+use super::values::own_value;
 use crate::ast::{BinaryOp, Mode};
 use crate::check::tree::{ArgumentRange, Expr, FuncId, Function, Kind};
 use crate::ir::{self, ExprKind, Place, Statement};
@@ -44,7 +45,9 @@ impl Body<'_, '_> {
                 self.demands(all, demands).next().is_some() || order_as_written(all, e.span).is_some()
             }
             Kind::Op(_, all) | Kind::Tuple(all) => order_as_written(all, e.span).is_some(),
-            Kind::Binary(..) => self.exchanged(e),
+            Kind::Sequence(..) => true,
+            Kind::Binary(..) => self.exchanged(e) || self.is_array(&e.ty),
+            Kind::Unary(..) => self.is_array(&e.ty),
             Kind::MakeSymbolic(def) | Kind::Eval(def, _) => {
                 let def = &self.lowering.checker.defs[def.0 as usize];
                 !def.stored && def.captures.iter().any(|(_, value)| self.searched(value))
@@ -104,6 +107,7 @@ impl Body<'_, '_> {
 
     /// Stores a value in a temporary, so that later code cannot change it.
     pub(super) fn kept(&mut self, value: ir::Expr) -> ir::Expr {
+        let value = own_value(value);
         if matches!(
             value.kind,
             ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::String(_) | ExprKind::Param(_)
@@ -201,9 +205,13 @@ fn effect(e: &Expr) -> Effect {
     let own = match &e.kind {
         Kind::Number(_) | Kind::Bare(..) | Kind::Bool(_) | Kind::Text(_) => Effect::Nothing,
         Kind::Call(_) => Effect::Assigns,
-        Kind::CallExtern(..) | Kind::Print(..) | Kind::Index(..) | Kind::Eval(..) | Kind::UnitAxis(_) => {
-            Effect::Acts
-        }
+        Kind::CallExtern(..)
+        | Kind::Print(..)
+        | Kind::Index(..)
+        | Kind::Eval(..)
+        | Kind::Sequence(..)
+        | Kind::Standard(..)
+        | Kind::UnitAxis(_) => Effect::Acts,
         _ => Effect::Reads,
     };
     e.children().into_iter().map(effect).fold(own, Effect::max)

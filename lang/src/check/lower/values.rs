@@ -1,6 +1,7 @@
 //! Lowers expressions that are evaluated.
 
 use super::body::Body;
+use super::elementwise::declaration;
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
 use crate::check::tree::{DefId, Expr, Kind, Style, TextPart};
@@ -55,9 +56,27 @@ impl Body<'_, '_> {
             }
             Kind::Eval(def, time) => self.evaluation(*def, time.as_deref(), &e.ty, span),
             Kind::Observe(inner) => self.value(inner),
+            Kind::Updated(_) => match &self.updated {
+                Some(present) => present.clone(),
+                // Unreachable: the value occurs in an `Update` only.
+                None => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
+            },
+            Kind::Zero => self.zero(&e.ty, span),
+            Kind::Sequence(statements, value) => {
+                let around = self.span;
+                statements.iter().for_each(|s| self.statement(s));
+                self.span = around;
+                self.value(value)
+            }
+            Kind::Standard(function, all) => {
+                let all = self.values(all, span);
+                let (name, parameters, result) = declaration(*function);
+                let id = self.lowering.standard(name, Purity::Pure, &parameters, result.clone());
+                make(ExprKind::CallExtern(id, all), result)
+            }
             Kind::Unary(op, a) => {
                 let a = self.value(a);
-                unary(*op, a, span)
+                self.negated(*op, a, span)
             }
             Kind::Binary(op, a, b) => self.binary_value(e, *op, a, b),
             Kind::Op(op, all) => {
@@ -156,7 +175,12 @@ impl Body<'_, '_> {
                 if self.exchanged(e) {
                     a = self.kept(a);
                 }
-                binary(op, a, b, span)
+                match op {
+                    BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply | BinaryOp::Divide => {
+                        self.elementwise(op, a, b, span)
+                    }
+                    _ => binary(op, a, b, span),
+                }
             }
         }
     }
@@ -370,7 +394,7 @@ pub(super) fn binary_form(op: BinaryOp, left: &Repr, right: &Repr) -> BinaryForm
     }
 }
 
-fn unary(op: UnaryOp, a: ir::Expr, span: Span) -> ir::Expr {
+pub(super) fn unary(op: UnaryOp, a: ir::Expr, span: Span) -> ir::Expr {
     match unary_op(op, &a.repr) {
         None => a,
         Some(op) => {

@@ -17,11 +17,11 @@ impl<'a> Resolver<'a> {
         let mut e = e;
         loop {
             e = match &e.kind {
-                ExprKind::Quantity { .. } => return Some(e.span),
+                ExprKind::Quantity { .. } | ExprKind::Measured { .. } => return Some(e.span),
                 ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => operand,
                 ExprKind::Binary { op: BinaryOp::Multiply | BinaryOp::Divide, left, right, .. } => {
                     match &right.kind {
-                        ExprKind::Quantity { .. } => return Some(right.span),
+                        ExprKind::Quantity { .. } | ExprKind::Measured { .. } => return Some(right.span),
                         _ if self.is_unit_factor(right) => left,
                         _ => return None,
                     }

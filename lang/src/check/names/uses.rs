@@ -115,6 +115,10 @@ impl<'a> Resolver<'a> {
                 self.expr(base);
                 self.expr(index);
             }
+            ExprKind::Slice { base, low, high } => {
+                self.expr(base);
+                low.iter().chain(high).for_each(|limit| self.expr(limit));
+            }
             ExprKind::Unary { operand, .. } => self.expr(operand),
             ExprKind::Binary { op: BinaryOp::Multiply | BinaryOp::Divide, left, right, .. } => {
                 self.expr(left);
@@ -125,6 +129,18 @@ impl<'a> Resolver<'a> {
                 self.expr(right);
             }
             ExprKind::List(elements) => elements.iter().for_each(|e| self.expr(e)),
+            ExprKind::Measured { elements, unit, .. } => {
+                elements.iter().for_each(|e| self.expr(e));
+                self.quantity(unit);
+            }
+            ExprKind::Comprehension(parts) => {
+                self.values(&parts.values);
+                self.scoped(|r| {
+                    r.element(&parts.variable);
+                    parts.condition.iter().for_each(|e| r.expr(e));
+                    r.expr(&parts.element);
+                });
+            }
             ExprKind::If { condition, then, otherwise } => {
                 self.expr(condition);
                 self.expr(then);
@@ -137,6 +153,17 @@ impl<'a> Resolver<'a> {
             }
             ExprKind::Paren(inner) => self.expr(inner),
         }
+    }
+
+    /// Resolves the values that a loop goes through.
+    pub(super) fn values(&mut self, values: &'a Values) {
+        values.expressions().into_iter().for_each(|e| self.expr(e));
+    }
+
+    /// Declares the variable of a loop over values. It may be unused, as in a loop that only counts.
+    pub(super) fn element(&mut self, name: &Ident) {
+        let id = self.variable(name, VarKind::Value);
+        self.names.variables[id.0 as usize].reads = 1;
     }
 
     pub(super) fn name(&mut self, name: &'a Ident) {

@@ -118,6 +118,9 @@ pub unsafe extern "C" fn calyx_get(
             ParamValue::String(_) => {
                 return Err(Error::given(format!("`{name}` is a text, not a number"), ""));
             }
+            ParamValue::Numbers(_) => {
+                return Err(Error::given(format!("`{name}` is an array, not a number"), ""));
+            }
         };
         // SAFETY: guaranteed by the caller.
         unsafe { store(value, "the place for the value", number) }?;
