@@ -86,6 +86,7 @@
 //! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
 //! | [`error`] | errors of the engine: code, message, remedy |
+//! | [`vec3`] | vectors in three dimensions |
 //!
 //! # Conventions
 //!
@@ -120,7 +121,7 @@ pub use calyx_model::{
     bearing, body, disc, dof, fidelity, ids, load, mechanism, motion, observed, pairs, plan, position,
     prototype, resources, rigid, spline_contact, target,
 };
-pub use calyx_numerics::{error, interrupt};
+pub use calyx_numerics::{error, interrupt, vec3};
 pub use calyx_solve::{integration, restraint_check, step, system, vibrations};
 pub use calyx_structure as structure;
 pub use calyx_structure::{cache, profile, surface};

@@ -11,6 +11,7 @@ use calyx_runtime::error::EngineError;
 use calyx_runtime::motion::{
     Motion, Orientation, PlanePose, RelocatedMotion, angular_velocity, pose_in_space, tilted_axes,
 };
+use calyx_runtime::vec3::{cross, dot, length};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
@@ -165,16 +166,4 @@ fn shown(number: f64) -> f64 {
 fn seen_along(direction: [f64; 3], pose: &Pose) -> [f64; 3] {
     let [a, b, c] = pose.rotation;
     std::array::from_fn(|k| direction[0] * a[k] + direction[1] * b[k] + direction[2] * c[k])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
 }

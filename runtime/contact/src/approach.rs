@@ -6,7 +6,8 @@
 //! Jacobian has the determinant `-(k1 + k2 + k1 k2 gap)`, so it converges to rounding unless the
 //! surfaces are conforming.
 
-use super::placement::{ContactFrame, Placement, dot, minus};
+use super::placement::{ContactFrame, Placement};
+use calyx_numerics::vec2::{dot, minus};
 use calyx_structure::profile::{Profile, ProfilePoint};
 
 /// Profile in the position of its body.

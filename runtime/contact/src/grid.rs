@@ -7,9 +7,10 @@
 //! the edge itself, so that both are resolved equally.
 
 use super::approach::{Approach, PlacedProfile};
-use super::placement::{ContactFrame, dot, minus};
+use super::placement::ContactFrame;
 use super::pressure::hertz_half_width;
 use super::zone::{ENDLESS, FlankEnds, unit_half_width};
+use calyx_numerics::vec2::{dot, minus};
 use calyx_structure::Structure;
 
 /// Contact cell.

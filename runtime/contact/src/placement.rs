@@ -1,5 +1,7 @@
 //! Plane rigid placements, and the frame in which a patch acts on its bodies.
 
+use calyx_numerics::vec2::dot;
+
 /// Placement of a profile: counter-clockwise rotation, then translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
@@ -75,12 +77,4 @@ impl ContactFrame {
         let along_normal = dot(self.normal, direction);
         if side == 0 { -along_normal } else { along_normal }
     }
-}
-
-pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-pub(super) fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
 }

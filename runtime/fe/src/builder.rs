@@ -5,6 +5,7 @@ use super::block::{Block, NamedSide};
 use super::interpolation::{ElementOrder, Shape, side_point};
 use super::mesh::{ArcLength, EdgeChain, Element, ElementEdge, PlaneMesh};
 use calyx_numerics::quadrature::gauss_legendre;
+use calyx_numerics::vec2::distance;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Tolerance for coincident points, relative to the diagonal of the mesh's bounding box.
@@ -479,8 +480,4 @@ impl PointMerger {
         self.squares.entry(square).or_default().push(self.points.len() - 1);
         self.points.len() - 1
     }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }

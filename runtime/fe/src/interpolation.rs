@@ -2,6 +2,8 @@
 //! to cubic on each edge, optional interior nodes (report 3.1.3, figure 3.6). Used for
 //! displacements and coordinates.
 
+use calyx_numerics::interpolation::lagrange_polynomial;
+
 /// Order of interpolation on each part of a quadrilateral.
 ///
 /// Corners are (-1,-1), (1,-1), (1,1), (-1,1), counter-clockwise; side `k` runs from corner `k` to
@@ -179,15 +181,11 @@ fn spaced(order: u8, node: u8) -> f64 {
 /// Returns values and derivatives of the Lagrange polynomials on equally spaced nodes; the first
 /// `order + 1` are used.
 fn lagrange(order: u8, x: f64) -> [(f64, f64); 4] {
+    let nodes = [0, 1, 2, 3].map(|node| spaced(order, node));
+    let used = &nodes[..=usize::from(order)];
     let mut functions = [(0.0, 0.0); 4];
-    for i in 0..=order {
-        let (mut value, mut slope) = (1.0, 0.0);
-        for j in (0..=order).filter(|&j| j != i) {
-            let (at_j, gap) = (spaced(order, j), spaced(order, i) - spaced(order, j));
-            slope = (slope * (x - at_j) + value) / gap;
-            value *= (x - at_j) / gap;
-        }
-        functions[usize::from(i)] = (value, slope);
+    for (node, function) in functions[..used.len()].iter_mut().enumerate() {
+        *function = lagrange_polynomial(used, node, x);
     }
     functions
 }

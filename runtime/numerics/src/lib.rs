@@ -1,12 +1,14 @@
-//! Numerical foundations of the engine: dense matrices, vectors in three dimensions, quadrature,
-//! and the errors and interrupts of all other crates.
+//! Numerical foundations of the engine: dense matrices, vectors in two and three dimensions,
+//! interpolation, quadrature, and the errors and interrupts of all other crates.
 
 #![warn(missing_docs)]
 
 pub mod dense;
 pub mod error;
+pub mod interpolation;
 pub mod interrupt;
 pub mod quadrature;
+pub mod vec2;
 pub mod vec3;
 
 /// Fingerprint of this crate's source.

@@ -21,6 +21,7 @@ use calyx_numerics::dense::{
     add_product_lower, cholesky, mirror_lower, solve_lower, solve_upper, symmetric_eigen,
 };
 use calyx_numerics::error::EngineError;
+use calyx_numerics::vec3::{cross, dot};
 use calyx_structure::Chart;
 use faer::Mat;
 use nalgebra::DMatrix;
@@ -68,10 +69,6 @@ impl System<'_> {
 /// Returns the entry for two components of one frame: displacements and rotations along and about
 /// its axes.
 fn entry(inertia: &Inertia, axes: &[[f64; 3]; 3], one: usize, other: usize) -> f64 {
-    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let cross = |a: [f64; 3], b: [f64; 3]| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
     match (one, other) {
         (0..3, 0..3) => inertia.mass * dot(axes[one], axes[other]),
         (0..3, _) => dot(axes[one], cross(axes[other - 3], inertia.moment)),

@@ -16,6 +16,7 @@ use calyx_fe::elimination::{eliminate, memory};
 use calyx_fe::solid::SolidMesh;
 use calyx_fe::{PlaneModel, SparseVector};
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
+use calyx_numerics::vec3::cross;
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
 use std::collections::BTreeSet;
@@ -311,8 +312,7 @@ pub(super) fn statically_determinate_support(positions: &[[f64; 3]], motions: &[
     let off_line = |node: usize| {
         let [a, b] =
             [0, second].map(|from| [0, 1, 2].map(|axis| positions[node][axis] - positions[from][axis]));
-        let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        distance(cross, [0.0; 3])
+        distance(cross(a, b), [0.0; 3])
     };
     let third = farthest(&off_line);
     let candidates: Vec<usize> =

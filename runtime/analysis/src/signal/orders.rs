@@ -6,6 +6,7 @@
 use super::spectrum::{padded_spectrum, pieces_of_map};
 use super::{Uniform, Window};
 use calyx_numerics::error::EngineError;
+use calyx_numerics::interpolation::lagrange_polynomial;
 use calyx_numerics::interrupt::Interrupt;
 use std::f64::consts::{PI, TAU};
 
@@ -124,18 +125,16 @@ fn inverse(values: &[f64], at: usize, wanted: f64) -> f64 {
     }
     // Secant iteration on the interpolating polynomial, which is nearly linear.
     for _ in 0..4 {
-        let [here, other_loads] = [0.0, 1e-3].map(|by| lagrange(around, place + by - first as f64));
+        let [here, other_loads] = [0.0, 1e-3].map(|by| interpolated(around, place + by - first as f64));
         place -= (here - wanted) * 1e-3 / (other_loads - here);
     }
     place
 }
 
 /// Evaluates the polynomial through samples at 0, 1, 2 ...
-fn lagrange(values: &[f64], at: f64) -> f64 {
-    let term = |(k, value): (usize, &f64)| {
-        let others = (0..values.len()).filter(|&other| other != k);
-        value * others.map(|other| (at - other as f64) / (k as f64 - other as f64)).product::<f64>()
-    };
+fn interpolated(values: &[f64], at: f64) -> f64 {
+    let points: [f64; STENCIL] = std::array::from_fn(|k| k as f64);
+    let term = |(k, value): (usize, &f64)| value * lagrange_polynomial(&points, k, at).0;
     values.iter().enumerate().map(term).sum()
 }
 

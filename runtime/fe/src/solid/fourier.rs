@@ -11,6 +11,7 @@
 //! constraining the six rigid-body unknowns fixes the surface as a whole and nothing else.
 
 use calyx_numerics::quadrature::gauss_legendre;
+use calyx_numerics::vec3::dot;
 use nalgebra::{Matrix6, Vector6};
 use std::f64::consts::TAU;
 
@@ -277,8 +278,4 @@ impl Term {
 /// a point relative to the centre.
 pub(super) fn rigid_motions([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

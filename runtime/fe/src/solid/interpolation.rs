@@ -1,8 +1,9 @@
 //! Interpolation in solid elements: Lagrange hexahedra, pentahedra and tetrahedra, and section
 //! elements with axodes (FQP, report 3.1.4). Used for displacements and coordinates.
 
-use super::line_interpolation::{equispaced, lagrange, lobatto};
+use super::line_interpolation::{equispaced, lobatto};
 use crate::interpolation::{ElementOrder, side_point};
+use calyx_numerics::interpolation::lagrange_with_slopes;
 use calyx_numerics::quadrature::gauss_legendre;
 use std::sync::Arc;
 
@@ -164,7 +165,7 @@ impl Interpolation {
         match self {
             Self::Hexahedron(order) => {
                 let points = equispaced(*order);
-                let [x, y, z] = [xi, eta, zeta].map(|at| lagrange(&points, at));
+                let [x, y, z] = [xi, eta, zeta].map(|at| lagrange_with_slopes(&points, at));
                 let mut shapes = Vec::with_capacity(self.node_count());
                 for &(h, dh) in &z {
                     for &(g, dg) in &y {
@@ -176,7 +177,7 @@ impl Interpolation {
             }
             Self::Pentahedron(order) => {
                 let section = simplex_shapes(*order, 2, [xi, eta, 0.0]);
-                let along = lagrange(&equispaced(*order), zeta);
+                let along = lagrange_with_slopes(&equispaced(*order), zeta);
                 let layer = |&(h, dh): &(f64, f64)| {
                     section
                         .iter()
@@ -191,7 +192,7 @@ impl Interpolation {
                 let mut shapes = Vec::with_capacity(self.node_count());
                 for ([f, dx, dy], &order) in section.shapes(xi, eta).into_iter().zip(axial.iter()) {
                     let known = lines.iter().position(|line| line.0 == order).unwrap_or_else(|| {
-                        lines.push((order, lagrange(&lobatto(order), zeta)));
+                        lines.push((order, lagrange_with_slopes(&lobatto(order), zeta)));
                         lines.len() - 1
                     });
                     shapes.extend(lines[known].1.iter().map(|&(h, dh)| [f * h, dx * h, dy * h, f * dh]));

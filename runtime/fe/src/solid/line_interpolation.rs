@@ -1,5 +1,4 @@
-//! Interpolation along a line: Lagrange polynomials of any order, on equally spaced or on
-//! Gauss-Lobatto points.
+//! Points of interpolation along a line, of any order: equally spaced or Gauss-Lobatto points.
 
 /// Returns `order + 1` equally spaced points of -1 ..= 1.
 pub fn equispaced(order: u8) -> Vec<f64> {
@@ -45,18 +44,4 @@ pub fn lobatto(order: u8) -> Vec<f64> {
         points[usize::from(order) / 2] = 0.0;
     }
     points
-}
-
-/// Returns values and slopes at `x` of the Lagrange polynomials on the points.
-pub fn lagrange(points: &[f64], x: f64) -> Vec<(f64, f64)> {
-    let polynomial = |own: usize| {
-        let (mut value, mut slope) = (1.0, 0.0);
-        for (_, other) in points.iter().enumerate().filter(|(index, _)| *index != own) {
-            let gap = points[own] - other;
-            slope = (slope * (x - other) + value) / gap;
-            value *= (x - other) / gap;
-        }
-        (value, slope)
-    };
-    (0..points.len()).map(polynomial).collect()
 }

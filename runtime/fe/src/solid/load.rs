@@ -1,10 +1,11 @@
 //! Consistent loads on faces of elements.
 
 use super::interpolation::Interpolation;
-use super::line_interpolation::{equispaced, lagrange, lobatto};
+use super::line_interpolation::{equispaced, lobatto};
 use super::mesh::{FacePoint, FaceSet};
 use super::model::SolidModel;
 use crate::sparse::SparseVector;
+use calyx_numerics::interpolation::lagrange_with_slopes;
 use calyx_numerics::quadrature::gauss_legendre;
 
 /// Quadrature points across a smooth piece of a chart: exact for a cubic shape function times a
@@ -92,7 +93,7 @@ impl SolidModel {
                 .iter()
                 .map(|&(t, weight)| {
                     let at = first.at_chain(t);
-                    (weight * at.arc_per_t, lagrange(&line, first.side_coordinate(t)), at)
+                    (weight * at.arc_per_t, lagrange_with_slopes(&line, first.side_coordinate(t)), at)
                 })
                 .collect::<Vec<_>>();
             let firsts = axial.iter().scan(0, |next, &order| {
@@ -119,7 +120,8 @@ impl SolidModel {
                             }
                         }
                     }
-                    let shapes = lines.iter().map(|line| lagrange(line, zeta)).collect::<Vec<_>>();
+                    let shapes =
+                        lines.iter().map(|line| lagrange_with_slopes(line, zeta)).collect::<Vec<_>>();
                     for (factor, forces) in factors(along.z).into_iter().zip(&mut forces) {
                         for ((shapes, forces), force) in shapes.iter().zip(forces).zip(&on_axode) {
                             for (sum, (shape, _)) in forces.iter_mut().zip(shapes) {

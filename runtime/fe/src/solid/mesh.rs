@@ -3,6 +3,7 @@
 
 use super::interpolation::{Cell, Interpolation, SolidShape};
 use super::swept::{FaceChart, Swept};
+use calyx_numerics::vec3::{cross, dot, length};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Three-dimensional mesh. Elements share the nodes of shared faces, both displacement and
@@ -244,24 +245,12 @@ impl FacePoint {
     /// product points outwards.
     pub(super) fn new(place: SolidElementPoint, position: [f64; 3], along: [[f64; 3]; 2]) -> Self {
         let outward = cross(along[0], along[1]);
-        let area = norm(outward);
+        let area = length(outward);
         let normal = outward.map(|part| part / area);
-        let speed = norm(along[0]);
+        let speed = length(along[0]);
         let first = along[0].map(|part| part / speed);
         Self { place, position, tangents: [first, cross(normal, first)], normal, area }
     }
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
 }
 
 pub(super) fn determinant([a, b, c]: [[f64; 3]; 3]) -> f64 {

@@ -3,9 +3,10 @@
 
 use super::assembly::{Coupling, assemble};
 use super::interpolation::{Interpolation, SolidShape};
-use super::mesh::{SolidElement, SolidElementPoint, SolidMesh, cross, determinant, dot};
+use super::mesh::{SolidElement, SolidElementPoint, SolidMesh, determinant};
 use crate::material::Material;
 use crate::sparse::SparseVector;
+use calyx_numerics::vec3::{cross, dot};
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::sparse::SparseColMat;
 use faer::{Accum, Mat, MatRef, Par};

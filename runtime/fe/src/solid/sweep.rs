@@ -3,11 +3,12 @@
 //! z), arc length of the chain by axial coordinate.
 
 use super::interpolation::Interpolation;
-use super::line_interpolation::{equispaced, lagrange, lobatto};
+use super::line_interpolation::{equispaced, lobatto};
 use super::mesh::{ElementFace, FacePoint, FaceSet, SolidElement, SolidElementPoint, SolidMesh};
 use super::swept::{FaceChart, Swept};
 use crate::interpolation::side_point;
 use crate::mesh::{ArcLength, EdgeChain, ElementEdge, PlaneMesh};
+use calyx_numerics::interpolation::lagrange_with_slopes;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Name of the set of faces at the first station.
@@ -268,13 +269,13 @@ impl SweptFace<'_> {
             arc_per_t: self.arc_per_t(t),
             speed: self.swept.section.edge_point(self.edge, t).speed,
             local: side_point(self.edge.side, own),
-            shapes: lagrange(&self.lines[0], own),
+            shapes: lagrange_with_slopes(&self.lines[0], own),
         }
     }
 
     /// Returns the data of a position along the axis, the same for every edge.
     pub fn at_axis(&self, zeta: f64) -> AtAxis {
-        AtAxis { zeta, z: self.swept.z(self.layer, zeta), shapes: lagrange(&self.lines[1], zeta) }
+        AtAxis { zeta, z: self.swept.z(self.layer, zeta), shapes: lagrange_with_slopes(&self.lines[1], zeta) }
     }
 
     pub fn point_of(&self, across: &AtChain, along: &AtAxis) -> FacePoint {

@@ -8,8 +8,7 @@ use crate::ids::BodyId;
 use crate::motion::{Orientation, axle, point_velocity, pose_in_space};
 use calyx_contact::solid::Pose;
 use calyx_numerics::error::{EngineError, Subject};
-
-type Vector = [f64; 3];
+use calyx_numerics::vec3::{Vector, cross, dot, length, minus};
 
 /// Position and axes of a bearing at a time.
 pub struct BearingState {
@@ -180,20 +179,4 @@ fn body_of(bodies: &[Body], body: BodyId) -> Result<&Body, EngineError> {
         )
         .blame("body")
     })
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
 }

@@ -48,6 +48,7 @@ use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::{angular_acceleration, angular_velocity, point_acceleration};
 use calyx_model::plan::Plan;
 use calyx_numerics::error::{EngineError, Subject};
+use calyx_numerics::vec2::dot;
 
 /// Matrices at a time, per width of the model: DOFs first, then modal coordinates.
 pub struct Matrices {
@@ -108,10 +109,6 @@ const FAST: f64 = 0.1;
 const TOO_FAST: f64 = 0.5;
 /// Indices of the in-plane components of a frame in [`calyx_model::dof::DOF_NAMES`].
 const IN_PLANE: [usize; 3] = [0, 1, 5];
-
-fn dot([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
-    a * c + b * d
-}
 
 /// Rotates by a right angle.
 fn across([x, y]: [f64; 2]) -> [f64; 2] {

@@ -16,6 +16,7 @@ use calyx_model::frames::pose;
 use calyx_model::motion::PlanePose;
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
+use calyx_numerics::vec2::distance;
 use calyx_structure::profile::Profile;
 use calyx_structure::{Chart, Structure};
 use faer::Mat;
@@ -334,8 +335,4 @@ impl Plane<'_> {
             _ => f64::INFINITY,
         }
     }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }

@@ -13,6 +13,7 @@
 use super::axial_modes::AxialModes;
 use super::screw::Screw;
 use crate::kernel::Mollifier;
+use calyx_numerics::interpolation::lagrange;
 use calyx_numerics::quadrature::gauss_legendre;
 use faer::Mat;
 
@@ -250,15 +251,6 @@ fn spread_at(
             }
         }
     }
-}
-
-/// Returns the values at `x` of the Lagrange polynomials on the points.
-fn lagrange(points: &[f64], x: f64) -> Vec<f64> {
-    let factor = |own: usize, other: usize| (x - points[other]) / (points[own] - points[other]);
-    let polynomial = |own: usize| {
-        (0..points.len()).filter(|&other| other != own).map(|other| factor(own, other)).product()
-    };
-    (0..points.len()).map(polynomial).collect()
 }
 
 #[cfg(test)]

@@ -1,0 +1,44 @@
+//! Lagrange interpolation: the polynomials that are 1 at one of several points and 0 at the others.
+
+/// Returns value and slope at `x` of the polynomial of point `own`.
+#[inline]
+pub fn lagrange_polynomial(points: &[f64], own: usize, x: f64) -> (f64, f64) {
+    let (mut value, mut slope) = (1.0, 0.0);
+    for (_, other) in points.iter().enumerate().filter(|(index, _)| *index != own) {
+        let gap = points[own] - other;
+        slope = (slope * (x - other) + value) / gap;
+        value *= (x - other) / gap;
+    }
+    (value, slope)
+}
+
+/// Returns the values at `x` of the polynomials of all points.
+pub fn lagrange(points: &[f64], x: f64) -> Vec<f64> {
+    (0..points.len()).map(|own| lagrange_polynomial(points, own, x).0).collect()
+}
+
+/// Returns values and slopes at `x` of the polynomials of all points.
+pub fn lagrange_with_slopes(points: &[f64], x: f64) -> Vec<(f64, f64)> {
+    (0..points.len()).map(|own| lagrange_polynomial(points, own, x)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cubic_is_interpolated_with_its_slope() {
+        let cubic = |x: f64| 2.0 - x + 0.5 * x * x - 3.0 * x * x * x;
+        let points = [-1.0, -0.25, 0.5, 1.0];
+        for x in [-1.0, -0.7, 0.0, 0.4, 1.3] {
+            let sum = |part: fn((f64, f64)) -> f64| -> f64 {
+                let polynomials = lagrange_with_slopes(&points, x).into_iter();
+                polynomials.zip(points).map(|(polynomial, at)| part(polynomial) * cubic(at)).sum()
+            };
+            assert!((sum(|(value, _)| value) - cubic(x)).abs() < 1e-13);
+            assert!((sum(|(_, slope)| slope) - (-1.0 + x - 9.0 * x * x)).abs() < 1e-12);
+            let values: Vec<f64> = lagrange_with_slopes(&points, x).iter().map(|(value, _)| *value).collect();
+            assert_eq!(lagrange(&points, x), values);
+        }
+    }
+}
