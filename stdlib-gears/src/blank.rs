@@ -1,18 +1,25 @@
 //! Gear blanks: everything that describes one gear before mounting, namely its teeth, the body that
 //! carries them and its flank modifications.
 //!
-//! The library function `external` of the language is [`GearBlank::cut`] with arguments for fields.
+//! The library functions `external` and `internal` of the language are [`GearBlank::cut`] with
+//! arguments for fields.
+
+mod spline;
+
+pub use spline::{RadialFit, SplineSupport};
 
 use crate::disc_web::DiscWeb;
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
+use crate::gear::Gear;
 use crate::helix::Helix;
+use crate::internal::{InternalGear, InternalGearData, check_outer_rim};
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
+use crate::shaper::Shaper;
 use calyx_runtime::material::Material;
 use calyx_runtime::structure::{BoreSupport, SplineTeeth};
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Rim under the teeth, or around those of an internal gear, supported at its far side or by a web.
@@ -33,113 +40,6 @@ pub struct Rim {
 /// Harmonics of the Fourier series of spline teeth that the mesh of any gear resolves per gear
 /// tooth.
 const SPLINE_HARMONICS_PER_TOOTH: u32 = 4;
-
-/// Support of a rim by equally spaced spline teeth or keys. They carry load in both directions;
-/// without clearance they have no backlash.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SplineSupport {
-    /// Number of spline teeth, at least three; it need not be commensurate with the number of gear
-    /// teeth.
-    pub spline_teeth: u16,
-    /// Length of each spline tooth along the bore circle, m; `None` selects half of their pitch.
-    pub width: Option<f64>,
-    /// Angle from the middle of gear tooth 0 to the middle of the first spline tooth, rad,
-    /// counter-clockwise.
-    pub first: f64,
-    /// Circumferential stiffness per unit of axial length of a spline tooth, N/m²; `None` if rigid.
-    pub stiffness: Option<f64>,
-    /// Radial constraint of the bore at the spline teeth, as in major-diameter fits; `None` if
-    /// there is none.
-    pub radial: Option<RadialFit>,
-    /// Degree of the polynomials along the bore that the spline teeth constrain: 0 constrains the
-    /// mean, 1 also the tilt.
-    pub axial_order: u8,
-    /// Clearance: width of a space minus thickness of a spline tooth along the bore circle, m. A
-    /// centred tooth has half of it on either flank. With clearance, the spline teeth are contact
-    /// cells of a two-dimensional model and support a body whose frame is free. 0 constrains them
-    /// without backlash.
-    pub clearance: f64,
-}
-
-/// Radial constraint of a bore by spline teeth.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RadialFit {
-    /// Radial stiffness per unit of axial length of a spline tooth, N/m²; `None` if rigid.
-    pub stiffness: Option<f64>,
-}
-
-impl SplineSupport {
-    /// Creates rigid spline teeth that support a bore by their flanks.
-    pub fn new(spline_teeth: u16) -> SplineSupport {
-        SplineSupport {
-            spline_teeth,
-            width: None,
-            first: 0.0,
-            stiffness: None,
-            radial: None,
-            axial_order: 1,
-            clearance: 0.0,
-        }
-    }
-
-    /// Returns the spline teeth at a radius, m.
-    fn at(&self, radius: f64) -> Result<SplineTeeth, GeometryError> {
-        let wrong = |argument, message, help| GeometryError::error("E0655", argument, message, help);
-        if self.spline_teeth < 3 {
-            return Err(wrong(
-                "lugs",
-                sentence!["a spline needs at least three teeth to centre a rim; it has ", number f64::from(self.spline_teeth)],
-                sentence!["give at least 3"],
-            ));
-        }
-        let pitch = TAU * radius / f64::from(self.spline_teeth);
-        let width = self.width.unwrap_or(0.5 * pitch);
-        if !(width > 0.0 && width <= pitch * (1.0 + 1e-9)) {
-            return Err(wrong(
-                "width",
-                sentence![
-                    "spline teeth of width ", length width, " do not fit around the rim, where the spline pitch is ", length pitch
-                ],
-                sentence!["reduce `width`, or omit it for half the spline pitch"],
-            ));
-        }
-        let fits = self.clearance > 0.0 && width + self.clearance < pitch;
-        if self.clearance != 0.0 && !fits {
-            return Err(GeometryError::error(
-                "E0754",
-                "clearance",
-                sentence![
-                    "a clearance of ", length self.clearance, " on spline teeth of width ", length width, " does not fit within the spline pitch of ",
-                    length pitch
-                ],
-                sentence![
-                    "give the difference of the widths of a space and a spline tooth, or 0 for a spline without backlash"
-                ],
-            ));
-        }
-        let compliance = |argument: &'static str, stiffness: Option<f64>| match stiffness {
-            None => Ok(0.0),
-            Some(stiffness) if stiffness > 0.0 && stiffness.is_finite() => Ok(1.0 / stiffness),
-            Some(_) => Err(wrong(
-                argument,
-                sentence!["the stiffness of spline teeth must be positive"],
-                sentence!["omit it for rigid spline teeth"],
-            )),
-        };
-        let radial = match self.radial {
-            Some(fit) => Some(compliance("radial_stiffness", fit.stiffness)?),
-            None => None,
-        };
-        Ok(SplineTeeth {
-            count: self.spline_teeth,
-            first: self.first,
-            width: width / radius,
-            tangential: compliance("stiffness", self.stiffness)?,
-            radial,
-            degree: self.axial_order,
-        })
-    }
-}
 
 /// Web: a disc, thinner than the face width, that carries a rim. Lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -404,18 +304,61 @@ pub enum Thickness {
     ProfileShift(f64),
 }
 
-/// Input data of an external gear. Lengths in m.
+/// Tool that generates the teeth: a rack those of external gears, a shaper cutter those of internal
+/// gears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tool {
+    /// Rack, for an external gear.
+    Rack(Rack),
+    /// Shaper cutter, for an internal gear.
+    Shaper(Shaper),
+}
+
+impl Tool {
+    /// Returns the transverse module, m.
+    pub fn module(&self) -> f64 {
+        match self {
+            Tool::Rack(rack) => rack.module,
+            Tool::Shaper(shaper) => shaper.module,
+        }
+    }
+
+    /// Returns the tooth thickness for a profile shift coefficient, m; see
+    /// [`Rack::thickness_of_shift`] and [`Shaper::thickness_of_shift`].
+    pub fn thickness_of_shift(&self, profile_shift: f64) -> f64 {
+        match self {
+            Tool::Rack(rack) => rack.thickness_of_shift(profile_shift),
+            Tool::Shaper(shaper) => shaper.thickness_of_shift(profile_shift),
+        }
+    }
+}
+
+impl From<Rack> for Tool {
+    fn from(rack: Rack) -> Tool {
+        Tool::Rack(rack)
+    }
+}
+
+impl From<Shaper> for Tool {
+    fn from(shaper: Shaper) -> Tool {
+        Tool::Shaper(shaper)
+    }
+}
+
+/// Input data of an external or internal gear. Lengths in m.
 ///
 /// Every field may be set on its own; the methods that take `self` set the optional ones.
 #[derive(Clone, Debug)]
 pub struct GearBlank {
-    /// Number of teeth, at least 4.
+    /// Number of teeth: at least 4, or more than the shaper cutter has.
     pub teeth: u32,
-    /// Generating rack.
-    pub rack: Rack,
-    /// Tip diameter; usually the pitch diameter plus two modules.
-    pub outer_diameter: f64,
-    /// Root diameter; usually the pitch diameter minus 2.5 modules.
+    /// Tool that generates the teeth; it determines whether the gear is external or internal.
+    pub tool: Tool,
+    /// Tip diameter: usually the pitch diameter plus two modules. The tip (minor) diameter of an
+    /// internal gear is usually the pitch diameter minus 1.5 to 2 modules.
+    pub tip_diameter: f64,
+    /// Root diameter: usually the pitch diameter minus 2.5 modules, or plus 2.5 modules for an
+    /// internal gear.
     pub root_diameter: f64,
     /// Face width: axial length of the teeth.
     pub face_width: f64,
@@ -423,7 +366,7 @@ pub struct GearBlank {
     pub helix: Helix,
     /// Material of the gear.
     pub material: Material,
-    /// Rim that carries the teeth.
+    /// Rim that carries the teeth; for an internal gear, see [`Rim::outer`].
     pub rim: Rim,
     /// Tooth thickness.
     pub thickness: Thickness,
@@ -438,27 +381,35 @@ pub struct GearBlank {
 }
 
 impl GearBlank {
-    /// Creates a spur gear with standard proportions: addendum one module, dedendum 1.25, no
-    /// profile shift, steel, face width ten modules, rim thickness one and a half modules under the
-    /// tooth spaces. Every field can be changed.
-    pub fn standard(teeth: u32, rack: Rack) -> GearBlank {
-        let module = rack.module;
+    /// Creates a spur gear with standard proportions: no profile shift, steel, face width ten
+    /// modules. An external gear has an addendum of one module, a dedendum of 1.25 and a rim
+    /// thickness of one and a half modules under the tooth spaces; an internal gear has 0.8, 1.25
+    /// and two modules around them. Every field can be changed.
+    pub fn standard(teeth: u32, tool: impl Into<Tool>) -> GearBlank {
+        let tool = tool.into();
+        let module = tool.module();
         let pitch_diameter = f64::from(teeth) * module;
-        let root_diameter = pitch_diameter - 2.5 * module;
+        let (tip_diameter, root_diameter, radius, fixed_radius) = match tool {
+            Tool::Rack(_) => {
+                let root = pitch_diameter - 2.5 * module;
+                let radii = [0.5 * root - 0.5 * module, 0.5 * root - 1.5 * module];
+                (pitch_diameter + 2.0 * module, root, radii[0], radii[1])
+            }
+            Tool::Shaper(_) => {
+                let root = pitch_diameter + 2.5 * module;
+                let radii = [0.5 * root + 0.5 * module, 0.5 * root + 2.0 * module];
+                (pitch_diameter - 1.6 * module, root, radii[0], radii[1])
+            }
+        };
         GearBlank {
             teeth,
-            rack,
-            outer_diameter: pitch_diameter + 2.0 * module,
+            tool,
+            tip_diameter,
             root_diameter,
             face_width: 10.0 * module,
             helix: Helix::SPUR,
             material: Material::STEEL,
-            rim: Rim {
-                radius: 0.5 * root_diameter - 0.5 * module,
-                fixed_radius: 0.5 * root_diameter - 1.5 * module,
-                web: None,
-                hold: BoreSupport::Rigid,
-            },
+            rim: Rim { radius, fixed_radius, web: None, hold: BoreSupport::Rigid },
             thickness: Thickness::ProfileShift(0.0),
             tip_edge_radius: None,
             modifications: Vec::new(),
@@ -468,8 +419,8 @@ impl GearBlank {
 
     /// Sets the tip and the root diameter, m.
     #[must_use]
-    pub fn diameters(mut self, outer: f64, root: f64) -> GearBlank {
-        (self.outer_diameter, self.root_diameter) = (outer, root);
+    pub fn diameters(mut self, tip: f64, root: f64) -> GearBlank {
+        (self.tip_diameter, self.root_diameter) = (tip, root);
         self
     }
 
@@ -508,38 +459,59 @@ impl GearBlank {
         self
     }
 
-    /// Checks the blank and generates the gear. Its warnings are in [`ExternalGear::warnings`].
+    /// Checks the blank and generates the gear. Its warnings are in [`Gear::warnings`].
     ///
     /// # Errors
-    /// All errors of the gear that can be detected together: E0604 to E0621, E0640 to E0642
-    /// (blaming `modifications`), E0644, E0668.
+    /// All errors of the gear that can be detected together: E0604 to E0621 or those of
+    /// [`InternalGear::new`], E0640 to E0642 (blaming `modifications`), E0644, E0668.
     pub fn cut(self) -> Result<Arc<GearPrototype>, Refusal> {
         check_face_width(self.face_width)?;
-        let tooth_thickness = match self.thickness {
+        let thickness = match self.thickness {
             Thickness::Circular(thickness) => thickness,
-            Thickness::ProfileShift(shift) => self.rack.thickness_of_shift(shift),
+            Thickness::ProfileShift(shift) => self.tool.thickness_of_shift(shift),
         };
-        let tooth_thickness = self.rack.transverse_thickness(tooth_thickness, &self.helix);
+        let gear = match self.tool {
+            Tool::Rack(rack) => Gear::from(self.external(rack, thickness)?),
+            Tool::Shaper(shaper) => Gear::from(self.internal(shaper, thickness)?),
+        };
+        self.rim.check_support(self.teeth)?;
+        let pitch_radius = gear.form().pitch_radius;
+        let pitch_errors = self.pitch_errors.iter().map(|error| error / pitch_radius).collect();
+        let (material, rim, face_width) = (self.material, self.rim, self.face_width);
+        let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);
+        Ok(Arc::new(cut.map_err(of_modifications)?.along(self.helix)))
+    }
+
+    fn external(&self, rack: Rack, thickness: f64) -> Result<ExternalGear, Refusal> {
         let gear = ExternalGear::new(ExternalGearData {
             teeth: self.teeth,
-            rack: self.rack.transverse(&self.helix),
-            tooth_thickness,
-            outer_radius: 0.5 * self.outer_diameter,
+            rack: rack.transverse(&self.helix),
+            tooth_thickness: rack.transverse_thickness(thickness, &self.helix),
+            outer_radius: 0.5 * self.tip_diameter,
             root_radius: 0.5 * self.root_diameter,
             tip_edge_radius: self.tip_edge_radius,
         })?;
         check_rim(gear.root_radius, self.rim.radius, self.rim.fixed_radius)?;
         self.rim.check_web(self.face_width)?;
-        self.rim.check_support(gear.teeth)?;
-        let pitch_errors = self.pitch_errors.iter().map(|error| error / gear.pitch_radius).collect();
-        let (material, rim, face_width) = (self.material, self.rim, self.face_width);
-        let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);
-        Ok(Arc::new(cut.map_err(of_modifications)?.along(self.helix)))
+        Ok(gear)
+    }
+
+    fn internal(&self, shaper: Shaper, thickness: f64) -> Result<InternalGear, Refusal> {
+        let gear = InternalGear::new(InternalGearData {
+            teeth: self.teeth,
+            shaper,
+            tooth_thickness: thickness,
+            minor_radius: 0.5 * self.tip_diameter,
+            root_radius: 0.5 * self.root_diameter,
+            tip_edge_radius: self.tip_edge_radius,
+        })?;
+        check_outer_rim(gear.root_radius, self.rim.radius, self.rim.fixed_radius)?;
+        Ok(gear)
     }
 }
 
 /// Checks that the face width is positive.
-pub(crate) fn check_face_width(face_width: f64) -> Result<(), GeometryError> {
+fn check_face_width(face_width: f64) -> Result<(), GeometryError> {
     if face_width > 0.0 && face_width.is_finite() {
         return Ok(());
     }
@@ -553,6 +525,6 @@ pub(crate) fn check_face_width(face_width: f64) -> Result<(), GeometryError> {
 
 /// Attributes errors of a relief to the argument `modifications`, because they are only found
 /// together with the gear.
-pub(crate) fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
+fn of_modifications(errors: Vec<GeometryError>) -> Vec<GeometryError> {
     errors.into_iter().map(|error| GeometryError { argument: "modifications", ..error }).collect()
 }

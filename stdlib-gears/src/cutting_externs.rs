@@ -1,20 +1,19 @@
 //! Tools, rims and gears for programs: the Rust side of `rack`, `shaper`, `external` and `internal`
 //! of `gears.cx`.
 
-use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport};
+use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport, Tool};
 use crate::disc_web::{DiscWeb, Hub};
 use crate::error::{Refusal, Severity};
 use crate::externs::{engine, entry, host, refusal};
 use crate::helix::{Hand, Helix};
 use crate::host::{ModelHost, keep};
-use crate::internal_blank::InternalBlank;
 use crate::modification::Modification;
 use crate::plausibility::{of_gear, thickness};
 use crate::prototype::GearPrototype;
 use crate::rack::{Plane, Rack};
 use crate::shaper::Shaper;
-use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
+use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::material::Material;
 use calyx_runtime::structure::BoreSupport;
 use std::sync::Arc;
@@ -143,27 +142,11 @@ calyx_abi::externs! {
         material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
         modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
     ) -> Handle {
-        let teeth = whole_teeth(teeth)?;
-        let (place, host) = (context.place, host(context)?);
-        let rack = *entry(&host.racks, rack)?;
-        let of_shift = |shift: f64| rack.thickness_of_shift(shift);
-        let thickness = thickness(tooth_thickness, profile_shift, rack.module, of_shift)
-            .map_err(|error| host.runtime_error(&error, place))?;
-        let blank = GearBlank {
-            teeth,
-            rack,
-            outer_diameter,
-            root_diameter,
-            face_width,
-            helix: helix(host, helix_angle, &hand, place)?,
-            material: *entry(&host.materials, material)?,
-            rim: *entry(&host.rims, rim)?,
-            thickness,
-            tip_edge_radius: (tip_edge_radius != 0.0).then_some(tip_edge_radius),
-            modifications: modifications_of(host, modifications)?,
-            pitch_errors,
+        let given = GearArguments {
+            teeth, diameters: [outer_diameter, root_diameter], face_width, material, rim, tooth_thickness,
+            profile_shift, tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
         };
-        keep_gear(host, blank.cut(), rack.module, place)
+        cut_gear(context, |host| Ok(Tool::from(*entry(&host.racks, rack)?)), given)
     }
 
     Pure fn calyx_gears_internal(
@@ -171,27 +154,11 @@ calyx_abi::externs! {
         material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
         modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
     ) -> Handle {
-        let teeth = whole_teeth(teeth)?;
-        let (place, host) = (context.place, host(context)?);
-        let shaper = *entry(&host.shapers, shaper)?;
-        let of_shift = |shift: f64| shaper.thickness_of_shift(shift);
-        let thickness = thickness(tooth_thickness, profile_shift, shaper.module, of_shift)
-            .map_err(|error| host.runtime_error(&error, place))?;
-        let blank = InternalBlank {
-            teeth,
-            shaper,
-            minor_diameter,
-            root_diameter,
-            face_width,
-            helix: helix(host, helix_angle, &hand, place)?,
-            material: *entry(&host.materials, material)?,
-            rim: *entry(&host.rims, rim)?,
-            thickness,
-            tip_edge_radius: (tip_edge_radius != 0.0).then_some(tip_edge_radius),
-            modifications: modifications_of(host, modifications)?,
-            pitch_errors,
+        let given = GearArguments {
+            teeth, diameters: [minor_diameter, root_diameter], face_width, material, rim, tooth_thickness,
+            profile_shift, tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
         };
-        keep_gear(host, blank.cut(), shaper.module, place)
+        cut_gear(context, |host| Ok(Tool::from(*entry(&host.shapers, shaper)?)), given)
     }
 }
 
@@ -273,6 +240,52 @@ fn helix(host: &mut ModelHost, angle: f64, hand: &str, place: Place) -> Result<H
 
 fn modifications_of(host: &ModelHost, handles: Vec<Handle>) -> Result<Vec<Modification>, RuntimeError> {
     handles.into_iter().map(|handle| entry(&host.modifications, handle).cloned()).collect()
+}
+
+/// Arguments that `external` and `internal` have in common.
+struct GearArguments {
+    teeth: f64,
+    /// Tip and root diameter.
+    diameters: [f64; 2],
+    face_width: f64,
+    material: Handle,
+    rim: Handle,
+    tooth_thickness: f64,
+    profile_shift: f64,
+    tip_edge_radius: f64,
+    modifications: Vec<Handle>,
+    pitch_errors: Vec<f64>,
+    helix_angle: f64,
+    hand: String,
+}
+
+fn cut_gear(
+    context: &mut Context,
+    tool: impl FnOnce(&ModelHost) -> Result<Tool, RuntimeError>,
+    given: GearArguments,
+) -> Result<Handle, RuntimeError> {
+    let teeth = whole_teeth(given.teeth)?;
+    let (place, host) = (context.place, host(context)?);
+    let tool = tool(host)?;
+    let of_shift = |shift: f64| tool.thickness_of_shift(shift);
+    let thickness = thickness(given.tooth_thickness, given.profile_shift, tool.module(), of_shift)
+        .map_err(|error| host.runtime_error(&error, place))?;
+    let [tip_diameter, root_diameter] = given.diameters;
+    let blank = GearBlank {
+        teeth,
+        tool,
+        tip_diameter,
+        root_diameter,
+        face_width: given.face_width,
+        helix: helix(host, given.helix_angle, &given.hand, place)?,
+        material: *entry(&host.materials, given.material)?,
+        rim: *entry(&host.rims, given.rim)?,
+        thickness,
+        tip_edge_radius: (given.tip_edge_radius != 0.0).then_some(given.tip_edge_radius),
+        modifications: modifications_of(host, given.modifications)?,
+        pitch_errors: given.pitch_errors,
+    };
+    keep_gear(host, blank.cut(), tool.module(), place)
 }
 
 fn keep_gear(

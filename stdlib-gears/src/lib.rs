@@ -7,7 +7,6 @@
 //! |---|---|
 //! | tool | [`rack::Rack`], for internal gears [`shaper::Shaper`] |
 //! | gear blank | [`blank::GearBlank`]: teeth, diameters, [`blank::Rim`], [`modification::Modification`]s, pitch deviations |
-//! | blank of an internal gear | [`internal_blank::InternalBlank`] |
 //! | checked gear | [`blank::GearBlank::cut`] returns a [`prototype::GearPrototype`], from which a body of the engine's [`Scene`] is made |
 //! | bodies on their frames | [`assembly::add_body`] |
 //! | mesh | [`assembly::mesh`]: drive flanks, phase, mesh cycle |
@@ -130,7 +129,6 @@ pub mod helix;
 pub mod host;
 mod inertia;
 pub mod internal;
-pub mod internal_blank;
 pub mod involute;
 pub mod library;
 mod load_plausibility;

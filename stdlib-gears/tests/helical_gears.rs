@@ -8,7 +8,6 @@ use calyx_gears::error::Refusal;
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::helix::{Hand, Helix};
-use calyx_gears::internal_blank::InternalBlank;
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::{Plane, Rack};
 use calyx_gears::shaper::Shaper;
@@ -164,10 +163,10 @@ fn hands_fit_on_parallel_axes() {
     let ring = |hand| {
         let shaper =
             Shaper::new(24, module, pressure, NORMAL_MODULE * 1.25, 0.2 * NORMAL_MODULE).expect("a shaper");
-        let mut blank = InternalBlank::standard(80, shaper);
+        let mut blank = GearBlank::standard(80, shaper);
         blank.helix = Helix::new(BETA, hand).expect("a helix");
         blank.face_width = 30e-3;
-        blank.minor_diameter = 80.0 * module - 1.6 * NORMAL_MODULE;
+        blank.tip_diameter = 80.0 * module - 1.6 * NORMAL_MODULE;
         blank.root_diameter = 80.0 * module + 2.5 * NORMAL_MODULE;
         blank.cut().expect("a ring")
     };

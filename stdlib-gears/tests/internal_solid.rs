@@ -5,7 +5,6 @@ use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim, Thickness};
 use calyx_gears::helix::{Hand, Helix};
-use calyx_gears::internal_blank::InternalBlank;
 use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
 use calyx_runtime::load::Wrench;
@@ -37,12 +36,12 @@ fn scene(helix_angle: f64, moment: f64) -> Scene {
         .thickness(thickness)
         .face_width(30e-3)
         .rim(Rim::new(60e-3, 40e-3).expect("a rim"));
-    let ring = InternalBlank {
+    let ring = GearBlank {
         helix,
         thickness,
         face_width: 30e-3,
         rim: Rim::outer(256e-3, 280e-3).expect("a rim"),
-        ..InternalBlank::standard(60, shaper)
+        ..GearBlank::standard(60, shaper)
     };
     let mut scene = Scene::default();
     let turning = |distance, speed| SteadyRotation { origin: [distance, 0.0], start: 0.0, speed };

@@ -2,7 +2,6 @@
 
 use calyx_gears::blank::GearBlank;
 use calyx_gears::flank::Flank;
-use calyx_gears::internal_blank::InternalBlank;
 use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
@@ -26,7 +25,7 @@ fn made(index: usize, modifications: &[Modification]) -> Arc<GearPrototype> {
         return external.cut().expect("a gear");
     }
     let shaper = Shaper::new(25, MODULE, alpha, 1.25 * MODULE, 0.2 * MODULE).expect("a shaper");
-    let mut internal = InternalBlank::standard(60, shaper);
+    let mut internal = GearBlank::standard(60, shaper);
     internal.modifications = modifications.to_vec();
     internal.face_width = FACE;
     internal.cut().expect("a ring")

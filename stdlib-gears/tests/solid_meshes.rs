@@ -4,7 +4,6 @@
 use crate::common::INCH;
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::helix::{Hand, Helix};
-use calyx_gears::internal_blank::InternalBlank;
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
@@ -32,10 +31,10 @@ fn pinion(helix: f64, hand: Hand) -> Arc<GearPrototype> {
 fn ring(helix: f64, hand: Hand) -> Arc<GearPrototype> {
     let module = 0.1 * INCH;
     let shaper = Shaper::new(25, module, 20.0_f64.to_radians(), 1.25 * module, 0.2 * module);
-    InternalBlank {
+    GearBlank {
         helix: Helix::new(helix, hand).expect("a helix"),
         face_width: INCH,
-        ..InternalBlank::standard(60, shaper.expect("a shaper"))
+        ..GearBlank::standard(60, shaper.expect("a shaper"))
     }
     .cut()
     .expect("a ring")
