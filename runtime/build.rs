@@ -1,5 +1,6 @@
-//! Gives a crate a name for its own source: structures kept on disk are those of one source, so that no change of a method needs to
-//! be remembered to be seen. The engine's crate and that of the gears have it.
+//! Gives a crate a fingerprint of its own source. It is part of the key of stored structures, so a
+//! structure is reused only by the source that computed it. All crates of the engine and
+//! `calyx-gears` have one.
 
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -22,7 +22,7 @@ fn examples_show_their_code_and_are_fixed() {
             wrong += &format!("{}: the example gives {shown:?}\n", example.code);
         }
         if fixed.iter().any(|(code, error)| *error || code == example.code) {
-            wrong += &format!("{}: the mended example gives {fixed:?}\n", example.code);
+            wrong += &format!("{}: the fixed example gives {fixed:?}\n", example.code);
         }
     }
     assert!(wrong.is_empty(), "\n{wrong}");

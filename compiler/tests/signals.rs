@@ -135,7 +135,7 @@ var two = gears.body(\"two\", blank, free = [\"theta_z\"], inertia = 2e-3 kg*m^2
     frame := Rotate(-1e-3 rpm*Time, e3)*Translate(60.3 mm*e1));
 var _spring = gears.bearing(\"spring\", two, torsional_stiffness = 1e5 N*m/rad);
 var _mesh = gears.mesh(one, two, cells = 4, tip_corner_contact = FALSE);
-// So small that the same cells go on carrying.
+// So small that the loaded cells stay the same.
 gears.impulse(one, at = 0.1 ms, duration = 0.04 ms, angular_momentum = 1e-4 N*m*s*e3);
 ";
 const AT_REST: &str = "output lower := gears.natural_frequency(1);

@@ -21,6 +21,6 @@ var gear = gears.body(\"gear\", blank, frame := Rotate(-60 rpm * Time, e3) * Tra
 var mesh = gears.mesh(pinion, gear);
 /// Lag of the gear.
 output transmission_error := gears.transmission_error(mesh);
-/// Of the flanks.
+/// Contact pressure of the flanks.
 output max_contact_pressure := gears.max_contact_pressure(mesh);
 ";

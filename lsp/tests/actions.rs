@@ -25,7 +25,7 @@ fn show(case: &Case, action: &Action) -> String {
         ActionKind::QuickFix | ActionKind::FixAll => {
             assert!(
                 !action.preferred || after != before,
-                "{}: `{}` mends nothing",
+                "{}: `{}` fixes nothing",
                 case.heading,
                 action.title
             );

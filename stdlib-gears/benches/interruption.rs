@@ -33,8 +33,8 @@ fn main() {
     measure("10000 positions", &usual, 10_000, Some([1, 0]), plane);
     // In three dimensions memory limits the number of cells.
     let solid = Fidelity::Solid(Template::Medium);
-    measure("11 x 11 cells in space", &usual, 2, Some([5, 5]), solid);
-    measure("81 x 41 cells in space", &usual, 1, Some([40, 20]), solid);
+    measure("11 x 11 cells, 3-D", &usual, 2, Some([5, 5]), solid);
+    measure("81 x 41 cells, 3-D", &usual, 1, Some([40, 20]), solid);
 }
 
 /// Statistics of the checkpoints: their number, the last one, and the longest interval.

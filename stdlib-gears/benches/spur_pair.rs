@@ -59,13 +59,13 @@ fn ladder() {
     };
     let plane: f64 = whole(0.0, Fidelity::Plane).iter().sum();
     println!("{:>44} {:>12} {:>12} {:>14}", "milliseconds", "structures", "positions", "over plane");
-    for (crown, place) in [(0.0, "in the plane"), (pair::CHAPTER_5.crown, "in space")] {
+    for (crown, place) in [(0.0, "two-dimensional"), (pair::CHAPTER_5.crown, "three-dimensional")] {
         for fidelity in [Fidelity::Rigid, Fidelity::Analytic, Fidelity::Plane] {
             let [structures, positions] = whole(crown, fidelity);
             let name = format!(
                 "{}, {}",
                 fidelity.name(),
-                if fidelity == Fidelity::Plane { "in the plane" } else { place }
+                if fidelity == Fidelity::Plane { "two-dimensional" } else { place }
             );
             let share = (structures + positions) / plane;
             println!("{name:>44} {:>12.3} {:>12.3} {share:>14.4}", 1e3 * structures, 1e3 * positions);

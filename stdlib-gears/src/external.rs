@@ -235,8 +235,8 @@ impl ExternalGear {
     }
 
     /// Number of teeth for which the jaws touch closest to the middle of the flanks, with its span
-    /// measurement. Returns `None` if no number gives contact on the involutes, or if the face
-    /// width (m) is smaller than the span of helical teeth requires.
+    /// measurement. Returns `None` if the jaws touch the involutes for none, or if the face width
+    /// (m) is smaller than the span of helical teeth requires.
     pub fn usual_span(&self, base_helix: f64, face_width: f64) -> Option<(u32, f64)> {
         let middle = self.roll_at_radius(self.pitch_radius + self.shift());
         // The transverse part of half the span is the tangent from the base circle to the point

@@ -49,7 +49,8 @@ impl GaugePlacement {
         let s = on_fillet(&gear.gear, &fillet, self.along)?;
         let point = fillet.at(s);
         let ([x, y], [tx, ty]) = (point.position, point.tangent);
-        // The axial line of a helical fillet is inclined to the axis both along the profile and across it.
+        // The axial line of a helical fillet is inclined to the axis both along the profile and
+        // across it.
         let twist = gear.twist_per_length();
         let (leans, bulges) = (twist * (x * ty - y * tx), twist * (x * tx + y * ty));
         let across = 1.0_f64.hypot(bulges);

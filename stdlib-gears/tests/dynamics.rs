@@ -342,8 +342,8 @@ fn natural_frequencies_are_those_of_the_closed_form() {
             assert!((squares[(i, j)] - square).abs() < 1e-11 * found.frequencies[2].powi(2));
         }
     }
-    // By hand: the stiffness of the teeth along the line of action, the lever arms of both gears,
-    // and the direction of the line.
+    // Expected values from the stiffness of the teeth along the line of action, the lever arms of
+    // both gears, and the direction of the line.
     let [one, two] = [FIRST, SECOND].map(|id| scene.bodies[id.0].inertia());
     let [r1, r2] = mesh.base_radii;
     let alone = stiffness[(0, 0)] / (r1 * r1);

@@ -227,8 +227,8 @@ fn what_is_not_estimated_is_listed_with_its_reason() {
     assert_eq!(left_out, [Part::Level]);
 }
 
-/// Rigid teeth without modifications have no transmission error: the computed one is rounding error.
-/// The difference to elastic teeth is an error of the fidelity level, not a rounding error.
+/// Rigid teeth without modifications have no transmission error: the computed one is rounding
+/// error. The difference to elastic teeth is an error of the fidelity level, not a rounding error.
 #[test]
 fn rounding_is_told_from_values() {
     let of = |estimates| {

@@ -109,7 +109,7 @@ fn what_is_asked_in_the_plane_is_answered_in_space() {
             for body in BODIES {
                 let stress = seen(&MaxRootStress(body));
                 let place = stress.place.expect("a loaded gear has a place of its largest stress");
-                let axial = place.axial.expect("in space places lie along the face");
+                let axial = place.axial.expect("a solid has points along the face");
                 let told =
                     MaximumLocation { body, maximum: Maximum::RootStress, coordinate: Coordinate::Axial };
                 assert_eq!(value(&told), axial);

@@ -119,7 +119,7 @@ fn rigid_involutes_are_conjugate() {
             (tangent - form.pitch_radius * form.pressure_angle.sin()).abs()
         };
         let fastest = 1.5 * options.speed * from_pitch(highest);
-        // Of two pairs, the one nearer to the root may slide faster.
+        // If two pairs are in contact, the one nearer to the root may slide faster.
         assert!(sliding >= fastest * (1.0 - 1e-9), "{sliding} {fastest}");
         assert!(pairs > 1.0 || (sliding / fastest - 1.0).abs() < 1e-9, "{sliding} {fastest}");
     }

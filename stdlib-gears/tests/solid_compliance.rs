@@ -73,7 +73,7 @@ fn line_loads_meet_the_plane() {
     let gear = pinion();
     let options = StructureOptions::default();
     let flat = gear.build(&options, &Interrupt::never()).expect("a structure in the plane");
-    let solid = gear.build_solid(&options, &Interrupt::never()).expect("a structure in space");
+    let solid = gear.build_solid(&options, &Interrupt::never()).expect("a solid structure");
     let length = flat.profile(0).edge_from().expect("a gear has a tip edge");
     let chart = |surface| Chart { tooth: 3, surface };
     // The last position is beyond the range that the elements at the tip permit for a sample.

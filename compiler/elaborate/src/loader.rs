@@ -57,8 +57,8 @@ impl Loader for ModelLoader {
 /// Returns the text of a module in a file below a model's folder; `None` if the file does not
 /// exist.
 ///
-/// As for `read_table`, the module must be a regular file below the folder or an allowed path, after
-/// symbolic links are resolved.
+/// As for `read_table`, the module must be a regular file below the folder or an allowed path,
+/// after symbolic links are resolved.
 ///
 /// # Errors
 /// The reason why an existing file cannot be read.

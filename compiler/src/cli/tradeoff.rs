@@ -272,7 +272,7 @@ impl Tradeoff {
             Some(name) => Some(name.clone()),
             None => best_of_levels.pop(),
         };
-        // Of the settings added as references of the levels, keep only the selected reference.
+        // Keep only the selected one of the settings that were added as references of the levels.
         expected
             .retain(|(setting, _)| !added.contains(&setting.name) || chosen.as_ref() == Some(&setting.name));
         Ok((expected, chosen))

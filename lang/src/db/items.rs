@@ -178,8 +178,8 @@ pub(super) fn declared(db: &dyn salsa::Database, text: Text) -> HashMap<String, 
     declared
 }
 
-/// Names of the variables, params and outputs of a file's top level. Found once for a file: a search
-/// among all items of a name for each of them takes time in the square of their number.
+/// Names of the variables, params and outputs of a file's top level. They are collected once for a
+/// file: a search among all items for each name takes quadratic time.
 #[salsa::tracked]
 pub(super) fn state_names(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
     let mut names = BTreeSet::new();

@@ -6,8 +6,9 @@ use crate::lexer::Kind;
 
 /// Limit of nested brackets, interpolations and blocks.
 const MAX_BRACKETS: usize = 256;
-/// Levels of the tree: brackets, and everything that puts one node under the next (operators of one expression,
-/// `else if` chains, labels in a row). Walks over such a tree have the stack of [`crate::deep_recursion`].
+/// Largest depth of the tree: brackets, and everything that makes one node the child of another
+/// (operators of one expression, `else if` chains, labels in a row). Traversals of such a tree use
+/// the stack of [`crate::deep_recursion`].
 const MAX_LEVELS: usize = 400;
 
 /// Returns an error at the first token that is nested too deeply. The depth is an upper bound: each

@@ -277,7 +277,7 @@ Stops at the end of the line if there is none.  Quotes between are no quotes."
 
 ;;;###autoload
 (defun calyx-run ()
-  "Save the model and run it; its results appear beside the outputs."
+  "Save the model and run it; its results appear next to the outputs."
   (interactive)
   (when (buffer-modified-p) (save-buffer))
   (calyx--execute "calyx.run"))

@@ -107,7 +107,7 @@ fn plan(shared: &Shared, uri: &Uri) -> Result<String> {
             Err(Superseded) => continue,
         };
         let Some(program) = &checked.program else {
-            return Err(refused(format!("{name} has errors: mend them first")));
+            return Err(refused(format!("{name} has errors: fix them first")));
         };
         let text = match known.filter(|known| known.is_of(&checked)) {
             Some(known) => known.elaboration.plan.as_ref().map(|plan| plan.text()),

@@ -39,7 +39,7 @@ fn the_plan_is_that_of_the_text_in_the_editor() {
     assert!(plan.starts_with("Method\n") && plan.contains("\nBodies\n"), "{plan}");
     client.set("untitled:pair", 2, &format!("{text}print(nothing);\n"));
     let broken = command(&mut client, "calyx.plan", json!(["untitled:pair"]));
-    assert_eq!(broken, Err("untitled:pair has errors: mend them first".to_owned()));
+    assert_eq!(broken, Err("untitled:pair has errors: fix them first".to_owned()));
     client.set("untitled:pair", 3, "print(1);\n");
     assert!(command(&mut client, "calyx.plan", json!(["untitled:pair"])).is_err());
     assert!(client.leave());

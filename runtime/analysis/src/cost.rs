@@ -67,13 +67,13 @@ impl Rates {
     }
 
     /// Returns the rates of this machine from a file. Measures and stores them if the file has none
-    /// or if `anew` is set. Failure to write the file is ignored.
-    pub fn of_this_machine(file: Option<&Path>, anew: bool) -> Rates {
+    /// or if `remeasure` is set. Failure to write the file is ignored.
+    pub fn of_this_machine(file: Option<&Path>, remeasure: bool) -> Rates {
         let there = file.and_then(|file| std::fs::read(file).ok());
         let kept = there.as_deref().and_then(|text| serde_json::from_slice::<Rates>(text).ok());
         // Do not overwrite a file of another kind with this name.
         let ours = there.as_deref().is_none_or(<[u8]>::is_empty) || kept.is_some();
-        if let Some(rates) = kept.filter(|rates| !anew && rates.are_sound()) {
+        if let Some(rates) = kept.filter(|rates| !remeasure && rates.are_sound()) {
             return rates;
         }
         let rates = Rates::measure();
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn rates_are_kept_until_they_are_measured_anew() {
+    fn rates_are_kept_until_they_are_measured_again() {
         let directory = tempfile::tempdir().unwrap();
         let file = directory.path().join("below/rates.json");
         let measured = Rates::of_this_machine(Some(&file), false);

@@ -20,7 +20,7 @@ use std::sync::Arc;
 pub struct Scene {
     /// Simulated mechanism.
     pub mechanism: Mechanism,
-    /// By [`ObservableId`].
+    /// Observables, indexed by [`ObservableId`].
     pub observables: Vec<Arc<dyn Observable>>,
     /// Request for a table of the modes at the first position.
     pub modes_table: Option<ModesRequest>,

@@ -5,13 +5,13 @@
 //! The first that satisfies the tolerance analyses all positions. The dominant part of the error
 //! determines the next change: level, mesh or contact grid. Contact grids are refined first if they
 //! alone miss the tolerance, because they are cheapest at a low level, and because this shows early
-//! that no number of cells suffices. Fidelity levels that do not support the scene are skipped. The
-//! whole analysis has its own estimates; if they miss the tolerance, it is repeated with a better
-//! setting. The number of positions is doubled if the variation between them is too large. An
-//! output without an error estimate fails the tolerance.
+//! that the tolerance is out of reach of any grid. Fidelity levels that do not support the scene
+//! are skipped. The whole analysis has its own estimates; if they miss the tolerance, it is
+//! repeated with a better setting. The number of positions is doubled if the variation between them
+//! is too large. An output without an error estimate fails the tolerance.
 //!
-//! Decisions depend on estimates and on counted work ([`mod@search_cost`]), never on times, so they are
-//! equal on every machine. A search that would take too much work, or that is interrupted, ends
+//! Decisions depend on estimates and on counted work ([`mod@search_cost`]), never on times, so they
+//! are equal on every machine. A search that would take too much work, or that is interrupted, ends
 //! with the best results so far and reports this ([`ToleranceOutcome::ended`]).
 //!
 //! See `docs/theory/fidelity.md`.

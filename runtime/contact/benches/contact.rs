@@ -1,6 +1,6 @@
 //! The contact solver, cold and warm, against Clarabel on the same problem: a Hertzian patch of n
-//! cells, of which about three quarters are loaded. Ratios travel between machines, times do not,
-//! so ratios are what it prints.
+//! cells, of which about three quarters are loaded. Prints ratios, which are comparable between
+//! machines; times are not.
 
 use calyx_contact::active_set::solve;
 use calyx_contact::half_plane::HalfPlane;

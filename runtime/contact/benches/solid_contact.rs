@@ -1,6 +1,6 @@
-//! Contact in space on grids of up to some thousand cells: a crowned cylinder between free side
-//! faces. What laying the grid, its compliance and the solution take, as parts of one dense
-//! factorisation of that size, which is what a solution cannot do without.
+//! Three-dimensional contact on grids of up to some thousand cells: a crowned cylinder between free
+//! side faces. Prints the times of the grid, its compliance and the solution as fractions of one
+//! dense factorization of that size, which every solution needs.
 
 use calyx_contact::active_set::solve_until;
 use calyx_contact::problem::ContactProblem;

@@ -245,7 +245,7 @@ fn cells_that_depend_on_each_other_and_stay_open_do_no_harm() {
 
 #[test]
 fn a_degenerate_cell_is_left_out_of_the_active_set() {
-    // By symmetry cell 1 has exactly zero force and zero gap.
+    // Cell 1 has exactly zero force and zero gap, by symmetry.
     let mut problem = one_way(vec![1.0, 1.0, 1.0], 1, vec![-2.0]);
     // Forces 1, 0, 1: elastic gaps 2.5, 1.0, 2.5.
     problem.gaps = vec![0.0, 1.5, 0.0];

@@ -1,6 +1,6 @@
-//! What it takes to set up a swept mesh of the size of a gear's sector: stiffness, mass, loads, rows of recovered stress. Ratios travel
-//! between machines, times do not: the measure is the time of the element matrices' products alone (`H = G G'`), in the same
-//! run on one thread.
+//! Times of the setup of a swept mesh of the size of a gear's sector: stiffness, mass, loads, rows
+//! of recovered stress. They are printed relative to the time of the element matrices' products (`H
+//! = G G'`) in the same run on one thread, because ratios are comparable between machines.
 
 use calyx_fe::material::Material;
 use calyx_fe::solid::{SolidMesh, SolidModel, SurfaceStressRecovery};

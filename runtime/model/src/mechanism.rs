@@ -9,11 +9,11 @@ use calyx_numerics::error::EngineError;
 /// Bodies, bearings and surface pairs.
 #[derive(Clone, Default)]
 pub struct Mechanism {
-    /// By [`BodyId`].
+    /// Bodies, indexed by [`BodyId`].
     pub bodies: Vec<Body>,
-    /// By [`BearingId`].
+    /// Bearings, indexed by [`BearingId`].
     pub bearings: Vec<Bearing>,
-    /// By [`PairId`].
+    /// Surface pairs, indexed by [`PairId`].
     pub pairs: Vec<SurfacePair>,
 }
 

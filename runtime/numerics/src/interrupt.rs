@@ -19,7 +19,7 @@ pub struct MemoryRequest {
 /// Reservation of memory. Dropping it releases the memory, so its owner keeps it together with the
 /// allocation.
 #[derive(Debug, Default)]
-#[must_use = "dropped at once, it is promised to another before it is taken"]
+#[must_use = "if dropped immediately, the memory is reserved for others before it is allocated"]
 pub struct MemoryReservation {
     promised: Arc<AtomicU64>,
     bytes: u64,

@@ -35,7 +35,7 @@ fn quantity(text: &str, units: &[(&str, f64)]) -> Result<f64, String> {
     };
     match number.parse::<f64>() {
         Ok(value) if value >= 0.0 && value.is_finite() => Ok(value * factor),
-        _ => Err(format!("`{number}` is no number; give it like `10{}`", units[0].0)),
+        _ => Err(format!("`{number}` is not a number; write it like `10{}`", units[0].0)),
     }
 }
 

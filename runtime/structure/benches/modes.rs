@@ -1,5 +1,6 @@
-//! Component modes of a ring by one of its sectors against those of the whole ring in one mesh, and what a mode costs. Ratios travel
-//! between machines, times do not: the measure is the condensation of the same sector, which statics needs anyway.
+//! Component modes of a ring by one of its sectors against those of the whole ring in one mesh, and
+//! the cost of a mode. Times are printed relative to the condensation of the same sector, which
+//! statics needs anyway, because ratios are comparable between machines.
 
 use calyx_fe::material::{Material, Plane};
 use calyx_fe::{Block, Curve, ElementOrder, MeshBuilder, PlaneModel, Side, uniform};

@@ -1,6 +1,6 @@
 //! Two-dimensional bodies without a mesh, by published closed forms: a tooth as a cantilever
-//! ([`Cantilever`]) on a ring that is fixed on its far side ([`FoundationRing`]), and the half-plane near
-//! loads.
+//! ([`Cantilever`]) on a ring that is fixed on its far side ([`FoundationRing`]), and the
+//! half-plane near loads.
 //!
 //! Each compliance contribution is counted once. The displacements of the cantilever and the ring
 //! are those of the tooth's centre line, where the load's line of action crosses it; the local

@@ -117,8 +117,8 @@ pub(super) struct RequestedMeans {
     pub degree: u8,
     /// Highest harmonic of additional means that are released, if any.
     pub coupled: Option<u16>,
-    /// Spline teeth against which means are released. Unless the teeth are `with_clearance`, the rigid-body
-    /// motion is released too.
+    /// Spline teeth against which means are released. Unless the teeth are `with_clearance`, the
+    /// rigid-body motion is released too.
     pub spline_teeth: Option<SplineTeeth>,
     /// True if the spline teeth have clearance: then they do not support the ring.
     pub with_clearance: bool,

@@ -10,10 +10,10 @@
 //! distant teeth on a bore with mean constraints only are coupled exactly through them:
 //! [`super::elastic::FarCoupling`].)
 //!
-//! If spline teeth support the amplitudes ([`super::spline_teeth`]), the released amplitudes depend on the
-//! position of the loaded tooth, and not only on the distance of the observed one. In this case the
-//! tables do not include this part: it is added for near teeth as for distant ones, from the
-//! indices of both.
+//! If spline teeth support the amplitudes ([`super::spline_teeth`]), the released amplitudes depend
+//! on the position of the loaded tooth, and not only on the distance of the observed one. In this
+//! case the tables do not include this part: it is added for near teeth as for distant ones, from
+//! the indices of both.
 //!
 //! See `docs/theory/substructures.md`.
 

@@ -21,7 +21,8 @@ use std::fmt;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-/// Fingerprints of the source that makes structures: no structure of an earlier method is taken for one of this.
+/// Fingerprints of the source that computes structures, so that structures of an earlier method are
+/// not reused.
 const SOURCES: [&str; 3] = [env!("CALYX_SOURCE"), calyx_fe::SOURCE, calyx_numerics::SOURCE];
 /// Interval at which a thread that waits for another build polls its own interrupt.
 const PATIENCE: Duration = Duration::from_millis(10);

@@ -155,8 +155,8 @@ impl BodyModes {
     }
 
     /// Returns the same modes with surfaces that differ slightly from the body's own, one for each,
-    /// as [`Structure::with_modified_surfaces`](super::Structure::with_modified_surfaces); `None` if the modes do not support
-    /// this.
+    /// as [`Structure::with_modified_surfaces`](super::Structure::with_modified_surfaces); `None`
+    /// if the modes do not support this.
     pub fn with_modified_surfaces(&self, surfaces: Vec<ModifiedSurface>) -> Option<BodyModes> {
         let fits = self.fields.directions == 2 && surfaces.len() == self.fields.surfaces.len();
         fits.then(|| BodyModes { modified_surfaces: Some(surfaces), ..self.clone() })

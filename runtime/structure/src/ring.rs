@@ -11,9 +11,9 @@
 //! N sectors. Joining eliminates the cut between two chains. The stiffness of that cut with both
 //! ends fixed is positive definite even if the ring itself is free, so no step needs pivoting.
 //!
-//! A ring whose bore has mean constraints has unknowns that all sectors share ([`shared_unknowns`]): the
-//! constraint forces. They are retained in every elimination, so sectors and chains are condensed
-//! onto their cuts and these unknowns.
+//! A ring whose bore has mean constraints has unknowns that all sectors share
+//! ([`shared_unknowns`]): the constraint forces. They are retained in every elimination, so sectors
+//! and chains are condensed onto their cuts and these unknowns.
 //!
 //! See `docs/theory/substructures.md`.
 

@@ -50,7 +50,7 @@ fn agree(set: &LumpedPlanetary, published: &Value) {
     let found = frequencies(set);
     let expected: Vec<f64> = serde_json::from_value(published.clone()).expect("frequencies");
     assert_eq!(found.len(), expected.len());
-    let first = expected.iter().copied().find(|&frequency| frequency > 1.0).expect("one that is not nought");
+    let first = expected.iter().copied().find(|&frequency| frequency > 1.0).expect("one that is not zero");
     for (found, expected) in found.iter().zip(&expected) {
         let error = (found - expected).abs() / expected.max(first);
         assert!(error < 1e-6, "{found} for {expected}");

@@ -71,7 +71,7 @@ fn of_steps_from_impulse_to_impulse() {
         OutputRequest::observing("front", scene.add_observable(MeshForce(front))),
         OutputRequest::observing("back", scene.add_observable(MeshForce(back))),
     ];
-    let wrong = wrong_by_steps("blows", &scene, &outputs, (4e-3, 400), "average_acceleration");
+    let wrong = wrong_by_steps("impacts", &scene, &outputs, (4e-3, 400), "average_acceleration");
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 

@@ -203,7 +203,7 @@ fn places_are_those_of_the_maxima() {
             // A gauge at the point of the largest stress, and one on the other side of the tooth.
             let gauge_value =
                 value(&GaugeReading(gauge(body, place.radius, FilletSide::Loaded), Reading::Stress));
-            // To the accuracy with which the coarse mesh approximates the fillet.
+            // They agree to the accuracy with which the coarse mesh approximates the fillet.
             assert!(close(gauge_value.value, stress.value, 1e-3));
             assert!(gauge_value.least.is_some_and(|least| least < 0.0 && least > -stress.value));
             let radius = compression.place.expect("it has a place").radius;

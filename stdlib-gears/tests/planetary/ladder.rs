@@ -52,8 +52,8 @@ fn equal_planets_share_equally_and_give_as_finite_elements() {
             assert!((mesh[2] / expected[2] - 1.0).abs() < 0.02, "{mesh:?} {expected:?}");
         }
         for (stress, expected) in stresses.iter().zip(of_mesh) {
-            // According to ISO 6336, on coarse elements: the internal teeth of the ring have the largest
-            // error.
+            // According to ISO 6336, on coarse elements: the internal teeth of the ring have the
+            // largest error.
             assert!((stress / expected - 1.0).abs() < 0.25, "{stress} {expected}");
         }
     }

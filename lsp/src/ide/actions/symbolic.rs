@@ -21,7 +21,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
         }
         "E0507" if given.bind == Bind::Symbolic => {
             let between = asked.edit(given.name.end, given.value.span.start, " = ");
-            found.push(fix("Use `=`: this has a value at once", vec![between]).preferred());
+            found.push(fix("Use `=`: evaluate this immediately", vec![between]).preferred());
         }
         // The value was captured earlier: the earlier declaration must keep the expression.
         "E0509" if problem.primary.message.contains("was computed from") => {

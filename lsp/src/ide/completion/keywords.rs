@@ -187,7 +187,7 @@ pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
         near.push(("break", "leaves the loop or switch", "break;"));
     }
     if within(BlockKind::Loop) {
-        near.push(("continue", "goes on with the next turn", "continue;"));
+        near.push(("continue", "continues with the next iteration", "continue;"));
     }
     if within(BlockKind::Catch) {
         near.push(("throw", "passes the same error on", "throw;"));
@@ -290,7 +290,7 @@ pub fn documentation(word: &str) -> Option<&'static str> {
             "`param name = default in low .. high;` is an input that is set from outside, as by `calyx run model.cx --set name=value`, without changing the model. After `in` stands a range or a list of choices."
         }
         "output" => {
-            "`output name := expression;` is what the results hold: an observable of the library, or an expression of observables, params and `Time`."
+            "`output name := expression;` declares a result: an observable of the library, or an expression of observables, params and `Time`."
         }
         "const" => "`const name = value;` names a value that is known before the program runs.",
         "function" => {
@@ -306,7 +306,7 @@ pub fn documentation(word: &str) -> Option<&'static str> {
             "`unit name = 12 inch;` declares a unit; `unit name: Dimension;` the first one of a new base dimension."
         }
         "import" => {
-            "`import module;` makes what a module declares visible as `module.name`: one of the library, or a file beside this one."
+            "`import module;` makes what a module declares visible as `module.name`: a module of the library, or a file in the same folder."
         }
         "units" => {
             "`units mm_N_s;` sets the system of the file: in which units its text shows numbers, and what numbers without a unit mean."

@@ -350,8 +350,8 @@ impl MeshVariant {
     }
 }
 
-/// Returns the scene with half as many cells across and along every patch; `None` if no number can
-/// be halved.
+/// Returns the scene with half as many cells across and along every patch; `None` if none of the
+/// numbers can be halved.
 pub(super) fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
     let half = |count: usize| if count > 1 { Some(count.div_ceil(2)) } else { None };
     let mut coarse = scene.clone();

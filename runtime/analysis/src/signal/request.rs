@@ -237,7 +237,7 @@ fn no_orders(angles: &[f64], turns: f64) -> EngineError {
                 digits(turned.abs() / TAU)
             ),
             format!(
-                "take fewer `turns`, or analyse a longer time; at both ends {REACH} samples are left out for want of neighbours"
+                "take fewer `turns`, or analyse a longer time; at both ends {REACH} samples are omitted, which have too few neighbours"
             ),
         ),
         false => (

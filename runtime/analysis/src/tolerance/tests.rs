@@ -58,7 +58,7 @@ fn what_is_tried_follows_from_what_is_wrong() {
     let climbs: [(&str, f64, Errors, &[&str], bool); 8] = [
         ("closed forms will do", 0.15, FLAT, &["\"rigid\"", "\"analytic\""], true),
         (
-            "a finer mesh in the plane before elements in space",
+            "a finer plane mesh before three-dimensional elements",
             0.02,
             FLAT,
             &[

@@ -9,7 +9,7 @@ use super::mesh::SolidMesh;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use rayon::prelude::*;
 
-/// Number of element matrices in memory at once; cubic elements take 20 MB.
+/// Largest number of element matrices in memory; cubic elements take 20 MB.
 const ELEMENTS_AT_ONCE: usize = 64;
 
 /// Number of column ranges that are summed in parallel.

@@ -1,9 +1,9 @@
 //! Solid finite elements: hexahedra, pentahedra, tetrahedra and swept sections, with separate
 //! interpolation of coordinates and displacements.
 //!
-//! Contact uses the true surfaces (`calyx_structure::surface`), which the coordinates' interpolation
-//! approximates. Loads on the charts of swept meshes are functions of true arc length and axial
-//! coordinate, and have the exact total, independently of the mesh.
+//! Contact uses the true surfaces (`calyx_structure::surface`), which the coordinates'
+//! interpolation approximates. Loads on the charts of swept meshes are functions of true arc length
+//! and axial coordinate, and have the exact total, independently of the mesh.
 //!
 //! The elements are pure displacement elements, without measures against locking; higher orders
 //! avoid it. The table lists the error of the displacements of a thick cylinder under pressure as

@@ -92,8 +92,9 @@ fn coordinates_have_an_order_of_their_own() {
         let radius = |t| distance(mesh.edge_point(&edge, t).position, [0.0; 2]);
         (0..=20).map(|k| (radius(-1.0 + f64::from(k) / 10.0) - 2.0).abs()).fold(0.0, f64::max)
     };
-    // The chord is off by its sagitta. Interpolation at angles h apart of a function with derivatives of size 2 is off by
-    // at most 2 max |(t - t0) ... (t - tp)| / (p + 1)!: h³ 2 / (9 sqrt 3) / 3, and h⁴ / 12.
+    // The error of the chord is its sagitta. Interpolation at angles h apart of a function with
+    // derivatives of size 2 has an error of at most 2 max |(t - t0) ... (t - tp)| / (p + 1)!: h³ 2
+    // / (9 sqrt 3) / 3, and h⁴ / 12.
     assert!((error(1) - 2.0 * (1.0 - 0.25_f64.cos())).abs() < 1e-4);
     let (half, third) = (0.5_f64 / 2.0, 0.5_f64 / 3.0);
     assert!(error(2) < half.powi(3) * 2.0 / (9.0 * 3.0_f64.sqrt()) && error(2) > 1e-5);

@@ -154,7 +154,8 @@ fn cylinder(order: u8, plane: Plane, divisions: usize) -> Errors {
     errors(&model, &solved, &displacement, &stress, "bore")
 }
 
-/// Timoshenko and Goodier, Theory of Elasticity, art. 21: a cantilever with a parabolic shear at its end.
+/// Cantilever with a parabolic shear load at its end (Timoshenko and Goodier, Theory of Elasticity,
+/// art. 21).
 fn cantilever(order: u8, plane: Plane, divisions: usize) -> Errors {
     // Short: in a slender beam the displacement first converges with the energy, faster than p + 1.
     let (length, depth, force) = (1.0, 1.0, 1e6);

@@ -103,13 +103,15 @@ fn a_free_element_has_three_zero_modes() {
 
 #[test]
 fn mass_is_density_times_area_and_moments() {
-    // Orders 2 and 3 follow the parabola of the bottom exactly, but only order 3 the cubic of the top.
+    // Orders 2 and 3 represent the parabola of the bottom exactly, but only order 3 the cubic of
+    // the top.
     let model = PlaneModel::new(element(ElementOrder::CUBIC), MATERIAL, Plane::Strain);
     let modes = model.rigid_body_modes();
     let mass = model.mass();
     let product =
         |a: &[f64], b: &[f64]| mass.triplet_iter().map(|m| a[m.row] * m.val * b[m.col]).sum::<f64>();
-    // By Green's theorem along the exact boundary: area = ∮ x dy, polar moment = ∮ (x³/3 dy - y³/3 dx).
+    // Green's theorem along the exact boundary: area = ∮ x dy, polar moment = ∮ (x³/3 dy - y³/3
+    // dx).
     let sides: [&dyn Fn(f64) -> [f64; 2]; 4] = [
         &|u| [0.02 * u, 0.003 * u * (1.0 - u)],
         &|v| [0.02 + 0.004 * v, 0.013 * v],

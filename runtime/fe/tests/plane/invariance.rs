@@ -11,7 +11,8 @@ struct Solution {
     surface_stress: f64,
 }
 
-/// A curved bracket of two blocks, scaled and turned, held at one end and pulled at the other along its own x axis.
+/// Curved bracket of two blocks, scaled and rotated, fixed at one end and pulled at the other along
+/// its own x axis.
 fn bracket(length: f64, modulus: f64, angle: f64) -> Solution {
     let turned = move |[x, y]: [f64; 2]| {
         let (sin, cos) = angle.sin_cos();

@@ -9,7 +9,8 @@ use calyx_fe::{
 const RADIUS: f64 = 0.03;
 const ANGLE: f64 = 1.2;
 
-/// A sector of a ring whose outer arc is both a profile (clockwise, starting at 2 mm) and measured on the mesh.
+/// Sector of a ring whose outer arc is both a profile (clockwise, from 2 mm) and a chain of the
+/// mesh.
 fn sector(order: u8) -> PlaneModel {
     let block = Block::new(
         Curve::line([0.02, 0.0], [RADIUS, 0.0]),
@@ -47,7 +48,8 @@ fn the_total_of_a_load_on_a_profile_is_the_integral_over_the_profile() {
 
 #[test]
 fn a_pressure_on_the_mesh_has_the_resultant_of_its_chord() {
-    // The integral of the normal along any curve is its chord, turned: exact for whatever interpolates the arc.
+    // The integral of the normal along any curve is its rotated chord, exactly for every
+    // interpolation of the arc.
     for order in 1..=3 {
         let model = sector(order);
         let load = model.edge_load(model.mesh.chain("mesh").expect("named"), |_, point| point.normal);
@@ -68,7 +70,8 @@ fn places_by_arc_length_lie_there() {
         let point = mesh.chain_point(profile, s).expect("on the profile");
         let angle = ANGLE - (s - 0.002) / RADIUS;
         let (sin, cos) = angle.sin_cos();
-        // Cubic coordinates: the fourth power of a tenth, times the arc's fourth derivative over 4!.
+        // Error of cubic coordinates: the fourth power of a tenth, times the fourth derivative of
+        // the arc over 4!.
         assert!(distance(point.position, [RADIUS * cos, RADIUS * sin]) < 2e-5 * RADIUS);
         assert!(distance(point.normal, [cos, sin]) < 1e-3 && distance(point.tangent, [sin, -cos]) < 1e-3);
     }

@@ -10,7 +10,7 @@ mod recovery;
 
 use calyx_fe::material::Material;
 
-/// Of the order of steel; no test depends on the numbers.
+/// Material similar to steel; no test depends on its values.
 const MATERIAL: Material = Material { youngs_modulus: 2.1e11, poissons_ratio: 0.3, density: 7800.0 };
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

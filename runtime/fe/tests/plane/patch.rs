@@ -17,7 +17,8 @@ fn field([x, y]: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|axis| 2e-3 + GRADIENT[axis][0] * x + GRADIENT[axis][1] * y)
 }
 
-/// Four distorted blocks of a square around an inner point, of given orders; inner lines bulge by `bulge`.
+/// Four distorted blocks of a square around an inner point, of given orders. The inner lines are
+/// curved by `bulge`.
 fn square(orders: [ElementOrder; 4], coordinates: Option<ElementOrder>, bulge: f64) -> PlaneMesh {
     let points = [
         [[0.0, 0.0], [0.45, 0.0], [1.0, 0.0]],
@@ -121,7 +122,8 @@ fn constant_strain_across_mixed_orders() {
         [anisotropic, uneven, one, anisotropic],
     ];
     for orders in cases {
-        // Straight with linear coordinates, and curved with coordinates interpolated like the displacements.
+        // Straight with linear coordinates, and curved with coordinates of the order of the
+        // displacements.
         check(&format!("{orders:?}"), square(orders, Some(ElementOrder::LINEAR), 0.0));
         check(&format!("{orders:?}, curved"), square(orders, None, 0.3));
     }

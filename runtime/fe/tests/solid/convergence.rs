@@ -15,12 +15,12 @@ pub type Stress<'a> = &'a dyn Fn([f64; 3]) -> [f64; 6];
 
 /// A body with its exact solution.
 pub struct Problem<'a> {
-    /// Of the unit cube.
+    /// Map of the unit cube.
     pub shape: Map<'a>,
     pub displacement: Map<'a>,
     pub stress: Stress<'a>,
-    /// Axes along which the displacement is prescribed on each face of the unit cube (at x = 0, x = 1, y = 0 ... z = 1); where
-    /// there are none, the tractions act.
+    /// Axes along which the displacement is prescribed on each face of the unit cube (at x = 0, x =
+    /// 1, y = 0 ... z = 1). Tractions act along the others.
     pub held: [&'a [usize]; 6],
     pub material: Material,
 }
@@ -124,7 +124,8 @@ fn check_rates(name: &str, problem: &Problem<'_>, divisions: impl Fn(u8) -> [usi
         );
         for (quantity, ratio, theory, slack) in rates {
             let rate = ratio.log2();
-            // One order more is not what theory promises; where the order along or across is higher, so may be the rate.
+            // Theory does not promise one order more. If the order along or across is higher, the
+            // rate may be higher, too.
             let faster = matches!(kind, Kind::Swept(section, axial) if section != axial);
             assert!(
                 rate > theory - slack && (faster || rate < theory + 1.0),
@@ -171,7 +172,8 @@ pub fn sphere(material: Material) -> Problem<'static> {
     }
 }
 
-/// A quarter of a cylinder of radii 1 and 1.5 under internal pressure that slides in its planes of symmetry and keeps its length.
+/// Quarter of a cylinder with radii 1 and 1.5 under internal pressure. It slides in its planes of
+/// symmetry and keeps its length.
 pub fn cylinder(material: Material) -> Problem<'static> {
     let Material { youngs_modulus: e, poissons_ratio: nu, .. } = material;
     let pressure = 1e6;
@@ -213,8 +215,9 @@ fn lame_cylinder() {
     });
 }
 
-/// Error of the deflection (relative) at the end of a cantilever of unit depth and width and `length`, loaded there by a shear force, of a material
-/// without lateral contraction: the plane solution (Timoshenko and Goodier, Theory of Elasticity, article 21) is exact.
+/// Relative error of the deflection at the end of a cantilever of unit depth and width and
+/// `length`. A shear force acts there, and Poisson's ratio is zero, so the plane solution is exact
+/// (Timoshenko and Goodier, Theory of Elasticity, art. 21).
 fn cantilever(kind: Kind, length: f64, divisions: [usize; 3]) -> f64 {
     let material = Material { poissons_ratio: 0.0, ..MATERIAL };
     let e = material.youngs_modulus;
@@ -250,7 +253,8 @@ fn cantilever(kind: Kind, length: f64, divisions: [usize; 3]) -> f64 {
 
 #[test]
 fn cantilevers_thick_and_thin() {
-    // Elements along the beam; error of the end deflection, in a table that a change of any element would break.
+    // Elements along the beam and error of the end deflection: the table changes with any change of
+    // an element.
     let mut table = Vec::new();
     for kind in kinds() {
         let errors = [2.0, 20.0, 100.0].map(|length| cantilever(kind, length, [4, 1, 1]));
@@ -275,8 +279,9 @@ fn cantilevers_thick_and_thin() {
 
 #[test]
 fn nearly_incompressible_limit() {
-    // Error of the displacement of a pressed cylinder (L2, relative) as Poisson's ratio nears 1/2. Linear elements lock,
-    // quadratic ones lose their accuracy, cubic ones most of it: the table is in the documentation of `fe::solid`.
+    // Relative L2 error of the displacement of a cylinder under pressure as Poisson's ratio
+    // approaches 1/2. Linear elements lock, quadratic ones lose their accuracy, cubic ones most of
+    // it. The table is in the documentation of `fe::solid`.
     let ratios = [0.3, 0.49, 0.499, 0.4999, 0.49999];
     for kind in kinds() {
         let divisions = if kind.order() == 1 { [4, 8, 1] } else { [2, 4, 1] };

@@ -1,4 +1,5 @@
-//! Sets of degrees of freedom: rigid regions, and meshes that do not conform joined by series on a surface of revolution.
+//! DOF sets: rigid regions, and meshes that do not conform joined by a series on a surface of
+//! revolution.
 
 use crate::convergence::{Stress, cylinder};
 use crate::shapes::parts as box_parts;
@@ -84,7 +85,8 @@ fn joined<'a>(parts: &'a [SolidModel; 2], series: Series) -> DofSets<'a> {
     sets
 }
 
-/// Unknowns of a motion of the whole: the seat, whose center is the origin, by its translations and rotations.
+/// Unknowns of a rigid-body motion of the whole: those of the seat, whose centre is the origin, are
+/// its translations and rotations.
 fn rigid_motion(reduced: &Reduced<'_>, parts: &[SolidModel; 2], mode: usize) -> Vec<f64> {
     let mut unknowns = vec![f64::NAN; reduced.count()];
     // Values that every single displacement has to have.
@@ -146,7 +148,8 @@ fn terms_of_a_series_are_independent_and_without_rigid_part() {
         for (harmonics, degree) in [(0, 0), (1, 0), (0, 1), (2, 2), (3, 1)] {
             let series = Series::new(surface.clone(), harmonics, degree).expect("it has an extent");
             let size = 6 + series.terms().len();
-            // All products over the surface, by sums fine enough for the trigonometric and the other polynomials.
+            // All products over the surface, by sums that resolve the trigonometric functions and
+            // the other polynomials.
             let mut gram = nalgebra::DMatrix::<f64>::zeros(size, size);
             for (zeta, weight) in calyx_fe::quadrature::gauss_legendre(8) {
                 let [[r0, z0], [r1, z1]] = surface.generator;
@@ -175,7 +178,8 @@ fn terms_of_a_series_are_independent_and_without_rigid_part() {
     }
 }
 
-/// The largest displacement error of the parts, relative to the largest displacement, of a field held on the outside and the inside of both.
+/// Largest displacement error of the parts, relative to the largest displacement, for a field that
+/// is prescribed on the outside and the inside of both.
 fn held_field_error(
     parts: &[SolidModel; 2],
     series: Series,
@@ -215,8 +219,8 @@ fn held_field_error(
 
 #[test]
 fn constant_strain_passes_a_seat_up_to_what_the_meshes_see_of_its_circle() {
-    // Strain needs two waves around and a slope along. Nodes take it exactly; between its nodes each mesh has a seat of its own, nearer
-    // to the circle the finer it is.
+    // Strain requires two harmonics around and a slope along. Nodes represent it exactly. Between
+    // its nodes each mesh has its own seat, which approaches the circle with refinement.
     let constant = |_: [f64; 3]| parts(1)[0].stress_of(GRADIENT);
     let stress = constant([0.0; 3]);
     let errors = [1, 2].map(|finer| held_field_error(&parts(finer), seat(2, 1), &linear_field, &|_| stress));
@@ -229,7 +233,8 @@ fn constant_strain_passes_a_seat_up_to_what_the_meshes_see_of_its_circle() {
 
 #[test]
 fn a_pressed_cylinder_of_two_meshes_converges() {
-    // Radial displacement and nothing else: the series of no waves has it, the error is that of the meshes.
+    // The displacement is radial, so the series without harmonics represents it, and the error is
+    // that of the meshes.
     let exact = cylinder_of_two();
     let errors = [1, 2].map(|finer| held_field_error(&parts(finer), seat(0, 0), &exact.0, &exact.1));
     println!("cylinder of two meshes: errors {errors:?}");
@@ -243,8 +248,9 @@ fn cylinder_of_two() -> Solution {
     (Box::new(move |at| (problem.displacement)(at)), Box::new(move |at| (problem.stress)(at)))
 }
 
-/// Displacement under a load at one side of the rim, the web held at its bore, by the orders of the seat's series; the last one with both meshes the
-/// same at the seat and joined node by node.
+/// Displacement under a load at one side of the rim, with the web fixed at its bore, by the orders
+/// of the seat's series. In the last one both meshes have the same nodes at the seat and are joined
+/// node by node.
 fn deflections(orders: &[(u16, u8)]) -> (Vec<f64>, f64) {
     let parts = [
         ring(Cell::Hexahedron, 2, [1.0, SEAT], [8, 1, 2]),
@@ -271,7 +277,7 @@ fn deflections(orders: &[(u16, u8)]) -> (Vec<f64>, f64) {
         solve(&sets.reduce())
     });
     let found = found.collect();
-    // Node by node: every pair a rigid region without turning is what three unknowns are.
+    // Node by node: every pair is a rigid region without rotation, with three unknowns.
     let mut sets = DofSets::new(parts.iter().collect());
     let near = |a: [f64; 3], b: [f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-9);
     for (index, node) in nodes(&parts[0], "outside").into_iter().enumerate() {
@@ -334,7 +340,8 @@ fn a_surface_held_as_a_whole_deforms_as_if_it_were_free() {
     }
     let solver = Solver::new(&model.stiffness(), constraints).expect("held");
     let free = load.dot(&solver.solve_one(&load.to_full(model.dof_count())).expect("there is memory"));
-    // Sine of eight waves is zero at all sixteen nodes, and its cosine is left out: a stiffness of little weight.
+    // The sine of eight harmonics is zero at all sixteen nodes, and the series omits its cosine,
+    // which has a small stiffness.
     assert!((energy / free - 1.0).abs() < 1e-4 && energy <= free * (1.0 + 1e-9), "{energy} is not {free}");
 }
 

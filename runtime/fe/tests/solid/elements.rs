@@ -1,4 +1,4 @@
-//! Single kinds of elements: shape functions, faces, rigid-body motions, mass, invariance, patch tests.
+//! Each kind of element: shape functions, faces, rigid-body motions, mass, invariance, patch tests.
 
 use crate::shapes::{Kind, cube, kinds};
 use crate::{GRADIENT, MATERIAL, dot, linear_field, residual, solve, traction};
@@ -174,7 +174,8 @@ fn exactly_six_motions_without_energy() {
             values.sort_by(f64::total_cmp);
             let largest = values[values.len() - 1];
             assert!(values[5].abs() < 1e-13 * largest, "{kind:?}: sixth {:e}", values[5] / largest);
-            // A single linear pentahedron of the test has its smallest elastic value near 1e-2 of the largest; thin cubic ones at 1e-4.
+            // The smallest elastic eigenvalue of a single linear pentahedron is near 1e-2 of the
+            // largest one; that of thin cubic ones is near 1e-4.
             assert!(values[6] > 1e-6 * largest, "{kind:?}: seventh {:e}", values[6] / largest);
         }
     }

@@ -11,7 +11,7 @@ use calyx_fe::material::Material;
 use calyx_fe::solid::SolidModel;
 use calyx_fe::{Constraints, Solver};
 
-/// Of the order of steel; no test depends on the numbers.
+/// Material similar to steel; no test depends on its values.
 const MATERIAL: Material = Material { youngs_modulus: 2.1e11, poissons_ratio: 0.3, density: 7800.0 };
 
 /// Displacement gradient of the fields of constant strain, with a rotation in it.
@@ -32,7 +32,8 @@ fn traction([xx, yy, zz, yz, zx, xy]: [f64; 6], normal: [f64; 3]) -> [f64; 3] {
     [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| dot(row, normal))
 }
 
-/// Largest difference of the stiffness times a field and a load, relative to the largest term of the products.
+/// Largest difference of the stiffness times a field and a load, relative to the largest term of
+/// the products.
 fn residual(model: &SolidModel, field: &[f64], load: &[f64]) -> f64 {
     let stiffness = model.stiffness();
     let mut forces = load.iter().map(|force| -force).collect::<Vec<_>>();

@@ -5,8 +5,8 @@ use crate::shapes::{Kind, cube, kinds};
 use crate::{GRADIENT, MATERIAL, dot, linear_field};
 use calyx_fe::solid::{SolidElementPoint, SolidModel};
 
-/// Energies of the error: of the solution's own stresses, of the smoothed ones, and as estimated; relative to that of the
-/// solution.
+/// Energies of the error, relative to that of the solution: of the solution's own stresses, of the
+/// smoothed ones, and as estimated.
 fn errors(problem: &Problem<'_>, kind: Kind, divisions: [usize; 3]) -> [f64; 3] {
     let (model, displacements) = solved(problem, kind, divisions);
     let recovered = model.recover_stress(&displacements);
@@ -31,8 +31,8 @@ fn errors(problem: &Problem<'_>, kind: Kind, divisions: [usize; 3]) -> [f64; 3] 
     [own, smoothed, estimate.elements.iter().sum::<f64>()].map(|energy| energy / whole)
 }
 
-/// The estimated error over the true one (the effectivity) comes near 1, and smoothed stresses are better than the solution's own and
-/// converge faster than these.
+/// The ratio of estimated to true error (the effectivity) approaches 1. Smoothed stresses are more
+/// accurate than the solution's own ones and converge faster.
 fn check(
     name: &str,
     problem: &Problem<'_>,
@@ -54,7 +54,8 @@ fn check(
             "{name} {kind:?}: effectivity {}",
             effectivity[1]
         );
-        // What estimates too much, on a mesh too coarse for its order, smooths badly too.
+        // On a mesh that is too coarse for its order, the estimate is too large and smoothing is
+        // inaccurate.
         assert!(gain[1] < 0.8 || effectivity[1] > 1.2, "{name} {kind:?}: smoothed over own {}", gain[1]);
         assert!(rate > f64::from(kind.order()) + 0.4, "{name} {kind:?}: smoothed stresses at {rate}");
     }

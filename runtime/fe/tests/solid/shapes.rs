@@ -33,7 +33,8 @@ pub fn kinds() -> Vec<Kind> {
     kinds
 }
 
-/// The unit cube divided into so many boxes along each axis, each of one hexahedron, two pentahedra or six tetrahedra, then bent.
+/// The unit cube divided into this number of boxes along each axis, each of one hexahedron, two
+/// pentahedra or six tetrahedra, and then deformed.
 pub fn cube(
     kind: Kind,
     coordinate_order: u8,
@@ -68,7 +69,8 @@ pub fn cube(
 /// Cells with their corners.
 type Cells = Vec<(Cell, Vec<usize>)>;
 
-/// What a box is divided into, by its corners in lexicographic order: 0 (0,0,0), 1 (1,0,0), 2 (0,1,0) ... 7 (1,1,1).
+/// Parts of a box, as corners in lexicographic order: 0 (0,0,0), 1 (1,0,0), 2 (0,1,0) ... 7
+/// (1,1,1).
 pub fn parts(cell: Cell) -> &'static [&'static [usize]] {
     match cell {
         Cell::Hexahedron => &[&[0, 1, 2, 3, 4, 5, 6, 7]],

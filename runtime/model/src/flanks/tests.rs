@@ -111,7 +111,7 @@ fn a_side_load_with_torque_lifts_spline_teeth_off_as_bisection_finds() {
     }
     let count = |sign: f64| found.iter().filter(|&&force| force * sign > 0.0).count();
     let (one, other) = (count(1.0), count(-1.0));
-    println!("{other} lugs bear on one flank, {one} on the other");
+    println!("{other} spline teeth carry load on one flank, {one} on the other");
     assert!(one > 0 && other > one && one + other < found.len());
     assert!((solution.motion[1] / shifted(turn) - 1.0).abs() < 1e-9);
     assert!((solution.motion[2] / turn - 1.0).abs() < 1e-9);

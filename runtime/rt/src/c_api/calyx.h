@@ -2,7 +2,7 @@
 #define CALYX_H
 
 /*
- * Models compiled by Calyx, run by programs in C and C++.
+ * Interface for programs in C and C++ that run models compiled by Calyx.
  *
  *     calyx_instance *pair = NULL;
  *     calyx_create(&spur_pair_model, &pair);
@@ -10,13 +10,13 @@
  *     while ((status = calyx_step(pair)) == CALYX_OK)
  *         calyx_output(pair, spur_pair_output_transmission_error, &value);
  *     if (status != CALYX_END)
- *         the run failed: calyx_error(pair, &error) says why
+ *         the run failed: calyx_error(pair, &error) returns the reason
  *     calyx_free(pair);
  *
- * Every function that can fail returns a status; what went wrong with an instance is told by calyx_error. Nothing ends the
- * process, and a function that fails leaves what it should have stored untouched. Texts are UTF-8. An instance is used by
- * one thread at a time, except by calyx_cancel; different instances are independent of each other. Signals of the process
- * are left alone.
+ * Every function that can fail returns a status, and calyx_error returns the last problem of an
+ * instance. No function ends the process, changes its signal handlers, or writes to its results if it
+ * fails. Strings are UTF-8. Only one thread at a time may use an instance, except for calyx_cancel.
+ * Different instances are independent of each other.
  */
 
 #include <stddef.h>
@@ -26,160 +26,167 @@
 extern "C" {
 #endif
 
-/* A compiled model: constant data of the program. */
+/* Compiled model, a constant of the program. */
 typedef struct calyx_model calyx_model;
 
-/* A model with values of its own. */
+/* Instance of a model, with its own params and results. */
 typedef struct calyx_instance calyx_instance;
 
 typedef enum calyx_status {
     CALYX_OK = 0,
     /* The run is complete: there is no further position. */
     CALYX_END = 1,
-    /* What was given cannot be used: an unknown name, a unit of another dimension, a value out of range. */
+    /* Invalid argument: an unknown name, a unit of another dimension, a value out of range. */
     CALYX_GIVEN = 2,
-    /* The model or its analysis failed at these params. */
+    /* The model or its analysis failed with these params. */
     CALYX_MODEL = 3,
     /* calyx_cancel ended the run. */
     CALYX_CANCELLED = 4,
-    /* The run used up its time or memory. */
+    /* The run exceeded its limit of time or memory. */
     CALYX_LIMIT = 5,
-    /* A defect of Calyx, or this machine refused what a run needs. */
+    /* Defect of Calyx, or a resource that this machine did not provide. */
     CALYX_INTERNAL = 6,
-    /* A pointer is NULL where something must be. */
+    /* A required pointer is NULL. */
     CALYX_NULL = 7,
-    /* The model was compiled by another version of Calyx than the library it is linked with. */
+    /* The model was compiled by another version of Calyx than that of the linked library. */
     CALYX_VERSION = 8
 } calyx_status;
 
-/* What a status means, as a sentence. It is never NULL. */
+/* Returns the meaning of a status as a sentence, never NULL. */
 const char *calyx_status_message(calyx_status status);
 
-/* -- Instances ---------------------------------------------------------------------------------------------------------- */
+/* -- Instances --------------------------------------------------------------------------------- */
 
-/* Makes an instance with all params at their defaults. It is freed by calyx_free. */
+/* Creates an instance with the defaults of all params. Free it with calyx_free. */
 calyx_status calyx_create(const calyx_model *model, calyx_instance **instance);
 
-/* Makes another instance of the same model, with all params at their defaults. The two share what makes running several of
-   one model cheap, and nothing else. */
+/* Creates another instance of the same model, with the defaults of all params. The two share only
+   compiled code and cached structures. */
 calyx_status calyx_create_like(const calyx_instance *instance, calyx_instance **another);
 
-/* Ends a run under way and frees the instance. NULL is nothing to free. */
+/* Ends the current run and frees the instance. Does nothing if the instance is NULL. */
 void calyx_free(calyx_instance *instance);
 
-/* Why the last function that failed with this instance did so. */
+/* Reason why the last function on this instance failed. */
 typedef struct calyx_problem {
     calyx_status status;
-    /* By which `calyx explain` says more, like "E0603"; empty for what was given wrong. */
+    /* Code for `calyx explain`, such as "E0603"; empty for invalid arguments. */
     const char *code;
-    /* What is wrong, and what to do about it; either may be empty. */
+    /* Problem and remedy; either may be empty. */
     const char *message;
     const char *help;
-    /* Where in the model's source, counted from 1; an empty name and 0 if it is nowhere there. */
+    /* Location in the model's source, counted from 1; an empty name and 0 if there is none. */
     const char *file;
     size_t line;
     size_t column;
-    /* All of it for people, in several lines, with the line of the source. */
+    /* Complete message for a reader, in several lines, with the line of the source. */
     const char *report;
 } calyx_problem;
 
-/* Tells the last problem; status is CALYX_OK if there was none. The texts stay until the next call with this instance. */
+/* Returns the last problem; its status is CALYX_OK if there was none. The strings are valid until the
+   next call with this instance. */
 calyx_status calyx_error(const calyx_instance *instance, calyx_problem *problem);
 
-/* -- Params ------------------------------------------------------------------------------------------------------------- */
+/* -- Params ------------------------------------------------------------------------------------ */
 
-/* Sets a param to a number in the unit of its default. What is set counts from the next run on. A value out of range is
-   refused: here, or when that run begins if the range depends on other params. */
+/* Sets a param to a number in the unit of its default, for the next run. A value out of range is
+   rejected here, or at the start of that run if the range depends on other params. */
 calyx_status calyx_set(calyx_instance *instance, const char *param, double value);
 
-/* Sets a param to a number in a unit, like "N*m". */
+/* Sets a param to a number in a unit, such as "N*m". */
 calyx_status calyx_set_in(calyx_instance *instance, const char *param, double value, const char *unit);
 
-/* Sets a param that is TRUE or FALSE; 0 is FALSE. */
+/* Sets a param to TRUE or FALSE; 0 is FALSE. */
 calyx_status calyx_set_bool(calyx_instance *instance, const char *param, int value);
 
-/* Sets a param to what a text says: "0.5 mm", "TRUE", or the string itself. */
+/* Sets a param from a text: "0.5 mm", "TRUE", or the string itself. */
 calyx_status calyx_set_text(calyx_instance *instance, const char *param, const char *text);
 
-/* Gives a param its default again. */
+/* Resets a param to its default. */
 calyx_status calyx_reset(calyx_instance *instance, const char *param);
 
-/* What a param would be in a run, in the unit of its default; 1 and 0 for TRUE and FALSE. */
+/* Returns the value that a param has in the next run, in the unit of its default; 1 for TRUE and 0 for
+   FALSE. */
 calyx_status calyx_get(const calyx_instance *instance, const char *param, double *value);
 
-/* -- Limits ------------------------------------------------------------------------------------------------------------- */
+/* -- Limits ------------------------------------------------------------------------------------ */
 
-/* How long each run may take, in seconds; 0 for as long as it likes. */
+/* Limits the time of each run, s; 0 removes the limit. */
 calyx_status calyx_limit_time(calyx_instance *instance, double seconds);
 
-/* Bytes that a run's values may take, and the whole process while it analyses; 0 for any number. */
+/* Limits the memory of a run's values, and of the process during an analysis, bytes; 0 removes the
+   limit. */
 calyx_status calyx_limit_memory(calyx_instance *instance, uint64_t bytes);
 
-/* What takes the lines that the model prints, each without its end; NULL to drop them, as at first. It is called while a run
-   goes on, by a thread of the run, and must not call functions of this instance. */
+/* Sets the callback for lines that the model prints, without line ends; NULL, the default, discards
+   them. A thread of the run calls it. It must not call functions on this instance. */
 calyx_status calyx_on_print(calyx_instance *instance, void (*print)(const char *line, void *user), void *user);
 
-/* -- Running ------------------------------------------------------------------------------------------------------------ */
+/* -- Running ----------------------------------------------------------------------------------- */
 
-/* Solves the next position. If no run is under way it begins one, with the params as they are set. CALYX_OK: a position is
-   solved and can be read. CALYX_END: all were, and summaries can be read. */
+/* Solves the next position. Starts a run with the current params if none is in progress. CALYX_OK: the
+   position is solved, and its outputs are available. CALYX_END: all positions are solved, and summaries
+   are available. */
 calyx_status calyx_step(calyx_instance *instance);
 
-/* Ends a run under way; the next step begins another. */
+/* Ends the current run; the next step starts another one. */
 calyx_status calyx_stop(calyx_instance *instance);
 
-/* Ends the run under way soon, from any thread: its step returns CALYX_CANCELLED. The instance must not be freed meanwhile. */
+/* Requests the end of the current run, from any thread: its step returns CALYX_CANCELLED. The instance
+   must not be freed meanwhile. */
 calyx_status calyx_cancel(const calyx_instance *instance);
 
 typedef struct calyx_position {
-    /* From 0. */
+    /* Index, from 0. */
     size_t index;
-    /* Positions of the run. */
+    /* Number of positions of the run. */
     size_t count;
-    /* s */
+    /* Time, s. */
     double time;
-    /* Part of the mesh cycle. */
+    /* Fraction of the mesh cycle. */
     double cycle;
-    /* rad */
+    /* Roll angle, rad. */
     double roll_angle;
-    /* Name of a characteristic point; empty for all others. It stays until the next step. */
+    /* Name of a characteristic point; empty at other positions. Valid until the next step. */
     const char *point;
 } calyx_position;
 
-/* The position that was solved last. */
+/* Returns the last solved position. */
 calyx_status calyx_where(const calyx_instance *instance, calyx_position *position);
 
-/* An output at that position, in the unit the model shows it in. */
+/* Returns an output at that position, in the unit in which the model displays it. */
 calyx_status calyx_output(const calyx_instance *instance, size_t output, double *value);
 
-/* An output at that position, in a unit of one's choice. */
+/* Returns an output at that position, in a given unit. */
 calyx_status calyx_output_in(const calyx_instance *instance, size_t output, const char *unit, double *value);
 
 typedef struct calyx_summary {
     double min;
     double max;
-    /* Over time. */
+    /* Mean over time. */
     double mean;
     double peak_to_peak;
     /* Index of the position of the maximum. */
     size_t max_at;
 } calyx_summary;
 
-/* An output over all positions of the run that was completed last, in the unit the model shows it in. */
+/* Returns the summary of an output over all positions of the last completed run, in the unit in which
+   the model displays it. */
 calyx_status calyx_summarize(const calyx_instance *instance, size_t output, calyx_summary *summary);
 
-/* The same in a unit of one's choice. */
+/* Returns the summary in a given unit. */
 calyx_status calyx_summarize_in(
     const calyx_instance *instance, size_t output, const char *unit, calyx_summary *summary);
 
-/* -- What a model says of itself ---------------------------------------------------------------------------------------- */
+/* -- Description of a model -------------------------------------------------------------------- */
 
 typedef struct calyx_param_info {
     const char *name;
     const char *doc;
-    /* Of the default and of the range, and what calyx_set counts in; empty for pure numbers and what is no number. */
+    /* Unit of the default, of the range and of calyx_set; empty for pure numbers and for params that are
+       not numbers. */
     const char *unit;
-    /* NAN for what is not there: of texts, and of params without a range. */
+    /* NAN for strings, and for limits that the param does not have. */
     double default_value;
     double low;
     double high;
@@ -188,19 +195,19 @@ typedef struct calyx_param_info {
 typedef struct calyx_output_info {
     const char *name;
     const char *doc;
-    /* What calyx_output counts in. */
+    /* Unit of calyx_output. */
     const char *unit;
 } calyx_output_info;
 
-/* How many params and outputs there are; 0 if the instance is NULL. */
+/* Return the numbers of params and outputs; 0 if the instance is NULL. */
 size_t calyx_param_count(const calyx_instance *instance);
 size_t calyx_output_count(const calyx_instance *instance);
 
-/* The texts stay as long as the instance. */
+/* Return descriptions. The strings are valid as long as the instance. */
 calyx_status calyx_param_at(const calyx_instance *instance, size_t param, calyx_param_info *info);
 calyx_status calyx_output_at(const calyx_instance *instance, size_t output, calyx_output_info *info);
 
-/* The output of a name. */
+/* Returns the index of the output with this name. */
 calyx_status calyx_output_named(const calyx_instance *instance, const char *name, size_t *output);
 
 #ifdef __cplusplus

@@ -121,7 +121,8 @@ mod tests {
         Loaded { report, force, whole }
     }
 
-    /// An edge that needs a narrow grid does not narrow the advice for the flank beside it.
+    /// An edge that requires a narrow grid does not reduce the recommended width for the adjacent
+    /// flank.
     #[test]
     fn advice_suits_all_patches_of_a_pair() {
         let flank = patch(0.02e-3, 90.0, 0.24e-3);

@@ -30,7 +30,8 @@ impl Profile for Slab {
     }
 }
 
-/// 20 teeth 1 high and 0.6 deep on a ring of radius 10, held at another one. Lengths in units of `unit` m.
+/// 20 teeth of height 1 and thickness 0.6 on a ring of radius 10 that is fixed at another radius.
+/// Lengths are in units of `unit` m.
 fn slabs(held: f64, unit: f64, material: Material) -> AnalyticStructure {
     let shape = RingShape { radius: 10.0 * unit, fixed_radius: held * unit, half_arc: 0.05, sectors: 20 };
     let (from, half) = (shape.root(), 0.3 * unit);
@@ -65,8 +66,9 @@ fn on_a_rigid_ring_it_is_timoshenkos_beam_and_the_depth_beneath_the_load() {
     assert!((through / -bent - 1.0).abs() < 1e-6, "{through}");
 }
 
-/// A plate that leans by an angle under an even load across it: as deep as the section at right angles, under the force at right angles, which all
-/// of its length bears; what it gives across is more than that at right angles.
+/// Inclined plate under a uniform load along its edge. Its depth and the force are those in the
+/// normal section, and the load acts along the longer edge. The deflection along the direction of
+/// the load exceeds that in the normal section.
 #[test]
 fn a_leaning_tooth_is_a_plate_of_its_own_depth() {
     let (lean, half, at) = (0.8, 0.3e-3, 0.9e-3);
@@ -84,7 +86,8 @@ fn a_leaning_tooth_is_a_plate_of_its_own_depth() {
     let tooth = Tooth::new(&shape, Material::STEEL, Plane::Strain);
     let local = tooth.local(&slab, at);
     let (e, g, depth) = (206e9 / 0.91, 206e9 / 2.6, 2.0 * lean * half);
-    // A force of 1 N by length along the face is 1 / lean at right angles, on 1 / lean of the length.
+    // A force of 1 N per length along the face is 1 / lean in the normal section, on 1 / lean of
+    // the length.
     let [force, length] = [1.0 / lean; 2];
     let given = 4.0 * at.powi(3) / (e * depth.powi(3)) + 1.2 * at / (g * depth);
     let expected = force / length * given / lean;
@@ -98,8 +101,8 @@ fn a_leaning_tooth_is_a_plate_of_its_own_depth() {
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
 }
 
-/// Weber: under Hertz's pressure over a width 2 b the middle comes nearer to a point at the depth h by
-/// `2 q / (pi E') (ln(2 h / b) - nu / (2 (1 - nu)))`.
+/// Weber: under a Hertzian pressure of width 2 b, the surface approaches a point at depth h by `2 q
+/// / (pi E') (ln(2 h / b) - nu / (2 (1 - nu)))`.
 #[test]
 fn under_hertzs_pressure_it_gives_as_weber_found() {
     let body = slabs(5.0, 1e-3, Material::STEEL);
@@ -124,7 +127,8 @@ fn under_hertzs_pressure_it_gives_as_weber_found() {
     assert!((given / weber - 1.0).abs() < 2e-4, "{given} {weber}");
 }
 
-/// Every pair of places on any flanks of near teeth, exchanged, to the bit; and all together gain no work.
+/// The compliance is symmetric to the bit for every pair of points on flanks of near teeth, and
+/// positive semidefinite.
 #[test]
 fn it_is_reciprocal_to_the_bit_and_positive() {
     let body = slabs(8.0, 1e-3, Material::STEEL);
@@ -153,7 +157,8 @@ fn it_is_reciprocal_to_the_bit_and_positive() {
     assert!(matrix.cholesky().is_some());
 }
 
-/// A plane model's compliance has the unit of one over a modulus: lengths do not matter, moduli divide.
+/// The compliance of a plane model has the unit of an inverse modulus: it does not depend on
+/// lengths and is inverse to the modulus.
 #[test]
 fn units_do_not_matter() {
     let steel = slabs(8.0, 1e-3, Material::STEEL);

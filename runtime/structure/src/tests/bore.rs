@@ -48,7 +48,8 @@ pub(super) struct Direct {
     by_forms: Vec<Vec<f64>>,
 }
 
-/// Linear forms of all displacements of a ring's mesh that say how its bore moves in the mean, each a row.
+/// Linear forms of the displacements of a ring's mesh that give the mean motion of its bore, one
+/// per row.
 pub fn bore_means(model: &PlaneModel, sectors: u32) -> Vec<Vec<f64>> {
     let wanted = RequestedMeans::of_means(None, 0, sectors, sectors);
     let bore = model.mesh.chain("bore").unwrap();

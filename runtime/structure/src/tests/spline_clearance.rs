@@ -40,7 +40,10 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
         for observed in 0..5 {
             let expected = dot(&form(observed), &displacement);
             let found = spline_teeth.compliance[(observed, loaded)];
-            assert!((found - expected).abs() < 1e-9 * scale, "lugs {observed} {loaded}: {found} {expected}");
+            assert!(
+                (found - expected).abs() < 1e-9 * scale,
+                "spline teeth {observed} {loaded}: {found} {expected}"
+            );
             assert_eq!(found.to_bits(), spline_teeth.compliance[(loaded, observed)].to_bits());
             farthest = if observed == loaded { farthest } else { farthest.max(found.abs()) };
         }
@@ -58,7 +61,7 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
             }
         }
     }
-    assert!(farthest > 0.02 * scale, "lugs feel each other");
+    assert!(farthest > 0.02 * scale, "spline teeth are coupled");
 }
 
 /// Whole ring: its equations, its rigid-body motions, and the displacements of spline teeth by
@@ -82,17 +85,19 @@ impl Whole {
     }
 }
 
-/// A ring on loose lugs under unit loads on its teeth, as the equations of its lugs see it.
+/// Ring on spline teeth with clearance under unit loads on its gear teeth, for the equations of the
+/// spline teeth.
 pub struct LoosenedRing {
-    /// Displacements of lugs by forces on them, all counter-clockwise, m/(N/m).
+    /// Displacements of the spline teeth by forces on them, all counter-clockwise, m/(N/m).
     pub compliance: Mat<f64>,
-    /// Displacement of each lug by the loads, m.
+    /// Displacement of each spline tooth by the loads, m.
     pub moved: Vec<f64>,
     /// Work of the loads in the motions of the ring as a rigid body, of which there are three.
     pub load: Vec<f64>,
-    /// Displacement of each lug by these motions, motion by motion; the arms are those of the mesh's bore.
+    /// Displacement of each spline tooth by each of these motions; the lever arms are those of the
+    /// mesh's bore.
     pub by_motion: Vec<Vec<f64>>,
-    /// Forces of lugs that bear both ways, counter-clockwise, under the same loads, N/m.
+    /// Forces on spline teeth without clearance, counter-clockwise, under the same loads, N/m.
     pub bound: Vec<f64>,
     /// Radius of the bore, m.
     pub radius: f64,

@@ -357,7 +357,7 @@ fn many_spline_teeth_make_a_bore_rigid() {
     let mut before = f64::INFINITY;
     for count in [4, 8, 16, 32] {
         let more = compliance(held(count, 0.0)) / rigid - 1.0;
-        println!("{count} rigid lugs: {more:.1e}");
+        println!("{count} rigid spline teeth: {more:.1e}");
         assert!(more > 0.0 && more < before, "{count}: {more:e} of {before:e}");
         before = more;
     }
@@ -465,7 +465,7 @@ fn spline_teeth_seen_through_the_series_are_nearly_those_with_sharp_ends() {
                 }
             }
             println!(
-                "{count} lugs of {width:.2} rad, radial {}, {} waves: {worst:.1e}, forces {off_force:.1e}",
+                "{count} spline teeth of {width:.2} rad, radial {}, {} waves: {worst:.1e}, forces {off_force:.1e}",
                 radial.is_some(),
                 spline_teeth.waves()
             );

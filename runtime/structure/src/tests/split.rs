@@ -38,8 +38,9 @@ fn split_mean(structure: &dyn Structure, observed: (Chart, &Mollifier), loaded: 
     mean
 }
 
-/// The same by a mesh that resolves the strips, whose forces lean over from the normal along the surface, by `tilt` (rad) at its end:
-/// compliances by offset, and stress rows of the structure's places.
+/// The same with a mesh that resolves the strips. Their forces are inclined from the normal along
+/// the surface, by `tilt` (rad) at the end of the surface. Returns the compliances by offset, and
+/// stress rows of the structure's points.
 fn direct(divisions: Divisions, strips: &[(u32, Mollifier)], tilt: f64) -> (Condensed, RingFlexibility) {
     let (model, sources) = toothed_sector(TEETH, 1.0, divisions);
     let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
@@ -143,7 +144,8 @@ fn split_agrees_with_brute_force_on_own_and_neighbour_teeth() {
 /// A curve whose tangents and normals lean over from their own.
 struct Leaning {
     curve: Arc<dyn Profile>,
-    /// By how much at the end, towards growing arc length for the inward normal, rad; in proportion before.
+    /// Inclination at the end, towards growing arc length for the inward normal, rad; proportional
+    /// before.
     by: f64,
 }
 
@@ -179,7 +181,7 @@ fn forces_that_lean_over_agree_with_brute_force() {
             structure.clone().with_modified_surfaces(surfaces.into()).expect("it was made for that");
         let worst = worst_compliance(modified.as_ref(), by);
         assert!(worst < 2e-3, "{by}: {worst:.1e}");
-        // What is not leaned over has not changed in a bit.
+        // Without inclination the result is the same to the bit.
         if by == 0.0 {
             let (chart, s) =
                 (Chart { tooth: 0, surface: 0 }, [0.3, 0.7].map(|part| part * structure.reference_length()));
@@ -218,7 +220,7 @@ fn matching_depth_hardly_matters_and_less_on_finer_meshes() {
     };
     let coarse = change(Divisions { flank: 14, thickness: 12, ..COARSE });
     let fine = change(Divisions { rim: 4, tooth_root: 5, flank: 20, thickness: 16, grading: 5.0 });
-    // Fewer elements along the flank would leave the strip at the tip far beyond what they can match.
+    // With fewer elements along the flank, those could not resolve the strip at the tip.
     assert!(coarse < 6e-3 && fine < 2e-3, "{coarse:.1e} {fine:.1e}");
 }
 
