@@ -113,7 +113,9 @@ pub struct Visible {
 pub struct Declaration {
     pub kind: NameKind,
     pub name: Arc<str>,
-    /// Source text without the body of a function.
+    /// The former name, which is deprecated.
+    pub former: Option<Arc<str>>,
+    /// Source text without former names and without the body of a function.
     pub header: String,
     pub doc: Option<String>,
     pub ty: Option<Arc<str>>,
@@ -140,6 +142,8 @@ pub struct Callable {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CallParameter {
     pub name: Arc<str>,
+    /// The former name, which is deprecated.
+    pub former: Option<Arc<str>>,
     pub mode: Mode,
     /// `true` if the parameter takes an expression, given with `:=`.
     pub symbolic: bool,
@@ -155,4 +159,11 @@ pub struct CallParameter {
     pub choices: Vec<String>,
     pub doc: Option<String>,
     pub declared: Option<SourceRange>,
+}
+
+impl CallParameter {
+    /// Returns `true` for the current and the former name.
+    pub fn is_called(&self, name: &str) -> bool {
+        *self.name == *name || self.former.as_deref() == Some(name)
+    }
 }

@@ -154,12 +154,16 @@ pub struct ParamDecl {
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordDecl {
     pub name: Ident,
+    /// The former name in `Name was Former`, which is deprecated.
+    pub former: Option<Ident>,
     pub fields: Vec<RecordField>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordField {
     pub name: Ident,
+    /// The former name in `name was former`, which is deprecated.
+    pub former: Option<Ident>,
     pub annotation: Option<TypeExpr>,
     pub default: Option<Expr>,
     pub doc: Option<String>,
@@ -193,6 +197,8 @@ pub enum Domain {
 #[derive(Clone, Debug, PartialEq)]
 pub struct FunctionDecl {
     pub name: Ident,
+    /// The former name in `function name was former`, which is deprecated.
+    pub former: Option<Ident>,
     pub parameters: Vec<Parameter>,
     pub result: Option<TypeExpr>,
     pub body: FunctionBody,
@@ -225,6 +231,8 @@ pub enum Mode {
 pub struct Parameter {
     pub mode: Mode,
     pub name: Ident,
+    /// The former name in `name was former`, which is deprecated.
+    pub former: Option<Ident>,
     pub annotation: Option<TypeExpr>,
     /// `= default`, or `:= default` for a parameter that takes a symbolic value. `Some((Symbolic,
     /// None))` is written `in frame :=` and has no default.

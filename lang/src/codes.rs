@@ -125,6 +125,7 @@ const CODES: &[Explanation] = codes! {
     "E0519" "a unit of angles for cycles" "A value in Hz cannot be shown in rpm, nor one in rad/s in Hz: one cycle is 2 pi radians. Multiply cycles by `1 rev`, or divide angles by it."
     "W0519" "the reciprocal of an angular velocity" "`1/(60 rpm)` is the time for a rotation by one radian, 0.159 s; a revolution takes 1 s. Write `1 rev / speed` for the time of a revolution, `1 rad / speed` for that of a radian."
     "W0520" "a number without a unit as an angle" "A number without a unit is an angle in radians. This is rarely intended next to an angle in degrees, or above one revolution. Write `2 deg` or `2 rad`."
+    "W0840" "a former name" "The function, argument, record or field has a new name. The former name means the same, but a later version will not accept it. `calyx check --fix` writes the new name."
     "E0850" "a malformed loop over values or brackets" "A loop over values is written `for (x in values) ...` and a comprehension `[element for x in values if condition]`. A unit after brackets applies to plain numbers: `[1, 2] mm`."
     "E0851" "a limit of a range or slice that is not an integer" "A range counts by 1 from its start to below its end, and a slice counts elements, so their limits are integers. Compute other steps from the count: `0.5 * i`."
 };

@@ -88,9 +88,34 @@ pub fn children(statement: &Stmt) -> Vec<&Stmt> {
     found
 }
 
-/// Returns the source text of a declaration without its body.
+/// Returns the source text of a declaration without its body and without former names.
 pub fn header(declared: Declared<'_>, text: &str) -> String {
-    let slice = |start: u32, end: u32| text.get(start as usize..end as usize).unwrap_or_default();
+    let mut former: Vec<Span> = Vec::new();
+    let mut add = |name: &Ident, was: &Option<Ident>| {
+        former.extend(was.as_ref().map(|was| Span { start: name.span.end, ..was.span }));
+    };
+    match declared {
+        Declared::Statement(Stmt { kind: StmtKind::Function(decl), .. }) => {
+            add(&decl.name, &decl.former);
+            decl.parameters.iter().for_each(|parameter| add(&parameter.name, &parameter.former));
+        }
+        Declared::Statement(Stmt { kind: StmtKind::Record(decl), .. }) => {
+            add(&decl.name, &decl.former);
+            decl.fields.iter().for_each(|field| add(&field.name, &field.former));
+        }
+        Declared::Parameter(_, parameter) => add(&parameter.name, &parameter.former),
+        Declared::Field(_, field) => add(&field.name, &field.former),
+        _ => {}
+    }
+    let slice = |start: u32, end: u32| {
+        let mut kept = String::new();
+        let mut from = start;
+        for cut in former.iter().filter(|cut| start <= cut.start && cut.end <= end) {
+            kept += text.get(from as usize..cut.start as usize).unwrap_or_default();
+            from = cut.end;
+        }
+        kept + text.get(from as usize..end as usize).unwrap_or_default()
+    };
     match declared {
         Declared::Statement(statement) => {
             let end = match &statement.kind {
@@ -130,6 +155,17 @@ pub fn header(declared: Declared<'_>, text: &str) -> String {
             format!("{}.{}", record.name.name, slice(field.name.span.start, end))
         }
         Declared::Caught(_) => "catch (Error)".into(),
+    }
+}
+
+/// Returns the former name of a declaration.
+pub fn former(declared: Declared<'_>) -> Option<&Ident> {
+    match declared {
+        Declared::Statement(Stmt { kind: StmtKind::Function(decl), .. }) => decl.former.as_ref(),
+        Declared::Statement(Stmt { kind: StmtKind::Record(decl), .. }) => decl.former.as_ref(),
+        Declared::Parameter(_, parameter) => parameter.former.as_ref(),
+        Declared::Field(_, field) => field.former.as_ref(),
+        Declared::Statement(_) | Declared::Variable(..) | Declared::Caught(_) => None,
     }
 }
 

@@ -39,11 +39,15 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let word = &text[token.span.start as usize..token.span.end as usize];
         let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
-        // In `param at Time = 0 s`, `param` is a variable: a declared or assigned name is not
-        // followed by another name.
-        let value_at = next == Some(Kind::Identifier)
-            && &text[tokens[i + 1].span.start as usize..tokens[i + 1].span.end as usize] == "at"
-            && tokens.get(i + 2).is_some_and(|t| t.kind == Kind::Identifier);
+        // In `param at Time = 0 s`, `param` is a variable, and in `in unit was length: Length`, `unit`
+        // is a parameter. In `record at was place {`, `record` is a keyword.
+        let is_name = next == Some(Kind::Identifier)
+            && matches!(
+                &text[tokens[i + 1].span.start as usize..tokens[i + 1].span.end as usize],
+                "at" | "was"
+            )
+            && tokens.get(i + 2).is_some_and(|t| t.kind == Kind::Identifier)
+            && tokens.get(i + 3).is_none_or(|t| t.kind != Kind::Identifier);
         let previous = i.checked_sub(1).map(|p| tokens[p].kind);
         let is_word = match kind {
             Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
@@ -51,7 +55,7 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
             Kind::Host | Kind::Test => next == Some(Kind::Function),
             _ => next == Some(Kind::Identifier),
         };
-        if is_word && !value_at {
+        if is_word && !is_name {
             tokens[i].kind = kind;
         }
     }

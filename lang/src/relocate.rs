@@ -37,6 +37,14 @@ fn ident(ident: &mut Ident, visit: &mut Visit<'_>) {
     visit(&mut ident.span, Some(&ident.name));
 }
 
+/// Visits a declared name and its former name.
+fn declared(name: &mut Ident, former: &mut Option<Ident>, visit: &mut Visit<'_>) {
+    ident(name, visit);
+    if let Some(former) = former {
+        ident(former, visit);
+    }
+}
+
 pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
     visit(&mut s.span, None);
     match &mut s.kind {
@@ -53,9 +61,9 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
             expr(value, visit);
         }
         StmtKind::Record(decl) => {
-            ident(&mut decl.name, visit);
+            declared(&mut decl.name, &mut decl.former, visit);
             for field in &mut decl.fields {
-                ident(&mut field.name, visit);
+                declared(&mut field.name, &mut field.former, visit);
                 if let Some(annotation) = &mut field.annotation {
                     type_expr(annotation, visit);
                 }
@@ -150,9 +158,9 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
 
 /// Visits the parts of a function that its callers depend on.
 pub fn function_header(decl: &mut FunctionDecl, visit: &mut Visit<'_>) {
-    ident(&mut decl.name, visit);
+    declared(&mut decl.name, &mut decl.former, visit);
     for parameter in &mut decl.parameters {
-        ident(&mut parameter.name, visit);
+        declared(&mut parameter.name, &mut parameter.former, visit);
         if let Some(annotation) = &mut parameter.annotation {
             type_expr(annotation, visit);
         }

@@ -75,6 +75,12 @@ impl Scan<'_> {
         self.tokens.get(index).filter(|token| token.kind == Kind::Identifier).map(|token| token.span)
     }
 
+    /// Returns the index after a declared name and its former name: `teeth was lugs`.
+    fn after_name(&self, index: usize) -> usize {
+        let renamed = self.name(index + 1).and(self.name(index + 2)).is_some();
+        if renamed { index + 3 } else { index + 1 }
+    }
+
     fn declare(&mut self, span: Span, kind: NameKind) {
         if let Some(scope) = self.scopes.last_mut() {
             scope.names.push((span, kind));
@@ -137,10 +143,11 @@ impl Scan<'_> {
                     self.declare(span, hoisted_kind(kind));
                 }
                 // The fields of a record are not names of the enclosing block.
-                if kind == Kind::Record && self.kind(index + 2) == Some(Kind::OpenBrace) {
+                let after = self.after_name(index + 1);
+                if kind == Kind::Record && self.kind(after) == Some(Kind::OpenBrace) {
                     self.open();
                 }
-                return index + 2;
+                return after;
             }
             Kind::Import => {
                 let mut last = index + 1;
@@ -155,7 +162,7 @@ impl Scan<'_> {
                     self.declare(span, NameKind::Function);
                 }
                 self.open();
-                return self.parameters(index + 2, end);
+                return self.parameters(self.after_name(index + 1), end);
             }
             Kind::For => self.open(),
             Kind::Catch => {
@@ -228,7 +235,7 @@ impl Scan<'_> {
                 Some(Kind::In | Kind::Out | Kind::InOut) if expected => {}
                 Some(Kind::Identifier) if expected => {
                     if let Some(span) = self.name(index) {
-                        let symbolic = self.kind(index + 1) == Some(Kind::Bind);
+                        let symbolic = self.kind(self.after_name(index)) == Some(Kind::Bind);
                         let kind = if symbolic { NameKind::Symbolic } else { NameKind::Parameter };
                         self.declare(span, kind);
                     }

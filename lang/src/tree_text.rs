@@ -124,9 +124,9 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
 }
 
 fn record(decl: &RecordDecl) -> String {
-    let mut head = format!("(record {}", decl.name.name);
+    let mut head = format!("(record {}", declared(&decl.name, &decl.former));
     for field in &decl.fields {
-        head.push_str(&format!(" ({}", field.name.name));
+        head.push_str(&format!(" ({}", declared(&field.name, &field.former)));
         if let Some(annotation) = &field.annotation {
             head.push_str(&format!(": {}", type_text(annotation)));
         }
@@ -148,7 +148,7 @@ fn variable(decl: &VarDecl) -> String {
 
 /// Formats a function without a body of statements.
 fn function(f: &FunctionDecl) -> String {
-    let mut head = format!("({} {}", function_word(f), f.name.name);
+    let mut head = format!("({} {}", function_word(f), declared(&f.name, &f.former));
     for p in &f.parameters {
         head.push_str(&parameter(p));
     }
@@ -191,6 +191,12 @@ fn domain(domain: &Option<Domain>) -> String {
     }
 }
 
+/// Formats a declared name and its former name: `teeth was lugs`.
+fn declared(name: &Ident, former: &Option<Ident>) -> String {
+    let former = former.as_ref().map(|former| format!(" was {}", former.name)).unwrap_or_default();
+    format!("{}{former}", name.name)
+}
+
 fn function_word(function: &FunctionDecl) -> &'static str {
     match (function.is_test, function.is_host) {
         (true, _) => "test",
@@ -200,7 +206,7 @@ fn function_word(function: &FunctionDecl) -> &'static str {
 }
 
 fn parameter(p: &Parameter) -> String {
-    let mut text = format!(" ({:?} {}", p.mode, p.name.name).to_lowercase();
+    let mut text = format!(" ({:?} {}", p.mode, declared(&p.name, &p.former)).to_lowercase();
     if let Some(annotation) = &p.annotation {
         text.push_str(&format!(": {}", type_text(annotation)));
     }

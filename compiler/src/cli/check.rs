@@ -67,15 +67,17 @@ impl Check {
         Ok(fixed.checked)
     }
 
-    /// Returns the last line, which mentions errors that `--fix` can fix.
+    /// Returns the last lines: the number of warnings of a model without errors, and the number of
+    /// findings that `--fix` can fix.
     fn summary(&self, checked: &Checked) -> String {
         let fixes = checked.diagnostics.iter().filter(|diagnostic| diagnostic.fix.is_some()).count();
         let file = calyx::rt::shell::path(&self.file);
+        let offer = match fixes {
+            0 => String::new(),
+            _ => format!("{fixes} of these can be fixed automatically with `calyx check --fix {file}`\n"),
+        };
         if checked.has_errors() {
-            return match fixes {
-                0 => String::new(),
-                _ => format!("{fixes} of these can be fixed automatically with `calyx check --fix {file}`\n"),
-            };
+            return offer;
         }
         let warnings = checked.diagnostics.iter().filter(|d| d.severity == Severity::Warning).count();
         let warnings = match warnings {
@@ -83,6 +85,6 @@ impl Check {
             1 => "1 warning".to_owned(),
             _ => format!("{warnings} warnings"),
         };
-        format!("{}: no errors, {warnings}\n", self.file.display())
+        format!("{}: no errors, {warnings}\n{offer}", self.file.display())
     }
 }

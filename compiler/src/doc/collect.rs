@@ -34,6 +34,8 @@ pub enum Kind {
 pub struct Entry {
     pub kind: Kind,
     pub name: String,
+    /// Former name, which is deprecated.
+    pub former: Option<String>,
     pub doc: String,
     /// Usage: a call or a declaration.
     pub signature: String,
@@ -49,6 +51,8 @@ pub struct Entry {
 #[derive(Clone, Debug)]
 pub struct Field {
     pub name: String,
+    /// Former name, which is deprecated.
+    pub former: Option<String>,
     /// `in`, `out` or `inout` for parameters, empty for others.
     pub mode: &'static str,
     pub doc: String,
@@ -111,6 +115,7 @@ impl Reader<'_> {
         let entry = |kind, name: &Ident, signature: String| Entry {
             kind,
             name: name.name.clone(),
+            former: former(statement).map(|former| former.name.clone()),
             doc: statement.doc.clone().unwrap_or_default(),
             signature,
             result: None,
@@ -122,6 +127,7 @@ impl Reader<'_> {
                 let default = self.slice(param.default.span);
                 let field = Field {
                     name: param.name.name.clone(),
+                    former: None,
                     mode: "",
                     doc: String::new(),
                     ty: self.inferred(&param.name),
@@ -176,6 +182,7 @@ impl Reader<'_> {
         };
         Field {
             name: parameter.name.name.clone(),
+            former: parameter.former.as_ref().map(|former| former.name.clone()),
             mode: match parameter.mode {
                 Mode::In => "in",
                 Mode::Out => "out",
@@ -192,6 +199,7 @@ impl Reader<'_> {
     fn field(&self, field: &RecordField) -> Field {
         Field {
             name: field.name.name.clone(),
+            former: field.former.as_ref().map(|former| former.name.clone()),
             mode: "",
             doc: field.doc.clone().unwrap_or_default(),
             ty: field.annotation.as_ref().map(|ty| self.ty(ty)),
@@ -229,6 +237,15 @@ impl Reader<'_> {
     fn slice(&self, span: Span) -> String {
         let written = self.text.get(span.start as usize..span.end as usize).unwrap_or_default();
         written.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// Returns the former name of a function or record.
+fn former(statement: &Stmt) -> Option<&Ident> {
+    match &statement.kind {
+        StmtKind::Function(function) => function.former.as_ref(),
+        StmtKind::Record(record) => record.former.as_ref(),
+        _ => None,
     }
 }
 

@@ -117,6 +117,9 @@ fn entry_html(entry: &Entry, links: &Links) -> String {
         let result = entry.result.as_ref().map(|ty| format!(" → {}", links.ty(ty))).unwrap_or_default();
         out += &format!("<pre><code>{}{result}</code></pre>\n", escape(&broken(&entry.signature)));
     }
+    if let Some(former) = &entry.former {
+        out += &format!("<p>formerly <code>{}</code></p>\n", escape(former));
+    }
     out += &links.markdown(&entry.doc);
     if !entry.fields.is_empty() {
         out += "<dl class=\"fields\">\n";
@@ -150,6 +153,9 @@ fn field_html(entry: &Entry, field: &Field, links: &Links) -> String {
     }
     if !field.domain.is_empty() {
         facts.push(format!("allowed <code>{}</code>", escape(&field.domain)));
+    }
+    if let Some(former) = &field.former {
+        facts.push(format!("formerly <code>{}</code>", escape(former)));
     }
     let heading = if entry.kind == Kind::Param {
         "Value".to_owned()
@@ -290,6 +296,9 @@ pub fn text(page: &Page) -> String {
             }
             let result = entry.result.as_ref().map(|ty| format!(" -> {}", ty.text)).unwrap_or_default();
             out += &format!("\n{}: {}{result}\n", entry.name, entry.signature);
+            if let Some(former) = &entry.former {
+                out += &format!("    formerly {former}\n");
+            }
             for line in entry.doc.lines() {
                 out += &format!("    {line}\n");
             }
@@ -310,6 +319,9 @@ fn field_text(field: &Field) -> String {
     parts.push(field.default.as_ref().map_or("required".into(), |default| format!("default {default}")));
     if !field.domain.is_empty() {
         parts.push(format!("allowed {}", field.domain));
+    }
+    if let Some(former) = &field.former {
+        parts.push(format!("formerly {former}"));
     }
     if !field.doc.is_empty() {
         parts.push(field.doc.replace('\n', " "));

@@ -1,7 +1,6 @@
 //! Matches the arguments of a call to parameters.
 
 use super::infer::Checker;
-use super::name_resolution::note_arguments;
 use super::symbols::similar;
 use super::tree::Expr;
 use crate::ast::{self, Bind, ExprKind};
@@ -22,9 +21,8 @@ impl<'a> Checker<'a> {
         arguments: &'a [ast::Argument],
         span: Span,
     ) -> Option<MatchedArguments<'a>> {
-        let places = decl.parameters.iter().map(|p| (p.name.name.clone(), p.name.span));
-        note_arguments(&mut self.named_parts, places, arguments);
-        let names: Vec<&str> = decl.parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let names = decl.parameter_names();
+        self.note_arguments(&names, arguments);
         let fields = self.spread(called, &names, arguments)?;
         let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
         let parameters: Vec<(&str, bool)> = decl
@@ -56,10 +54,13 @@ impl<'a> Checker<'a> {
                 }
                 Some((name, _)) => {
                     named = true;
-                    match parameters.iter().position(|(parameter, _)| *parameter == name.name) {
+                    let current = self.current_name(name);
+                    match parameters.iter().position(|(parameter, _)| *parameter == current) {
                         Some(at) => at,
                         None => {
-                            self.report(unknown_parameter(function, name, parameters, arguments));
+                            let named = self.named_parameters(arguments);
+                            let error = unknown_parameter(function, name, parameters, &named);
+                            self.report(error);
                             sound = false;
                             continue;
                         }
@@ -70,7 +71,9 @@ impl<'a> Checker<'a> {
                     continue;
                 }
                 None if named => {
-                    self.report(unnamed_after_named(argument, parameters, &given, arguments));
+                    let named = self.named_parameters(arguments);
+                    let error = unnamed_after_named(argument, parameters, &given, &named);
+                    self.report(error);
                     sound = false;
                     continue;
                 }
@@ -111,6 +114,12 @@ impl<'a> Checker<'a> {
             self.check_loosely(arguments);
         }
         sound.then_some(given)
+    }
+
+    /// Returns the current names of the parameters that arguments name.
+    fn named_parameters<'n>(&'n self, arguments: &'n [ast::Argument]) -> Vec<&'n str> {
+        let names = arguments.iter().filter_map(|argument| argument.name.as_ref());
+        names.map(|(name, _)| self.current_name(name)).collect()
     }
 
     /// Reports a decimal comma if an argument without a parameter is the fraction of the previous
@@ -160,7 +169,7 @@ fn unknown_parameter(
     function: &str,
     name: &ast::Ident,
     parameters: &[(&str, bool)],
-    arguments: &[ast::Argument],
+    named: &[&str],
 ) -> Diagnostic {
     let diagnostic = Diagnostic::error(
         "E0205",
@@ -169,11 +178,7 @@ fn unknown_parameter(
         "unknown parameter",
     );
     // A misspelt name cannot refer to a parameter that already has an argument.
-    let is_free = |parameter: &str| {
-        let mut named = arguments.iter().filter_map(|argument| argument.name.as_ref());
-        !named.any(|(name, _)| name.name == parameter)
-    };
-    let free = parameters.iter().map(|(name, _)| *name).filter(|name| is_free(name));
+    let free = parameters.iter().map(|(name, _)| *name).filter(|name| !named.contains(name));
     match similar(&name.name, free) {
         Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
             format!("change to `{near}`"),
@@ -188,17 +193,13 @@ fn unnamed_after_named(
     argument: &ast::Argument,
     parameters: &[(&str, bool)],
     given: &[Option<&ast::Argument>],
-    arguments: &[ast::Argument],
+    named: &[&str],
 ) -> Diagnostic {
     let place = Span { end: argument.value.span.start, ..argument.value.span };
-    let written = |parameter: &str| {
-        let mut names = arguments.iter().filter_map(|argument| argument.name.as_ref());
-        names.any(|(name, _)| name.name == *parameter)
-    };
     let free = parameters
         .iter()
         .zip(given)
-        .filter(|((name, optional), given)| given.is_none() && !optional && !written(name));
+        .filter(|((name, optional), given)| given.is_none() && !optional && !named.contains(name));
     let diagnostic = Diagnostic::error(
         "E0206",
         "an argument without a name follows a named argument",
@@ -245,13 +246,15 @@ fn second_occurrence(
         start: before.map_or(argument.value.span.start, |before| before.value.span.end),
         ..argument.value.span
     };
-    Diagnostic::error(
-        "E0206",
-        format!("the argument `{parameter}` occurs twice"),
-        argument.value.span,
-        "second occurrence",
-    )
-    .label(first.value.span, "first occurrence")
-    .help("remove one of the two")
-    .suggest(format!("remove this `{parameter}`"), removed, "")
+    let written = |argument: &ast::Argument| Some(argument.name.as_ref()?.0.name.clone());
+    let message = match (written(first), written(argument)) {
+        (Some(one), Some(other)) if one != other => {
+            format!("`{one}` and `{other}` are names of the same argument")
+        }
+        _ => format!("the argument `{parameter}` occurs twice"),
+    };
+    Diagnostic::error("E0206", message, argument.value.span, "second occurrence")
+        .label(first.value.span, "first occurrence")
+        .help("remove one of the two")
+        .suggest(format!("remove this `{parameter}`"), removed, "")
 }

@@ -190,6 +190,7 @@ impl Shape {
 pub fn callable(name: &str) -> Option<Callable> {
     let parameter = |name: &str, ty: &str, dimension| CallParameter {
         name: name.into(),
+        former: None,
         mode: Mode::In,
         symbolic: false,
         ty: ty.into(),

@@ -93,6 +93,8 @@ pub struct Checker<'a> {
     pub(super) elements: HashMap<VarId, VarId>,
     /// Names of arguments, and the declarations of the parameters or fields that they refer to.
     pub(super) named_parts: Vec<(Span, Span)>,
+    /// Current names of arguments that are written with former names.
+    pub(super) current_names: HashMap<Span, String>,
     /// Types of the parameters of the checked engine functions.
     pub(super) parameter_types: HashMap<Span, Type>,
     /// Field accesses, and the types of their records.
@@ -154,6 +156,7 @@ impl<'a> Checker<'a> {
             zero_starts: HashMap::new(),
             elements: HashMap::new(),
             named_parts: Vec::new(),
+            current_names: HashMap::new(),
             parameter_types: HashMap::new(),
             named_fields: Vec::new(),
             unsettled: false,
@@ -198,6 +201,7 @@ impl<'a> Checker<'a> {
         self.check_extern_declarations();
         self.store.compress();
         self.finish_constraints();
+        self.report_former_fields();
         self.finish_turns();
         self.finish_params();
         self.finish_definitions();

@@ -40,8 +40,8 @@ pub struct Item {
 #[derive(Debug)]
 pub struct Split {
     pub kind: ItemKind,
-    /// The declared name, or an empty string. For several names, the first; the others are in
-    /// `more`.
+    /// The declared name, or an empty string. For several names, the first; the others, and the
+    /// former name of a function or record, are in `more`.
     pub name: String,
     pub more: Vec<String>,
     /// `true` if importers do not see it.
@@ -67,6 +67,7 @@ pub fn split(mut statement: Stmt, text: &str) -> Split {
                 FunctionBody::Extern { .. } => ItemKind::Extern,
                 _ => ItemKind::Function,
             };
+            more.extend(decl.former.iter().map(|former| former.name.clone()));
             (kind, decl.name.name.clone())
         }
         StmtKind::Import(path) => {
@@ -77,7 +78,10 @@ pub fn split(mut statement: Stmt, text: &str) -> Split {
         StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => {
             (ItemKind::Declaration, name.name.clone())
         }
-        StmtKind::Record(decl) => (ItemKind::Declaration, decl.name.name.clone()),
+        StmtKind::Record(decl) => {
+            more.extend(decl.former.iter().map(|former| former.name.clone()));
+            (ItemKind::Declaration, decl.name.name.clone())
+        }
         StmtKind::Unit(decl) => (ItemKind::Declaration, decl.name.name.clone()),
         StmtKind::Param(decl) => (ItemKind::State, decl.name.name.clone()),
         StmtKind::Output { name, .. } => (ItemKind::State, name.name.clone()),
@@ -144,6 +148,7 @@ impl Item {
         };
         let header = FunctionDecl {
             name: decl.name.clone(),
+            former: decl.former.clone(),
             parameters: decl.parameters.clone(),
             result: decl.result.clone(),
             body,

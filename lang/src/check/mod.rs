@@ -30,6 +30,7 @@ pub(crate) mod excerpt;
 mod expr;
 pub(crate) mod expressions;
 mod flow;
+mod former_names;
 mod generalise;
 mod hosts;
 mod infer;

@@ -10,7 +10,7 @@ use super::tree::FuncId;
 use super::typed::Typed;
 use super::types::{Store, Type};
 use crate::analysis::NameKind;
-use crate::ast::{Bind, FunctionBody};
+use crate::ast::FunctionBody;
 use crate::dimension::Dimension;
 use crate::span::Span;
 use std::collections::{HashMap, HashSet};
@@ -96,7 +96,10 @@ impl NameTable {
                 _ => continue,
             };
             let declared = names.records.get(id.0 as usize).and_then(|record| {
-                record.decl.fields.iter().find(|f| f.name.name == field.name).map(|f| f.name.span)
+                let names = record.decl.field_names();
+                let current = names.iter().find(|declared| declared.name.name == field.name);
+                let found = current.or_else(|| names.iter().find(|declared| declared.was(&field.name)));
+                found.map(|declared| declared.name.span)
             });
             parts.extend(declared.map(|declared| (field.span, declared)));
         }
@@ -238,18 +241,4 @@ pub fn dimension(store: &Store, ty: &Type) -> Option<Dimension> {
         Type::Symbolic(inner) | Type::Array(inner) => dimension(store, &inner),
         _ => None,
     }
-}
-
-/// Records the parameter that each named argument refers to.
-pub(super) fn note_arguments(
-    parts: &mut Vec<(Span, Span)>,
-    parameters: impl Iterator<Item = (String, Span)>,
-    arguments: &[crate::ast::Argument],
-) {
-    let named = || arguments.iter().filter_map(|a| a.name.as_ref());
-    if named().next().is_none() {
-        return;
-    }
-    let parameters: HashMap<String, Span> = parameters.collect();
-    parts.extend(named().filter_map(|(name, _): &(_, Bind)| Some((name.span, *parameters.get(&name.name)?))));
 }

@@ -67,7 +67,7 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
         }
         resolver.exports.push(exports);
         let hidden = module.tree.statements.iter().filter(|statement| statement.private);
-        resolver.private.push(hidden.filter_map(item_name).map(|name| name.name.as_str()).collect());
+        resolver.private.push(hidden.flat_map(uses::item_names).map(|name| name.name.as_str()).collect());
     }
     // Modules first, so that a model's diagnostics do not depend on the order in which modules are
     // resolved.
@@ -176,6 +176,7 @@ impl<'a> Resolver<'a> {
         module: &str,
     ) {
         let file = self.file;
+        let mut former = None;
         let (name, res) = match &statement.kind {
             StmtKind::Function(decl) => return self.declare_function(decl, names, module),
             StmtKind::Const { name, value } => {
@@ -184,6 +185,7 @@ impl<'a> Resolver<'a> {
             }
             StmtKind::Record(decl) => {
                 self.names.records.push(Declared { decl, file });
+                former = decl.former.as_ref();
                 (&decl.name, Resolution::Record(RecordId(self.names.records.len() as u32 - 1)))
             }
             StmtKind::Dimension { name, value } => {
@@ -199,6 +201,9 @@ impl<'a> Resolver<'a> {
         };
         self.names.uses.insert(name.span, res);
         self.insert(names, name, res);
+        if let Some(former) = former {
+            self.insert(names, former, res);
+        }
     }
 
     fn declare_function(
@@ -235,6 +240,9 @@ impl<'a> Resolver<'a> {
         };
         self.names.uses.insert(name.span, res);
         self.insert(names, name, res);
+        if let Some(former) = &decl.former {
+            self.insert(names, former, res);
+        }
     }
 
     /// Declares a name in a block. Returns `false` and reports an error if the name is reserved or
@@ -388,6 +396,7 @@ impl<'a> Resolver<'a> {
             field.annotation.iter().for_each(|annotation| self.type_expr(annotation));
             field.default.iter().for_each(|default| self.expr(default));
         }
+        self.check_former_names(&decl.field_names());
     }
 
     fn param(&mut self, decl: &'a ParamDecl, doc: Option<&'a str>, top: bool) {
@@ -489,6 +498,7 @@ impl<'a> Resolver<'a> {
             }
             self.domain(parameter.domain.as_ref());
         }
+        self.check_former_names(&decl.parameter_names());
         let id = match self.names.uses.get(&decl.name.span) {
             Some(Resolution::Function(id)) => *id,
             // An extern function has no body, but the names of its parameters must differ.
@@ -560,16 +570,5 @@ impl<'a> Resolver<'a> {
             ExprKind::Paren(inner) => self.place(inner),
             _ => self.expr(place),
         }
-    }
-}
-
-/// Returns the declared name of a module-level declaration.
-fn item_name(statement: &Stmt) -> Option<&Ident> {
-    match &statement.kind {
-        StmtKind::Function(decl) => Some(&decl.name),
-        StmtKind::Record(decl) => Some(&decl.name),
-        StmtKind::Unit(decl) => Some(&decl.name),
-        StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => Some(name),
-        _ => None,
     }
 }

@@ -1,7 +1,7 @@
 //! Checks records: their fields, their construction, and the use of their fields as arguments.
 
+use super::former_names::DeclaredName;
 use super::infer::Checker;
-use super::name_resolution::note_arguments;
 use super::order::MOST_OPEN;
 use super::symbols::{Resolution, similar, with_article};
 use super::tree::*;
@@ -31,7 +31,10 @@ impl<'a> Checker<'a> {
         for record in &records {
             let fields = record.decl.fields.iter();
             let fields = fields.map(|field| (field.name.name.clone(), self.store.fresh())).collect();
-            self.store.records.push(RecordType { name: record.decl.name.name.clone(), fields });
+            let formers = record.decl.fields.iter().enumerate();
+            let former = formers.filter_map(|(at, field)| Some((field.former.as_ref()?.name.clone(), at)));
+            let (name, former) = (record.decl.name.name.clone(), former.collect());
+            self.store.records.push(RecordType { name, fields, former });
         }
         let all = || {
             (0..).map(RecordId).zip(&records).flat_map(|(id, record)| {
@@ -172,9 +175,8 @@ impl<'a> Checker<'a> {
             (record.decl, record.file)
         };
         let failed = Expr { kind: Kind::Error, ty: ty.clone(), span };
-        let places = decl.fields.iter().map(|field| (field.name.name.clone(), field.name.span));
-        note_arguments(&mut self.named_parts, places, arguments);
-        let names: Vec<&str> = decl.fields.iter().map(|field| field.name.name.as_str()).collect();
+        let names = decl.field_names();
+        self.note_arguments(&names, arguments);
         let Some(mut fields) = self.spread(&decl.name.name, &names, arguments) else { return failed };
         let parameters: Vec<(&str, bool)> = decl
             .fields
@@ -225,7 +227,7 @@ impl<'a> Checker<'a> {
     pub(super) fn spread(
         &mut self,
         function: &str,
-        parameters: &[&str],
+        parameters: &[DeclaredName<'_>],
         arguments: &'a [ast::Argument],
     ) -> Option<HashMap<String, Expr>> {
         let mut fields = HashMap::new();
@@ -267,14 +269,16 @@ impl<'a> Checker<'a> {
             }
             let Some(found) = self.store.record(id).cloned() else { continue };
             for (at, (name, ty)) in found.fields.iter().enumerate() {
-                let Some(position) = parameters.iter().position(|parameter| parameter == name) else {
+                let place = argument.value.span;
+                let Some(position) = self.spread_position(function, parameters, id, name, place) else {
                     let diagnostic = Diagnostic::error(
                         "E0205",
                         format!("`{function}` has no parameter for the field `{name}` of `{}`", found.name),
                         argument.value.span,
                         "every field is passed as an argument",
                     );
-                    let diagnostic = match similar(name, parameters.iter().copied()) {
+                    let names = parameters.iter().map(|parameter| parameter.name.name.as_str());
+                    let diagnostic = match similar(name, names) {
                         Some(near) => diagnostic.help(format!("is the parameter `{near}` meant?")),
                         None => diagnostic.help("pass the fields one by one: `f(a = r.a)`"),
                     };
@@ -283,8 +287,9 @@ impl<'a> Checker<'a> {
                     continue;
                 };
                 // An explicit argument takes precedence.
+                let name = &parameters[position].name.name;
                 let written = arguments.iter().enumerate().any(|(index, other)| match &other.name {
-                    Some((given, _)) => given.name == *name,
+                    Some((given, _)) => self.current_name(given) == *name,
                     None => !other.spread && index == position,
                 });
                 if written {

@@ -156,7 +156,7 @@ mod tests {
         let mut store = Store::default();
         let (own, list) = (store.fresh(), store.fresh());
         let fields = vec![("own".into(), own.clone()), ("list".into(), Type::array(list.clone()))];
-        store.records.push(RecordType { name: "P".into(), fields });
+        store.records.push(RecordType { name: "P".into(), fields, former: Vec::new() });
         let record = Type::Record(RecordId(0));
         assert_eq!(store.unify(&own, &record), Err(Mismatch::Infinite));
         assert_eq!(store.unify(&list, &Type::Tuple(vec![Type::Bool, record])), Err(Mismatch::Infinite));
@@ -210,7 +210,8 @@ mod tests {
                         _ => Type::Record(RecordId(at - 1)),
                     };
                     let all = (0..fields).map(|field| (format!("f{field}"), held.clone())).collect();
-                    store.records.push(RecordType { name: format!("R{at}"), fields: all });
+                    let name = format!("R{at}");
+                    store.records.push(RecordType { name, fields: all, former: Vec::new() });
                     let value = store.fresh();
                     store.unify(&value, &Type::Record(RecordId(at)))
                 })

@@ -40,6 +40,8 @@ pub enum Type {
 pub struct RecordType {
     pub name: String,
     pub fields: Vec<(String, Type)>,
+    /// Former names of fields, and the indices of the fields.
+    pub former: Vec<(String, usize)>,
 }
 
 impl Type {
@@ -104,10 +106,12 @@ impl Store {
         self.records.get(id.0 as usize)
     }
 
-    /// Returns the index and the type of a record's field.
+    /// Returns the index and the type of a record's field, by its current or former name.
     pub fn field(&self, id: RecordId, name: &str) -> Option<(usize, Type)> {
         let record = self.record(id)?;
-        let at = record.fields.iter().position(|(field, _)| field == name)?;
+        let current = record.fields.iter().position(|(field, _)| field == name);
+        let former = || record.former.iter().find(|(former, _)| former == name).map(|(_, at)| *at);
+        let at = current.or_else(former)?;
         Some((at, record.fields[at].1.clone()))
     }
 

@@ -338,12 +338,14 @@ impl Database {
                 .and_then(|t| t.get(place.start as usize..place.end as usize))
                 .unwrap_or(""),
         };
+        let former = self.former_name(place);
         let mut found = Vec::new();
         with_deep_stack(|| {
             for file in self.files() {
                 let Some(text) = self.find(&file) else { continue };
                 for &item in items(db, text) {
-                    if item.content(db).names.contains(name) {
+                    let names = &item.content(db).names;
+                    if names.contains(name) || former.as_ref().is_some_and(|former| names.contains(former)) {
                         let names = self.names_of(item).into_iter();
                         let meant = names.filter(|name| name.declared.as_ref() == Some(place));
                         found.extend(meant.map(|name| (file.clone(), name)));
@@ -436,6 +438,7 @@ impl Database {
             name: text
                 .get((place.start - part.start) as usize..(place.end.checked_sub(part.start)?) as usize)?
                 .into(),
+            former: declared::former(found).map(|former| former.name.as_str().into()),
             header: declared::header(found, text),
             doc,
             ty: name.and_then(|name| name.ty),

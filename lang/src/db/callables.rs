@@ -52,6 +52,13 @@ impl Database {
         self.called(place, &Types { scheme: &scheme, field: &field, dimension: &dimension })
     }
 
+    /// Returns the former name of the declaration at a location.
+    pub(super) fn former_name(&self, place: &SourceRange) -> Option<String> {
+        let part = self.part_at(&place.file, place.start)?;
+        let (_, found) = declared::find_in(&part.piece.statements, place.start.checked_sub(part.start)?)?;
+        declared::former(found).map(|former| former.name.clone())
+    }
+
     /// Computes [`Database::callable`] with types from another source.
     pub(super) fn called(&self, place: &SourceRange, types: &Types<'_>) -> Option<Callable> {
         let part = self.part_at(&place.file, place.start)?;
@@ -101,6 +108,7 @@ fn described(
                 };
                 callable.parameters.push(CallParameter {
                     name: parameter.name.name.as_str().into(),
+                    former: parameter.former.as_ref().map(|former| former.name.as_str().into()),
                     mode: parameter.mode,
                     symbolic: bind == Bind::Symbolic,
                     ty: shown.parameters.get(index).map(|(_, _, ty)| ty.clone()).unwrap_or_default(),
@@ -119,6 +127,7 @@ fn described(
             for field in &decl.fields {
                 callable.parameters.push(CallParameter {
                     name: field.name.name.as_str().into(),
+                    former: field.former.as_ref().map(|former| former.name.as_str().into()),
                     mode: Mode::In,
                     symbolic: false,
                     ty: (types.field)(decl, field),

@@ -200,6 +200,14 @@ pub(super) fn nameable(db: &dyn salsa::Database, text: Text) -> HashMap<String, 
             nameable.entry(item.name(db).clone()).or_insert(item);
         }
     }
+    // A former name never hides a current one.
+    for &item in items(db, text) {
+        if !matches!(item.kind(db), ItemKind::State | ItemKind::Other) {
+            for former in item.more(db) {
+                nameable.entry(former.clone()).or_insert(item);
+            }
+        }
+    }
     nameable.remove("");
     nameable
 }

@@ -340,14 +340,15 @@ impl Surroundings for GroupContext<'_> {
             return Vec::new();
         }
         // Only exported items of other files.
-        let callable = |all: &Vec<Item<'_>>| {
+        let callable = |name: &String, all: &Vec<Item<'_>>| {
             all.iter().any(|item| {
                 let declares = is_function(self.db, *item) || *item.kind(self.db) == ItemKind::Declaration;
-                declares && (file == self.file || !item.private(self.db))
+                let is_current = item.name(self.db) == name;
+                declares && is_current && (file == self.file || !item.private(self.db))
             })
         };
         let mut names: Vec<String> =
-            declared.iter().filter(|(_, all)| callable(all)).map(|(name, _)| name.clone()).collect();
+            declared.iter().filter(|(name, all)| callable(name, all)).map(|(name, _)| name.clone()).collect();
         names.sort();
         names
     }

@@ -3,8 +3,8 @@
 use super::document::Item;
 use super::printer::{Layout, Printer};
 use crate::ast::{
-    Bind, Domain, FunctionBody, FunctionDecl, Mode, ParamDecl, Parameter, RecordDecl, StmtKind, UnitDecl,
-    UnitMeaning, VarDecl,
+    Bind, Domain, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, RecordDecl, StmtKind,
+    UnitDecl, UnitMeaning, VarDecl,
 };
 use crate::lexer::Kind;
 
@@ -45,18 +45,29 @@ impl Printer<'_> {
         }
     }
 
+    /// Formats a declared name and its former name: `teeth was lugs`.
+    fn renamed(&mut self, former: &Option<Ident>) {
+        self.token(Kind::Identifier);
+        if former.is_some() {
+            self.space();
+            self.token(Kind::Identifier);
+            self.space();
+            self.token(Kind::Identifier);
+        }
+    }
+
     /// Formats `record Name { field: Type = default; }`, one field per line.
     pub(super) fn record(&mut self, record: &RecordDecl) {
         self.token(Kind::Record);
         self.space();
-        self.token(Kind::Identifier);
+        self.renamed(&record.former);
         self.space();
         self.token(Kind::OpenBrace);
         let is_empty = record.fields.is_empty() && !self.comment_ahead();
         self.item(Item::Indent);
         for field in &record.fields {
             self.begin_item();
-            self.token(Kind::Identifier);
+            self.renamed(&field.former);
             if field.annotation.is_some() {
                 self.token(Kind::Colon);
                 self.space();
@@ -166,7 +177,7 @@ impl Printer<'_> {
         }
         self.token(Kind::Function);
         self.space();
-        self.token(Kind::Identifier);
+        self.renamed(&function.former);
         let has_block = matches!(&function.body, FunctionBody::Statement(body) if matches!(body.kind, StmtKind::Block(_)));
         let layout = if has_block { Layout::EachClosed } else { Layout::Each };
         self.bracket((Kind::OpenParen, Kind::CloseParen), &function.parameters, layout, Self::parameter);
@@ -185,7 +196,7 @@ impl Printer<'_> {
             Mode::InOut => Kind::InOut,
         });
         self.space();
-        self.token(Kind::Identifier);
+        self.renamed(&parameter.former);
         if parameter.annotation.is_some() {
             self.token(Kind::Colon);
             self.space();

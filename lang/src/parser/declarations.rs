@@ -3,7 +3,7 @@
 use super::Problem;
 use super::Rule;
 use super::expressions::Expressions;
-use super::recovery::{Reader, close, expect, identifier, name, position, semicolon, when};
+use super::recovery::{Reader, close, expect, identifier, name, position, renamed, semicolon, when};
 use super::source::Source;
 use crate::ast::{
     Bind, Domain, Expr, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, Stmt, StmtKind,
@@ -116,7 +116,7 @@ pub(super) fn function<'a>(
         .map(|parameters| parameters.into_iter().flatten().collect::<Vec<_>>())
         .boxed();
     let signature = just(Kind::Function)
-        .ignore_then(name(source, "the function"))
+        .ignore_then(renamed(source, "the function"))
         .then(parameters)
         .then(just(Kind::Arrow).ignore_then(types).or_not())
         .boxed();
@@ -151,13 +151,14 @@ pub(super) fn function<'a>(
         }))
         .ignore_then(name(source, "the function"))
         .to(StmtKind::Error);
-    let whole =
-        marked.or_not().then(external.or(defined)).map(|(mark, (((name, parameters), result), body))| {
+    let whole = marked.or_not().then(external.or(defined)).map(
+        |(mark, ((((name, former), parameters), result), body))| {
             let (is_test, is_host) = (mark == Some(Kind::Test), mark == Some(Kind::Host));
             name.map_or(StmtKind::Error, |name| {
-                StmtKind::Function(FunctionDecl { name, parameters, result, body, is_test, is_host })
+                StmtKind::Function(FunctionDecl { name, former, parameters, result, body, is_test, is_host })
             })
-        });
+        },
+    );
     begun.or(whole).boxed()
 }
 
@@ -239,13 +240,13 @@ fn parameter<'a>(
     })
     .ignore_then(bind.then(value.or_not()));
     mode.or(no_mode)
-        .then(name(source, "the parameter"))
+        .then(renamed(source, "the parameter"))
         .then(just(Kind::Colon).ignore_then(types).or_not())
         .then(default.or_not())
         .then(domain(source, e).or_not())
-        .map_with(|((((mode, name), annotation), default), domain), extra| {
+        .map_with(|((((mode, (name, former)), annotation), default), domain), extra| {
             let doc = source.doc(extra.span().start);
-            name.map(|name| Parameter { mode, name, annotation, default, domain, doc })
+            name.map(|name| Parameter { mode, name, former, annotation, default, domain, doc })
         })
         .boxed()
 }

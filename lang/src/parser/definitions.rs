@@ -2,7 +2,7 @@
 
 use super::declarations::{inside_another, type_expression};
 use super::expressions::Expressions;
-use super::recovery::{Reader, close, expect, name, position, semicolon, when};
+use super::recovery::{Reader, close, expect, name, position, renamed, semicolon, when};
 use super::source::Source;
 use super::{Problem, Rule};
 use crate::ast::{RecordDecl, RecordField, StmtKind, UnitDecl, UnitMeaning};
@@ -60,11 +60,11 @@ fn record<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind>
     let typed = just(Kind::Colon).ignore_then(type_expression(source));
     let default = just(Kind::Assign).ignore_then(e.full.clone());
     let field = when(move |at| source.kind(at) == Some(Kind::Identifier))
-        .ignore_then(name(source, "the field"))
+        .ignore_then(renamed(source, "the field"))
         .then(typed.or_not())
         .then(default.or_not())
         .then_ignore(semicolon(source))
-        .map_with(|((name, annotation), default), extra| {
+        .map_with(|(((name, former), annotation), default), extra| {
             let name = name?;
             if annotation.is_none() && default.is_none() {
                 let problem = Diagnostic::error(
@@ -77,17 +77,17 @@ fn record<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind>
                 extra.emit(problem.into());
             }
             let doc = source.doc(extra.span().start);
-            Some(RecordField { name, annotation, default, doc })
+            Some(RecordField { name, former, annotation, default, doc })
         });
     just(Kind::Record)
-        .ignore_then(name(source, "the record"))
+        .ignore_then(renamed(source, "the record"))
         .then_ignore(expect(source, Kind::OpenBrace, "before the fields of a record"))
         .then(field.repeated().collect::<Vec<_>>())
         .then_ignore(close(source, Kind::CloseBrace, "a field or `}`"))
-        .map(|(name, fields)| match name {
+        .map(|((name, former), fields)| match name {
             Some(name) => {
                 let fields = fields.into_iter().flatten().collect();
-                StmtKind::Record(RecordDecl { name, fields })
+                StmtKind::Record(RecordDecl { name, former, fields })
             }
             None => StmtKind::Error,
         })

@@ -89,6 +89,20 @@ pub(super) fn name<'a>(source: &'a Source<'a>, what: &'static str) -> Rule<'a, O
     .boxed()
 }
 
+/// Parses a required name and the former name after `was`, if any: `teeth was lugs`.
+pub(super) fn renamed<'a>(
+    source: &'a Source<'a>,
+    what: &'static str,
+) -> Rule<'a, (Option<Ident>, Option<Ident>)> {
+    let was = when(move |at| {
+        source.text(at) == "was"
+            && source.kind(at) == Some(Kind::Identifier)
+            && source.kind(at + 1) == Some(Kind::Identifier)
+    });
+    let former = was.ignore_then(just(Kind::Identifier)).ignore_then(identifier(source));
+    name(source, what).then(former.or_not()).boxed()
+}
+
 /// Returns `true` if a token starts a line with an assignment, such as `name = ...`. If a value is
 /// missing before it, this line is a separate statement and the one above is incomplete.
 pub(super) fn assigns_on_new_line(source: &Source<'_>, at: usize) -> bool {

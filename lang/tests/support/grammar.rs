@@ -72,6 +72,7 @@ fn lexical(rule: &str) -> Option<&'static [&'static str]> {
             "dimension",
             "inch",
             "pure",
+            "was",
         ],
         "UNIT" => &["mm", "inch", "lbf", "furlong", "deg", "µm", "%", "kg"],
         "NUMBER" => &["0", "1", "2.5", ".5", "3.", "1e3", "2E-3", "0.15708", "100000000000000000000"],

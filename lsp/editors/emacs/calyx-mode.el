@@ -141,6 +141,7 @@ multiplied with or divided by."
      (1 font-lock-keyword-face) (2 font-lock-keyword-face nil t))
     ("\\_<\\(private\\)\\_>[ \t]+[[:alpha:]_]" 1 font-lock-keyword-face)
     ("\\_<\\(host\\|test\\)\\_>[ \t]+function\\_>" 1 font-lock-keyword-face)
+    (,(concat calyx--name "[ \t]+\\(was\\)[ \t]+[[:alpha:]_]") 1 font-lock-keyword-face)
     (,(concat "[])[:alnum:]_\"%.][ \t]+\\(at\\)[ \t]+" calyx--name "[ \t]*=[^=]")
      1 font-lock-keyword-face)
     ;; Declared names.

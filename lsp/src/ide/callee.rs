@@ -83,7 +83,7 @@ pub fn matched(callable: &Callable, call: &Call, fields: &dyn Fn(&str) -> Vec<Ca
     let mut given = vec![false; callable.parameters.len()];
     let mut in_order = true;
     let mut mark = |name: &str| {
-        if let Some(at) = callable.parameters.iter().position(|parameter| *parameter.name == *name)
+        if let Some(at) = callable.parameters.iter().position(|parameter| parameter.is_called(name))
             && let Some(slot) = given.get_mut(at)
         {
             *slot = true;

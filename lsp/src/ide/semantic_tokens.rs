@@ -295,6 +295,8 @@ impl TokenContext<'_> {
             (_, Some(Kind::OpenParen)) => TokenKind::Function,
             (Some(Kind::Dot), _) => TokenKind::Property,
             _ if self.is_argument() => return Some((TokenKind::Parameter, Modifiers::ARGUMENT)),
+            // `was` between a name and its former name.
+            (Some(Kind::Identifier), Some(Kind::Identifier)) => TokenKind::Keyword,
             (Some(Kind::In | Kind::Out | Kind::InOut), _) => {
                 return Some((TokenKind::Parameter, Modifiers::DECLARATION));
             }

@@ -71,7 +71,7 @@ fn active(
         return None;
     }
     if let Some(name) = given.and_then(|given| given.name.as_deref()) {
-        return callable.parameters.iter().position(|parameter| *parameter.name == *name);
+        return callable.parameters.iter().position(|parameter| parameter.is_called(name));
     }
     let fields = |record: &str| callee::fields_of(database, visible, record).unwrap_or_default();
     let matched = matched(callable, call, &fields);

@@ -273,15 +273,20 @@ pub fn to_protocol(view: &View, files: &[SourceFile], finding: &Finding) -> Opti
         source: Some("calyx".to_owned()),
         message,
         related_information: (!related.is_empty()).then_some(related),
-        tags: is_unused(&finding.code).then(|| vec![DiagnosticTag::UNNECESSARY]),
+        tags: tag(&finding.code).map(|tag| vec![tag]),
         data: fix(view, files, finding),
         ..Diagnostic::default()
     })
 }
 
-/// Returns true for unused names, unreachable statements and unused values, which editors fade out.
-fn is_unused(code: &str) -> bool {
-    matches!(code, "W0201" | "W0202" | "W0203")
+/// Returns the tag of unused names, unreachable statements and unused values, which editors fade
+/// out, and of former names, which editors strike through.
+fn tag(code: &str) -> Option<DiagnosticTag> {
+    match code {
+        "W0201" | "W0202" | "W0203" => Some(DiagnosticTag::UNNECESSARY),
+        "W0840" => Some(DiagnosticTag::DEPRECATED),
+        _ => None,
+    }
 }
 
 /// Returns the fix of a finding as data that clients send back.

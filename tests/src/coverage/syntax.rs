@@ -63,6 +63,7 @@ rows!(declaration(VarDecl) {
 });
 
 rows!(field(RecordField) {
+    RecordField { former: Some(_), .. } => "field `name was former`",
     RecordField { annotation: None, .. } => "field `name = e`",
     RecordField { annotation: Some(_), default: None, .. } => "field `name: T`",
     RecordField { annotation: Some(_), default: Some(_), .. } => "field `name: T = e`",
@@ -89,6 +90,7 @@ rows!(mode(Mode) {
 });
 
 rows!(parameter(Parameter) {
+    Parameter { former: Some(_), .. } => "`in name was former`",
     Parameter { default: None, .. } => "a parameter without default",
     Parameter { default: Some((Bind::Evaluate, _)), .. } => "`in name = e`",
     Parameter { default: Some((Bind::Symbolic, None)), .. } => "`in name :=`",

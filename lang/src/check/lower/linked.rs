@@ -61,9 +61,8 @@ impl<'u> Linked<'u> {
                 let fields = fields
                     .map(|(name, ty)| (name.clone(), from.typed.store.closed(ty).with_records(&own)))
                     .collect();
-                Arc::make_mut(&mut typed.store)
-                    .records
-                    .push(RecordType { name: record.name.clone(), fields });
+                let (name, former) = (record.name.clone(), record.former.clone());
+                Arc::make_mut(&mut typed.store).records.push(RecordType { name, fields, former });
             }
         }
         // A generic function may be instantiated with dimensions that only the model names.

@@ -1,6 +1,7 @@
 //! Resolves uses of names in expressions, types and units, and reports undeclared names.
 
 use super::*;
+use crate::check::former_names::{self, DeclaredName};
 use crate::check::other_modules;
 
 /// Number of diagnostics after which unknown names get no suggestions.
@@ -13,7 +14,9 @@ impl<'a> Resolver<'a> {
             TypeKind::Name(name) => {
                 let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
                 if let Some((res @ (Resolution::Record(_) | Resolution::Dimension(_)), _)) = found {
-                    self.names.uses.insert(name.span, *res);
+                    let res = *res;
+                    self.names.uses.insert(name.span, res);
+                    self.report_former(name, res);
                 }
             }
             TypeKind::Member(module, name) => {
@@ -169,6 +172,7 @@ impl<'a> Resolver<'a> {
     pub(super) fn name(&mut self, name: &'a Ident) {
         let res = self.lookup(name);
         self.names.uses.insert(name.span, res);
+        self.report_former(name, res);
         match res {
             Resolution::Var(id) => {
                 self.names.variables[id.0 as usize].reads += 1;
@@ -179,6 +183,29 @@ impl<'a> Resolver<'a> {
                 self.names.functions[self.function.0 as usize].callees.insert(id);
             }
             _ => {}
+        }
+    }
+
+    /// Reports former names that equal another name of the same function or record.
+    pub(super) fn check_former_names(&mut self, declared: &[DeclaredName<'_>]) {
+        let mut seen: HashSet<&str> = declared.iter().map(|declared| declared.name.name.as_str()).collect();
+        for former in declared.iter().filter_map(|declared| declared.former) {
+            if !seen.insert(&former.name) {
+                self.twice(former);
+            }
+        }
+    }
+
+    /// Reports the use of a function or record by its former name.
+    fn report_former(&mut self, used: &Ident, res: Resolution) {
+        let current = match res {
+            Resolution::Function(id) => self.names.functions[id.0 as usize].decl.map(|decl| &decl.name),
+            Resolution::Extern(id) => Some(&self.names.externs[id as usize].decl.name),
+            Resolution::Record(id) => Some(&self.names.records[id.0 as usize].decl.name),
+            _ => None,
+        };
+        if let Some(current) = current.filter(|current| current.name != used.name) {
+            self.report(former_names::warning(used, &current.name));
         }
     }
 
@@ -243,6 +270,7 @@ impl<'a> Resolver<'a> {
             }
         };
         self.names.uses.insert(field.span, res);
+        self.report_former(field, res);
         if let Resolution::Function(id) = res {
             self.names.functions[self.function.0 as usize].callees.insert(id);
         }
@@ -311,4 +339,16 @@ impl<'a> Resolver<'a> {
         };
         self.report(diagnostic);
     }
+}
+
+/// Returns the declared name of a module-level declaration, and its former name.
+pub(super) fn item_names(statement: &Stmt) -> impl Iterator<Item = &Ident> {
+    let (name, former) = match &statement.kind {
+        StmtKind::Function(decl) => (Some(&decl.name), decl.former.as_ref()),
+        StmtKind::Record(decl) => (Some(&decl.name), decl.former.as_ref()),
+        StmtKind::Unit(decl) => (Some(&decl.name), None),
+        StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => (Some(name), None),
+        _ => (None, None),
+    };
+    name.into_iter().chain(former)
 }

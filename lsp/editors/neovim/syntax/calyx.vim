@@ -22,6 +22,7 @@ syn match calyxDeclaration "\<\%(param\|output\|const\|record\|dimension\|unit\)
 syn match calyxModifier "\<\%(extern\|private\)\>\ze\s\+\h"
 syn match calyxModifier "\<extern\s\+\%(pure\|scene\|effect\)\>"
 syn match calyxModifier "\<\%(host\|test\)\>\ze\s\+function\>"
+syn match calyxModifier "\%(\k\s\+\)\@<=was\>\ze\s\+\K"
 syn match calyxOperatorWord "\%([[:alnum:]_)\]\"%.]\s\+\)\@<=at\>\ze\s\+\K\k*\s*=[^=]"
 
 " What is named.

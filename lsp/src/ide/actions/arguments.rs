@@ -80,7 +80,7 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
     let given = |parameter: &CallParameter| {
         arguments
             .iter()
-            .any(|argument| matches!(&argument.name, Some((name, _)) if *name.name == *parameter.name))
+            .any(|argument| matches!(&argument.name, Some((name, _)) if parameter.is_called(&name.name)))
     };
     let missing: Vec<&CallParameter> = callable
         .parameters

@@ -93,7 +93,7 @@ fn demanded(asked: &ActionRequest, given: &GivenValue, start: u32) -> Option<Dim
     let (_, callee, arguments) = around.call()?;
     let callable = super::arguments::callable(asked, callee)?;
     let parameter = match &argument.name {
-        Some((name, _)) => callable.parameters.iter().find(|parameter| *parameter.name == *name.name),
+        Some((name, _)) => callable.parameters.iter().find(|parameter| parameter.is_called(&name.name)),
         None => {
             let in_order = arguments.iter().take_while(|other| other.name.is_none() && !other.spread);
             let index = in_order.into_iter().position(|other| other.value.span == argument.value.span)?;

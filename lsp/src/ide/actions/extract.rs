@@ -97,7 +97,9 @@ fn is_movable(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> bool 
         let pairs = arguments.iter().enumerate().filter(|(_, argument)| argument.value.span == e.span);
         pairs.into_iter().any(|(index, argument)| {
             let parameter = match &argument.name {
-                Some((name, _)) => callable.parameters.iter().find(|parameter| *parameter.name == *name.name),
+                Some((name, _)) => {
+                    callable.parameters.iter().find(|parameter| parameter.is_called(&name.name))
+                }
                 None => callable.parameters.get(index),
             };
             argument.spread || parameter.is_some_and(|parameter| parameter.mode != Mode::In)

@@ -121,7 +121,7 @@ impl<'a> Request<'a> {
         let fields = |record: &str| self.fields_of(record).unwrap_or_default();
         let matched = matched(&callable, call, &fields);
         let active = match name {
-            Some((name, _)) => callable.parameters.iter().position(|parameter| *parameter.name == **name),
+            Some((name, _)) => callable.parameters.iter().position(|parameter| parameter.is_called(name)),
             None => matched.in_order.then_some(call.active).and_then(|at| position(&callable, at)),
         };
         Some(Called { active, left: matched.left, in_order: matched.in_order, callable })

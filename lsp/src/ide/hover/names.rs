@@ -53,6 +53,7 @@ pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<Stri
         database.module_of(&place.file).filter(|_| place.file != at.file && name.kind != NameKind::Field);
     let from = module.filter(|module| module != "prelude").map(|module| format!("of the module `{module}`"));
     facts.extend(from);
+    facts.extend(declaration.former.as_ref().map(|former| format!("formerly `{former}`")));
     if name.kind == NameKind::Variable
         && let Some(value) = expressions::value(snapshot, place, &name.text, dimension, system)
         && !declaration.header.ends_with(&format!("= {value}"))
@@ -125,6 +126,7 @@ fn of_parameter(parameter: &CallParameter, declaration: &Declaration, system: Un
         let choices: Vec<String> = parameter.choices.iter().map(|choice| format!("`\"{choice}\"`")).collect();
         facts.push(format!("one of {}", choices.join(", ")));
     }
+    facts.extend(parameter.former.as_ref().map(|former| format!("formerly `{former}`")));
     let facts = (!facts.is_empty()).then(|| facts.join(" · "));
     paragraphs([Some(code(&declaration.header)), facts, parameter.doc.clone()])
 }
