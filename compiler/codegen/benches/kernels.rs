@@ -102,7 +102,7 @@ fn arithmetic_tape(operations: u32) -> Tape {
         });
     }
     let last = instructions.len() as u32;
-    Tape { inputs: 32, instructions, outputs: (last - 64..last).collect() }
+    Tape { inputs: 32, instructions, outputs: (last - 64..last).collect(), ..Tape::default() }
 }
 
 #[divan::bench(args = [1000, 3000, 10_000, 30_000])]

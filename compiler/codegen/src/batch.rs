@@ -14,6 +14,7 @@ use crate::backend::Backend;
 use crate::error::CodegenError;
 use crate::function::TRUSTED;
 use crate::jit::Jit;
+use crate::kernel::Newton;
 use crate::module::ModuleLowering;
 use crate::operation::{self, References};
 use calyx_lang::ir::Program;
@@ -62,9 +63,10 @@ pub fn compile_batch(tape: &Tape, varying: &[bool]) -> Result<BatchKernel, Codeg
     let mut jit = Jit::of_kernels()?;
     let mut lowering = ModuleLowering::new(jit.module(), &program)?;
     let uniform = crate::kernel::lower(&mut lowering, "calyx_uniform", &batch.uniform)?;
+    let residuals = crate::kernel::residuals(&mut lowering, "calyx_batch", &batch.tape)?;
     let mut functions = Vec::new();
     for chunk in 0..plan.chunks.len() {
-        functions.push(define_chunk(&mut lowering, &batch, &plan, chunk)?);
+        functions.push(define_chunk(&mut lowering, &batch, (&plan, &residuals), chunk)?);
     }
     let code = jit.into_code()?;
     Ok(BatchKernel::new(&batch, &plan, code, uniform, &functions))
@@ -120,7 +122,7 @@ impl Plan {
         let mut last_use: HashMap<u32, usize> = HashMap::new();
         for (number, chunk) in chunks.iter().enumerate() {
             for &id in &batch.stages[chunk.stage][chunk.operations.clone()] {
-                for operand in batch.tape.instructions[id as usize].operands() {
+                for operand in batch.tape.operands(batch.tape.instructions[id as usize]) {
                     last_use.insert(operand, number);
                 }
             }
@@ -163,7 +165,7 @@ fn signature<M: Module>(module: &M) -> Signature {
 fn define_chunk<M: Module>(
     module: &mut ModuleLowering<M>,
     batch: &BatchTape,
-    plan: &Plan,
+    (plan, residuals): (&Plan, &[FuncId]),
     number: usize,
 ) -> Result<FuncId, CodegenError> {
     let signature = signature(module.module);
@@ -208,6 +210,8 @@ fn define_chunk<M: Module>(
             addresses: HashMap::new(),
             done: 0,
             references: References::new(),
+            residuals,
+            solved: HashMap::new(),
         };
         let Lanes { module, mut builder, pointers, .. } = lanes.lower(chunk)?;
         let next: Vec<Value> = pointers
@@ -249,6 +253,10 @@ struct Lanes<'c, 'm, 'f, M: Module> {
     /// Number of operations so far.
     done: usize,
     references: References,
+    /// The residual kernels of the tape's implicit functions.
+    residuals: &'c [FuncId],
+    /// The unknowns of the implicit functions that this function solved.
+    solved: HashMap<u32, Vec<Value>>,
 }
 
 impl<M: Module> Lanes<'_, '_, '_, M> {
@@ -297,7 +305,23 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
 
     fn compute(&mut self, id: u32) -> Result<Value, CodegenError> {
         let instruction: Instruction = self.batch.tape.instructions[id as usize];
-        let operands = instruction.operands().map(|id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
+        if let Instruction::Solution(solve, unknown) = instruction {
+            return self.solution(solve, unknown);
+        }
+        if let Instruction::Piecewise(table, x) = instruction {
+            let x = self.operand(x)?;
+            self.done += 1;
+            let table = self.batch.tape.tables.get(table as usize);
+            let table = table.ok_or(CodegenError::Malformed("a table that does not exist"))?;
+            let (module, builder) = (&mut *self.module, &mut self.builder);
+            return operation::piecewise(module, builder, &mut self.references, (types::F64X2, table), x);
+        }
+        let operands = self
+            .batch
+            .tape
+            .operands(instruction)
+            .map(|id| self.operand(id))
+            .collect::<Result<Vec<_>, _>>()?;
         self.done += 1;
         operation::lower(
             self.module,
@@ -307,6 +331,36 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
             instruction,
             &operands,
         )
+    }
+
+    /// Returns an unknown of an implicit function, which is solved lane by lane.
+    fn solution(&mut self, solve: u32, unknown: u32) -> Result<Value, CodegenError> {
+        if !self.solved.contains_key(&solve) {
+            let (Some(solved), Some(&residual)) =
+                (self.batch.tape.solves.get(solve as usize), self.residuals.get(solve as usize))
+            else {
+                return Err(CodegenError::Malformed("a solution without equations"));
+            };
+            let operands =
+                solved.operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
+            let newton = Newton { residual, unknowns: solved.system.unknowns };
+            let mut lane = |lane: u8| {
+                let builder = &mut self.builder;
+                let operands: Vec<Value> =
+                    operands.iter().map(|&operand| builder.ins().extractlane(operand, lane)).collect();
+                newton.solve(self.module, builder, &mut self.references, &operands)
+            };
+            let (first, second) = (lane(0)?, lane(1)?);
+            let joined = first.into_iter().zip(second).map(|(first, second)| {
+                let both = self.builder.ins().splat(types::F64X2, first);
+                self.builder.ins().insertlane(both, second, 1)
+            });
+            let joined = joined.collect();
+            self.done += operands.len();
+            self.solved.insert(solve, joined);
+        }
+        let found = self.solved.get(&solve).and_then(|unknowns| unknowns.get(unknown as usize));
+        found.copied().ok_or(CodegenError::Malformed("an unknown that the equations lack"))
     }
 
     /// Returns an operand. Values in memory are loaded close to their use, to keep registers free.

@@ -49,6 +49,8 @@ pub fn gathered(tape: &Tape) -> Cow<'_, Tape> {
         inputs: tape.inputs,
         instructions: order.iter().map(|&id| tape.instructions[id as usize].with_operands(place)).collect(),
         outputs: tape.outputs.iter().map(|&id| place(id)).collect(),
+        tables: tape.tables.clone(),
+        solves: tape.solves.iter().map(|solve| solve.with_operands(place)).collect(),
     })
 }
 

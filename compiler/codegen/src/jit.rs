@@ -286,6 +286,7 @@ mod tests {
             inputs: 1,
             instructions: vec![Instruction::Input(0), Instruction::Sin(0)],
             outputs: vec![1],
+            ..Tape::default()
         };
         let program = empty_program();
         for cycle in 0..1000 {

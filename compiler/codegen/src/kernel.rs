@@ -10,13 +10,14 @@ use crate::error::CodegenError;
 use crate::function::{SLOT, TRUSTED};
 use crate::module::ModuleLowering;
 use crate::operation::{self, References};
-use calyx_symbolic::{Instruction, Tape};
+use calyx_symbolic::{Instruction, System, Tape};
 use cranelift_codegen::ir::{
     AbiParam, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
 };
 use cranelift_frontend::FunctionBuilder;
 use cranelift_module::{FuncId, Linkage, Module};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Operations in one function. On graphs of 30,000 operations, both compile time and run time have
 /// their minimum here.
@@ -37,6 +38,7 @@ pub fn lower<M: Module>(
     }
     let tape = &*batched_sincos::gathered(tape);
     let plan = Plan::new(tape)?;
+    let residuals = residuals(module, name, tape)?;
     let pointers = |count: usize| {
         let mut signature = module.module.make_signature();
         signature.params.extend(std::iter::repeat_n(AbiParam::new(types::I64), count));
@@ -45,13 +47,13 @@ pub fn lower<M: Module>(
     let (kernel_signature, chunk_signature) = (pointers(2), pointers(3));
     let kernel = module.module.declare_function(name, Linkage::Local, &kernel_signature)?;
     if let [range] = &plan.chunks[..] {
-        define_chunk(module, kernel, kernel_signature, tape, &plan, range.clone())?;
+        define_chunk(module, kernel, kernel_signature, tape, (&plan, &residuals), range.clone())?;
         return Ok(kernel);
     }
     let mut chunks = Vec::new();
     for range in &plan.chunks {
         let id = module.module.declare_anonymous_function(&chunk_signature)?;
-        define_chunk(module, id, chunk_signature.clone(), tape, &plan, range.clone())?;
+        define_chunk(module, id, chunk_signature.clone(), tape, (&plan, &residuals), range.clone())?;
         chunks.push(id);
     }
     module.define(kernel, kernel_signature, |module, mut builder| {
@@ -68,6 +70,61 @@ pub fn lower<M: Module>(
         Ok(())
     })?;
     Ok(kernel)
+}
+
+/// Defines the residual kernels of a tape's implicit functions, in order of [`Tape::solves`]. Equal
+/// systems share a kernel.
+pub fn residuals<M: Module>(
+    module: &mut ModuleLowering<M>,
+    name: &str,
+    tape: &Tape,
+) -> Result<Vec<FuncId>, CodegenError> {
+    let mut known: HashMap<*const System, FuncId> = HashMap::new();
+    let mut kernels = Vec::with_capacity(tape.solves.len());
+    for solve in &tape.solves {
+        let system = Arc::as_ptr(&solve.system);
+        let kernel = match known.get(&system) {
+            Some(&kernel) => kernel,
+            None => lower(module, &format!("{name}_residual_{}", known.len()), &solve.system.residual)?,
+        };
+        known.insert(system, kernel);
+        kernels.push(kernel);
+    }
+    Ok(kernels)
+}
+
+/// A call of [`calyx_abi::newton::newton`].
+pub struct Newton {
+    pub residual: FuncId,
+    pub unknowns: usize,
+}
+
+impl Newton {
+    /// Returns the unknowns. The operands are the guess and the arguments, one number each.
+    pub fn solve<M: Module>(
+        &self,
+        module: &mut ModuleLowering<M>,
+        builder: &mut FunctionBuilder,
+        references: &mut References,
+        operands: &[Value],
+    ) -> Result<Vec<Value>, CodegenError> {
+        let size = (operands.len() * SLOT) as u32;
+        let buffer =
+            builder.create_sized_stack_slot(StackSlotData::new(StackSlotKind::ExplicitSlot, size, 3));
+        for (place, &operand) in operands.iter().enumerate() {
+            builder.ins().stack_store(types::I64, operand, buffer, (place * SLOT) as i32);
+        }
+        let residual = module.module.declare_func_in_func(self.residual, builder.func);
+        let residual = builder.ins().func_addr(types::I64, residual);
+        let address = builder.ins().stack_addr(types::I64, buffer, 0);
+        let [unknowns, count] =
+            [self.unknowns, operands.len()].map(|number| builder.ins().iconst(types::I64, number as i64));
+        let function = operation::reference(module, builder, references, "calyx_math_newton")?;
+        // Without convergence, the unknowns are NaN.
+        builder.ins().call(function, &[residual, unknowns, address, count]);
+        let load = |place| builder.ins().stack_load(types::I64, types::F64, buffer, (place * SLOT) as i32);
+        Ok((0..self.unknowns).map(load).collect())
+    }
 }
 
 /// The instructions of each function, and the values passed between functions.
@@ -99,7 +156,7 @@ impl Plan {
 
         let mut last_use = chunk_of.clone();
         for (index, instruction) in tape.instructions.iter().enumerate() {
-            for operand in instruction.operands() {
+            for operand in tape.operands(*instruction) {
                 let operand = operand as usize;
                 last_use[operand] = last_use[operand].max(chunk_of[index]);
             }
@@ -149,7 +206,7 @@ fn define_chunk<M: Module>(
     id: FuncId,
     signature: Signature,
     tape: &Tape,
-    plan: &Plan,
+    (plan, residuals): (&Plan, &[FuncId]),
     range: std::ops::Range<usize>,
 ) -> Result<(), CodegenError> {
     module.define(id, signature, |module, mut builder| {
@@ -174,6 +231,8 @@ fn define_chunk<M: Module>(
             pairs,
             pair_buffer: None,
             together: HashMap::new(),
+            residuals,
+            solved: HashMap::new(),
         };
         for index in range {
             if let Some(run) = runs.next_if(|run| run.start == index) {
@@ -230,6 +289,10 @@ struct Chunk<'c, 'm, 'f, M: Module> {
     pair_buffer: Option<StackSlot>,
     /// Angles whose sines and cosines were computed together with others.
     together: HashMap<u32, Buffered>,
+    /// The residual kernels of the tape's implicit functions.
+    residuals: &'c [FuncId],
+    /// The unknowns of the implicit functions that this function solved.
+    solved: HashMap<u32, Vec<Value>>,
 }
 
 /// The locations of an angle's sine and cosine in a buffer.
@@ -317,9 +380,19 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
                     return Ok(if matches!(instruction, Instruction::Sin(_)) { sine } else { cosine });
                 }
             }
+            Instruction::Solution(solve, unknown) => return self.solution(solve, unknown),
+            Instruction::Piecewise(table, x) => {
+                let x = self.operand(x)?;
+                let tables = &self.tape.tables;
+                let table = tables.get(table as usize);
+                let table = table.ok_or(CodegenError::Malformed("a table that does not exist"))?;
+                let (module, builder) = (&mut *self.module, &mut self.builder);
+                return operation::piecewise(module, builder, &mut self.references, (types::F64, table), x);
+            }
             _ => {}
         }
-        let operands = instruction.operands().map(|id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
+        let operands =
+            self.tape.operands(instruction).map(|id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
         operation::lower(
             self.module,
             &mut self.builder,
@@ -328,6 +401,25 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
             instruction,
             &operands,
         )
+    }
+
+    /// Returns an unknown of an implicit function. All its unknowns are computed with one call.
+    fn solution(&mut self, solve: u32, unknown: u32) -> Result<Value, CodegenError> {
+        if !self.solved.contains_key(&solve) {
+            let (Some(solved), Some(&residual)) =
+                (self.tape.solves.get(solve as usize), self.residuals.get(solve as usize))
+            else {
+                return Err(CodegenError::Malformed("a solution without equations"));
+            };
+            let operands =
+                solved.operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
+            let count = solved.system.unknowns;
+            let newton = Newton { residual, unknowns: count };
+            let found = newton.solve(self.module, &mut self.builder, &mut self.references, &operands)?;
+            self.solved.insert(solve, found);
+        }
+        let found = self.solved.get(&solve).and_then(|unknowns| unknowns.get(unknown as usize));
+        found.copied().ok_or(CodegenError::Malformed("an unknown that the equations lack"))
     }
 
     /// Computes sine and cosine of an angle with one call, if both are needed.

@@ -64,6 +64,8 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
                 MathFn::Binary(_) => (&[types::F64, types::F64], &[types::F64]),
                 MathFn::Sincos(_) => (&[types::F64, types::I64, types::I64], &[]),
                 MathFn::SincosColumns(_) => (&[types::I64; 4], &[]),
+                MathFn::Newton(_) => (&[types::I64; 4], &[types::I32]),
+                MathFn::Piecewise(_) => (&[types::I64, types::F64], &[types::F64]),
             };
             signature.params.extend(params.iter().copied().map(AbiParam::new));
             signature.returns.extend(returns.iter().copied().map(AbiParam::new));
@@ -147,6 +149,8 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         let id = self.module.declare_anonymous_data(false, false)?;
         let mut description = DataDescription::new();
         description.define(bytes.into());
+        // Tables consist of numbers.
+        description.set_align(8);
         self.module.define_data(id, &description)?;
         self.constants.insert(bytes.to_vec(), id);
         Ok(id)

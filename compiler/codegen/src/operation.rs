@@ -54,6 +54,32 @@ pub fn reference<M: Module>(
     Ok(reference)
 }
 
+/// Returns the value of a table at an operand of type `ty`, `F64` or `F64X2`. The table is constant
+/// data of the module.
+pub fn piecewise<M: Module>(
+    module: &mut ModuleLowering<M>,
+    builder: &mut FunctionBuilder,
+    references: &mut References,
+    (ty, table): (Type, &[f64]),
+    x: Value,
+) -> Result<Value, CodegenError> {
+    let bytes: Vec<u8> = table.iter().flat_map(|number| number.to_ne_bytes()).collect();
+    let data = module.constant(&bytes)?;
+    let data = module.module.declare_data_in_func(data, builder.func);
+    let address = builder.ins().symbol_value(types::I64, data);
+    let function = reference(module, builder, references, "calyx_math_piecewise")?;
+    if ty == types::F64 {
+        return call(builder, function, &[address, x]);
+    }
+    let mut lane = |lane: u8| {
+        let x = builder.ins().extractlane(x, lane);
+        call(builder, function, &[address, x])
+    };
+    let (first, second) = (lane(0)?, lane(1)?);
+    let both = builder.ins().splat(types::F64X2, first);
+    Ok(builder.ins().insertlane(both, second, 1))
+}
+
 /// Returns the value of an operation on operands of type `ty`, `F64` or `F64X2`. Constants and
 /// inputs are not operations.
 pub fn lower<M: Module>(

@@ -101,7 +101,7 @@ fn random_tape(length: usize, random: &mut Random) -> Tape {
         }
     }
     let outputs = (0..length as u32).filter(|_| random.uniform(0.0, 1.0) < 0.2).chain([0, 0, 5]).collect();
-    Tape { inputs: INPUTS, instructions, outputs }
+    Tape { inputs: INPUTS, instructions, outputs, ..Tape::default() }
 }
 
 fn number(random: &mut Random) -> f64 {
@@ -172,7 +172,7 @@ fn outputs_may_be_inputs_constants_sines_or_nothing() {
     let mut random = Random(3);
     let columns = vec![(0..70).map(|_| number(&mut random)).collect::<Vec<f64>>()];
     for outputs in [vec![0, 1, 2, 3, 4, 5, 6, 0], vec![5, 2], vec![0], vec![4], vec![]] {
-        let tape = Tape { inputs: 2, instructions: instructions.clone(), outputs };
+        let tape = Tape { inputs: 2, instructions: instructions.clone(), outputs, ..Tape::default() };
         for varying in [[true, false], [false, true]] {
             let kernel = compile_batch(&tape, &varying).unwrap();
             for points in [0, 1, 5, 70] {
@@ -181,7 +181,7 @@ fn outputs_may_be_inputs_constants_sines_or_nothing() {
         }
     }
     // No input varies: the same number everywhere.
-    let tape = Tape { inputs: 2, instructions, outputs: vec![3, 2] };
+    let tape = Tape { inputs: 2, instructions, outputs: vec![3, 2], ..Tape::default() };
     let kernel = compile_batch(&tape, &[]).unwrap();
     assert_same_bits(&tape, &[false, false], &kernel, &[0.3, 0.4], &[], 0);
     let (mut sines, mut zeros) = ([0.0; 3], [1.0; 3]);
@@ -192,7 +192,7 @@ fn outputs_may_be_inputs_constants_sines_or_nothing() {
 #[test]
 fn what_does_not_fit_is_refused_and_nothing_written() {
     let instructions = vec![Instruction::Input(0), Instruction::Input(1), Instruction::Add(0, 1)];
-    let tape = Tape { inputs: 2, instructions, outputs: vec![2] };
+    let tape = Tape { inputs: 2, instructions, outputs: vec![2], ..Tape::default() };
     let kernel = compile_batch(&tape, &[true, false]).unwrap();
     let (column, mut output) = ([1.0, 2.0], [7.0; 2]);
     let cases: [(&[f64], &[&[f64]]); 3] = [(&[], &[&column]), (&[1.0], &[]), (&[1.0], &[&column, &column])];

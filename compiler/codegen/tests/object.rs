@@ -103,7 +103,7 @@ fn tape() -> Tape {
             _ => I::Divide(k - 2, 2),
         });
     }
-    Tape { inputs: 2, instructions, outputs: vec![2599, 1300, 17, 800] }
+    Tape { inputs: 2, instructions, outputs: vec![2599, 1300, 17, 800], ..Tape::default() }
 }
 
 #[test]

@@ -121,7 +121,7 @@ fn random_tape(length: usize, seed: u64) -> Tape {
         instructions.push(next);
     }
     let outputs = (0..length as u32).filter(|_| random.below(3) == 0).chain([0, 0]).collect();
-    Tape { inputs: INPUTS, instructions, outputs }
+    Tape { inputs: INPUTS, instructions, outputs, ..Tape::default() }
 }
 
 /// Evaluates a tape both ways for many inputs. Returns the share of outputs that are finite and not
@@ -168,7 +168,7 @@ fn arithmetic_is_not_fused() {
     // a * b + c with a product that needs 106 bits: fused and unfused results differ.
     use Instruction::{Add, Input, Multiply};
     let instructions = vec![Input(0), Input(1), Input(2), Multiply(0, 1), Add(3, 2)];
-    let tape = Tape { inputs: 3, instructions, outputs: vec![4] };
+    let tape = Tape { inputs: 3, instructions, outputs: vec![4], ..Tape::default() };
     let module = compile_jit_with_tapes(&empty_program(), &[tape], &[]).unwrap();
     let x = 1.0 + f64::EPSILON;
     let mut output = [f64::NAN];
@@ -181,7 +181,7 @@ fn arithmetic_is_not_fused() {
 fn an_empty_kernel_and_outputs_that_are_leaves() {
     assert_same_bits(&Tape::default(), 3);
     let instructions = vec![Instruction::Constant(-0.0), Instruction::Input(1)];
-    assert_same_bits(&Tape { inputs: 2, instructions, outputs: vec![1, 0, 1] }, 3);
+    assert_same_bits(&Tape { inputs: 2, instructions, outputs: vec![1, 0, 1], ..Tape::default() }, 3);
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn tapes_that_contradict_themselves_are_refused() {
     for (instructions, outputs) in
         [(vec![Negate(0)], vec![]), (vec![Input(1)], vec![]), (vec![Input(0)], vec![1])]
     {
-        let tape = Tape { inputs: 1, instructions, outputs };
+        let tape = Tape { inputs: 1, instructions, outputs, ..Tape::default() };
         assert!(compile_jit_with_tapes(&empty_program(), &[tape], &[]).is_err());
     }
 }

@@ -124,7 +124,7 @@ impl Writer<'_> {
                     continue;
                 }
             }
-            for operand in self.definition.graph.node(*id).operands().into_iter().flatten() {
+            for operand in self.definition.graph.operands(*id) {
                 *self.uses.entry(operand).or_default() += 1;
             }
         }
@@ -141,7 +141,7 @@ impl Writer<'_> {
                 text: format!("{}^{times}", self.piece(*base).within(Binding::Atom)),
                 binding: Binding::Power,
             },
-            None => self.node(node),
+            None => self.node(id),
         };
         let leaf = matches!(node, Node::Constant(_) | Node::Symbol(_));
         let uses = self.uses.get(&id).copied().unwrap_or(0);
@@ -156,8 +156,8 @@ impl Writer<'_> {
         self.pieces.insert(id, piece);
     }
 
-    fn node(&mut self, node: Node) -> InfixText {
-        match node {
+    fn node(&mut self, id: NodeId) -> InfixText {
+        match self.definition.graph.node(id) {
             Node::Constant(bits) => self.constant(bits),
             Node::Symbol(index) => {
                 let input = self.definition.inputs.get(index as usize);
@@ -171,6 +171,14 @@ impl Writer<'_> {
                     text: format!("if ({}) {} else {}", c.text, a.within(Binding::Or), self.piece(b).text),
                     binding: Binding::Choice,
                 }
+            }
+            Node::Piecewise(_, x) => InfixText::atom(format!("spline({})", self.piece(x).text)),
+            Node::Solution(_, unknown) => {
+                let operands = self.definition.graph.operands(id).map(|operand| self.piece(operand).text);
+                let operands: Vec<String> = operands.collect();
+                let unknowns = self.definition.graph.system(id).map_or(1, |system| system.unknowns);
+                let element = if unknowns > 1 { format!("[{unknown}]") } else { String::new() };
+                InfixText::atom(format!("solve({}){element}", operands.join(", ")))
             }
         }
     }

@@ -16,7 +16,8 @@ use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
 use calyx_rt::{NanLog, ParamAssignment, Program as _, apply};
 
-/// Codes of errors that a NaN causes: in a frame, an argument, an output.
+/// Codes of errors that a NaN causes: in an equation, a frame, an argument, an output.
+const EQUATION: &str = "E0863";
 const FRAME: &str = "E0710";
 const ARGUMENT: &str = "E0722";
 const OUTPUT: &str = "E0721";
@@ -44,7 +45,7 @@ fn found(program: &Program, given: &[ParamAssignment], seen: &NanLog, code: &str
             let source = retrace(program, given, seen, |interpreted| interpreted.trace()?.in_call())?;
             Some(note(program, &source, None))
         }
-        FRAME | OUTPUT => {
+        EQUATION | FRAME | OUTPUT => {
             let (site, inputs) = blamed(program, seen, code)?;
             let time = inputs.first().copied();
             let site = SiteId(site as u32);

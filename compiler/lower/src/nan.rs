@@ -43,6 +43,11 @@ pub fn node_text(node: Node, operands: &[f64]) -> Option<String> {
         Node::Binary(Binary::Power, ..) => "^".into(),
         Node::Binary(operation, ..) => format!("{operation:?}").to_lowercase(),
         Node::Select(..) => "if".into(),
+        Node::Piecewise(..) => "spline".into(),
+        Node::Solution(_, unknown) => {
+            let guess = operands.get(unknown as usize).copied().unwrap_or(f64::NAN);
+            return Some(format!("no solution was found from the guess {}", number(guess)));
+        }
     };
     Some(text(&name, operands))
 }

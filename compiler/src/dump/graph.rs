@@ -50,10 +50,12 @@ fn dot(title: &str, site: &SiteGraph) -> String {
             Node::Unary(operation, _) => format!("{operation:?}").to_lowercase(),
             Node::Binary(operation, ..) => format!("{operation:?}").to_lowercase(),
             Node::Select(..) => "select".into(),
+            Node::Piecewise(table, _) => format!("table {table}"),
+            Node::Solution(_, unknown) => format!("solve {unknown}"),
         };
         let shape = if site.outputs.contains(id) { ", shape = box" } else { "" };
         out += &format!("  {} [label = {label:?}{shape}];\n", name(site, *id));
-        for operand in site.graph.node(*id).operands().into_iter().flatten() {
+        for operand in site.graph.operands(*id) {
             out += &format!("  {} -> {};\n", name(site, operand), name(site, *id));
         }
     }
@@ -81,5 +83,10 @@ fn node(site: &SiteGraph, id: NodeId) -> String {
             format!("{} {} {}", format!("{operation:?}").to_lowercase(), operand(a), operand(b))
         }
         Node::Select(c, a, b) => format!("select {} {} {}", operand(c), operand(a), operand(b)),
+        Node::Piecewise(table, a) => format!("table {table} {}", operand(a)),
+        Node::Solution(_, unknown) => {
+            let operands: Vec<String> = site.graph.operands(id).map(operand).collect();
+            format!("solve {unknown} {}", operands.join(" "))
+        }
     }
 }

@@ -130,6 +130,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0731" "a malformed table" "A table is text: a line of column names separated by commas, optionally with units in brackets, then rows with the same number of cells. The message gives the line."
     "E0732" "a column of another dimension" "The unit in the header of a column and the requested unit must have the same dimension."
     "E0733" "a column that does not exist" "The message lists the columns of the table."
+    "E0863" "an equation without a solution near the guess" "`solve` iterates with damped Newton steps from its guess and verifies the residual of the result. The iteration does not converge if there is no solution, if the guess is far from it, or if the derivative of the equation vanishes on the way. The message gives the guess. Choose a guess that follows from a simpler formula, and check that the equation has a solution for these values."
     "E0740" "an invalid quantity of a lumped-parameter model" "Members have positive mass, inertia and radius, and stiffnesses are not negative. The message names the member and the quantity."
     "E0741" "a mode that does not exist" "Modes are numbered from 0 for the lowest natural frequency; their number is that of the free degrees of freedom."
     "E0758" "the modes of a body cannot be computed" "The solver first counts the modes below a frequency, then finds them all; an analysis never uses an incomplete set. The message gives the reason. Usually the requested frequency is far above what the mesh can represent."

@@ -9,6 +9,7 @@
 //! so that few values have to be stored between stages.
 
 use crate::tape::{Instruction, Tape, ValueId};
+use std::collections::HashMap;
 
 /// The source of an instruction's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,9 +55,10 @@ impl BatchTape {
         for (index, &instruction) in tape.instructions.iter().enumerate() {
             varies[index] = match instruction {
                 Instruction::Input(input) => varying[input as usize],
-                other => other.operands().any(|operand| varies[operand as usize]),
+                other => tape.operands(other).any(|operand| varies[operand as usize]),
             };
-            let after = instruction.operands().map(|operand| earliest[operand as usize]).max().unwrap_or(0);
+            let after =
+                tape.operands(instruction).map(|operand| earliest[operand as usize]).max().unwrap_or(0);
             earliest[index] = after + u32::from(varies[index] && takes_sine_or_cosine(instruction));
         }
         let last = earliest.iter().copied().max().unwrap_or(0);
@@ -70,7 +72,7 @@ impl BatchTape {
             } else {
                 stage[index]
             };
-            for operand in instruction.operands() {
+            for operand in tape.operands(instruction) {
                 let operand = operand as usize;
                 stage[operand] = stage[operand].min(needed);
             }
@@ -78,7 +80,7 @@ impl BatchTape {
 
         let mut batch = BatchTape {
             varying,
-            uniform: Tape { inputs: tape.inputs, ..Tape::default() },
+            uniform: Tape { inputs: tape.inputs, tables: tape.tables.clone(), ..Tape::default() },
             sources: Vec::with_capacity(count),
             stages: vec![Vec::new(); last as usize + 1],
             angles: vec![Vec::new(); last as usize],
@@ -92,19 +94,33 @@ impl BatchTape {
         let count = self.tape.instructions.len();
         // Uniform values that a varying instruction or an output reads.
         let mut read = vec![false; count];
-        for (index, instruction) in self.tape.instructions.iter().enumerate() {
+        for (index, &instruction) in self.tape.instructions.iter().enumerate() {
             if varies[index] {
-                instruction.operands().for_each(|operand| read[operand as usize] = true);
+                self.tape.operands(instruction).for_each(|operand| read[operand as usize] = true);
             }
         }
         self.tape.outputs.iter().for_each(|&output| read[output as usize] = true);
 
         let mut places = vec![0; count];
+        // The indices of the solves on the uniform tape.
+        let mut solves = HashMap::new();
         let mut angle_index = vec![None; count];
         for (index, &instruction) in self.tape.instructions.iter().enumerate() {
             if !varies[index] {
                 places[index] = self.uniform.instructions.len() as ValueId;
-                self.uniform.instructions.push(instruction.with_operands(|operand| places[operand as usize]));
+                let instruction = match instruction {
+                    Instruction::Solution(solve, unknown) => {
+                        let next = self.uniform.solves.len() as u32;
+                        let uniform = *solves.entry(solve).or_insert(next);
+                        if uniform == next {
+                            let solve = &self.tape.solves[solve as usize];
+                            self.uniform.solves.push(solve.with_operands(|operand| places[operand as usize]));
+                        }
+                        Instruction::Solution(uniform, unknown)
+                    }
+                    other => other.with_operands(|operand| places[operand as usize]),
+                };
+                self.uniform.instructions.push(instruction);
                 let slot = self.uniform.outputs.len() as u32;
                 if read[index] {
                     self.uniform.outputs.push(places[index]);

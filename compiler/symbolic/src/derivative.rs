@@ -12,8 +12,11 @@
 //!   expression guards against these: the derivative of `select(c, x, y)` is `select(c, x', y')`,
 //!   so the arm that is not selected cannot affect the result.
 //! - `x ^ y` with `x = 0`: the term `x^y log(x) y'` is 0, its limit for `y > 0`.
+//!
+//! Implicit functions are differentiated by the implicit function theorem (module `implicit`).
 
 use crate::graph::{Binary, Graph, Node, NodeId, Unary};
+use std::collections::HashMap;
 
 impl Graph {
     /// Returns the derivative of an expression with respect to a symbol.
@@ -64,12 +67,16 @@ impl Graph {
         let order = self.reachable(&[root], |id| !self.total_derivatives.contains_key(&(id, symbol)));
         let origin = self.set_origin(0);
         for id in order {
-            let known = &self.total_derivatives;
-            let of = |operand: NodeId| known.get(&(operand, symbol)).copied().unwrap_or(zero);
             let node = self.node(id);
-            let [a, b, c] = node.operands().map(|operand| operand.map_or(zero, of));
+            let derivatives: Vec<NodeId> = self
+                .operands(id)
+                .map(|operand| self.total_derivatives.get(&(operand, symbol)).copied().unwrap_or(zero))
+                .collect();
+            let [a, b, c] = [0, 1, 2].map(|at| derivatives.get(at).copied().unwrap_or(zero));
             self.set_origin(self.origin(id));
             let derivative = match node {
+                Node::Solution(applied, unknown) => self.solution_derivative(applied, unknown, &derivatives),
+                Node::Piecewise(table, x) => self.piecewise_derivative(table, x, a),
                 Node::Constant(_) => zero,
                 Node::Symbol(index) if index == symbol => self.constant(1.0),
                 Node::Symbol(index) => self.rates.get(&(index, symbol)).copied().unwrap_or(zero),
@@ -105,6 +112,11 @@ impl Graph {
                     self.binary_derivative(operation, id, (a, of(a)), (b, of(b)))
                 }
                 Node::Select(c, a, b) => self.select(c, of(a), of(b)),
+                Node::Piecewise(table, a) => self.piecewise_derivative(table, a, of(a)),
+                Node::Solution(applied, unknown) => {
+                    let derivatives: Vec<NodeId> = self.operands(id).map(of).collect();
+                    self.solution_derivative(applied, unknown, &derivatives)
+                }
             };
             if let Some(place) = place(id) {
                 known[place] = Some(derivative);
@@ -128,7 +140,7 @@ impl Graph {
         let mut depends = vec![false; last + 1];
         for &id in &order {
             let Some(at) = place(id) else { continue };
-            let mut operands = self.node(id).operands().into_iter().flatten();
+            let mut operands = self.operands(id);
             depends[at] = at == 0 || operands.any(|operand| place(operand).is_some_and(|at| depends[at]));
         }
         if !depends[last] {
@@ -148,7 +160,7 @@ impl Graph {
                 found.push(variable);
                 return found;
             }
-            for operand in self.node(id).operands().into_iter().flatten() {
+            for operand in self.operands(id) {
                 if let Some(at) = place(operand).filter(|&at| depends[at]) {
                     pending += usize::from(uses[at] == 0);
                     uses[at] += 1;
@@ -177,6 +189,15 @@ impl Graph {
     /// Returns the expressions with all given symbols replaced simultaneously. Replacements are not
     /// searched for further symbols.
     pub fn substitute_all(&mut self, roots: &[NodeId], replacements: &[(u32, NodeId)]) -> Vec<NodeId> {
+        let symbols: Vec<(NodeId, NodeId)> =
+            replacements.iter().map(|&(symbol, replacement)| (self.symbol(symbol), replacement)).collect();
+        self.replace_all(roots, &symbols)
+    }
+
+    /// Returns the expressions with all given expressions in them replaced simultaneously.
+    pub(crate) fn replace_all(&mut self, roots: &[NodeId], replacements: &[(NodeId, NodeId)]) -> Vec<NodeId> {
+        // The first of several replacements counts.
+        let known: HashMap<NodeId, NodeId> = replacements.iter().rev().copied().collect();
         let order = self.reachable(roots, |_| true);
         let mut replaced: Vec<NodeId> = Vec::with_capacity(order.len());
         let place = |id: NodeId| order.binary_search(&id).unwrap_or(0);
@@ -185,14 +206,16 @@ impl Graph {
             let of = |operand: NodeId| replaced[place(operand)];
             self.set_origin(self.origin(id));
             let node = match self.node(id) {
-                Node::Constant(_) => id,
-                Node::Symbol(index) => {
-                    let found = replacements.iter().find(|(symbol, _)| *symbol == index);
-                    found.map_or(id, |(_, replacement)| *replacement)
-                }
+                _ if known.contains_key(&id) => known.get(&id).copied().unwrap_or(id),
+                Node::Constant(_) | Node::Symbol(_) => id,
                 Node::Unary(operation, a) => self.unary(operation, of(a)),
                 Node::Binary(operation, a, b) => self.binary(operation, of(a), of(b)),
                 Node::Select(c, a, b) => self.select(of(c), of(a), of(b)),
+                Node::Piecewise(table, a) => self.piecewise_of(table, of(a)),
+                Node::Solution(applied, unknown) => {
+                    let operands = self.operands(id).map(of).collect();
+                    self.solution(applied, unknown, operands)
+                }
             };
             replaced.push(node);
         }

@@ -6,6 +6,8 @@
 //! users, so ascending ids are a topological order. Every pass over the graph is a loop without
 //! recursion, however deep the expressions are.
 
+use crate::implicit::Implicit;
+use crate::piecewise::Tables;
 use crate::tape::{Instruction, ValueId};
 use std::collections::{HashMap, HashSet};
 
@@ -119,20 +121,27 @@ pub enum Node {
     Binary(Binary, NodeId, NodeId),
     /// The second operand if the first is true, otherwise the third.
     Select(NodeId, NodeId, NodeId),
+    /// The value of a table of the graph, by index. See [`Graph::piecewise`].
+    Piecewise(u32, NodeId),
+    /// An unknown of an implicit function: an index of the graph's applied systems, and the index
+    /// of the unknown. See [`Graph::solve`].
+    Solution(u32, u32),
 }
 
 impl Node {
-    /// Returns the operands in order; unused entries are `None`.
-    pub fn operands(self) -> [Option<NodeId>; 3] {
+    /// Returns the operands in order, except those of a solution, which only the graph contains;
+    /// unused entries are `None`.
+    fn own_operands(self) -> [Option<NodeId>; 3] {
         match self {
-            Node::Constant(_) | Node::Symbol(_) => [None; 3],
-            Node::Unary(_, a) => [Some(a), None, None],
+            Node::Constant(_) | Node::Symbol(_) | Node::Solution(..) => [None; 3],
+            Node::Unary(_, a) | Node::Piecewise(_, a) => [Some(a), None, None],
             Node::Binary(_, a, b) => [Some(a), Some(b), None],
             Node::Select(c, a, b) => [Some(c), Some(a), Some(b)],
         }
     }
 
-    /// Returns the instruction that computes this node from the values at `place(operand)`.
+    /// Returns the instruction that computes this node from the values at `place(operand)`. Those
+    /// of solutions and tables have the indices of the graph.
     pub(crate) fn instruction(self, place: impl Fn(NodeId) -> ValueId) -> Instruction {
         use Instruction as I;
         match self {
@@ -177,6 +186,8 @@ impl Node {
                 make(place(a), place(b))
             }
             Node::Select(c, a, b) => I::Select(place(c), place(a), place(b)),
+            Node::Piecewise(table, a) => I::Piecewise(table, place(a)),
+            Node::Solution(applied, unknown) => I::Solution(applied, unknown),
         }
     }
 }
@@ -198,6 +209,8 @@ pub struct Graph {
     pub(crate) rates: HashMap<(u32, u32), NodeId>,
     /// Symbols with respect to which another symbol has a declared derivative.
     pub(crate) moving: HashSet<u32>,
+    pub(crate) implicit: Implicit,
+    pub(crate) tables: Tables,
 }
 
 impl Graph {
@@ -216,6 +229,13 @@ impl Graph {
 
     pub fn node(&self, id: NodeId) -> Node {
         self.nodes[id.index()]
+    }
+
+    /// Returns the operands of a node in order. Those of a solution are the guess of each unknown,
+    /// then the arguments of the equations.
+    pub fn operands(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        let node = self.node(id);
+        node.own_operands().into_iter().flatten().chain(self.implicit.operands(node).iter().copied())
     }
 
     /// Returns the value of a node if it is a constant.
@@ -276,7 +296,7 @@ impl Graph {
         while let Some(id) = pending.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) && wanted(id) {
                 found.push(id);
-                pending.extend(self.node(id).operands().into_iter().flatten());
+                pending.extend(self.operands(id));
             }
         }
         found.sort_unstable();

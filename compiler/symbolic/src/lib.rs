@@ -3,7 +3,8 @@
 //! A [`Graph`] stores scalar expressions, each distinct one once. Building an expression simplifies
 //! it by the rules in [`simplify`]. [`Graph::derivative`] differentiates an expression. A [`Frame`]
 //! stores a chain of translations and rotations, so that velocities and accelerations follow from
-//! rigid-body kinematics instead of differentiating matrices entry by entry. [`Graph::schedule`]
+//! rigid-body kinematics instead of differentiating matrices entry by entry. [`Graph::solve`]
+//! defines implicit functions. [`Graph::schedule`]
 //! turns the requested expressions into a [`Tape`], which can be interpreted here or compiled by
 //! another crate.
 //!
@@ -28,6 +29,8 @@ pub mod batch;
 mod derivative;
 mod frame;
 mod graph;
+mod implicit;
+mod piecewise;
 mod schedule;
 pub mod simplify;
 pub mod tape;
@@ -36,6 +39,6 @@ mod vector;
 
 pub use frame::{Factor, Frame, Pose};
 pub use graph::{Binary, Graph, Node, NodeId, Unary};
-pub use tape::{Instruction, Tape, TapeKernel};
+pub use tape::{Instruction, Solve, System, Tape, TapeKernel};
 pub use trace::FirstNan;
 pub use vector::{Matrix3, Vector3};

@@ -1,7 +1,8 @@
 //! Scheduling: selects the operations that the outputs need and orders them on a tape.
 
 use crate::graph::{Graph, Node, NodeId, Unary};
-use crate::tape::{Tape, ValueId};
+use crate::tape::{Instruction, Tape, ValueId};
+use std::collections::HashMap;
 
 /// Marks a node that is not on the tape yet.
 const UNPLACED: ValueId = ValueId::MAX;
@@ -22,6 +23,8 @@ impl Graph {
             registers: Vec::new(),
             places: vec![UNPLACED; self.len()],
             partner: vec![None; self.len()],
+            solves: HashMap::new(),
+            tables: HashMap::new(),
             tape: Tape { inputs, ..Tape::default() },
         };
         schedule.count_registers();
@@ -44,6 +47,10 @@ struct Schedule<'a> {
     places: Vec<ValueId>,
     /// Maps the sine of an angle to its cosine and vice versa, where both are live.
     partner: Vec<Option<NodeId>>,
+    /// The indices on the tape of the graph's applied systems.
+    solves: HashMap<u32, u32>,
+    /// The indices on the tape of the graph's tables.
+    tables: HashMap<u32, u32>,
     tape: Tape,
 }
 
@@ -51,11 +58,8 @@ impl Schedule<'_> {
     fn count_registers(&mut self) {
         self.registers = vec![1; self.graph.len()];
         for &id in self.live {
-            let mut needs = self
-                .graph
-                .node(id)
-                .operands()
-                .map(|operand| operand.map_or(0, |operand| self.registers[operand.index()]));
+            let mut needs: Vec<u32> =
+                self.graph.operands(id).map(|operand| self.registers[operand.index()]).collect();
             needs.sort_unstable_by(|a, b| b.cmp(a));
             let need =
                 (0u32..).zip(needs).filter(|&(_, need)| need > 0).map(|(held, need)| need + held).max();
@@ -103,7 +107,7 @@ impl Schedule<'_> {
                 continue;
             }
             pending.push((id, true));
-            let mut operands: Vec<NodeId> = self.graph.node(id).operands().into_iter().flatten().collect();
+            let mut operands: Vec<NodeId> = self.graph.operands(id).collect();
             // The last operand pushed is placed first; of equals, this is the first operand.
             operands.reverse();
             operands.sort_by_key(|operand| self.registers[operand.index()]);
@@ -113,7 +117,26 @@ impl Schedule<'_> {
 
     fn place(&mut self, id: NodeId) {
         let places = &self.places;
-        let instruction = self.graph.node(id).instruction(|operand| places[operand.index()]);
+        let place = |operand: NodeId| places[operand.index()];
+        let instruction = match self.graph.node(id) {
+            Node::Solution(applied, unknown) => {
+                let next = self.tape.solves.len() as u32;
+                let solve = *self.solves.entry(applied).or_insert(next);
+                if solve == next {
+                    self.tape.solves.push(self.graph.solve_at(applied, place));
+                }
+                Instruction::Solution(solve, unknown)
+            }
+            Node::Piecewise(table, x) => {
+                let next = self.tape.tables.len() as u32;
+                let id = *self.tables.entry(table).or_insert(next);
+                if id == next {
+                    self.tape.tables.push(self.graph.tables.get(table).clone());
+                }
+                Instruction::Piecewise(id, place(x))
+            }
+            node => node.instruction(place),
+        };
         self.places[id.index()] = self.tape.instructions.len() as ValueId;
         self.tape.instructions.push(instruction);
     }

@@ -1,8 +1,11 @@
 //! A kernel as a list of scalar instructions without branches, scheduled for locality. Tapes are
 //! interpreted or compiled.
 
+use calyx_abi::newton::{MOST_UNKNOWNS, MOST_VALUES, newton};
+use calyx_abi::piecewise::{is_table, piecewise};
 use calyx_abi::{Kernel, math};
 use std::cell::RefCell;
+use std::sync::Arc;
 
 /// The index of an instruction, by which other instructions refer to its value.
 pub type ValueId = u32;
@@ -45,14 +48,19 @@ pub enum Instruction {
     Or(ValueId, ValueId),
     /// `condition != 0 ? a : b`. Both arms are evaluated; neither can trap.
     Select(ValueId, ValueId, ValueId),
+    /// The value of a table of [`Tape::tables`], by index. See [`calyx_abi::piecewise`].
+    Piecewise(u32, ValueId),
+    /// An unknown of an implicit function: an index of [`Tape::solves`], and the index of the
+    /// unknown. Its operands are those of the [`Solve`].
+    Solution(u32, u32),
 }
 
 impl Instruction {
-    /// Returns the operands in order.
-    pub fn operands(self) -> impl Iterator<Item = ValueId> {
+    /// Returns the operands in order, except those of a solution, which only the tape contains.
+    fn own_operands(self) -> impl Iterator<Item = ValueId> {
         use Instruction as I;
         let (operands, count) = match self {
-            I::Constant(_) | I::Input(_) => ([0; 3], 0),
+            I::Constant(_) | I::Input(_) | I::Solution(..) => ([0; 3], 0),
             I::Negate(a)
             | I::Abs(a)
             | I::Sqrt(a)
@@ -67,7 +75,8 @@ impl Instruction {
             | I::Floor(a)
             | I::Ceil(a)
             | I::Round(a)
-            | I::Not(a) => ([a, 0, 0], 1),
+            | I::Not(a)
+            | I::Piecewise(_, a) => ([a, 0, 0], 1),
             I::Add(a, b)
             | I::Subtract(a, b)
             | I::Multiply(a, b)
@@ -86,11 +95,12 @@ impl Instruction {
         operands.into_iter().take(count)
     }
 
-    /// Returns the same operation on other operands.
+    /// Returns the same operation on other operands. Those of a solution belong to the tape
+    /// ([`Solve::with_operands`]).
     pub fn with_operands(self, place: impl Fn(ValueId) -> ValueId) -> Self {
         use Instruction as I;
         match self {
-            I::Constant(_) | I::Input(_) => self,
+            I::Constant(_) | I::Input(_) | I::Solution(..) => self,
             I::Negate(a) => I::Negate(place(a)),
             I::Abs(a) => I::Abs(place(a)),
             I::Sqrt(a) => I::Sqrt(place(a)),
@@ -120,6 +130,7 @@ impl Instruction {
             I::And(a, b) => I::And(place(a), place(b)),
             I::Or(a, b) => I::Or(place(a), place(b)),
             I::Select(c, a, b) => I::Select(place(c), place(a), place(b)),
+            I::Piecewise(table, a) => I::Piecewise(table, place(a)),
         }
     }
 
@@ -129,7 +140,8 @@ impl Instruction {
     }
 
     /// Returns the instruction's value, given the inputs and a function that returns operand
-    /// values.
+    /// values. A solution or the value of a table is NaN, because only [`Tape::eval`] can compute
+    /// it.
     #[inline]
     pub fn evaluate(self, inputs: &[f64], v: impl Fn(ValueId) -> f64) -> f64 {
         use Instruction as I;
@@ -165,6 +177,63 @@ impl Instruction {
             I::And(a, b) => math::and(v(a), v(b)),
             I::Or(a, b) => math::or(v(a), v(b)),
             I::Select(c, a, b) => math::select(v(c), v(a), v(b)),
+            I::Piecewise(..) | I::Solution(..) => f64::NAN,
+        }
+    }
+}
+
+/// Equations that define an implicit function: the unknowns at which all residuals vanish.
+#[derive(Clone, Debug, PartialEq)]
+pub struct System {
+    /// Number of unknowns and of residuals, at most [`MOST_UNKNOWNS`].
+    pub unknowns: usize,
+    /// Inputs: the unknowns, then the arguments. Outputs: the residuals, then their derivatives
+    /// with respect to the unknowns, row by row.
+    pub residual: Tape,
+}
+
+impl System {
+    /// Returns `true` if the residual tape is well-formed and has the right numbers of inputs and
+    /// outputs.
+    fn is_well_formed(&self, operands: usize) -> bool {
+        (1..=MOST_UNKNOWNS).contains(&self.unknowns)
+            && self.residual.inputs == operands
+            && operands >= self.unknowns
+            && self.residual.outputs.len() == self.unknowns * (self.unknowns + 1)
+            && self.residual.is_well_formed()
+    }
+
+    /// Solves the equations. `inputs` contains the guess, which the solution replaces, and the
+    /// arguments.
+    fn solve(&self, inputs: &mut [f64]) {
+        let mut scratch = Vec::new();
+        newton(self.unknowns, inputs, |inputs, values: &mut [f64; MOST_VALUES]| {
+            self.residual.eval(inputs, &mut scratch, values);
+        });
+    }
+}
+
+/// A system with its guess and its arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solve {
+    pub system: Arc<System>,
+    /// The guess of each unknown, then the arguments.
+    pub operands: Vec<ValueId>,
+}
+
+impl Solve {
+    /// Returns the unknowns, given the values of the tape's instructions.
+    fn evaluate(&self, values: &[f64]) -> [f64; MOST_UNKNOWNS] {
+        let mut inputs: Vec<f64> = self.operands.iter().map(|&operand| values[operand as usize]).collect();
+        self.system.solve(&mut inputs);
+        std::array::from_fn(|unknown| inputs.get(unknown).copied().unwrap_or(f64::NAN))
+    }
+
+    /// Returns the same system with other operands.
+    pub fn with_operands(&self, place: impl Fn(ValueId) -> ValueId) -> Self {
+        Solve {
+            system: self.system.clone(),
+            operands: self.operands.iter().map(|&operand| place(operand)).collect(),
         }
     }
 }
@@ -175,16 +244,38 @@ pub struct Tape {
     pub inputs: usize,
     pub instructions: Vec<Instruction>,
     pub outputs: Vec<ValueId>,
+    /// The implicit functions of [`Instruction::Solution`].
+    pub solves: Vec<Solve>,
+    /// The tables of [`Instruction::Piecewise`].
+    pub tables: Vec<Arc<[f64]>>,
 }
 
 impl Tape {
+    /// Returns the operands of an instruction of this tape, in order.
+    pub fn operands(&self, instruction: Instruction) -> impl Iterator<Item = ValueId> + '_ {
+        let solve = match instruction {
+            Instruction::Solution(solve, _) => self.solves.get(solve as usize),
+            _ => None,
+        };
+        instruction.own_operands().chain(solve.into_iter().flat_map(|solve| solve.operands.iter().copied()))
+    }
+
     /// Returns `true` if every operand precedes its user and all inputs and outputs exist.
     pub fn is_well_formed(&self) -> bool {
         let fits = |(index, instruction): (usize, &Instruction)| match *instruction {
             Instruction::Input(input) => (input as usize) < self.inputs,
-            other => other.operands().all(|operand| (operand as usize) < index),
+            Instruction::Solution(solve, unknown) => self.solves.get(solve as usize).is_some_and(|solve| {
+                (unknown as usize) < solve.system.unknowns
+                    && solve.operands.iter().all(|&operand| (operand as usize) < index)
+            }),
+            Instruction::Piecewise(table, operand) => {
+                (table as usize) < self.tables.len() && (operand as usize) < index
+            }
+            other => other.own_operands().all(|operand| (operand as usize) < index),
         };
-        self.instructions.iter().enumerate().all(fits)
+        self.tables.iter().all(|table| is_table(table))
+            && self.solves.iter().all(|solve| solve.system.is_well_formed(solve.operands.len()))
+            && self.instructions.iter().enumerate().all(fits)
             && self.outputs.iter().all(|&output| (output as usize) < self.instructions.len())
     }
 
@@ -201,8 +292,19 @@ impl Tape {
     pub fn eval(&self, inputs: &[f64], scratch: &mut Vec<f64>, outputs: &mut [f64]) {
         scratch.clear();
         scratch.reserve(self.instructions.len());
+        let mut solved = vec![None; self.solves.len()];
         for instruction in &self.instructions {
-            let value = instruction.evaluate(inputs, |id| scratch[id as usize]);
+            let value = match *instruction {
+                Instruction::Solution(solve, unknown) => {
+                    let values = &*scratch;
+                    let (found, solve) = (&mut solved[solve as usize], &self.solves[solve as usize]);
+                    found.get_or_insert_with(|| solve.evaluate(values))[unknown as usize]
+                }
+                Instruction::Piecewise(table, x) => {
+                    piecewise(&self.tables[table as usize], scratch[x as usize])
+                }
+                _ => instruction.evaluate(inputs, |id| scratch[id as usize]),
+            };
             scratch.push(value);
         }
         for (output, &id) in outputs.iter_mut().zip(&self.outputs) {

@@ -34,7 +34,7 @@ impl Graph {
             let operands = match node {
                 // The arm that is not selected does not affect the result.
                 Node::Select(c, a, b) => vec![c, if value(c) != 0.0 { a } else { b }],
-                _ => node.operands().into_iter().flatten().collect(),
+                _ => self.operands(at).collect(),
             };
             // Operands have smaller ids, so the loop terminates.
             match operands.iter().find(|operand| value(**operand).is_nan()) {

@@ -111,6 +111,8 @@ pub mod codes {
     pub const ASSERTION: &str = "E0705";
     /// The value of an observable was requested while the model is still being built.
     pub const OBSERVABLE: &str = "E0706";
+    /// An equation of `solve` has no solution near the guess.
+    pub const NO_SOLUTION: &str = "E0863";
     /// The limit on time or memory was reached.
     pub const EXHAUSTED: &str = "E0707";
     /// A limit of a range or a slice is not an integer.

@@ -69,6 +69,8 @@ impl Fingerprint {
                 MathFn::Binary(_) => 2,
                 MathFn::Sincos(_) => 3,
                 MathFn::SincosColumns(_) => 4,
+                MathFn::Newton(_) => 5,
+                MathFn::Piecewise(_) => 6,
             };
             hash = hash.text(symbol).number(kind);
             i += 1;

@@ -8,6 +8,7 @@ use crate::context::{Context, RuntimeError, codes};
 use crate::display::Display;
 use crate::heap::{HeapId, OBJECT, Object, SymbolicValue};
 use crate::limits::{check_memory, request_memory};
+use crate::newton;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -249,13 +250,23 @@ pub enum CaptureKind {
 impl CaptureKind {
     /// Returns the kinds of the slots of one capture.
     pub fn of_slots(repr: &Repr, observable: bool) -> impl Iterator<Item = CaptureKind> {
-        let kind = match repr {
-            _ if observable => CaptureKind::Observable,
-            Repr::Symbolic(_) => CaptureKind::Part,
-            Repr::Bool => CaptureKind::Bool,
-            _ => CaptureKind::Number,
-        };
-        std::iter::repeat_n(kind, repr.slots())
+        let mut kinds = Vec::with_capacity(repr.slots());
+        let mut pending = vec![repr];
+        while let Some(repr) = pending.pop() {
+            let kind = match repr {
+                _ if observable => CaptureKind::Observable,
+                Repr::Tuple(parts) => {
+                    pending.extend(parts.iter().rev());
+                    continue;
+                }
+                Repr::Symbolic(_) => CaptureKind::Part,
+                // No expression reads the identifiers of texts and handles in a record.
+                Repr::Bool | Repr::String | Repr::Handle | Repr::Array(_) => CaptureKind::Bool,
+                _ => CaptureKind::Number,
+            };
+            kinds.extend(std::iter::repeat_n(kind, repr.slots()));
+        }
+        kinds.into_iter()
     }
 }
 
@@ -303,7 +314,8 @@ pub fn make_symbolic(
 /// which are a tuple in the symbolic value, become arrays where `repr` has arrays.
 ///
 /// # Errors
-/// E0706 if it depends on an observable; internal if `id` is not a symbolic value of this size.
+/// E0706 if it depends on an observable; E0863 if the iteration of an implicit function does not
+/// converge; internal if `id` is not a symbolic value of this size.
 pub fn eval_symbolic(
     ctx: &mut Context,
     id: HeapId,
@@ -319,8 +331,17 @@ pub fn eval_symbolic(
             "make it an `output`, which is evaluated at every step",
         ));
     }
+    let failures = newton::failures();
     let outputs = value.evaluate(time, &ctx.params, &|_| f64::NAN);
     let outputs = outputs.ok_or_else(|| malformed("a kernel of another size"))?;
+    // The arm of a conditional expression that is not selected may have no solution.
+    if newton::failures() != failures && outputs.iter().any(|output| output.is_nan()) {
+        return Err(RuntimeError::new(
+            codes::NO_SOLUTION,
+            "an equation has no solution near the guess of `solve`",
+            "choose a guess closer to the solution, and check that the equation has one for these values",
+        ));
+    }
     let mut slots = Vec::with_capacity(result.len());
     pack(ctx, &value.repr, repr, &mut outputs.into_iter(), &mut slots)?;
     if slots.len() != result.len() {

@@ -2,7 +2,8 @@
 //!
 //! Every crate of the workspace may depend on this one; it depends on none of them.
 //!
-//! - [`math`]: the single scalar definition of each numeric operation.
+//! - [`math`]: the single scalar definition of each numeric operation. [`newton`]: solution of
+//!   implicit equations. [`piecewise`]: interpolation tables.
 //! - [`call`]: calling convention. [`heap`]: run-time values behind slots.
 //! - [`context`]: state of a running model. [`error`], [`failure`]: its errors. [`limits`],
 //!   [`cancel`]: its limits.
@@ -29,6 +30,8 @@ pub mod helpers;
 pub mod host;
 pub mod limits;
 pub mod math;
+pub mod newton;
+pub mod piecewise;
 pub mod quantity;
 pub mod repr_code;
 pub mod shape;

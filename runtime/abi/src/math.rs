@@ -14,6 +14,10 @@
 //! Booleans are 1.0 and 0.0; any value not equal to zero, including NaN, counts as true. No
 //! operation traps.
 
+use crate::call::KernelFn;
+use crate::newton::calyx_math_newton;
+use crate::piecewise::calyx_math_piecewise;
+
 /// Tolerance of the length of a unit vector. It covers components rounded to six digits.
 pub const UNIT_TOLERANCE: f64 = 1e-6;
 
@@ -150,6 +154,15 @@ pub enum MathFn {
     /// Calling it is safe if the three arrays have this length, the results are writable, and they
     /// do not overlap.
     SincosColumns(unsafe extern "C" fn(*const f64, usize, *mut f64, *mut f64)),
+    /// Arguments: pointer to a table, number.
+    ///
+    /// See [`calyx_math_piecewise`] for safety.
+    Piecewise(unsafe extern "C" fn(*const f64, f64) -> f64),
+    /// Arguments: residual kernel, number of unknowns, pointer to the guess and the arguments of
+    /// the kernel, their number.
+    ///
+    /// See [`calyx_math_newton`] for safety.
+    Newton(unsafe extern "C" fn(KernelFn, usize, *mut f64, usize) -> i32),
 }
 
 impl MathFn {
@@ -160,6 +173,8 @@ impl MathFn {
             MathFn::Binary(function) => function as *const u8,
             MathFn::Sincos(function) => function as *const u8,
             MathFn::SincosColumns(function) => function as *const u8,
+            MathFn::Newton(function) => function as *const u8,
+            MathFn::Piecewise(function) => function as *const u8,
         }
     }
 }
@@ -187,6 +202,8 @@ macro_rules! called {
             $((stringify!($symbol), MathFn::$kind($symbol)),)+
             ("calyx_math_sincos", MathFn::Sincos(calyx_math_sincos)),
             ("calyx_math_sincos_columns", MathFn::SincosColumns(calyx_math_sincos_columns)),
+            ("calyx_math_newton", MathFn::Newton(calyx_math_newton)),
+            ("calyx_math_piecewise", MathFn::Piecewise(calyx_math_piecewise)),
         ];
     };
 }

@@ -128,7 +128,9 @@ pub fn complex_step(graph: &Graph, node: NodeId, inputs: &[f64], by: usize) -> f
             | I::LessEqual(..)
             | I::Equal(..)
             | I::And(..)
-            | I::Or(..) => of_reals(),
+            | I::Or(..)
+            | I::Piecewise(..)
+            | I::Solution(..) => of_reals(),
         });
     }
     values[tape.outputs[0] as usize].im / STEP

@@ -1,0 +1,123 @@
+//! Kernels with implicit functions give the bits of interpreted tapes: for one point, for many
+//! points.
+
+#[allow(dead_code, reason = "shared by several tests")]
+mod workloads;
+
+use calyx_abi::{Kernel, Repr};
+use calyx_codegen::{compile_batch, compile_jit_with_tapes};
+use calyx_lang::ir::{Block, Function, Program, Terminator};
+use calyx_lang::span::Span;
+use calyx_symbolic::{Graph, NodeId, Tape, TapeKernel, Unary};
+use workloads::Random;
+
+const INPUTS: usize = 3;
+/// Symbols of unknowns.
+const X: [u32; 3] = [100, 101, 102];
+
+/// Returns Kepler's equation solved for the anomaly.
+fn kepler(g: &mut Graph, mean: NodeId, eccentricity: NodeId) -> NodeId {
+    let x = g.symbol(X[0]);
+    let sine = g.sin(x);
+    let product = g.multiply(eccentricity, sine);
+    let left = g.subtract(x, product);
+    let residual = g.subtract(left, mean);
+    g.solve(&X[..1], &[residual], &[mean]).unwrap()[0]
+}
+
+/// Returns a kernel with implicit functions of one and of several unknowns, within each other, and
+/// two derivatives of all of them.
+fn tape() -> Tape {
+    let mut g = Graph::new();
+    let [a, b, c] = [0, 1, 2].map(|symbol| g.symbol(symbol));
+    let half = g.scale(0.4, b);
+    let one = kepler(&mut g, a, half);
+    let two = kepler(&mut g, one, half);
+    // Two equations whose residuals contain an implicit function.
+    let [x, y] = [1, 2].map(|i| g.symbol(X[i]));
+    let inner = kepler(&mut g, x, half);
+    let exponential = g.unary(Unary::Exp, y);
+    let sum = g.add(inner, exponential);
+    let first = g.subtract(sum, c);
+    let cosine = g.cos(y);
+    let product = g.scale(3.0, cosine);
+    let difference = g.subtract(x, product);
+    let second = g.subtract(difference, a);
+    let guess = [c, g.constant(0.1)];
+    let pair = g.solve(&X[1..], &[first, second], &guess).unwrap();
+    let mut outputs = vec![one, two, pair[0], pair[1]];
+    for at in 0..8 {
+        let next = g.derivative(outputs[at], (at % INPUTS) as u32);
+        outputs.push(next);
+    }
+    g.schedule(INPUTS, &outputs)
+}
+
+fn empty_program() -> Program {
+    let terminator = Terminator::Return(None);
+    let block = Block { statements: vec![], terminator, handler: None, span: Span::default() };
+    let main = Function {
+        name: "main".into(),
+        parameters: vec![],
+        result: Repr::Unit,
+        locals: vec![],
+        blocks: vec![block],
+        span: Span::default(),
+    };
+    Program { functions: vec![main], ..Program::default() }
+}
+
+fn same(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan())
+}
+
+#[test]
+fn kernels_for_one_point_have_the_bits_of_the_tape() {
+    let tape = tape();
+    let module = compile_jit_with_tapes(&empty_program(), std::slice::from_ref(&tape), &[]).unwrap();
+    let (compiled, interpreted) = (&module.kernels()[0], TapeKernel(tape));
+    let mut random = Random(7);
+    let mut solved = 0;
+    for _ in 0..300 {
+        let inputs = [0; INPUTS].map(|_| random.uniform(-1.5, 3.0));
+        let mut found = vec![0.0; compiled.outputs()];
+        let mut expected = found.clone();
+        compiled.eval(&inputs, &mut found);
+        interpreted.eval(&inputs, &mut expected);
+        assert!(same(&found, &expected), "{inputs:?}: {found:?}, not {expected:?}");
+        solved += usize::from(expected.iter().all(|value| value.is_finite()));
+    }
+    assert!((50..300).contains(&solved), "{solved} of 300 points have a solution");
+}
+
+#[test]
+fn batches_have_the_bits_of_the_tape() {
+    let tape = tape();
+    for varying in [[true; 3], [true, false, false], [false, true, true], [false; 3]] {
+        let kernel = compile_batch(&tape, &varying).unwrap();
+        let mut random = Random(11);
+        let points = 67;
+        let uniforms: Vec<f64> =
+            varying.iter().filter(|&&varies| !varies).map(|_| random.uniform(0.1, 1.0)).collect();
+        let columns: Vec<Vec<f64>> = varying
+            .iter()
+            .filter(|&&varies| varies)
+            .map(|_| (0..points).map(|_| random.uniform(-0.5, 2.0)).collect())
+            .collect();
+        let mut outputs = vec![vec![0.0; points]; tape.outputs.len()];
+        let views: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+        let mut results: Vec<&mut [f64]> = outputs.iter_mut().map(Vec::as_mut_slice).collect();
+        kernel.evaluate(&uniforms, &views, &mut results).unwrap();
+        for point in 0..if views.is_empty() { 0 } else { points } {
+            let (mut column, mut uniform) = (columns.iter(), uniforms.iter());
+            let inputs = varying.map(|varies| match varies {
+                true => column.next().unwrap()[point],
+                false => *uniform.next().unwrap(),
+            });
+            let mut expected = vec![0.0; tape.outputs.len()];
+            tape.eval(&inputs, &mut Vec::new(), &mut expected);
+            let found: Vec<f64> = outputs.iter().map(|column| column[point]).collect();
+            assert!(same(&found, &expected), "{varying:?} {inputs:?}: {found:?}, not {expected:?}");
+        }
+    }
+}
