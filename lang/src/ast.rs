@@ -211,7 +211,7 @@ pub struct FunctionDecl {
 #[derive(Clone, Debug, PartialEq)]
 pub enum FunctionBody {
     Statement(Box<Stmt>),
-    /// A symbolic function: `:= expression;`
+    /// A symbolic function: `:= expression;`, or `:= { ... }` with an [`ExprKind::Block`].
     Symbolic(Expr),
     /// A function of the engine. `purity` is `effect` by default; `pure` or `scene` may be written
     /// before `function`.
@@ -342,6 +342,9 @@ pub enum ExprKind {
         at: Box<Expr>,
     },
     Paren(Box<Expr>),
+    /// The body `{ var a = ...; return ...; }` of a symbolic function: a [`StmtKind::Block`]. It
+    /// occurs nowhere else.
+    Block(Box<Stmt>),
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -125,6 +125,16 @@ const BUILTINS: &[Help] = &[
         "The derivatives of an expression with respect to several symbols: an array, or a tuple if their dimensions differ.",
         "param width = 2 mm;\nparam depth = 3 mm;\nprint(gradient(width * depth^2, [width, depth]));",
     ),
+    help(
+        "solve",
+        "The first argument for which a symbolic function is zero, found from a guess by Newton's method. The arguments after the guess are those of the function's other parameters. The solution has exact derivatives.",
+        "function equation(in x, in area) := x^2 - area;\nvar side := solve(equation, 1 mm, 2 mm^2);\nprint(side);",
+    ),
+    help(
+        "spline",
+        "The natural cubic spline through points, with exact derivatives: twice continuously differentiable, with a straight line beyond both ends. The points are constant.",
+        "const positions = [0 s, 1 s, 2 s];\nvar lift := spline(positions, [0 mm, 3 mm, 1 mm], Time);\nprint(lift at Time = 1 s, derivative(lift, Time) at Time = 1 s);",
+    ),
     help("len", "The number of elements of an array.", "print(len([1 mm, 2 mm]));"),
     help(
         "push",

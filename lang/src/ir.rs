@@ -190,7 +190,8 @@ impl Site {
 #[derive(Clone, Debug)]
 pub struct Capture {
     pub name: String,
-    /// Number, Bool, Vector or Transform. For an observable, `Symbolic(Number)` with `observable`
+    /// Number, Bool, Vector or Transform; a tuple for a record, in which no expression reads the
+    /// texts. For an observable, `Symbolic(Number)` with `observable`
     /// set. For an expression (the value of a site that is a [`Site::part`]), `Symbolic` of Number,
     /// Vector or Transform.
     pub repr: Repr,
@@ -239,7 +240,8 @@ pub struct SymbolicFunction {
 #[derive(Clone, Debug)]
 pub struct SymbolicParameter {
     pub name: String,
-    /// Number, Bool or Vector.
+    /// Number, Bool, Vector or Transform; a tuple of these for a record or for brackets. An
+    /// exported function has no parameters of the last two kinds.
     pub repr: Repr,
     /// Display unit of the argument; dimensionless if the function accepts any dimension.
     pub unit: DisplayUnit,
@@ -265,9 +267,11 @@ impl SymExpr {
             | SymKind::Capture(_)
             | SymKind::Argument(_)
             | SymKind::Shared(_) => Vec::new(),
-            SymKind::Op(_, all) | SymKind::Call(_, all) | SymKind::Brackets(all) => all.iter().collect(),
+            SymKind::Op(_, all) | SymKind::Call(_, all) | SymKind::Solve(_, all) | SymKind::Brackets(all) => {
+                all.iter().collect()
+            }
             SymKind::If(a, b, c) => vec![a, b, c],
-            SymKind::Derivative(a, _) | SymKind::Element(a, _) => vec![a],
+            SymKind::Derivative(a, _) | SymKind::Element(a, _) | SymKind::Table(_, a) => vec![a],
             SymKind::At(a, _, b) => vec![a, b],
         }
     }
@@ -293,8 +297,15 @@ pub enum SymKind {
     Derivative(Box<SymExpr>, Symbol),
     /// `e at Time = t`: the expression with the symbol replaced by the second expression.
     At(Box<SymExpr>, Symbol, Box<SymExpr>),
-    /// A call of a symbolic function. In its body, its arguments are independent symbols.
+    /// A call of a symbolic function. In its body, the numbers of its arguments are independent
+    /// symbols.
     Call(SymbolicFunctionId, Vec<SymExpr>),
+    /// The unknown for which a symbolic function is zero: the guess, then the arguments of the
+    /// function after the unknown. The unknown has the form of the guess; the result of the
+    /// function has as many numbers.
+    Solve(SymbolicFunctionId, Vec<SymExpr>),
+    /// The value of a piecewise polynomial ([`calyx_abi::piecewise`]) at a number.
+    Table(Arc<[f64]>, Box<SymExpr>),
     Brackets(Vec<SymExpr>),
     /// An element of a bracket expression, by index.
     Element(Box<SymExpr>, u32),

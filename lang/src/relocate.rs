@@ -312,5 +312,6 @@ pub fn expr(e: &mut Expr, visit: &mut Visit<'_>) {
             expr(at, visit);
         }
         ExprKind::Paren(inner) => expr(inner, visit),
+        ExprKind::Block(body) => statement(body, visit),
     }
 }

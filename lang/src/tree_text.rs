@@ -60,7 +60,9 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         }
         StmtKind::Expr(e) => format!("(do {}", expr(e)),
         StmtKind::Function(f) => {
-            if let FunctionBody::Statement(body) = &f.body {
+            if let FunctionBody::Statement(body)
+            | FunctionBody::Symbolic(Expr { kind: ExprKind::Block(body), .. }) = &f.body
+            {
                 children.push(body);
             }
             function(f)
@@ -157,6 +159,7 @@ fn function(f: &FunctionDecl) -> String {
     }
     match &f.body {
         FunctionBody::Statement(_) => {}
+        FunctionBody::Symbolic(Expr { kind: ExprKind::Block(_), .. }) => head.push_str(" :="),
         FunctionBody::Symbolic(e) => head.push_str(&format!(" := {}", expr(e))),
         FunctionBody::Extern { purity } => {
             head.push_str(&format!(" extern {}", purity.as_ref().map_or("", |p| &p.name)));
@@ -301,6 +304,8 @@ pub fn expr(e: &Expr) -> String {
         }
         ExprKind::At { value, symbol, at } => format!("(at {} {} {})", expr(value), symbol.name, expr(at)),
         ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
+        // The function writes its statements.
+        ExprKind::Block(_) => "(block)".into(),
     }
 }
 

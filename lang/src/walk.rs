@@ -253,5 +253,6 @@ fn expression_children<'t>(kind: &'t ExprKind, visit: &mut dyn FnMut(Node<'t>)) 
             visit(Node::Expression(at));
         }
         ExprKind::Paren(inner) => visit(Node::Expression(inner)),
+        ExprKind::Block(body) => visit(Node::Statement(body)),
     }
 }

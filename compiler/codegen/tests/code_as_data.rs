@@ -15,7 +15,8 @@ const MODEL: &str = "
     function f(in n) { return if (n < 2) 1 else n * f(n - 1); }
     var xs = [0 mm, 1 mm]; var ys = [\"a\", \"b\"]; push(ys, \"{f(5)} of {xs}\");
     var c = 2; var x := c * sin(Time * (3 rad/s)); var y = x at Time = 3 s;
-    print(ys, y); assert(len(ys) == 3);";
+    function square(in r, in a) := r^2 - a; var root := solve(square, 1, 2 + Time/1 s);
+    print(ys, y, root at Time = 1 s); assert(len(ys) == 3);";
 
 fn model() -> Program {
     check(MODEL)

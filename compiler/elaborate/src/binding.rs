@@ -80,7 +80,11 @@ pub fn binding(program: &Program, id: DefinitionId) -> Option<Binding> {
                     symbols.insert(FreeSymbol { kind: input.kind, name: input.name.clone() });
                 }
             }
-            Node::Unary(..) | Node::Binary(..) | Node::Select(..) => operations += 1,
+            Node::Unary(..)
+            | Node::Binary(..)
+            | Node::Select(..)
+            | Node::Piecewise(..)
+            | Node::Solution(..) => operations += 1,
         }
     }
     Some(Binding {
@@ -114,7 +118,7 @@ fn literals(program: &Program, id: DefinitionId) -> Option<HashMap<u64, String>>
                     }
                 }
             }
-            SymKind::Call(function, _) if functions.insert(*function) => {
+            SymKind::Call(function, _) | SymKind::Solve(function, _) if functions.insert(*function) => {
                 let (body, shared) = definition_expressions(program, DefinitionId::Function(*function))?;
                 pending.extend(shared.iter().chain([body]));
             }

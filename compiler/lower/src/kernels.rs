@@ -192,7 +192,7 @@ struct Lowering<'a> {
     /// last.
     scopes: Vec<Scope<'a>>,
     /// Lowered bodies of symbolic functions, with free symbols for the arguments.
-    functions: HashMap<SymbolicFunctionId, Free>,
+    functions: HashMap<SymbolicFunctionId, Vec<Free>>,
     /// Vectors that a frame transforms, with that frame.
     motions: HashMap<Vector3, Motion>,
     /// Input ranges of the captured expressions.
@@ -265,6 +265,14 @@ impl<'a> Lowering<'a> {
             SymKind::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|a| self.value(a)).collect::<Result<Vec<_>, _>>()?;
                 self.call(*function, &arguments, expr.span)?
+            }
+            SymKind::Solve(function, arguments) => {
+                let arguments = arguments.iter().map(|a| self.value(a)).collect::<Result<Vec<_>, _>>()?;
+                self.solution(*function, &arguments, expr.span)?
+            }
+            SymKind::Table(table, x) => {
+                let x = self.number(x)?;
+                Value::Number(self.graph.piecewise(table, x))
             }
             SymKind::Brackets(parts) => {
                 Value::Brackets(parts.iter().map(|part| self.value(part)).collect::<Result<_, _>>()?)
@@ -341,15 +349,30 @@ impl<'a> Lowering<'a> {
         if capture.observable {
             return Ok(Value::Number(self.graph.symbol(first)));
         }
-        match capture.repr {
-            Repr::Number | Repr::Bool => Ok(Value::Number(self.graph.symbol(first))),
+        self.captured(&capture.repr, first, span)
+    }
+
+    /// Returns a captured value whose numbers are the inputs from `first` on.
+    fn captured(&mut self, repr: &Repr, first: u32, span: Span) -> Result<Value, KernelError> {
+        match repr {
+            // No expression reads the text of a record.
+            Repr::Number | Repr::Bool | Repr::String => Ok(Value::Number(self.graph.symbol(first))),
             Repr::Vector => Ok(Value::Vector([0, 1, 2].map(|i| self.graph.symbol(first + i)))),
-            Repr::Symbolic(ref inner) => self.part(inner, first, span),
+            Repr::Symbolic(inner) => self.part(inner, first, span),
             Repr::Transform => {
                 let pose: Pose = std::array::from_fn(|i| self.graph.symbol(first + i as u32));
                 Ok(Value::Frame(Frame::from_pose(pose)))
             }
-            _ => Err(broken("a capture must be a number, truth value, vector or transform", span)),
+            Repr::Tuple(parts) => {
+                let mut first = first;
+                let mut values = Vec::with_capacity(parts.len());
+                for part in parts {
+                    values.push(self.captured(part, first, span)?);
+                    first += part.slots() as u32;
+                }
+                Ok(Value::Brackets(values))
+            }
+            _ => Err(broken("a capture must be a number, truth value, vector, transform or record", span)),
         }
     }
 

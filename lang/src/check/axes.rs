@@ -58,6 +58,7 @@ pub(super) fn has_symbols(e: &Expr) -> bool {
             | Kind::Derivative(..)
             | Kind::Gradient(..)
             | Kind::Observe(_)
+            | Kind::Spline(_)
             | Kind::Error
     );
     itself || e.children().into_iter().any(has_symbols)

@@ -58,6 +58,8 @@ impl<'a> Checker<'a> {
             }
             Builtin::Derivative => self.derivative(arguments, span),
             Builtin::Gradient => self.gradient(arguments, span),
+            Builtin::Solve => self.solution(arguments, span),
+            Builtin::Spline => self.spline(arguments, span),
             Builtin::Print => {
                 self.refuse_names("print", arguments);
                 let values: Vec<Expr> = arguments.iter().map(|a| self.printable(&a.value)).collect();

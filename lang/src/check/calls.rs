@@ -290,7 +290,15 @@ impl<'a> Checker<'a> {
             values.push(value);
         }
         let perhaps_same = self.distinct_places(&copy_back);
-        let call = Call { function: id, instance, arguments: values, copy_back, perhaps_same, demands };
+        let call = Call {
+            function: id,
+            instance,
+            arguments: values,
+            copy_back,
+            perhaps_same,
+            demands,
+            solves: false,
+        };
         self.observed(Expr { kind: Kind::Call(Box::new(call)), ty: result, span })
     }
 

@@ -102,6 +102,7 @@ impl<'a> Checker<'a> {
                 let inner = self.expr_at(inner, given);
                 return Expr { span, ..inner };
             }
+            ExprKind::Block(block) => return self.symbolic_block(block),
         };
         Expr { kind, ty, span }
     }

@@ -524,20 +524,24 @@ impl<'a> Resolver<'a> {
                 r.names.functions[id.0 as usize].parameters.push(variable);
             }
             match &decl.body {
-                FunctionBody::Statement(body) => match &body.kind {
-                    // Parameters and body share one block, so the body cannot declare a parameter
-                    // again.
-                    StmtKind::Block(statements) => {
-                        r.declare_functions(statements);
-                        statements.iter().for_each(|s| r.statement(s, false));
-                    }
-                    _ => r.statement(body, false),
-                },
+                FunctionBody::Statement(body) => r.body(body),
                 FunctionBody::Symbolic(e) => r.expr(e),
                 FunctionBody::Extern { .. } => {}
             }
         });
         self.function = around;
+    }
+
+    /// Resolves the body of a function.
+    fn body(&mut self, body: &'a Stmt) {
+        match &body.kind {
+            // Parameters and body share one block, so the body cannot declare a parameter again.
+            StmtKind::Block(statements) => {
+                self.declare_functions(statements);
+                statements.iter().for_each(|s| self.statement(s, false));
+            }
+            _ => self.statement(body, false),
+        }
     }
 
     fn twice(&mut self, name: &Ident) {

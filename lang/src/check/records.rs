@@ -192,6 +192,7 @@ impl<'a> Checker<'a> {
         for (at, (field, argument)) in decl.fields.iter().zip(given).enumerate() {
             let wanted = self.field_type(id, at);
             values.push(match (argument, &field.default) {
+                (Some(argument), _) if self.symbolic => self.symbolic_field(&wanted, &field.name, argument),
                 (Some(argument), _) => self.value_argument(&wanted, &field.name, argument),
                 (None, _) if fields.contains_key(&field.name.name) => {
                     self.field_argument(&wanted, &field.name, &mut fields, span)
@@ -222,6 +223,15 @@ impl<'a> Checker<'a> {
         Expr { kind: Kind::Tuple(values), ty, span }
     }
 
+    /// Checks a field of a record within a symbolic expression.
+    fn symbolic_field(&mut self, ty: &Type, field: &ast::Ident, argument: &'a ast::Argument) -> Expr {
+        let value = self.whole(&argument.value);
+        let shown = with_article(&self.store.show(ty));
+        let cause = Some((field.span, format!("`{}` takes {shown}", field.name)));
+        self.expect(ty, &value, &format!("`{}`", field.name), cause);
+        value
+    }
+
     /// Returns the fields of spread records (`..r`) by name, except those with an explicit
     /// argument. Returns `None` if an error was reported.
     pub(super) fn spread(
@@ -233,7 +243,11 @@ impl<'a> Checker<'a> {
         let mut fields = HashMap::new();
         let mut sound = true;
         for argument in arguments.iter().filter(|argument| argument.spread) {
-            let record = self.as_value(|c| c.expr(&argument.value));
+            let brackets = self.symbolic && self.names_brackets(&argument.value);
+            let record = match brackets {
+                true => self.expr(&argument.value),
+                false => self.as_value(|c| c.expr(&argument.value)),
+            };
             let id = match self.store.shallow(&record.ty) {
                 Type::Record(id) => id,
                 Type::Error => {

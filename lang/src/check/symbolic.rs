@@ -317,9 +317,18 @@ impl<'a> Checker<'a> {
                 Kind::SymbolicCall(call)
             }
             Kind::Array(all) => Kind::Array(all.into_iter().map(|a| self.split(a, to)).collect()),
-            Kind::Tuple(all) => Kind::Tuple(all.into_iter().map(|a| self.split(a, to)).collect()),
+            Kind::Tuple(all) => Kind::Tuple(all.into_iter().map(|a| self.split_field(a, to)).collect()),
             Kind::Index(base, index) if self.is_brackets(&base) => {
                 Kind::Index(self.split_box(base, to), index)
+            }
+            Kind::Field(base, name) if self.is_brackets(&base) => Kind::Field(self.split_box(base, to), name),
+            Kind::Spline(parts) => {
+                let [xs, ys, x] = *parts;
+                Kind::Spline(Box::new([xs, ys, self.split(x, to)]))
+            }
+            Kind::Block(bindings, result) => {
+                let bindings = bindings.into_iter().map(|(id, value)| (id, self.split(value, to))).collect();
+                Kind::Block(bindings, self.split_box(result, to))
             }
             Kind::TupleElement(base, at) if self.is_brackets(&base) => {
                 Kind::TupleElement(self.split_box(base, to), at)
@@ -390,6 +399,14 @@ impl<'a> Checker<'a> {
         inner
     }
 
+    /// Splits an element of a tuple or record. No expression can use a text in it.
+    fn split_field(&mut self, e: Expr, to: &mut Builder) -> Expr {
+        match self.store.shallow(&e.ty) {
+            Type::String => Expr { kind: Kind::Text(String::new()), ..e },
+            _ => self.split(e, to),
+        }
+    }
+
     fn split_box(&mut self, mut e: Box<Expr>, to: &mut Builder) -> Box<Expr> {
         let inner = std::mem::replace(&mut *e, Expr::error(Span::default()));
         *e = self.split(inner, to);
@@ -448,7 +465,7 @@ impl<'a> Checker<'a> {
                         span,
                         "bound with `:=`",
                     )
-                    .help("only numbers, vectors, frames and brackets of them do; use `=`"),
+                    .help("only numbers, vectors, frames, and brackets and records of them do; use `=`"),
                 );
             }
         }

@@ -6,6 +6,7 @@
 //! executes, so it captures no values: its body can use its arguments, `Time`, params, constants
 //! and other symbolic functions.
 
+use super::arguments::MatchedArguments;
 use super::builtins::Builtin;
 use super::infer::Checker;
 use super::symbols::{Constant, Resolution, VarKind};
@@ -96,11 +97,34 @@ impl<'a> Checker<'a> {
         let (Some(decl), file) = (info.decl, info.file) else { return Expr::error(span) };
         let given = self.given(&name.name, decl, arguments, span);
         let (types, result, instance) = self.instantiate(id, span);
-        let Some((given, mut fields)) = given else {
+        let Some(given) = given else {
             return Expr { kind: Kind::Error, ty: result, span };
         };
+        let arguments = self.symbolic_arguments(&decl.parameters, &types, given, (file, span));
+        let call = Call {
+            function: id,
+            instance,
+            arguments,
+            copy_back: Vec::new(),
+            perhaps_same: Vec::new(),
+            demands: Vec::new(),
+            solves: false,
+        };
+        let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty: result, span };
+        if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
+    }
+
+    /// Checks the arguments of parameters of a symbolic function that is declared in `file` and
+    /// called at `span`.
+    pub(super) fn symbolic_arguments(
+        &mut self,
+        parameters: &'a [ast::Parameter],
+        types: &[Type],
+        (given, mut fields): MatchedArguments<'a>,
+        (file, span): (FileId, Span),
+    ) -> Vec<Expr> {
         let mut values = Vec::new();
-        for ((parameter, argument), ty) in decl.parameters.iter().zip(given).zip(&types) {
+        for ((parameter, argument), ty) in parameters.iter().zip(given).zip(types) {
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) => {
                     let value = self.as_symbolic(|c| c.whole(&argument.value));
@@ -122,16 +146,7 @@ impl<'a> Checker<'a> {
             };
             values.push(value);
         }
-        let call = Call {
-            function: id,
-            instance,
-            arguments: values,
-            copy_back: Vec::new(),
-            perhaps_same: Vec::new(),
-            demands: Vec::new(),
-        };
-        let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty: result, span };
-        if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
+        values
     }
 
     /// Returns `true` if a variable is an argument of the current symbolic function.
@@ -162,18 +177,6 @@ impl<'a> Checker<'a> {
             Kind::Var(id) | Kind::Chosen(id) => {
                 let variable = self.variable(*id);
                 self.outside_argument(&variable.name, value.span).label(variable.span, "declared here")
-            }
-            Kind::Index(base, _) | Kind::TupleElement(base, _) if matches!(base.kind, Kind::Var(id) if self.is_argument(id)) => {
-                Diagnostic::error(
-                    "E0512",
-                    format!(
-                        "the argument `{}` of a symbolic function cannot have elements",
-                        self.text(base.span)
-                    ),
-                    base.span,
-                    "must be a number, a truth value or a vector",
-                )
-                .help("pass each element as a separate argument, or pass a vector")
             }
             _ => Diagnostic::error(
                 "E0511",
@@ -217,13 +220,15 @@ impl<'a> Checker<'a> {
         match &e.kind {
             ExprKind::List(_) => true,
             ExprKind::Paren(inner) => self.names_brackets(inner),
-            ExprKind::Index { base, .. } => self.names_brackets(base),
+            ExprKind::Index { base, .. } | ExprKind::Field { base, .. } => self.names_brackets(base),
             ExprKind::At { value, .. } => self.names_brackets(value),
             ExprKind::If { then, otherwise, .. } => {
                 self.names_brackets(then) && self.names_brackets(otherwise)
             }
             ExprKind::Name(name) => match self.names.uses.get(&name.span) {
-                Some(Resolution::Var(id)) => self.variable(*id).kind == VarKind::Symbolic,
+                Some(Resolution::Var(id)) => {
+                    self.variable(*id).kind == VarKind::Symbolic || self.is_of_symbolic_function(*id)
+                }
                 _ => false,
             },
             ExprKind::Call { callee, .. } => {
@@ -235,7 +240,7 @@ impl<'a> Checker<'a> {
                         .decl
                         .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_))),
                     Some(Resolution::Builtin(builtin)) => {
-                        matches!(builtin, Builtin::Gradient | Builtin::Derivative)
+                        matches!(builtin, Builtin::Gradient | Builtin::Derivative | Builtin::Solve)
                     }
                     _ => false,
                 }
@@ -249,8 +254,15 @@ impl<'a> Checker<'a> {
         match &e.kind {
             Kind::Array(_) | Kind::Tuple(_) | Kind::SymbolicCall(_) | Kind::Gradient(..) => true,
             Kind::Def(def) => self.is_brackets(&self.defs[def.0 as usize].expr),
+            Kind::Var(id) if self.variable(*id).kind == VarKind::Hidden => {
+                // A captured record or tuple has a known number of values, unlike an array.
+                matches!(self.store.shallow(&e.ty), Type::Record(_) | Type::Tuple(_))
+            }
+            Kind::Var(id) => self.is_of_symbolic_function(*id),
+            Kind::Block(_, result) => self.is_brackets(result),
             Kind::Index(base, _)
             | Kind::TupleElement(base, _)
+            | Kind::Field(base, _)
             | Kind::At(base, ..)
             | Kind::Derivative(base, _) => self.is_brackets(base),
             Kind::If(_, then, otherwise) => self.is_brackets(then) && self.is_brackets(otherwise),
@@ -262,7 +274,21 @@ impl<'a> Checker<'a> {
     pub(super) fn can_stay_symbolic(&self, e: &Expr) -> bool {
         let ty = self.store.resolve(&e.ty);
         is_symbolic_value(&ty)
-            || matches!(ty, Type::Array(_) | Type::Tuple(_)) && brackets_of_values(&ty) && self.is_brackets(e)
+            || matches!(ty, Type::Array(_) | Type::Tuple(_) | Type::Record(_))
+                && self.is_brackets_of_values(&ty)
+                && self.is_brackets(e)
+    }
+
+    fn is_brackets_of_values(&self, ty: &Type) -> bool {
+        match self.store.known(ty) {
+            Type::Array(element) => self.is_brackets_of_values(element),
+            Type::Tuple(parts) => parts.iter().all(|part| self.is_brackets_of_values(part)),
+            Type::Record(id) => self
+                .store
+                .record(*id)
+                .is_some_and(|record| record.fields.iter().all(|(_, ty)| self.is_brackets_of_values(ty))),
+            other => is_symbolic_value(other),
+        }
     }
 }
 
@@ -288,12 +314,4 @@ fn parts(e: &ast::Expr) -> Vec<&ast::Expr> {
 
 fn is_symbolic_value(ty: &Type) -> bool {
     matches!(ty, Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Unknown(_) | Type::Error)
-}
-
-fn brackets_of_values(ty: &Type) -> bool {
-    match ty {
-        Type::Array(element) => brackets_of_values(element),
-        Type::Tuple(parts) => parts.iter().all(brackets_of_values),
-        other => is_symbolic_value(other),
-    }
 }

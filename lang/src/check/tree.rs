@@ -103,6 +103,10 @@ pub enum Kind {
     /// The gradient: derivatives in brackets.
     Gradient(Box<Expr>, Vec<Sym>),
     At(Box<Expr>, Sym, Box<Expr>),
+    /// The spline through points: their abscissas and ordinates, and the argument.
+    Spline(Box<[Expr; 3]>),
+    /// The block of a symbolic function: variables with their expressions, and the result.
+    Block(Vec<(VarId, Expr)>, Box<Expr>),
 }
 
 /// A function of the runtime that expressions call.
@@ -158,6 +162,9 @@ pub struct Call {
     pub perhaps_same: Vec<(usize, usize)>,
     /// The domains of arguments, by position.
     pub demands: Vec<(usize, ArgumentRange)>,
+    /// `true` for `solve(f, guess, ...)` in a symbolic expression: the value is the first argument
+    /// for which the function is zero. The guess takes the place of this argument.
+    pub solves: bool,
 }
 
 /// The domain of a parameter, with the types of one call.
@@ -417,6 +424,10 @@ impl Expr {
             | Kind::Tuple(all) => all.iter().collect(),
             Kind::Call(call) | Kind::SymbolicCall(call) => {
                 call.arguments.iter().chain(call.copy_back.iter().flat_map(Place::indices)).collect()
+            }
+            Kind::Spline(parts) => parts.iter().collect(),
+            Kind::Block(bindings, result) => {
+                bindings.iter().map(|(_, value)| value).chain([&**result]).collect()
             }
             Kind::Format(pieces, _) => pieces
                 .iter()

@@ -3,8 +3,8 @@
 use super::document::Item;
 use super::printer::{Layout, Printer};
 use crate::ast::{
-    Bind, Domain, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, RecordDecl, StmtKind,
-    UnitDecl, UnitMeaning, VarDecl,
+    Bind, Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, RecordDecl,
+    StmtKind, UnitDecl, UnitMeaning, VarDecl,
 };
 use crate::lexer::Kind;
 
@@ -145,6 +145,13 @@ impl Printer<'_> {
     pub(super) fn function(&mut self, function: &FunctionDecl) {
         match &function.body {
             FunctionBody::Statement(body) => self.headed(body, |p| p.signature(function)),
+            FunctionBody::Symbolic(Expr { kind: ExprKind::Block(body), .. }) => {
+                self.headed(body, |p| {
+                    p.signature(function);
+                    p.space();
+                    p.bind(Bind::Symbolic);
+                });
+            }
             FunctionBody::Symbolic(value) => {
                 self.signature(function);
                 self.value(Bind::Symbolic, value);
@@ -178,7 +185,11 @@ impl Printer<'_> {
         self.token(Kind::Function);
         self.space();
         self.renamed(&function.former);
-        let has_block = matches!(&function.body, FunctionBody::Statement(body) if matches!(body.kind, StmtKind::Block(_)));
+        let has_block = match &function.body {
+            FunctionBody::Statement(body) => matches!(body.kind, StmtKind::Block(_)),
+            FunctionBody::Symbolic(e) => matches!(e.kind, ExprKind::Block(_)),
+            FunctionBody::Extern { .. } => false,
+        };
         let layout = if has_block { Layout::EachClosed } else { Layout::Each };
         self.bracket((Kind::OpenParen, Kind::CloseParen), &function.parameters, layout, Self::parameter);
         if function.result.is_some() {

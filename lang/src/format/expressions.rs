@@ -83,6 +83,7 @@ impl Printer<'_> {
                 self.expression(inner);
                 self.token(Kind::CloseParen);
             }
+            ExprKind::Block(body) => self.statement(body),
         }
     }
 
@@ -310,7 +311,8 @@ fn is_short(e: &Expr) -> bool {
         | ExprKind::Slice { .. }
         | ExprKind::If { .. }
         | ExprKind::At { .. }
-        | ExprKind::Paren(_) => false,
+        | ExprKind::Paren(_)
+        | ExprKind::Block(_) => false,
     }
 }
 

@@ -32,7 +32,7 @@ impl Printer<'_> {
         }
     }
 
-    fn statement(&mut self, statement: &Stmt) {
+    pub(super) fn statement(&mut self, statement: &Stmt) {
         if statement.private {
             self.token(Kind::Private);
             self.space();

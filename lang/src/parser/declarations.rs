@@ -6,8 +6,8 @@ use super::expressions::Expressions;
 use super::recovery::{Reader, close, expect, identifier, name, position, renamed, semicolon, when};
 use super::source::Source;
 use crate::ast::{
-    Bind, Domain, Expr, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, Stmt, StmtKind,
-    TypeExpr, TypeKind,
+    Bind, Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, Stmt,
+    StmtKind, TypeExpr, TypeKind,
 };
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
@@ -98,7 +98,7 @@ fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
 }
 
 /// Parses `function f(...) statement`, `host function f(...) statement`, `function p(...) := e;`,
-/// `extern pure function f(...) -> T;`.
+/// `function p(...) := { ... }`, `extern pure function f(...) -> T;`.
 pub(super) fn function<'a>(
     source: &'a Source<'a>,
     e: &Expressions<'a>,
@@ -127,7 +127,12 @@ pub(super) fn function<'a>(
         .then_ignore(semicolon(source))
         .map(|(purity, signature)| (signature, FunctionBody::Extern { purity }));
     let symbolic = just(Kind::Bind).ignore_then(e.full.clone()).then_ignore(semicolon(source));
+    let block = just(Kind::Bind)
+        .ignore_then(when(move |at| source.kind(at) == Some(Kind::OpenBrace)))
+        .ignore_then(body.clone())
+        .map(|block: Stmt| Expr { span: block.span, kind: ExprKind::Block(Box::new(block)) });
     let defined = signature.then(choice((
+        block.map(FunctionBody::Symbolic),
         symbolic.map(FunctionBody::Symbolic),
         body.map(|body| FunctionBody::Statement(Box::new(body))),
     )));

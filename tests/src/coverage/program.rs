@@ -72,6 +72,8 @@ rows!(symbolic(SymKind) {
     SymKind::Argument(_) => "argument of a symbolic function",
     SymKind::Shared(_) => "shared part",
     SymKind::Call(..) => "symbolic function in an expression",
+    SymKind::Solve(..) => "unknown of an equation",
+    SymKind::Table(..) => "spline",
     SymKind::Brackets(_) => "symbolic brackets",
     SymKind::Element(..) => "element of symbolic brackets",
     SymKind::Op(..) => "symbolic operation",
@@ -302,7 +304,7 @@ impl Walk {
                     self.differentiated_parts.insert(*index as usize);
                 }
             }
-            SymKind::Call(function, parts) => {
+            SymKind::Call(function, parts) | SymKind::Solve(function, parts) => {
                 if differentiated {
                     self.differentiated_functions.insert(function.0 as usize);
                 }
@@ -311,7 +313,7 @@ impl Walk {
             SymKind::Brackets(parts) => {
                 parts.iter().for_each(|e| self.symbolic(e, differentiated));
             }
-            SymKind::Element(inner, _) => self.symbolic(inner, differentiated),
+            SymKind::Element(inner, _) | SymKind::Table(_, inner) => self.symbolic(inner, differentiated),
             SymKind::Op(op, operands) => {
                 let name = operation::row(op);
                 self.used.symbolic.insert(name);
@@ -336,10 +338,11 @@ fn varies(e: &SymExpr) -> bool {
     match &e.kind {
         SymKind::Time | SymKind::Param(_) | SymKind::Argument(_) | SymKind::Shared(_) => true,
         SymKind::Number(_) | SymKind::Bool(_) | SymKind::Capture(_) => false,
-        SymKind::Element(inner, _) => varies(inner),
-        SymKind::Op(_, operands) | SymKind::Call(_, operands) | SymKind::Brackets(operands) => {
-            operands.iter().any(varies)
-        }
+        SymKind::Element(inner, _) | SymKind::Table(_, inner) => varies(inner),
+        SymKind::Op(_, operands)
+        | SymKind::Call(_, operands)
+        | SymKind::Solve(_, operands)
+        | SymKind::Brackets(operands) => operands.iter().any(varies),
         SymKind::If(a, b, c) => [a, b, c].into_iter().any(|e| varies(e)),
         SymKind::Derivative(inner, _) => varies(inner),
         SymKind::At(inner, _, value) => varies(inner) || varies(value),

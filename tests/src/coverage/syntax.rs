@@ -78,6 +78,7 @@ rows!(domain(Domain) {
 
 rows!(body(FunctionBody) {
     FunctionBody::Statement(_) => "`function f(...) s`",
+    FunctionBody::Symbolic(Expr { kind: ExprKind::Block(_), .. }) => "`function f(...) := { ... }`",
     FunctionBody::Symbolic(_) => "`function f(...) := e;`",
     FunctionBody::Extern { purity: None } => "`extern function`",
     FunctionBody::Extern { purity: Some(_) } => "`extern pure function`",
@@ -132,6 +133,7 @@ rows!(expression(ExprKind) {
     ExprKind::If { .. } => "`if (e) e else e`",
     ExprKind::At { .. } => "`e at name = e`",
     ExprKind::Paren(_) => "`(e)`",
+    ExprKind::Block(_) => "`{ var a = e; return e; }`",
 });
 
 rows!(string_part(StringPart) {

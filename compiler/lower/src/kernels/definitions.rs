@@ -156,6 +156,10 @@ fn element_texts(name: &str, repr: &Repr) -> Vec<String> {
     match repr {
         Repr::Vector => ["x", "y", "z"].map(|axis| format!("{name}.{axis}")).to_vec(),
         Repr::Transform => (0..12).map(|at| format!("{name}[{at}]")).collect(),
+        Repr::Tuple(parts) => {
+            let parts = parts.iter().enumerate();
+            parts.flat_map(|(at, part)| element_texts(&format!("{name}[{at}]"), part)).collect()
+        }
         _ => vec![name.to_owned()],
     }
 }

@@ -1,15 +1,19 @@
 //! Kernels of symbolic functions, and calls of symbolic functions in other expressions.
 //!
-//! A body is lowered once per graph, with free symbols for its arguments. A call substitutes the
-//! symbols. A derivative with respect to an argument inside the body is computed before the
-//! substitution. An argument is therefore an independent variable within the function, and the
-//! chain rule applies at the call, because the graph differentiates the substituted expressions.
+//! A body is lowered once per graph, with free symbols for the numbers of its arguments. A call
+//! substitutes the symbols. A derivative with respect to an argument inside the body is computed
+//! before the substitution. An argument is therefore an independent variable within the function,
+//! and the chain rule applies at the call, because the graph differentiates the substituted
+//! expressions.
+//!
+//! A frame is passed as it is, with its factors. The body is lowered once for each frame, so its
+//! velocity and its derivatives are those of rigid-body kinematics.
 
-use super::{KernelError, Lowering, Value, broken};
+use super::{KernelError, Lowering, TIME, Value, broken};
 use calyx_abi::Repr;
-use calyx_lang::ir::{Program, SymExpr, SymbolicFunction, SymbolicFunctionId, SymbolicParameter};
+use calyx_lang::ir::{Program, SymExpr, SymbolicFunction, SymbolicFunctionId};
 use calyx_lang::span::Span;
-use calyx_symbolic::Tape;
+use calyx_symbolic::{Frame, NodeId, Pose, Tape};
 
 /// The site or function that contains an expression.
 pub(super) struct Scope<'a> {
@@ -19,10 +23,12 @@ pub(super) struct Scope<'a> {
     arguments: Vec<Value>,
 }
 
-/// The body of a function, with free symbols for its arguments.
+/// The body of a function, with free symbols for the numbers of its arguments.
 #[derive(Clone)]
 pub(super) struct Free {
-    /// The symbols of its arguments' components, in order.
+    /// The frames among the arguments.
+    frames: Vec<Frame>,
+    /// The symbols of the numbers, in order.
     symbols: Vec<u32>,
     body: Value,
 }
@@ -56,31 +62,51 @@ pub fn lower_kernel(program: &Program, id: SymbolicFunctionId) -> Result<Tape, K
 }
 
 impl<'a> Lowering<'a> {
-    /// Creates symbols from `first` on for arguments, and returns them together with the arguments
-    /// as values.
-    fn free_arguments(&mut self, parameters: &[SymbolicParameter], first: u32) -> (Vec<u32>, Vec<Value>) {
-        let mut symbols = Vec::new();
-        let mut symbol = |graph: &mut calyx_symbolic::Graph| {
-            let symbol = first + symbols.len() as u32;
+    /// Returns an argument with free symbols for its numbers, from `next_symbol` on. A frame is the
+    /// given one; without one, it is a pose of free symbols, whose motion is unknown.
+    fn free_argument(&mut self, repr: &Repr, given: Option<&Value>, symbols: &mut Vec<u32>) -> Value {
+        let mut symbol = |lowering: &mut Self| {
+            let symbol = lowering.next_symbol;
+            lowering.next_symbol += 1;
             symbols.push(symbol);
-            graph.symbol(symbol)
+            lowering.graph.symbol(symbol)
         };
-        let graph = &mut self.graph;
-        let arguments = parameters.iter().map(|parameter| match parameter.repr {
-            Repr::Vector => Value::Vector([(); 3].map(|()| symbol(graph))),
-            _ => Value::Number(symbol(graph)),
-        });
-        let arguments = arguments.collect();
-        (symbols, arguments)
+        match (repr, given) {
+            (Repr::Vector, _) => Value::Vector([(); 3].map(|()| symbol(self))),
+            (Repr::Transform, Some(frame)) => frame.clone(),
+            (Repr::Transform, None) => {
+                let pose: Pose = [(); 12].map(|()| symbol(self));
+                let unknown = self.unknown_rate(TIME);
+                let parts: Vec<u32> = pose.iter().filter_map(|part| self.graph.symbol_index(*part)).collect();
+                for part in parts {
+                    self.graph.set_rate(part, TIME, unknown);
+                }
+                Value::Frame(Frame::from_pose(pose))
+            }
+            (Repr::Tuple(parts), given) => {
+                let given = match given {
+                    Some(Value::Brackets(given)) => given.as_slice(),
+                    _ => &[],
+                };
+                let parts = parts.iter().enumerate();
+                let parts = parts.map(|(at, part)| self.free_argument(part, given.get(at), symbols));
+                Value::Brackets(parts.collect())
+            }
+            _ => Value::Number(symbol(self)),
+        }
     }
 
     /// Lowers the body of a function for its own kernel: its arguments are the inputs that follow
     /// the existing ones.
     pub(super) fn free_body(&mut self, function: &'a SymbolicFunction) -> Result<Value, KernelError> {
-        let first = self.inputs as u32;
-        let (symbols, arguments) = self.free_arguments(&function.parameters, first);
-        self.inputs += symbols.len();
         self.next_symbol = self.inputs as u32;
+        let mut symbols = Vec::new();
+        let arguments = function
+            .parameters
+            .iter()
+            .map(|parameter| self.free_argument(&parameter.repr, None, &mut symbols))
+            .collect();
+        self.inputs += symbols.len();
         self.body(function, arguments)
     }
 
@@ -98,7 +124,10 @@ impl<'a> Lowering<'a> {
         arguments: &[Value],
         span: Span,
     ) -> Result<Value, KernelError> {
-        let free = match self.functions.get(&id) {
+        let mut frames = Vec::new();
+        arguments.iter().for_each(|argument| argument.frames(&mut frames));
+        let known = self.functions.get(&id).into_iter().flatten().find(|free| free.frames == frames);
+        let free = match known {
             Some(free) => free.clone(),
             None => {
                 let program = self.program;
@@ -106,16 +135,19 @@ impl<'a> Lowering<'a> {
                     .symbolic_functions
                     .get(id.0 as usize)
                     .ok_or_else(|| broken("no such symbolic function", span))?;
-                let (symbols, free) = self.free_arguments(&function.parameters, self.next_symbol);
-                self.next_symbol += symbols.len() as u32;
+                let mut symbols = Vec::new();
+                let parameters = function.parameters.iter().zip(arguments);
+                let free = parameters
+                    .map(|(parameter, given)| self.free_argument(&parameter.repr, Some(given), &mut symbols));
+                let free = free.collect();
                 let body = self.body(function, free)?;
-                let free = Free { symbols, body };
-                self.functions.insert(id, free.clone());
+                let free = Free { frames, symbols, body };
+                self.functions.entry(id).or_default().push(free.clone());
                 free
             }
         };
         let mut given = Vec::new();
-        arguments.iter().for_each(|argument| argument.for_each(|node| given.push(node)));
+        arguments.iter().for_each(|argument| argument.for_each_number(&mut |node| given.push(node)));
         if given.len() != free.symbols.len() {
             return Err(broken("arguments that do not fit the function", span));
         }
@@ -123,6 +155,39 @@ impl<'a> Lowering<'a> {
         let value = free.body.substituted(&mut self.graph, &replacements);
         self.carry_motion(&free.body, &value, &replacements);
         Ok(value)
+    }
+
+    /// Lowers `solve(f, guess, ...)`: the unknown for which a symbolic function is zero. `given` are
+    /// the guess and the other arguments of the function.
+    pub(super) fn solution(
+        &mut self,
+        id: SymbolicFunctionId,
+        given: &[Value],
+        span: Span,
+    ) -> Result<Value, KernelError> {
+        let (guess, others) = given.split_first().ok_or_else(|| broken("no guess", span))?;
+        let mut symbols = Vec::new();
+        let unknown = guess.map(&mut |_| {
+            symbols.push(self.next_symbol);
+            self.next_symbol += 1;
+            self.graph.symbol(self.next_symbol - 1)
+        });
+        let arguments: Vec<Value> = std::iter::once(unknown).chain(others.iter().cloned()).collect();
+        let residuals = self.call(id, &arguments, span)?.flat(&mut self.graph);
+        let mut start = Vec::new();
+        guess.for_each(|node| start.push(node));
+        let independent = |residual: &NodeId| !self.graph.depends_on(&[*residual], |s| symbols.contains(&s));
+        if residuals.iter().any(independent) {
+            return Err(KernelError {
+                message: "the equation does not depend on the unknown".into(),
+                help: "the first parameter of the function is the unknown; use it in the result".into(),
+                span,
+            });
+        }
+        let found = self.graph.solve(&symbols, &residuals, &start);
+        let mut found =
+            found.ok_or_else(|| broken("equations and unknowns differ in number", span))?.into_iter();
+        Ok(guess.map(&mut |node| found.next().unwrap_or(node)))
     }
 
     pub(super) fn argument(&self, index: u32, span: Span) -> Result<Value, KernelError> {

@@ -21,6 +21,13 @@ const BEYOND: u32 = u32::MAX;
 const ORDERS: u32 = 3;
 
 impl Lowering<'_> {
+    /// Returns the derivative with respect to a symbol that is not available.
+    pub(super) fn unknown_rate(&mut self, by: u32) -> NodeId {
+        let beyond = self.graph.symbol(BEYOND);
+        self.graph.set_rate(BEYOND, by, beyond);
+        beyond
+    }
+
     /// Returns a captured expression whose numbers are the inputs from `first` on.
     pub(super) fn part(&mut self, repr: &Repr, first: u32, span: Span) -> Result<Value, KernelError> {
         let size = repr.slots() as u32;

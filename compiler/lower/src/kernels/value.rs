@@ -28,6 +28,25 @@ impl Value {
         });
     }
 
+    /// Visits the components of everything except frames.
+    pub(super) fn for_each_number(&self, visit: &mut dyn FnMut(NodeId)) {
+        match self {
+            Value::Number(number) => visit(*number),
+            Value::Vector(vector) => vector.iter().for_each(|component| visit(*component)),
+            Value::Frame(_) => {}
+            Value::Brackets(parts) => parts.iter().for_each(|part| part.for_each_number(visit)),
+        }
+    }
+
+    /// Collects the frames.
+    pub(super) fn frames(&self, found: &mut Vec<Frame>) {
+        match self {
+            Value::Number(_) | Value::Vector(_) => {}
+            Value::Frame(frame) => found.push(frame.clone()),
+            Value::Brackets(parts) => parts.iter().for_each(|part| part.frames(found)),
+        }
+    }
+
     /// Returns the value with all given symbols replaced simultaneously.
     pub(super) fn substituted(&self, graph: &mut Graph, replacements: &[(u32, NodeId)]) -> Value {
         let mut nodes = Vec::new();

@@ -15,6 +15,7 @@ mod relocation;
 mod sequence;
 mod sites;
 mod symbolic_functions;
+mod symbolic_parts;
 mod values;
 
 use super::infer::too_large;

@@ -119,7 +119,10 @@ fn symbolic(e: &mut SymExpr, places: &Places<'_>) {
         | SymKind::Capture(_)
         | SymKind::Argument(_)
         | SymKind::Shared(_) => {}
-        SymKind::Op(_, parts) | SymKind::Call(_, parts) | SymKind::Brackets(parts) => {
+        SymKind::Op(_, parts)
+        | SymKind::Call(_, parts)
+        | SymKind::Solve(_, parts)
+        | SymKind::Brackets(parts) => {
             parts.iter_mut().for_each(|part| symbolic(part, places));
         }
         SymKind::If(a, b, c) => {
@@ -127,7 +130,7 @@ fn symbolic(e: &mut SymExpr, places: &Places<'_>) {
             symbolic(b, places);
             symbolic(c, places);
         }
-        SymKind::Derivative(a, _) | SymKind::Element(a, _) => symbolic(a, places),
+        SymKind::Derivative(a, _) | SymKind::Element(a, _) | SymKind::Table(_, a) => symbolic(a, places),
         SymKind::At(a, _, b) => {
             symbolic(a, places);
             symbolic(b, places);

@@ -5,7 +5,7 @@ use super::body::Body;
 use super::values::{BinaryForm, binary_form, unary_op};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::constant_index;
-use crate::check::tree::{Call, DefId, Expr, Kind, Sym, VarId};
+use crate::check::tree::{DefId, Expr, Kind, Sym, VarId};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Capture, ExprKind, Op, Site, SiteId, SymExpr, SymKind, Symbol};
@@ -24,8 +24,8 @@ const MOST_LEVELS: usize = 2000;
 pub(super) struct Captures {
     by_variable: HashMap<VarId, u32>,
     all: Vec<(VarId, Span)>,
-    /// Arguments of the symbolic function.
-    pub(super) arguments: HashMap<VarId, u32>,
+    /// Arguments of the symbolic function, with their representations.
+    pub(super) arguments: HashMap<VarId, (u32, Repr)>,
     /// Variables of an ordinary function, as indices of `shared`.
     pub(super) locals: HashMap<VarId, u32>,
     /// `true` for the body of an ordinary function, whose expressions were checked as values.
@@ -152,7 +152,8 @@ impl Body<'_, '_> {
             Kind::Param(id) => make(SymKind::Param(*id), self.repr(&e.ty)),
             Kind::Def(def) => self.shared(*def, span, captures),
             Kind::Var(id) if captures.arguments.contains_key(id) => {
-                make(SymKind::Argument(captures.arguments[id]), self.repr(&e.ty))
+                let (index, repr) = captures.arguments[id].clone();
+                make(SymKind::Argument(index), repr)
             }
             Kind::Var(id) if captures.locals.contains_key(id) => {
                 let index = captures.locals[id];
@@ -169,6 +170,11 @@ impl Body<'_, '_> {
                 self.symbolic_node(&Expr { kind: Kind::SymbolicCall(call.clone()), ..e.clone() }, captures)
             }
             Kind::SymbolicCall(call) => self.symbolic_call(call, span, captures),
+            Kind::Spline(parts) => self.symbolic_spline(parts, span, captures),
+            Kind::Block(bindings, result) => self.symbolic_block(bindings, result, captures),
+            Kind::Field(base, name) => self.symbolic_field(base, name, span, captures),
+            // The text of a record, which no expression can use.
+            Kind::Text(_) => make(SymKind::Number(f64::NAN), Repr::Number),
             Kind::Array(all) | Kind::Tuple(all) => {
                 let all: Vec<_> = all.iter().map(|a| self.symbolic(a, captures)).collect();
                 let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
@@ -227,16 +233,6 @@ impl Body<'_, '_> {
                 make(SymKind::Number(f64::NAN), self.repr(&e.ty))
             }
         }
-    }
-
-    fn symbolic_call(&mut self, call: &Call, span: Span, captures: &mut Captures) -> SymExpr {
-        let make = |kind, repr| SymExpr { kind, repr, span };
-        let Some(function) = self.symbolic_callee(call, span) else {
-            return make(SymKind::Number(f64::NAN), Repr::Number);
-        };
-        let repr = self.lowering.program.symbolic_functions[function.0 as usize].result.clone();
-        let arguments = call.arguments.iter().map(|a| self.symbolic(a, captures)).collect();
-        make(SymKind::Call(function, arguments), repr)
     }
 
     /// Returns the value that a variable has when the `:=` is bound.
@@ -304,7 +300,7 @@ impl Body<'_, '_> {
     }
 
     /// Returns an element of brackets, by constant index.
-    fn element(&mut self, base: SymExpr, at: usize, span: Span) -> SymExpr {
+    pub(super) fn element(&mut self, base: SymExpr, at: usize, span: Span) -> SymExpr {
         let parts = match &base.repr {
             Repr::Tuple(parts) => parts.as_slice(),
             _ => &[],
@@ -338,7 +334,9 @@ fn symbol(sym: Sym, captures: &Captures) -> Symbol {
     match sym {
         Sym::Time => Symbol::Time,
         Sym::Param(id) => Symbol::Param(id),
-        Sym::Argument(id) => Symbol::Argument(captures.arguments.get(&id).copied().unwrap_or(u32::MAX)),
+        Sym::Argument(id) => {
+            Symbol::Argument(captures.arguments.get(&id).map_or(u32::MAX, |(index, _)| *index))
+        }
     }
 }
 

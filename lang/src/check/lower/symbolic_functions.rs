@@ -6,7 +6,7 @@ use super::sites::Captures;
 use super::{Lowering, known_dimension};
 use crate::ast::Mode;
 use crate::check::tree::{Call, Expr, FuncId, Function, StmtKind, SymbolicBody, VarId};
-use crate::check::types::{Substitution, Type};
+use crate::check::types::{Store, Substitution, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 use crate::ir::{DisplayUnit, SymbolicFunction, SymbolicFunctionId, SymbolicParameter};
@@ -93,10 +93,17 @@ fn not_plain(name: &str, host: bool, called: Span) -> Diagnostic {
 }
 
 impl Body<'_, '_> {
-    /// Returns the called function, instantiated for the types of the call.
-    pub(super) fn symbolic_callee(&mut self, call: &Call, span: Span) -> Option<SymbolicFunctionId> {
+    /// Returns the called function, instantiated for the types of the call and the representations
+    /// of its arguments.
+    pub(super) fn symbolic_callee(
+        &mut self,
+        call: &Call,
+        given: &[Repr],
+        span: Span,
+    ) -> Option<SymbolicFunctionId> {
         let (unit, function, types) = self.lowering.callee(call.function, call.instance, &self.types)?;
-        let found = self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, span));
+        let found =
+            self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, given, span));
         // The function may be in another unit; the error is reported at the call.
         if let Some((name, host)) = self.lowering.symbolic_functions.refused.take() {
             self.lowering.report(not_plain(&name, host, span));
@@ -111,6 +118,7 @@ impl Lowering<'_> {
         &mut self,
         id: FuncId,
         types: Substitution,
+        reprs: &[Repr],
         span: Span,
     ) -> Option<SymbolicFunctionId> {
         let checker = self.checker;
@@ -121,13 +129,15 @@ impl Lowering<'_> {
             .iter()
             .map(|(variable, _)| types.ty(&checker.store, &checker.type_of(*variable)))
             .collect();
-        let reprs: Vec<Repr> = parameter_types.iter().map(|ty| checker.store.repr(ty)).collect();
-        if let Some(known) = self.symbolic_functions.known.get(&(self.unit, id, reprs.clone())) {
+        if reprs.len() != parameter_types.len() {
+            return None;
+        }
+        if let Some(known) = self.symbolic_functions.known.get(&(self.unit, id, reprs.to_vec())) {
             return Some(*known);
         }
         for ((variable, _), (repr, ty)) in function.parameters.iter().zip(reprs.iter().zip(&parameter_types))
         {
-            if !matches!(repr, Repr::Number | Repr::Bool | Repr::Vector) {
+            if !is_symbolic_argument(repr) {
                 let variable = checker.variable(*variable);
                 self.report(
                     Diagnostic::error(
@@ -138,9 +148,16 @@ impl Lowering<'_> {
                             checker.store.show(ty)
                         ),
                         variable.span,
-                        "must be a number, a truth value or a vector",
+                        "must be a number, a truth value, a vector, a frame, or a record or brackets of them",
                     )
-                    .help("an ordinary function takes frames and whole expressions with `in name :=`"),
+                    .label(span, "called here")
+                    .help(match repr {
+                        Repr::Array(_) => {
+                            "write the elements at the call, `[a[0], a[1]]`: the number of elements of an array \
+                             is known only when the program runs"
+                        }
+                        _ => "pass the values that the function needs one by one",
+                    }),
                 );
             }
         }
@@ -161,11 +178,11 @@ impl Lowering<'_> {
             return None;
         };
         self.symbolic_functions.depth += 1;
-        let lowered = Body::lower_symbolic(self, id, &body, types, &parameter_types);
+        let lowered = Body::lower_symbolic(self, id, &body, types, (&parameter_types, reprs));
         self.symbolic_functions.depth -= 1;
         let target = SymbolicFunctionId(self.program.symbolic_functions.len() as u32);
         self.program.symbolic_functions.push(lowered);
-        self.symbolic_functions.known.insert((self.unit, id, reprs), target);
+        self.symbolic_functions.known.insert((self.unit, id, reprs.to_vec()), target);
         Some(target)
     }
 
@@ -191,7 +208,17 @@ impl Lowering<'_> {
     fn export_symbolic_function(&mut self, id: FuncId) {
         let checker = self.checker;
         let Some(found) = checker.functions.get(&id) else { return };
-        let exported = self.symbolic_function(id, Substitution::default(), found.span);
+        let reprs: Vec<Repr> = found
+            .parameters
+            .iter()
+            .map(|(variable, _)| checker.store.repr(&checker.type_of(*variable)))
+            .collect();
+        // Embedding programs pass numbers; a function of frames, records or arrays is instantiated
+        // by its calls.
+        if !reprs.iter().all(|repr| matches!(repr, Repr::Number | Repr::Bool | Repr::Vector)) {
+            return;
+        }
+        let exported = self.symbolic_function(id, Substitution::default(), &reprs, found.span);
         let function = exported.and_then(|id| self.program.symbolic_functions.get_mut(id.0 as usize));
         if let (Some(function), Some(body)) = (function, &found.definition) {
             function.exported = body.exported;
@@ -207,13 +234,13 @@ impl<'l, 'c> Body<'l, 'c> {
         id: FuncId,
         text: &FunctionText<'_>,
         types: Substitution,
-        parameter_types: &[Type],
+        (parameter_types, reprs): (&[Type], &[Repr]),
     ) -> SymbolicFunction {
         let checker = lowering.checker;
         let function = &checker.functions[&id];
         let mut captures = Captures::default();
-        for (index, (variable, _)) in function.parameters.iter().enumerate() {
-            captures.arguments.insert(*variable, index as u32);
+        for ((index, (variable, _)), repr) in (0..).zip(&function.parameters).zip(reprs) {
+            captures.arguments.insert(*variable, (index, repr.clone()));
         }
         let mut body = Body::new(lowering, id, types);
         let result = match text {
@@ -242,16 +269,16 @@ impl<'l, 'c> Body<'l, 'c> {
         let parameters = function
             .parameters
             .iter()
-            .zip(parameter_types)
-            .map(|((variable, _), ty)| SymbolicParameter {
+            .zip(parameter_types.iter().zip(reprs))
+            .map(|((variable, _), (ty, repr))| SymbolicParameter {
                 name: checker.variable(*variable).name.clone(),
-                repr: checker.store.repr(ty),
+                repr: repr.clone(),
                 unit: unit(ty),
             })
             .collect();
         let result_type = body.types.ty(&checker.store, &function.result);
         let mut units = Vec::new();
-        result_units(&result_type, &expr.repr, &unit, &mut units);
+        result_units(&result_type, &expr.repr, (&checker.store, &unit), &mut units);
         SymbolicFunction {
             name: function.name.clone(),
             doc: String::new(),
@@ -266,14 +293,35 @@ impl<'l, 'c> Body<'l, 'c> {
     }
 }
 
+/// Returns `true` if an argument of a function in a symbolic expression may have a representation.
+fn is_symbolic_argument(repr: &Repr) -> bool {
+    match repr {
+        Repr::Number | Repr::Bool | Repr::Vector | Repr::Transform => true,
+        // No expression can use the text of a record.
+        Repr::Tuple(parts) => parts.iter().all(|part| *part == Repr::String || is_symbolic_argument(part)),
+        _ => false,
+    }
+}
+
 /// Returns one unit per value that is not a tuple.
-fn result_units(ty: &Type, repr: &Repr, unit: &dyn Fn(&Type) -> DisplayUnit, units: &mut Vec<DisplayUnit>) {
+fn result_units(
+    ty: &Type,
+    repr: &Repr,
+    (store, unit): (&Store, &dyn Fn(&Type) -> DisplayUnit),
+    units: &mut Vec<DisplayUnit>,
+) {
     match (ty, repr) {
+        (Type::Record(id), Repr::Tuple(parts)) => {
+            let fields = store.record(*id).into_iter().flat_map(|record| &record.fields);
+            fields.zip(parts).for_each(|((_, ty), part)| {
+                result_units(&store.shallow(ty), part, (store, unit), units);
+            });
+        }
         (Type::Array(element), Repr::Tuple(parts)) => {
-            parts.iter().for_each(|part| result_units(element, part, unit, units));
+            parts.iter().for_each(|part| result_units(element, part, (store, unit), units));
         }
         (Type::Tuple(types), Repr::Tuple(parts)) => {
-            types.iter().zip(parts).for_each(|(ty, part)| result_units(ty, part, unit, units));
+            types.iter().zip(parts).for_each(|(ty, part)| result_units(ty, part, (store, unit), units));
         }
         _ => units.push(unit(ty)),
     }

@@ -32,6 +32,8 @@ impl Body<'_, '_> {
             | Kind::Gradient(..)
             | Kind::At(..)
             | Kind::SymbolicCall(_)
+            | Kind::Block(..)
+            | Kind::Spline(_)
             | Kind::Assert(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {

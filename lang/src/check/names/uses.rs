@@ -155,6 +155,8 @@ impl<'a> Resolver<'a> {
                 self.expr(at);
             }
             ExprKind::Paren(inner) => self.expr(inner),
+            // The body of a symbolic function, which shares its block with the parameters.
+            ExprKind::Block(body) => self.body(body),
         }
     }
 

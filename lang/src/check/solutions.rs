@@ -1,0 +1,163 @@
+//! Checks `solve(f, guess, ...)`: the unknown for which a symbolic function is zero.
+//!
+//! The first parameter of the function is the unknown; the others receive the arguments that follow
+//! the guess.
+
+use super::infer::Checker;
+use super::symbols::{Resolution, with_article};
+use super::tree::*;
+use super::types::Type;
+use crate::ast::{self, Bind, ExprKind, FunctionBody, Mode};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+
+impl<'a> Checker<'a> {
+    pub(super) fn solution(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        let (Some((function, rest)), true) = (arguments.split_first(), arguments.len() >= 2) else {
+            self.check_loosely(arguments.get(1..).unwrap_or_default());
+            self.report(
+                Diagnostic::error(
+                    "E0206",
+                    "`solve` takes a function and a guess",
+                    span,
+                    "an argument is missing",
+                )
+                .help("write `solve(f, guess)`; the other arguments of `f` follow the guess"),
+            );
+            return Expr::error(span);
+        };
+        let Some(id) = self.function_to_solve(function) else {
+            self.check_loosely(rest);
+            return Expr::error(span);
+        };
+        let info = &self.names.functions[id.0 as usize];
+        let (Some(decl), file, name) = (info.decl, info.file, info.name.clone()) else {
+            return Expr::error(span);
+        };
+        let (guess, rest) = match rest.split_first() {
+            Some((guess, rest)) if !guess.spread && is_guess(guess, decl) => (guess, rest),
+            _ => {
+                self.check_loosely(rest);
+                let place = rest.first().map_or(span, |argument| argument.value.span);
+                self.report(
+                    Diagnostic::error(
+                        "E0206",
+                        "the second argument of `solve` is the guess",
+                        place,
+                        "not a guess",
+                    )
+                    .help("write `solve(f, guess)`; the other arguments of `f` follow the guess"),
+                );
+                return Expr::error(span);
+            }
+        };
+        let Some((unknown, parameters)) = decl.parameters.split_first() else {
+            self.check_loosely(rest);
+            self.report(
+                Diagnostic::error(
+                    "E0861",
+                    format!("`{name}` has no parameter, so there is nothing to solve for"),
+                    function.value.span,
+                    "has no unknown",
+                )
+                .help("make the unknown its first parameter"),
+            );
+            return Expr::error(span);
+        };
+        let (types, result, instance) = self.instantiate(id, span);
+        let names: Vec<&str> = parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let Some(fields) = self.spread(&name, &names, rest) else { return Expr::error(span) };
+        let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
+        let listed: Vec<(&str, bool)> = parameters
+            .iter()
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
+            .collect();
+        let Some(given) = self.match_arguments(&name, &listed, rest, span) else { return Expr::error(span) };
+        let ty = types.first().cloned().unwrap_or(Type::Error);
+        let guess = self.as_symbolic(|c| c.whole(&guess.value));
+        let shown = with_article(&self.store.show(&ty));
+        let cause = Some((unknown.name.span, format!("the unknown `{}` is {shown}", unknown.name.name)));
+        self.expect(&ty, &guess, "the guess", cause);
+        let others = types.get(1..).unwrap_or_default();
+        let mut values = vec![guess];
+        values.extend(self.symbolic_arguments(parameters, others, (given, fields), (file, span)));
+        self.check_residual(&ty, &result, function.value.span);
+        let call = Call {
+            function: id,
+            instance,
+            arguments: values,
+            copy_back: Vec::new(),
+            perhaps_same: Vec::new(),
+            demands: Vec::new(),
+            solves: true,
+        };
+        let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty, span };
+        if self.symbolic { call } else { self.evaluate_now(call, "solve") }
+    }
+
+    /// Returns the function that is the first argument.
+    fn function_to_solve(&mut self, argument: &'a ast::Argument) -> Option<FuncId> {
+        let mut written = &argument.value;
+        while let ExprKind::Paren(inner) = &written.kind {
+            written = inner;
+        }
+        let name = match &written.kind {
+            ExprKind::Name(name) | ExprKind::Field { field: name, .. } if !argument.spread => Some(name),
+            _ => None,
+        };
+        let meant = name.and_then(|name| self.names.uses.get(&name.span).copied());
+        let diagnostic = match meant {
+            Some(Resolution::Function(id)) => {
+                let decl = self.names.functions[id.0 as usize].decl;
+                let usable = decl.is_some_and(|decl| {
+                    !decl.is_host
+                        && !matches!(decl.body, FunctionBody::Extern { .. })
+                        && decl
+                            .parameters
+                            .iter()
+                            .all(|p| p.mode == Mode::In && !matches!(p.default, Some((Bind::Symbolic, _))))
+                });
+                if usable {
+                    return Some(id);
+                }
+                "`solve` needs a symbolic function"
+            }
+            Some(Resolution::Unknown) => return None,
+            _ => {
+                if meant.is_none() || matches!(meant, Some(Resolution::Var(_) | Resolution::Param(_))) {
+                    self.as_symbolic(|c| c.expr(&argument.value));
+                }
+                "the first argument of `solve` is the name of a function"
+            }
+        };
+        self.report(
+            Diagnostic::error("E0861", diagnostic, argument.value.span, "not a symbolic function").help(
+                "declare `function f(in x, in a) := ...;`, which is zero at the solution `x`, and write \
+                 `solve(f, guess, a)`",
+            ),
+        );
+        None
+    }
+
+    /// Requires that a residual has the form of the unknown. Its dimension may be any.
+    fn check_residual(&mut self, unknown: &Type, residual: &Type, span: Span) {
+        let expected = match self.store.shallow(unknown) {
+            Type::Number(_) => self.fresh_number(),
+            Type::Vector(_) => self.fresh_vector().0,
+            // Brackets are compared when their numbers of elements are known.
+            _ => return,
+        };
+        let found = Expr { kind: Kind::Error, ty: residual.clone(), span };
+        self.expect(&expected, &found, "the result of the function", None);
+    }
+}
+
+/// Returns `true` if an argument may be the guess: it has no name, or the name of the unknown.
+fn is_guess(argument: &ast::Argument, decl: &ast::FunctionDecl) -> bool {
+    match &argument.name {
+        None => true,
+        Some((name, _)) => {
+            name.name == "guess" || decl.parameters.first().is_some_and(|p| p.name.name == name.name)
+        }
+    }
+}
