@@ -27,7 +27,7 @@ const HEAD: &str = "
 import gears;
 units mm_N_s;
 var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
-var rack = gears.rack(module = 2 mm, tip_radius = 0.6 mm);
+var rack = gears.rack(module = 2 mm, tip_radius = 0.6 mm, plane = \"transverse\");
 function blank(in teeth, in rim, in helix, in hand, in modifications) {
     return gears.external(
         teeth, rack, face_width = 10 mm, outer_diameter = (teeth + 2) * 2 mm, root_diameter = teeth * 2 mm - 5 mm, material = steel,

@@ -475,7 +475,7 @@ fn the_run_directory_of_the_example_is_complete() {
     assert!(err.lines().all(|line| line.chars().count() <= 128), "{err}");
     // An input that the plane model ignores is reported and recorded.
     assert_eq!(run["ignored_inputs"].as_object().unwrap().keys().collect::<Vec<_>>(), ["lead_crown"]);
-    assert_eq!(err.matches("warning: `lead_crown` is not seen as given").count(), 1);
+    assert_eq!(err.matches("warning: `lead_crown` is not used as given").count(), 1);
 }
 
 #[test]

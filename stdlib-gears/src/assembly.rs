@@ -12,7 +12,7 @@ use crate::phase_check;
 use crate::prototype::GearPrototype;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::error::{EngineError, Subject};
-use calyx_runtime::motion::{PlanePose, pose_in_space, rotation_speed};
+use calyx_runtime::motion::{PlanePose, axle, pose_in_space, rotation_speed};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
 use std::any::Any;
 use std::sync::Arc;
@@ -132,8 +132,8 @@ impl Pairing {
     ///
     /// # Errors
     /// E0648: their axes cross. E0652: they are one body, or already in mesh. E0653: one of them is
-    /// not in the scene or carries no gear. E0658: their axes approach each other. E0710: a frame
-    /// is NaN or infinite.
+    /// not in the scene or carries no gear. E0658: their axes approach each other. E0692: one of
+    /// them rotates about an axis far from its own. E0710: a frame is NaN or infinite.
     pub fn of(scene: &Scene, bodies: [BodyId; 2]) -> Result<Pairing, Refusal> {
         let mut half_widths = [0.0; 2];
         for ((id, argument), half) in bodies.into_iter().zip(["first", "second"]).zip(&mut half_widths) {
@@ -152,6 +152,7 @@ impl Pairing {
         let poses = [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
         let speeds = [rotation_speed(motion(bodies[0]), 0.0)?, rotation_speed(motion(bodies[1]), 0.0)?];
         let axes = Axes::of(&poses, half_widths)?;
+        centred(scene, bodies, speeds)?;
         let orbit = phase_check::orbit(scene, bodies, speeds)?;
         Ok(Pairing { bodies, axes, orbit, speeds: speeds.map(|speed| speed - orbit) })
     }
@@ -370,6 +371,57 @@ pub fn gear_of(scene: &Scene, body: BodyId) -> Option<&GearPrototype> {
     let prototype: &dyn Any = scene.bodies.get(body.0)?.prototype.as_ref();
     prototype.downcast_ref()
 }
+
+/// Rejects a gear that rotates about an axis more than a module away from its own. Such a motion is
+/// no runout: the factors of the frame are in reverse order.
+///
+/// Two gears of equal speed are a locked planetary stage, in which each of them may rotate about
+/// the axis of the other one.
+fn centred(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Result<(), Refusal> {
+    if (speeds[0] - speeds[1]).abs() <= SAME_SPEED * speeds[0].abs().max(speeds[1].abs()) {
+        return Ok(());
+    }
+    let mut found = Vec::new();
+    for id in bodies {
+        let Some(gear) = gear_of(scene, id) else { continue };
+        let motion = scene.bodies[id.0].motion.as_ref();
+        let [x, y, _] = axle(motion);
+        let runout = x.hypot(y);
+        if runout > gear.form().module {
+            let at = pose_in_space(motion, 0.0)?.origin;
+            found.push(reversed_frame(runout, at).about(Subject::Body(id.0)));
+        }
+    }
+    if found.is_empty() { Ok(()) } else { Err(found.into()) }
+}
+
+/// Error about a frame that rotates a gear about an axis at this distance (m) from its own; `at` is
+/// the position of the gear at time 0, m.
+fn reversed_frame(runout: f64, at: [f64; 3]) -> GeometryError {
+    let mut help = sentence![
+        "frames are read from right to left, beginning at ground: translate first, then rotate, like `Rotate(speed * Time, e3) * Translate("
+    ];
+    // Coordinates that are rounding errors are zero.
+    let axes = ["* e1", "* e2", "* e3"];
+    let shown = at.into_iter().zip(axes).filter(|(part, _)| part.abs() > 1e-9 * runout);
+    for (index, (part, axis)) in shown.enumerate() {
+        let between = if index == 0 { "" } else { " + " };
+        help.0.extend(sentence![text between, length part, " ", text axis].0);
+    }
+    help.0.extend(sentence![")`"].0);
+    GeometryError::error(
+        "E0692",
+        "frame",
+        sentence![
+            "this gear rotates about an axis that is ", length runout,
+            " away from its own, so it moves around that axis instead of rotating in position"
+        ],
+        help,
+    )
+}
+
+/// Largest relative difference of equal speeds.
+const SAME_SPEED: f64 = 1e-9;
 
 /// Rejects a second mesh of the same bodies: the distribution of load between the two would be
 /// indeterminate.

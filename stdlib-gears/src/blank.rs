@@ -463,7 +463,7 @@ impl GearBlank {
     ///
     /// # Errors
     /// All errors of the gear that can be detected together: E0604 to E0621 or those of
-    /// [`InternalGear::new`], E0640 to E0642 (blaming `modifications`), E0644, E0668.
+    /// [`InternalGear::new`], E0640 to E0642 (blaming `modifications`), E0644, E0668, E0693.
     pub fn cut(self) -> Result<Arc<GearPrototype>, Refusal> {
         check_face_width(self.face_width)?;
         let thickness = match self.thickness {
@@ -483,6 +483,7 @@ impl GearBlank {
     }
 
     fn external(&self, rack: Rack, thickness: f64) -> Result<ExternalGear, Refusal> {
+        rack.check_plane(&self.helix)?;
         let gear = ExternalGear::new(ExternalGearData {
             teeth: self.teeth,
             rack: rack.transverse(&self.helix),

@@ -186,14 +186,14 @@ fn module_of(tool: &str, module: f64, diametral_pitch: f64) -> Result<f64, Runti
 }
 
 fn whole_teeth(teeth: f64) -> Result<u32, RuntimeError> {
-    if teeth.fract() == 0.0 && (3.0..=1e6).contains(&teeth) {
+    if teeth.fract() == 0.0 && (4.0..=1e6).contains(&teeth) {
         return Ok(teeth as u32);
     }
     Err(refusal(
         "E0667",
         "teeth",
         &format!("a gear cannot have {teeth} teeth"),
-        "give a whole number of at least 3",
+        "give a whole number of at least 4",
     ))
 }
 

@@ -238,7 +238,7 @@ fn undercut_margin(gear: &ExternalGear) -> Quantity {
     Quantity::number("profile shift above undercut", "x - x_min", margin).note(if margin < 0.0 {
         "undercut; this much more profile shift would avoid it"
     } else {
-        "so much less shift, and undercut begins"
+        "undercut begins if the profile shift is smaller by this amount"
     })
 }
 

@@ -1,7 +1,7 @@
 //! Errors and warnings about gears and pairs, as data: the front end locates them at the argument
 //! to blame.
 
-use calyx_runtime::error::EngineError;
+use calyx_runtime::error::{EngineError, Subject};
 use std::fmt;
 
 /// Severity of a finding.
@@ -117,6 +117,8 @@ pub struct GeometryError {
     /// Name of the argument to blame, as in the library's `rack`, `external`, `tip_relief`,
     /// `simple_rim` or `mesh`.
     pub argument: &'static str,
+    /// Object of the scene whose creation has the argument; `None` for the current call.
+    pub subject: Option<Subject>,
     /// Statement of the problem.
     pub message: Sentence,
     /// Remedy.
@@ -138,7 +140,7 @@ impl GeometryError {
         message: Sentence,
         help: Sentence,
     ) -> Self {
-        Self { code, severity: Severity::Error, argument, message, help }
+        Self { code, severity: Severity::Error, argument, subject: None, message, help }
     }
 
     pub(crate) fn warning(
@@ -147,7 +149,13 @@ impl GeometryError {
         message: Sentence,
         help: Sentence,
     ) -> Self {
-        Self { code, severity: Severity::Warning, argument, message, help }
+        Self { code, severity: Severity::Warning, argument, subject: None, message, help }
+    }
+
+    /// Attributes the finding to the call that created an object of the scene.
+    #[must_use]
+    pub(crate) fn about(self, subject: Subject) -> Self {
+        Self { subject: Some(subject), ..self }
     }
 }
 

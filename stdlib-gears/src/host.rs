@@ -163,22 +163,26 @@ impl ModelHost {
 
     /// Converts an error of the engine, located at the call that created the object in question.
     pub fn engine_error(&self, error: EngineError) -> RuntimeError {
-        let place = match error.subject {
-            Some(Subject::Body(body)) => self.body_places.get(body),
-            Some(Subject::Prototype(body)) => match self.body_gears.get(body) {
-                Some(Some(gear)) => self.gear_places.get(*gear),
-                _ => self.body_places.get(body),
-            },
-            Some(Subject::Bearing(bearing)) => self.bearing_places.get(bearing),
-            Some(Subject::Output(output)) => self.output_places.get(output),
-            None => None,
-        };
         let analysis = || self.asked.map(|asked| asked.place);
         RuntimeError {
             argument: error.argument.map(str::to_owned),
-            place: place.copied().or_else(analysis),
+            place: error.subject.and_then(|subject| self.place_of(subject)).or_else(analysis),
             ..RuntimeError::new(error.code, error.message, error.help)
         }
+    }
+
+    /// Returns the source location of the call that created an object of the scene.
+    fn place_of(&self, subject: Subject) -> Option<(u32, u32, u32)> {
+        let place = match subject {
+            Subject::Body(body) => self.body_places.get(body),
+            Subject::Prototype(body) => match self.body_gears.get(body) {
+                Some(Some(gear)) => self.gear_places.get(*gear),
+                _ => self.body_places.get(body),
+            },
+            Subject::Bearing(bearing) => self.bearing_places.get(bearing),
+            Subject::Output(output) => self.output_places.get(output),
+        };
+        place.copied()
     }
 
     /// Reports a name for which the host program provides nothing.
@@ -214,12 +218,14 @@ impl ModelHost {
         }
     }
 
-    /// Converts a finding about a gear or a pair to a diagnostic at the call in `place`.
+    /// Converts a finding about a gear or a pair to a diagnostic at the call that created its
+    /// subject, or at the call in `place`.
     pub(crate) fn runtime_error(&self, error: &GeometryError, place: (u32, u32, u32)) -> RuntimeError {
         let LengthUnit { name, metres } = self.length_unit;
         let [message, help] =
             [&error.message, &error.help].map(|text| text.in_unit(name, metres).to_string());
         let told = RuntimeError::new(error.code, message, help).of_argument(error.argument);
+        let place = error.subject.and_then(|subject| self.place_of(subject)).unwrap_or(place);
         RuntimeError { place: Some(place), ..told }
     }
 

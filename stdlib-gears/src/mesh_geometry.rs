@@ -14,6 +14,9 @@ use std::f64::consts::PI;
 /// rounded input data. For example, half a pitch given as 0.15708 makes a tooth too thick by 3e-6
 /// of the pitch.
 const ROUNDING_OF_DATA: f64 = 1e-4;
+/// Normal backlash above which a warning is issued, in modules. Only coarse gears and gears that
+/// are loose on purpose have more.
+const WIDE_BACKLASH: f64 = 0.25;
 
 /// Characteristic points of the path of contact as roll angles of the first member, ordered from
 /// its root to its tip.
@@ -83,8 +86,8 @@ pub struct MeshGeometry {
     pub internal: bool,
     /// Circumferential backlash along the operating pitch circles.
     pub backlash: f64,
-    /// Backlash along the transverse line of action, m. The normal backlash j_bn of ISO 21771 is
-    /// smaller by the cosine of the base helix angle.
+    /// Normal backlash j_bn (ISO 21771), m: the shortest distance between the non-working flanks,
+    /// `j_wt cos(alpha_wt) cos(beta_b)`.
     pub normal_backlash: f64,
     /// Centre distance with zero backlash; `None` if the pair always has backlash.
     pub zero_backlash_center_distance: Option<f64>,
@@ -259,11 +262,16 @@ impl MeshGeometry {
         }
     }
 
-    /// Returns the geometry of the pair with helical teeth.
+    /// Returns the geometry of a pair of spur gears, its transverse section, with helical teeth.
     #[must_use]
     pub fn across(self, first: &ExternalGear, wound: &HelicalTeeth) -> Self {
         let twisted = wound.first.twist_per_length(first.pitch_radius).abs() * wound.width;
-        Self { overlap_ratio: twisted / first.pitch_angle(), ..self }
+        let base_helix = wound.first.base_angle(first.rack.pressure_angle);
+        Self {
+            overlap_ratio: twisted / first.pitch_angle(),
+            normal_backlash: self.normal_backlash * math::cos(base_helix),
+            ..self
+        }
     }
 
     /// Transverse contact ratio plus overlap ratio.
@@ -385,6 +393,9 @@ impl MeshGeometry {
                 errors.push(fillet_interference(members[member], &gears[member], starts[member]));
             }
         }
+        if self.normal_backlash > WIDE_BACKLASH * gears[0].tool_module {
+            warnings.push(self.wide_backlash(gears[0].tool_module));
+        }
         if self.normal_backlash < -ROUNDING_OF_DATA * self.base_pitch {
             warnings.push(GeometryError::warning(
                 "E0635",
@@ -431,6 +442,28 @@ impl MeshGeometry {
             }
         }
         (errors, warnings)
+    }
+
+    /// Warning about an unusually large backlash of gears of this module (m).
+    fn wide_backlash(&self, module: f64) -> GeometryError {
+        let modules = (100.0 * self.normal_backlash / module).round() / 100.0;
+        let mut message = sentence![
+            "the normal backlash is ", length self.normal_backlash, " (", number modules,
+            " modules) at a centre distance of ", length self.center_distance
+        ];
+        let usual = "; 0.02 to 0.1 modules are usual";
+        let help = match (self.zero_backlash_center_distance, self.internal) {
+            (Some(distance), internal) => {
+                message.0.extend(sentence!["; without backlash it is ", length distance].0);
+                let nearer = if internal { "farther apart" } else { "closer together" };
+                sentence![
+                    "check the distance of the frames and `tooth_thickness`: place the axes ", text nearer,
+                    ", or make the teeth thicker", text usual
+                ]
+            }
+            (None, _) => sentence!["check `tooth_thickness`, and make the teeth thicker", text usual],
+        };
+        GeometryError::warning("E0694", "second", message, help)
     }
 }
 

@@ -14,12 +14,15 @@ pub enum Plane {
     Transverse,
     /// Perpendicular to the teeth at the pitch circle.
     Normal,
+    /// Not given, which suffices for spur gears: both planes are the same.
+    Unstated,
 }
 
 impl Plane {
-    /// Returns the plane called `"transverse"` or `"normal"`.
+    /// Returns the plane called `"transverse"`, `"normal"` or `"unstated"`.
     pub fn named(name: &str) -> Option<Plane> {
         match name {
+            "unstated" => Some(Plane::Unstated),
             "transverse" => Some(Plane::Transverse),
             "normal" => Some(Plane::Normal),
             _ => None,
@@ -62,12 +65,37 @@ impl Rack {
         Rack { plane, ..self }
     }
 
+    /// Checks that the plane of the dimensions is given if the gear has a helix. The same numbers
+    /// describe different gears in the two planes.
+    ///
+    /// # Errors
+    /// E0693.
+    pub(crate) fn check_plane(&self, helix: &Helix) -> Result<(), GeometryError> {
+        if self.plane != Plane::Unstated || helix.is_spur() {
+            return Ok(());
+        }
+        let cosine = math::cos(helix.angle());
+        Err(GeometryError::error(
+            "E0693",
+            "rack",
+            sentence![
+                "the rack of this helical gear does not say in which section its module is: a transverse module of ",
+                length self.module, " is a normal module of ", length self.module * cosine,
+                ", and a normal module of ", length self.module, " is a transverse module of ",
+                length self.module / cosine
+            ],
+            sentence![
+                "add `plane = \"normal\"` to `gears.rack` if the drawing gives the normal module and pressure angle, as usual, or `plane = \"transverse\"`"
+            ],
+        ))
+    }
+
     /// Returns the transverse section of the rack for a gear with this helix. The section is exact:
     /// a tip that is a circle in the normal plane becomes an ellipse.
     #[must_use]
     pub fn transverse(&self, helix: &Helix) -> Rack {
         let cosine = match self.plane {
-            Plane::Transverse => return *self,
+            Plane::Transverse | Plane::Unstated => return *self,
             Plane::Normal => math::cos(helix.angle()),
         };
         Rack {
@@ -89,7 +117,7 @@ impl Rack {
     /// Converts a tooth thickness from the rack's plane to the transverse plane, m.
     pub fn transverse_thickness(&self, thickness: f64, helix: &Helix) -> f64 {
         match self.plane {
-            Plane::Transverse => thickness,
+            Plane::Transverse | Plane::Unstated => thickness,
             Plane::Normal => thickness / math::cos(helix.angle()),
         }
     }

@@ -32,6 +32,8 @@ pub struct Checked {
     pub plan: Option<Planned>,
     /// The reason why the given params were rejected.
     pub refused: Option<InvalidParam>,
+    /// The last lines that the model printed before its first failure.
+    pub printed: Vec<String>,
 }
 
 impl Checked {
@@ -127,6 +129,7 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         types: checked.types,
         plan: None,
         refused: None,
+        printed: Vec::new(),
     };
     // No other code has access to this switch, so the elaboration cannot be cancelled.
     if let Some(program) = &result.program
@@ -136,6 +139,7 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         result.diagnostics.extend(elaboration.found);
         result.plan = elaboration.plan;
         result.refused = elaboration.refused;
+        result.printed = elaboration.printed;
         if !elaboration.runnable {
             result.program = None;
         }
@@ -176,5 +180,6 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         types: BTreeMap::new(),
         plan: None,
         refused: None,
+        printed: Vec::new(),
     }
 }

@@ -14,7 +14,10 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 
 /// Converts a run-time error to a diagnostic at its source location.
 pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
-    let label = if error.argument.is_some() { "caused by this argument" } else { "the error occurs here" };
+    let label = match error.argument.as_deref().filter(|argument| !argument.is_empty()) {
+        Some(argument) => format!("caused by `{argument}`"),
+        None => "the error occurs here".to_owned(),
+    };
     let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
     diagnostic.calls = error.details.calls.clone();
     let diagnostic = error

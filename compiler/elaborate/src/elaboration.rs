@@ -5,6 +5,7 @@ use crate::geometry::Geometry;
 use crate::interpreted::{Interpreted, no_kernel};
 use crate::nan::{explain, note, of_default};
 use crate::plan::Planned;
+use crate::printed::Printed;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::{FileDescription, ModelDescription};
@@ -87,6 +88,8 @@ pub struct Elaboration {
     pub values: BTreeMap<String, Value>,
     /// Derived geometry of the valid gears and meshes, also if others are impossible.
     pub geometry: Geometry,
+    /// The last lines that the program printed before its first failure.
+    pub printed: Vec<String>,
 }
 
 /// Runs a program without solving anything. Problems of the model are collected in the result, and
@@ -95,7 +98,11 @@ pub struct Elaboration {
 /// # Errors
 /// The elaboration was cancelled.
 pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<Elaboration, Cancelled> {
-    elaborate_with(program, params, cancel, None)
+    let lines = Printed::default();
+    let printed = lines.clone();
+    let print = Box::new(move |line: &str| printed.push(line));
+    let elaboration = elaborate_with(program, params, cancel, print, false)?;
+    Ok(Elaboration { printed: lines.lines(), ..elaboration })
 }
 
 /// Elaborates a program with the defaults of its params. Returns the lines it prints and the
@@ -108,7 +115,7 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
             lines.push(line.to_owned());
         }
     };
-    let elaboration = elaborate_with(program, Params::Defaults, &Cancel::default(), Some(Box::new(print)));
+    let elaboration = elaborate_with(program, Params::Defaults, &Cancel::default(), Box::new(print), true);
     let lines = lines.lock().map(|lines| lines.clone()).unwrap_or_default();
     (lines, elaboration.map(|elaboration| elaboration.found).unwrap_or_default())
 }
@@ -116,11 +123,13 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
 /// A callback that receives each line that a program prints.
 type PrintLine = Box<dyn FnMut(&str) + Send>;
 
+/// As [`elaborate`]; `keeps_output` if all printed lines count as memory of the program.
 fn elaborate_with(
     program: &Program,
     params: Params,
     cancel: &Cancel,
-    print: Option<PrintLine>,
+    print: PrintLine,
+    keeps_output: bool,
 ) -> Result<Elaboration, Cancelled> {
     let mut tapes = Vec::with_capacity(program.sites.len());
     for site in (0..program.sites.len() as u32).map(SiteId) {
@@ -135,7 +144,8 @@ fn elaborate_with(
         Err(found) => return Ok(unrunnable(found)),
     };
     go_on(cancel)?;
-    let mut context = checking_context(&interpreted, params, cancel, print);
+    let mut context = checking_context(&interpreted, params, cancel);
+    (context.print, context.keeps_output) = (print, keeps_output);
     let seen = NanLog::new(cancel.clone(), context.limits);
     context.kernels = seen.watched(interpreted.kernels());
     let defaults =
@@ -216,16 +226,12 @@ fn elaborate_with(
         plan: planned,
         values,
         geometry,
+        printed: Vec::new(),
     })
 }
 
 /// Returns the context of a run that builds the scene and solves nothing, without kernels.
-fn checking_context(
-    interpreted: &Interpreted,
-    params: Params,
-    cancel: &Cancel,
-    print: Option<PrintLine>,
-) -> Context {
+fn checking_context(interpreted: &Interpreted, params: Params, cancel: &Cancel) -> Context {
     let overrides = match params {
         Params::Defaults => Override::default(),
         Params::Given(_, overrides, _) => overrides,
@@ -236,8 +242,6 @@ fn checking_context(
     context.fuel = FUEL;
     let memory = if let Params::Given(_, _, Some(limit)) = params { limit.min(MEMORY) } else { MEMORY };
     context.limits.memory = Some(memory);
-    context.keeps_output = print.is_some();
-    context.print = print.unwrap_or_else(|| Box::new(|_| {}));
     context
 }
 

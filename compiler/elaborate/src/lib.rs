@@ -36,6 +36,7 @@ mod interpreted;
 mod loader;
 pub mod nan;
 pub mod plan;
+mod printed;
 pub mod results;
 pub mod shown;
 pub mod values;

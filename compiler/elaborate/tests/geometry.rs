@@ -40,7 +40,7 @@ root form diameter, d_Ff = 1.88032 inch (the involute begins)
 tooth thickness at the reference circle, s_t = 0.15708 inch
 tooth thickness at the tip, s_a = 0.08077 inch (0.81 modules)
 profile shift coefficient, x = 0 (of its tooth thickness)
-profile shift above undercut, x - x_min = 0.1014 (so much less shift, and undercut begins)"
+profile shift above undercut, x - x_min = 0.1014 (undercut begins if the profile shift is smaller by this amount)"
     );
     let mesh = &geometry.meshes[0];
     assert_eq!(mesh.first[0].bodies, ["pinion", "gear"]);

@@ -42,6 +42,7 @@ impl Check {
             Ok(checked) => checked,
             Err(error) => return format.unreadable(&self.file, &error),
         };
+        MessageFormat::printed_before_error(&checked, false);
         format.diagnostics(&checked.diagnostics, &checked.files);
         format.note(&self.summary(&checked));
         if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS }

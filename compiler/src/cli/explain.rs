@@ -73,6 +73,7 @@ fn plan(file: &Path, check: impl FnOnce(&Path) -> io::Result<Checked>, recalibra
         Ok(checked) => checked,
         Err(error) => return format.unreadable(file, &error),
     };
+    MessageFormat::printed_before_error(&checked, false);
     format.diagnostics(&checked.diagnostics, &checked.files);
     if let Some(refused) = &checked.refused {
         format.refused(refused);

@@ -1,14 +1,15 @@
 //! Messages of the command: text for users, or one JSON object per line for programs. Both go to
 //! standard error, so that standard output contains only what the model prints.
 
-use calyx::render;
 use calyx::rt::{InvalidParam, report};
+use calyx::{Checked, render};
 use calyx_abi::visible::visible;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::SourceFile;
 use calyx_lang::render::to_json;
 use clap::ValueEnum;
 use serde_json::json;
+use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -36,6 +37,20 @@ impl MessageFormat {
                 diagnostics.iter().for_each(|found| eprintln!("{}", to_json(found, files)))
             }
         }
+    }
+
+    /// Prints what a model with errors printed before the first one, on standard output, or on
+    /// standard error if that has other contents. A model without errors prints when it runs.
+    pub fn printed_before_error(checked: &Checked, to_error: bool) {
+        if !checked.has_errors() || checked.printed.is_empty() {
+            return;
+        }
+        let text = checked.printed.join("\n");
+        // A reader that closes the pipe early is no error.
+        let _ = match to_error {
+            true => writeln!(io::stderr(), "{text}"),
+            false => writeln!(io::stdout(), "{text}"),
+        };
     }
 
     /// Prints an error without a source location.
@@ -79,7 +94,7 @@ impl MessageFormat {
     }
 
     /// Reports a model file that cannot be read.
-    pub fn unreadable(self, file: &Path, error: &std::io::Error) -> ExitCode {
+    pub fn unreadable(self, file: &Path, error: &io::Error) -> ExitCode {
         self.failure(
             &format!("cannot read {}: {error}", file.display()),
             "give the path of a model, like examples/spur_pair.cx",

@@ -60,7 +60,11 @@ impl Run {
             }
         };
         let overrides = arguments.overrides.to_override();
-        let check = || check_run_within(&file, &allowed, &given, overrides, arguments.memory_limit);
+        let check = || {
+            let checked = check_run_within(&file, &allowed, &given, overrides, arguments.memory_limit)?;
+            MessageFormat::printed_before_error(&checked, arguments.json);
+            Ok(checked)
+        };
         let (module, before) = match compile(&file, arguments.quiet, format, check) {
             Ok(compiled) => compiled,
             Err(status) => return status,

@@ -109,6 +109,8 @@ pub struct Checker<'a> {
     pub(super) variable_types: HashMap<VarId, Type>,
     /// Variables whose types may still be unknown.
     pub(super) open_variables: Vec<VarId>,
+    /// Evidence for the dimensions of variables.
+    pub(super) evidence: super::evidence::DimensionEvidence,
     reported: HashSet<(String, Span, String)>,
 }
 
@@ -165,6 +167,7 @@ impl<'a> Checker<'a> {
             nested,
             variable_types: HashMap::new(),
             open_variables: Vec::new(),
+            evidence: Default::default(),
             reported: HashSet::new(),
         }
     }
@@ -322,8 +325,10 @@ impl<'a> Checker<'a> {
             (Type::Bool, Type::Number(_)) => "compare it: `... != 0`".into(),
             (Type::Transform, Type::Vector(_)) => "convert it to a frame: `Translate(...)`".into(),
             (Type::Handle(name), _) => {
-                let makers = self.names.around.map(|around| around.makers(name)).unwrap_or_default();
-                other_modules::handle(&makers, name, &self.store.show(found))
+                let makers =
+                    |handle: &str| self.names.around.map(|around| around.makers(handle)).unwrap_or_default();
+                let found = self.store.show(found);
+                other_modules::handle([&makers(name), &makers(&found)], name, &found)
             }
             _ => format!("give {}", with_article(&self.store.show(expected))),
         }

@@ -126,6 +126,7 @@ impl Checker<'_> {
         if let Some(help) = self.missing_factor(&types.0, &types.1) {
             diagnostic = diagnostic.help(help);
         }
+        self.note_conflict([wanted.as_known(), got.as_known()], found, &diagnostic);
         self.report(diagnostic);
     }
 

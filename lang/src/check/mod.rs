@@ -26,6 +26,7 @@ mod dependence;
 mod dim;
 mod domains;
 mod errors;
+mod evidence;
 pub(crate) mod excerpt;
 mod expr;
 pub(crate) mod expressions;

@@ -12,6 +12,7 @@
 //! ```
 
 use super::symbols::with_article;
+use super::unit::Maker;
 
 /// Limit of the names offered.
 const MOST_NAMES: usize = 6;
@@ -86,24 +87,33 @@ fn has_words(name: &str, part: &str) -> bool {
     !part.is_empty() && name.windows(part.len()).any(|window| window == part)
 }
 
-/// Returns the help for a value that is not the required handle: the functions that create such a
-/// handle, first those that accept the given value. `makers` are functions and the handles they
-/// accept.
-pub(super) fn handle(makers: &[(String, Vec<String>)], wanted: &str, found: &str) -> String {
-    let quoted = |all: &[&String]| {
+/// Returns the help for a value that is not the required handle. It names the functions that create
+/// the handle from the given value, if any. If a function created the given value from a handle of
+/// the required type, it names that argument. Otherwise it names all functions that create the
+/// handle. `makers` are the functions that create the wanted handle, and those that create the
+/// found one.
+pub(super) fn handle(makers: [&[Maker]; 2], wanted: &str, found: &str) -> String {
+    let quoted = |all: &[&str]| {
         let all: Vec<String> = all.iter().map(|name| format!("`{name}`")).collect();
         all.join(" or ")
     };
-    let takes = |(_, taken): &&(String, Vec<String>)| taken.iter().any(|handle| handle == found);
-    let direct: Vec<&String> = makers.iter().filter(takes).map(|(name, _)| name).collect();
-    let all: Vec<&String> = makers.iter().map(|(name, _)| name).collect();
-    let wanted = with_article(wanted);
-    match (direct.as_slice(), all.as_slice()) {
-        ([], []) => format!("give {wanted}"),
-        ([], all) => format!("make {wanted} with {}", quoted(all)),
-        (direct, _) => {
-            format!("make {wanted} of this {found} with {}, and give the result here", quoted(direct))
-        }
+    let [of_wanted, of_found] = makers;
+    let takes = |maker: &&Maker| maker.parameters.iter().any(|(_, kind)| kind == found);
+    let direct: Vec<&str> = of_wanted.iter().filter(takes).map(|maker| maker.name.as_str()).collect();
+    let all: Vec<&str> = of_wanted.iter().map(|maker| maker.name.as_str()).collect();
+    let received = of_found.iter().find_map(|maker| {
+        let (parameter, _) = maker.parameters.iter().find(|(_, kind)| kind == wanted)?;
+        Some(format!("give the {wanted} that `{}` received as `{parameter}`", maker.name))
+    });
+    match (direct.as_slice(), received, all.as_slice()) {
+        ([], Some(received), _) => received,
+        ([], None, []) => format!("give {}", with_article(wanted)),
+        ([], None, all) => format!("make {} with {}", with_article(wanted), quoted(all)),
+        (direct, ..) => format!(
+            "make {} of this {found} with {}, and give the result here",
+            with_article(wanted),
+            quoted(direct)
+        ),
     }
 }
 

@@ -278,6 +278,7 @@ impl<'a> Checker<'a> {
                 if matches!(value.kind, ExprKind::Number(0.0)) {
                     self.zero_starts.insert(id, value.span);
                 }
+                self.evidence.initialize(id, value);
                 let value = self.stored(value);
                 let ty = self.variable_type(id);
                 self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);

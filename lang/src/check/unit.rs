@@ -16,15 +16,23 @@ use crate::span::Span;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
+/// Function of the library that creates a handle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Maker {
+    /// Name, including the module.
+    pub name: String,
+    /// Parameters of named types: name and type.
+    pub parameters: Vec<(String, String)>,
+}
+
 /// Queries of a check about the rest of the program, for suggestions in diagnostics.
 pub trait Surroundings {
     /// Returns the names that a module declares.
     fn declared(&self, module: &str) -> Vec<String>;
     /// Returns the documentation of a module.
     fn doc(&self, module: &str) -> String;
-    /// Returns the functions of the library that create a handle of this type: their names
-    /// including the module, and the handles that they accept.
-    fn makers(&self, handle: &str) -> Vec<(String, Vec<String>)>;
+    /// Returns the functions of the library that create a handle of this type.
+    fn makers(&self, handle: &str) -> Vec<Maker>;
     /// Returns `true` if a module with this name can be imported.
     fn is_module(&self, name: &str) -> bool;
     /// Returns the modules that can be imported.
@@ -115,6 +123,8 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
         true => Some(checker.sound_functions(&diagnostics)),
         false => None,
     };
+    // Afterwards, because a function with an error that is not shown is not sound.
+    checker.evidence.focus(&mut diagnostics);
     let (typed, uses) = checker.into_typed();
     let closures = lower::closures(&typed);
     let mut unit = Unit {
@@ -189,7 +199,7 @@ impl Surroundings for Nothing {
         String::new()
     }
 
-    fn makers(&self, _: &str) -> Vec<(String, Vec<String>)> {
+    fn makers(&self, _: &str) -> Vec<Maker> {
         Vec::new()
     }
 

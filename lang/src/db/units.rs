@@ -9,7 +9,7 @@ use crate::ast::{StmtKind, TypeExpr, TypeKind};
 use crate::check::excerpt::{Excerpt, Extract, ItemId, Part};
 use crate::check::interface::Interface;
 use crate::check::item::ItemKind;
-use crate::check::unit::{self, Context, Surroundings, Unit};
+use crate::check::unit::{self, Context, Maker, Surroundings, Unit};
 use salsa::Id;
 use salsa::plumbing::{AsId, FromId};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -317,7 +317,7 @@ impl Surroundings for GroupContext<'_> {
         self.file_of(name).map(|file| facts(self.db, file).doc.clone()).unwrap_or_default()
     }
 
-    fn makers(&self, handle: &str) -> Vec<(String, Vec<String>)> {
+    fn makers(&self, handle: &str) -> Vec<Maker> {
         let mut makers = Vec::new();
         for name in self.modules() {
             let Some(file) = *module(self.db, self.library, name.clone()) else { continue };
@@ -325,8 +325,12 @@ impl Surroundings for GroupContext<'_> {
                 let StmtKind::Function(decl) = &item.content(self.db).statement.kind else { continue };
                 let makes = decl.result.as_ref().is_some_and(|result| type_name(result) == Some(handle));
                 if makes && !item.private(self.db) {
-                    let takes = decl.parameters.iter().filter_map(|p| type_name(p.annotation.as_ref()?));
-                    makers.push((format!("{name}.{}", decl.name.name), takes.map(str::to_owned).collect()));
+                    let parameters = decl.parameters.iter().filter_map(|parameter| {
+                        let kind = type_name(parameter.annotation.as_ref()?)?;
+                        Some((parameter.name.name.clone(), kind.to_owned()))
+                    });
+                    let name = format!("{name}.{}", decl.name.name);
+                    makers.push(Maker { name, parameters: parameters.collect() });
                 }
             }
         }

@@ -183,8 +183,10 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let solved_before = found.map_or(0, |found| found.solved.len());
     let stages = Stages { before: options.before.clone(), program: results.time(), solved_before };
     let written = write_results(&directory, head, description, &results, &stages);
-    written.map_err(unwritable)?;
-    Ok(RunReport { directory: Some(directory), ..report(description, &results) })
+    let advice = written.map_err(unwritable)?;
+    let mut report = report(description, &results);
+    report.summary.extend(advice.into_iter().map(|line| line + "\n"));
+    Ok(RunReport { directory: Some(directory), ..report })
 }
 
 /// Removes the results of an earlier run and lists the files that every run writes.
@@ -197,14 +199,15 @@ fn begin(directory: &RunDirectory, details: Details) -> io::Result<()> {
     directory.claim_all(asked_for)
 }
 
-/// Writes the final files of a run.
+/// Writes the final files of a run. Returns the settings that reduce large estimated errors, in one
+/// line, if there are such errors.
 fn write_results(
     directory: &RunDirectory,
     head: Value,
     description: &ModelDescription,
     results: &Results,
     stages: &Stages,
-) -> io::Result<()> {
+) -> io::Result<Option<String>> {
     let path = directory.path();
     let findings = results.findings().iter();
     let mut warnings: Vec<String> =
@@ -220,7 +223,7 @@ fn write_results(
     let listed = signals::list(description, results.signals());
     write_run(path, head, description, result, listed, &warnings, stages)?;
     journal::remove(path)?;
-    page::write_locked(directory).map(drop)
+    page::write_with_advice(directory)
 }
 
 /// Builds the report of a finished run.
@@ -229,7 +232,7 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
     let modes = result.and_then(|result| result.modes.as_ref());
     let ignored = result.iter().flat_map(|result| &result.plan.ignored);
     let ignored =
-        ignored.map(|ignored| format!("`{}` is not seen as given: {}", ignored.input, ignored.reason));
+        ignored.map(|ignored| format!("`{}` is not used as given: {}", ignored.input, ignored.reason));
     RunReport {
         summary: result.map(|result| table::summary(description, result)).unwrap_or_default()
             + &modes.map(modes_table::summary).unwrap_or_default()

@@ -42,6 +42,8 @@ impl<'p> Machine<'_, 'p> {
         if let Ok(mut failures) = failures.lock() {
             failures.push(error);
         }
+        // Later lines may show the poisoned result, so they are not printed.
+        self.ctx.print = Box::new(|_| {});
         Ok(())
     }
 

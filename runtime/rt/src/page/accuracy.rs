@@ -11,6 +11,8 @@ struct Source {
     name: &'static str,
     shown: &'static str,
     remedy: &'static str,
+    /// Short form of the remedy.
+    finer: &'static str,
     /// Command-line option of the remedy.
     option: Option<&'static str>,
     /// Stage whose duration increases, and the factor; `None` if it is no stage of this run.
@@ -33,6 +35,7 @@ const SOURCES: [Source; 6] = [
         name: MESH,
         shown: "mesh",
         remedy: "1.5 times the elements in every direction, or the next fidelity level",
+        finer: "a finer mesh",
         option: Some("--refinement"),
         cost: Some(("structures", 2.0)),
         in_time: None,
@@ -41,6 +44,7 @@ const SOURCES: [Source; 6] = [
         name: "contact_grid",
         shown: "contact grid",
         remedy: "1.5 times the contact cells",
+        finer: "a finer contact grid",
         option: Some("--cells"),
         cost: Some(("positions", 2.0)),
         in_time: None,
@@ -49,6 +53,7 @@ const SOURCES: [Source; 6] = [
         name: "positions",
         shown: "positions",
         remedy: "1.4 times as many positions (second-order convergence)",
+        finer: "more positions",
         option: None,
         cost: Some(("positions", 1.4)),
         in_time: Some(false),
@@ -57,6 +62,7 @@ const SOURCES: [Source; 6] = [
         name: "positions",
         shown: "stored steps",
         remedy: "1.4 times as many stored steps; if all are stored, steps 0.7 times as long",
+        finer: "more stored steps",
         option: None,
         cost: Some(("positions", 1.0)),
         in_time: Some(true),
@@ -65,6 +71,7 @@ const SOURCES: [Source; 6] = [
         name: LEVEL,
         shown: "fidelity level",
         remedy: "the next fidelity level",
+        finer: "the next fidelity level",
         option: Some("--fidelity"),
         cost: None,
         in_time: None,
@@ -73,6 +80,7 @@ const SOURCES: [Source; 6] = [
         name: TIME_STEP,
         shown: "time step",
         remedy: "0.7 times the time step (second-order convergence)",
+        finer: "shorter time steps",
         option: None,
         cost: Some(("positions", 1.4)),
         in_time: None,
@@ -167,6 +175,42 @@ fn to_halve(output: &Output) -> Vec<&'static Source> {
         wanted.then_some(source)
     };
     parts.into_iter().map_while(worth).collect()
+}
+
+/// Relative error above which a run names the settings that reduce it.
+const LARGE: f64 = 0.1;
+/// Number of outputs that this line names.
+const NAMED: usize = 3;
+
+/// Returns a line with the outputs whose estimated error is large, and the settings to
+/// refine; `None` if there is no such output.
+pub fn advice(outputs: &[Output]) -> Option<String> {
+    let large = |output: &&Output| {
+        let error = output.error.as_ref();
+        error.is_some_and(|error| !error.is_rounding && error.relative > LARGE)
+            && !to_halve(output).is_empty()
+    };
+    let outputs: Vec<&Output> = outputs.iter().filter(large).collect();
+    let needed: Vec<&Source> = outputs.iter().flat_map(|output| to_halve(output)).collect();
+    let is_needed = |source: &&Source| needed.iter().any(|other| other.shown == source.shown);
+    let settings = SOURCES.iter().filter(is_needed).map(|source| match source.option {
+        Some(option) => format!("{} ({option})", source.finer),
+        None => source.finer.to_owned(),
+    });
+    let settings: Vec<String> = settings.collect();
+    let mut names: Vec<&str> = outputs.iter().map(|output| output.name.as_str()).take(NAMED).collect();
+    let others = format!("{} more", outputs.len().saturating_sub(NAMED));
+    if outputs.len() > NAMED {
+        names.push(&others);
+    }
+    (!outputs.is_empty()).then(|| {
+        format!(
+            "to reduce the errors above {} % ({}): {}; see report.html",
+            100.0 * LARGE,
+            names.join(", "),
+            settings.join(", ")
+        )
+    })
 }
 
 /// Returns the stages that take longer and the factors; and true if another fidelity level is

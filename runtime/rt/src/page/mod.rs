@@ -28,7 +28,11 @@ use units::Units;
 /// # Errors
 /// There is no run, its files cannot be read, or the page cannot be written.
 pub fn write(directory: &Path) -> io::Result<PathBuf> {
-    let page = page(&Run::read(directory)?).into_string();
+    write_run(directory, &Run::read(directory)?)
+}
+
+fn write_run(directory: &Path, run: &Run) -> io::Result<PathBuf> {
+    let page = page(run).into_string();
     let (path, unfinished) = (directory.join(REPORT), directory.join(format!("{REPORT}.part")));
     fs::write(&unfinished, page)?;
     fs::rename(unfinished, &path)?;
@@ -43,6 +47,18 @@ pub fn write(directory: &Path) -> io::Result<PathBuf> {
 pub fn write_locked(directory: &RunDirectory) -> io::Result<PathBuf> {
     directory.claim_all([REPORT, "report.html.part"])?;
     write(directory.path())
+}
+
+/// Generates the page as [`write_locked()`] does. Returns the settings that reduce large estimated
+/// errors, in one line; `None` if no error is large.
+///
+/// # Errors
+/// Fails as [`write_locked()`] does.
+pub(crate) fn write_with_advice(directory: &RunDirectory) -> io::Result<Option<String>> {
+    directory.claim_all([REPORT, "report.html.part"])?;
+    let run = Run::read(directory.path())?;
+    write_run(directory.path(), &run)?;
+    Ok(accuracy::advice(&run.outputs))
 }
 
 /// Returns true if a directory has a run: its summary or its journal.

@@ -157,6 +157,29 @@ fn errors_stand_beside_what_they_are_of() {
     assert!(!page.contains("This run has no error estimates"));
 }
 
+/// The terminal names the settings that reduce large errors by the sources that the page shows.
+#[test]
+fn settings_are_named_for_large_errors() {
+    let of = |x: f64| json!({ "min": x, "max": x, "mean": x, "peak_to_peak": x });
+    let advice = |relative: f64| {
+        let mut run = run_json();
+        let mut estimate = of(6e-8);
+        estimate["relative"] = json!(relative);
+        estimate["parts"] =
+            json!({ "discretization": of(1e-9), "contact_grid": of(3e-8), "positions": of(2.9e-8) });
+        estimate["not_estimated"] = json!(["level"]);
+        run["outputs"]["te"]["error_estimate"] = estimate;
+        super::accuracy::advice(&super::read::Run::read(directory(&run).path()).unwrap().outputs)
+    };
+    assert_eq!(advice(0.099), None);
+    assert_eq!(
+        advice(0.11).as_deref(),
+        Some(
+            "to reduce the errors above 10 % (te): a finer contact grid (--cells), more positions; see report.html"
+        )
+    );
+}
+
 /// Errors of maximum and minimum differ: each is shown with its own value. All sources with similar
 /// contributions must be halved, but only one of the mesh and the next fidelity level, which has
 /// another mesh.
