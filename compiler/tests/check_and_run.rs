@@ -51,7 +51,7 @@ impl Case {
             "web" => {
                 "gears.disc_web(diameter = 40 mm, inner_diameter = 36 mm, bore_diameter = 12 mm, web_thickness = 4 mm)"
             }
-            "lugs" => "gears.splined(gears.simple_rim(40 mm, 30 mm), lugs = 6, clearance = 0.05 mm)",
+            "lugs" => "gears.splined(gears.simple_rim(40 mm, 30 mm), teeth = 6, clearance = 0.05 mm)",
             _ => plain_rim,
         };
         let helix = if kind == "helical" { "10 deg" } else { "0 deg" };

@@ -134,7 +134,7 @@ fn loads_and_flanks_of_the_host_are_those_of_the_model() {
     let engine = Engine::default();
     let load = ("moment = torque * e3", "host_load = \"torque\"");
     let relief = (
-        "gears.tip_relief(tip_relief, start_roll = pinion_relief_start, shape = \"quadratic\")",
+        "gears.tip_relief(tip_relief, start_roll_angle = pinion_relief_start, shape = \"quadratic\")",
         "gears.host_modification(\"relief\")",
     );
     let torque = 1000.0 * (4.4482216152605 * 0.0254);

@@ -131,7 +131,7 @@ fn a_slow_set_follows_its_equilibrium_in_time() {
         carrier_damping = 5e4 N*s/m, carrier_mass = 3 kg";
     let statics = "analyze(\"quasi_static\", over = gears.times(to = 0.16 s, count = 5));";
     let dynamics = "analyze(\"dynamic\", rayleigh_mass = 500 Hz, newmark = \"backward_difference\",
-        over = gears.time_ranges([gears.time_range(0.16 s, step = 5 ms, keep_every = 8)]));";
+        over = gears.time_ranges([gears.time_range(0.16 s, step = 5 ms, output_every = 8)]));";
     let outputs = format!(
         "{OUTPUTS}output pin := gears.bearing_force(set.pins[1], \"radial\");
         output pin_moves := gears.bearing_deflection(set.pins[1], \"radial\");"
@@ -161,9 +161,9 @@ fn planets_have_errors_of_their_own() {
     };
     let [as_meant, pin, runout, thin, elsewhere] = [
         "",
-        ", pin_errors = [0 um, 1 um]",
+        ", pin_position_errors = [0 um, 1 um]",
         ", planet_runouts = [0 um*e1, 1 um*e2]",
-        ", planets_as_made = [blank(24), blank(24, thickness = 3.078 mm)]",
+        ", actual_planets = [blank(24), blank(24, thickness = 3.078 mm)]",
         // Three of 96 possible positions further than a third of a revolution.
         ", places = [0 deg, 131.25 deg, 240 deg]",
     ]
@@ -186,7 +186,7 @@ fn a_place_where_a_planet_does_not_go_is_refused() {
     let path = directory.path().join("model.cx");
     let model =
         "var set = gears.planetary(sun = blank(24), planet = blank(24), ring = ring, center_distance = 48 mm,
-    sun_speed = 400 rpm, sun_torque = 100 N*m, places = [0 deg, 92 deg]);";
+    sun_speed = 400 rpm, sun_torque = 100 N*m, planet_angles = [0 deg, 92 deg]);";
     fs::write(&path, format!("{BLANKS}{model}")).unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_calyx")).arg("check").arg(&path).output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap() + &String::from_utf8(output.stdout).unwrap();

@@ -30,9 +30,9 @@ fn orders_are_counted_by_the_angle_that_an_output_gives() {
 output ahead := 1 rad*swing;
 output whole := 1 rad*(swing + 2*pi*Time/(1 s) - 60*pi);
 output events := cos(7*(swing + 2*pi*Time/(1 s)));
-gears.order_map(\"events\", shaft = one, angle = \"ahead\", turns = 2, highest = 20);
-gears.order_map(\"events\", angle = \"whole\", turns = 2, highest = 20);
-gears.order_map(\"events\", shaft = one, turns = 2, highest = 20);";
+gears.order_map(\"events\", shaft = one, angle = \"ahead\", revolutions = 2, highest = 20);
+gears.order_map(\"events\", angle = \"whole\", revolutions = 2, highest = 20);
+gears.order_map(\"events\", shaft = one, revolutions = 2, highest = 20);";
     let path = directory.path().join("model.cx");
     let model =
         MODEL.replace("SIGNALS", asked).replace("to = 0.1 s - 0.1 s/32, count = 32", "to = 8 s, count = 801");
@@ -76,7 +76,7 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     let directory = tempfile::tempdir().unwrap();
     let asked = "gears.spectrum(\"te\", window = \"rectangular\");
         gears.spectrum(\"te\", window = \"rectangular\", scaling = \"density\");
-        gears.spectrogram(\"te\", piece = 0.05 s);";
+        gears.spectrogram(\"te\", segment = 0.05 s);";
     let output = run(directory.path(), asked);
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success(), "{told}");
@@ -191,15 +191,15 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
     let asked = [
         ("gears.spectrum(\"te\", from = 0.09 s);", "at least 4 samples, and there are"),
         (
-            "gears.spectrum(\"te\", piece = 1 ms);",
+            "gears.spectrum(\"te\", segment = 1 ms);",
             "a piece of 0.001 s has 0 samples, which are 0.003125 s apart",
         ),
         (
-            "gears.spectrum(\"te\", piece = 1 s);",
+            "gears.spectrum(\"te\", segment = 1 s);",
             "a piece of 1 s is longer than the 32 samples, which last 0.1 s",
         ),
-        ("gears.spectrogram(\"te\", piece = 9 ms);", "a piece of 0.009 s has 3 samples"),
-        ("gears.order_map(\"te\", shaft = two, turns = 8);", "longer than what the samples show"),
+        ("gears.spectrogram(\"te\", segment = 9 ms);", "a piece of 0.009 s has 3 samples"),
+        ("gears.order_map(\"te\", shaft = two, revolutions = 8);", "longer than what the samples show"),
         ("gears.order_map(\"te\", angle = \"still\");", "the shaft rests or turns back"),
     ];
     // One per line, from the tenth line.

@@ -53,7 +53,7 @@ pub struct MeshOptions {
     /// Misalignment of the second gear.
     pub misalignment: Misalignment,
     /// Enables contact of the back (coast) flanks as well.
-    pub back_side_contact: bool,
+    pub coast_side_contact: bool,
 }
 
 /// Misalignment of the second gear's axis relative to the first one's, given by two angles (rad)
@@ -78,7 +78,7 @@ impl Default for MeshOptions {
             grid_width: width,
             friction: 0.0,
             misalignment: Misalignment::default(),
-            back_side_contact: false,
+            coast_side_contact: false,
         }
     }
 }
@@ -242,7 +242,7 @@ impl Pairing {
         let surface = if sense > 0.0 { 0 } else { 1 };
         // On an internal gear the opposite sides of the teeth touch.
         let surfaces = [surface, if gears[1].internal { 1 - surface } else { surface }];
-        let back = match options.back_side_contact {
+        let back = match options.coast_side_contact {
             // Back flanks push the other way and have their own mesh cycle.
             true => {
                 let mesh = placed(&Mounting { sense: -sense, ..mounting })?;

@@ -21,7 +21,7 @@ calyx_abi::externs! {
         tilting_stiffness: f64, torsional_stiffness: f64, radial_clearance: f64, axial_clearance: f64,
         translation_stiffness: Vec<[f64; 3]>, coupling_stiffness: Vec<[f64; 3]>, rotation_stiffness: Vec<[f64; 3]>,
         radial_damping: f64, axial_damping: f64, tilting_damping: f64, torsional_damping: f64,
-        unloaded_displacement: [f64; 3], unloaded_turn: [f64; 3], force: [f64; 3], moment: [f64; 3],
+        unloaded_displacement: [f64; 3], unloaded_rotation: [f64; 3], force: [f64; 3], moment: [f64; 3],
         gap_clearances: Vec<f64>, gap_directions: Vec<[f64; 3]>, gap_arms: Vec<[f64; 3]>, gap_stiffness: f64,
     ) -> Handle {
         let place = context.place;
@@ -58,7 +58,7 @@ calyx_abi::externs! {
             at,
             stiffness,
             damping: axisymmetric(radial_damping, axial_damping, tilting_damping, torsional_damping),
-            unloaded: six(unloaded_displacement, unloaded_turn),
+            unloaded: six(unloaded_displacement, unloaded_rotation),
             load: six(force, moment),
             stops,
         };

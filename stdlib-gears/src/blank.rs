@@ -133,9 +133,9 @@ impl Rim {
             return Err(GeometryError::error(
                 "E0655",
                 "rim",
-                sentence!["the rim has a free bore or seat, so spline teeth cannot support it"],
+                sentence!["the rim has a free bore or outer surface, so spline teeth cannot support it"],
                 sentence![
-                    "leave the rim's `bore` or `seat` \"rigid\"; the spline teeth replace this constraint"
+                    "leave the rim's `bore` or `outer_surface` \"rigid\"; the spline teeth replace this constraint"
                 ],
             ));
         }

@@ -42,9 +42,9 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_simple_rim(
-        context, diameter: f64, inner_diameter: f64, bore: String, bore_order: f64, bore_axial_order: f64,
+        context, diameter: f64, inner_diameter: f64, bore: String, bore_harmonics: f64, bore_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
+        let hold = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.rejected(error.into(), place))?;
         Ok(keep(&mut host.rims, rim.held(hold)))
@@ -52,9 +52,9 @@ calyx_abi::externs! {
 
     Pure fn calyx_gears_webbed_rim(
         context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64, web_offset: f64,
-        bore: String, bore_order: f64, bore_axial_order: f64,
+        bore: String, bore_harmonics: f64, bore_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
+        let hold = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter)
             .and_then(|rim| rim.on_web(web_thickness, web_offset, bore_diameter))
@@ -65,11 +65,11 @@ calyx_abi::externs! {
     Pure fn calyx_gears_disc_web(
         context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64,
         web_thickness_at_hub: f64, web_offset: f64, dish: f64, hub_diameter: f64, hub_width: f64, hub_offset: f64,
-        web_youngs_modulus: f64, web_poissons_ratio: f64, bore: String, bore_order: f64, bore_axial_order: f64,
-        interface_order: f64, interface_axial_order: f64,
+        web_youngs_modulus: f64, web_poissons_ratio: f64, bore: String, bore_harmonics: f64, bore_axial_degree: f64,
+        interface_harmonics: f64, interface_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&bore, ["bore_order", "bore_axial_order"], [bore_order, bore_axial_order])?;
-        whole_orders(["interface_order", "interface_axial_order"], [interface_order, interface_axial_order])?;
+        let hold = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
+        whole_orders(["interface_harmonics", "interface_axial_degree"], [interface_harmonics, interface_axial_degree])?;
         let material = match web_youngs_modulus {
             0.0 => None,
             modulus => Some(web_material(modulus, web_poissons_ratio)?),
@@ -83,8 +83,8 @@ calyx_abi::externs! {
                 offset: hub_offset,
             }),
             material,
-            harmonics: (interface_order > 0.0).then_some(interface_order as u16),
-            degree: interface_axial_order as u8,
+            harmonics: (interface_harmonics > 0.0).then_some(interface_harmonics as u16),
+            degree: interface_axial_degree as u8,
         };
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter)
@@ -94,9 +94,9 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_outer_rim(
-        context, diameter: f64, outer_diameter: f64, seat: String, seat_order: f64, seat_axial_order: f64,
+        context, diameter: f64, outer_diameter: f64, seat: String, outer_surface_harmonics: f64, outer_surface_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&seat, ["seat_order", "seat_axial_order"], [seat_order, seat_axial_order])?;
+        let hold = bore_support(&seat, ["outer_surface_harmonics", "outer_surface_axial_degree"], [outer_surface_harmonics, outer_surface_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::outer(diameter, outer_diameter).map_err(|error| host.rejected(error.into(), place))?;
         Ok(keep(&mut host.rims, rim.held(hold)))
@@ -106,7 +106,7 @@ calyx_abi::externs! {
         context, rim: Handle, lugs: f64, width: f64, first: f64, centring: String, stiffness: f64,
         radial_stiffness: f64, axial_order: f64, clearance: f64,
     ) -> Handle {
-        for (name, number) in [("lugs", lugs), ("axial_order", axial_order)] {
+        for (name, number) in [("teeth", lugs), ("axial_degree", axial_order)] {
             if number.fract() != 0.0 {
                 return Err(refusal("E0655", name, &format!("`{name}` cannot be {number}"), "give a whole number"));
             }

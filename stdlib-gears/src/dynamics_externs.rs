@@ -11,14 +11,14 @@ use calyx_runtime::load::{Impulse, Wrench};
 
 calyx_abi::externs! {
     Pure fn calyx_gears_time_range(
-        context, duration: f64, step: f64, load_from: f64, load_to: f64, keep_every: f64,
+        context, duration: f64, step: f64, load_from: f64, load_to: f64, output_every: f64,
     ) -> Handle {
         if !(step.is_finite() && step > 0.0) {
             return Err(refusal("E0763", "step", &format!("a step cannot take {step} s"),
                 "give a positive time, a twentieth of the shortest period that matters or less"));
         }
-        if !(keep_every.fract() == 0.0 && keep_every >= 1.0) {
-            return Err(refusal("E0763", "keep_every", &format!("every {keep_every} steps is not possible"),
+        if !(output_every.fract() == 0.0 && output_every >= 1.0) {
+            return Err(refusal("E0763", "output_every", &format!("every {output_every} steps is not possible"),
                 "give a whole number of at least 1"));
         }
         let steps = (duration / step).round();
@@ -30,7 +30,7 @@ calyx_abi::externs! {
             duration,
             steps: steps.max(1.0) as usize,
             load: [load_from, load_to],
-            keep: keep_every as usize,
+            keep: output_every as usize,
         };
         range.check().map_err(refused)?;
         Ok(keep(&mut host(context)?.time_ranges, range))
@@ -57,7 +57,7 @@ calyx_abi::externs! {
             return Err(refusal("E0766", "duration", &format!("an impulse cannot have a duration of {duration} s"),
                 "give a positive time, a few steps long and much shorter than the periods that are looked at"));
         }
-        let id = body(context, "on", on)?;
+        let id = body(context, "body", on)?;
         let host = host(context)?;
         let momentum = Wrench { force: momentum, moment: angular_momentum };
         if let Some(body) = host.scene.bodies.get_mut(id.0) {

@@ -58,8 +58,8 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_mesh(
         context, first: Handle, second: Handle, tip_corner_contact: bool, cells: f64, grid_width: f64,
-        cells_along: f64, friction: f64, misalignment: f64, misalignment_off_action: f64,
-        back_side_contact: bool,
+        cells_along: f64, friction: f64, misalignment: f64, misalignment_out_of_plane: f64,
+        coast_side_contact: bool,
     ) -> Handle {
         for (argument, count) in [("cells", cells), ("cells_along", cells_along)] {
             if count.fract() != 0.0 {
@@ -81,8 +81,8 @@ calyx_abi::externs! {
             half_slices: cells_along as usize,
             grid_width: (grid_width != 0.0).then_some(grid_width),
             friction,
-            misalignment: Misalignment { in_action: misalignment, off_action: misalignment_off_action },
-            back_side_contact,
+            misalignment: Misalignment { in_action: misalignment, off_action: misalignment_out_of_plane },
+            coast_side_contact,
         };
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.rejected(refusal, place))?;
         // A pair that can touch has a geometry even if it cannot run.
@@ -97,13 +97,13 @@ calyx_abi::externs! {
         Ok(Handle(meshed.pair.0 as u64))
     }
 
-    Pure fn calyx_gears_back_side(context, mesh: Handle) -> Handle {
+    Pure fn calyx_gears_coast_side(context, mesh: Handle) -> Handle {
         let pairs = &host(context)?.scene.pairs;
         let front = entry(pairs, mesh)?.front.unwrap_or(PairId(mesh.0 as usize));
         match pairs.iter().position(|pair| pair.front == Some(front)) {
             Some(back) => Ok(Handle(back as u64)),
             None => Err(refusal("E0654", "mesh", "contact of the back sides is not searched in this mesh",
-                "make it with `gears.mesh(..., back_side_contact = TRUE)`")),
+                "make it with `gears.mesh(..., coast_side_contact = TRUE)`")),
         }
     }
 
@@ -198,7 +198,7 @@ calyx_abi::externs! {
         };
         if in_time && overrides.every.is_some() {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
-                "leave `every` to quasi-static analyses; the model's `keep_every` says which steps results have"));
+                "leave `every` to quasi-static analyses; the model's `output_every` says which steps results have"));
         }
         // A settings override of the searched setting disables the tolerance search.
         let searched = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
@@ -510,7 +510,7 @@ pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, lug: f64) -> R
         )),
         false => Err(refusal(
             "E0657",
-            "lug",
+            "tooth",
             &format!("there is no spline tooth {lug}"),
             &format!("spline teeth are numbered counter-clockwise from 0 to {}", lugs - 1),
         )),

@@ -65,7 +65,7 @@ impl GaugePlacement {
         let end = self.axial.abs() + reach[1];
         if end.is_nan() || end > half_face * (1.0 + 1e-12) {
             return off(
-                "axial",
+                "axial_position",
                 sentence![
                     "a gauge that reaches to ", length end,
                     " from mid-face is not on a face that ends at ", length half_face

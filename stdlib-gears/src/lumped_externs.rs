@@ -18,7 +18,7 @@ calyx_abi::externs! {
         let mut fixed = [false; 3];
         for freedom in &held {
             let Some(at) = DOF_NAMES.iter().position(|known| known == freedom) else {
-                return Err(refusal("E0670", "held", &format!("\"{freedom}\" is not a degree of freedom of a lumped member"),
+                return Err(refusal("E0670", "fixed", &format!("\"{freedom}\" is not a degree of freedom of a lumped member"),
                     "they are \"u_x\", \"u_y\" and \"theta_z\""));
             };
             fixed[at] = true;
@@ -55,7 +55,7 @@ calyx_abi::externs! {
         Ok(entry(&host(context)?.modes, modes)?.iter().map(|mode| mode.frequency).collect())
     }
 
-    Pure fn calyx_gears_mode_kinds(context, modes: Handle) -> Vec<String> {
+    Pure fn calyx_gears_mode_types(context, modes: Handle) -> Vec<String> {
         Ok(entry(&host(context)?.modes, modes)?.iter().map(|mode| mode.kind.name().to_owned()).collect())
     }
 

@@ -99,7 +99,7 @@ impl Modification {
     /// # Errors
     /// E0643: the table is not valid.
     pub fn profile_table(rolls: Vec<f64>, depths: Vec<f64>) -> Result<Modification, GeometryError> {
-        let spline = NaturalSpline::new("rolls", rolls, depths)?;
+        let spline = NaturalSpline::new("roll_angles", rolls, depths)?;
         Ok(Deviation::new("a profile table", move |roll| spline.at(roll)[0]).into())
     }
 
@@ -109,7 +109,7 @@ impl Modification {
     /// # Errors
     /// E0643: the table is not valid.
     pub fn lead_table(places: Vec<f64>, depths: Vec<f64>) -> Result<Modification, GeometryError> {
-        Ok(Modification::LeadTable(Arc::new(NaturalSpline::new("places", places, depths)?)))
+        Ok(Modification::LeadTable(Arc::new(NaturalSpline::new("axial_positions", places, depths)?)))
     }
 
     /// Creates a topography from a table of amounts over the roll angle (rad) and the distance from
@@ -122,7 +122,7 @@ impl Modification {
         places: Vec<f64>,
         depths: Vec<f64>,
     ) -> Result<Modification, GeometryError> {
-        let amounts = TensorSpline::new(["rolls", "places"], [rolls, places], depths)?;
+        let amounts = TensorSpline::new(["roll_angles", "axial_positions"], [rolls, places], depths)?;
         Ok(Modification::Topography(Arc::new(Topography { amounts })))
     }
 
@@ -245,7 +245,7 @@ impl TipRelief {
         if !(form_roll..tip_roll).contains(&(form.sense() * self.start_roll)) {
             return Err(GeometryError::error(
                 "E0640",
-                "start_roll",
+                "start_roll_angle",
                 sentence![
                     "the ", text end, " relief starts at a roll angle of ", angle self.start_roll,
                     ", but the involute runs from ", angle form_roll.abs(), " to ", angle tip_roll.abs()

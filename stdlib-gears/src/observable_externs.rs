@@ -55,7 +55,7 @@ calyx_abi::externs! {
         observe(context, NaturalFrequency(mode))
     }
 
-    Scene fn calyx_gears_mode_share(context, body: Handle, mode: f64, motion: String) -> Handle {
+    Scene fn calyx_gears_modal_energy_share(context, body: Handle, mode: f64, motion: String) -> Handle {
         let (id, mode) = (externs::body(context, "body", body)?, mode_number(mode)?);
         let (components, elastic) = match motion.as_str() {
             "translation" => ([true, true, true, false, false, false], false),
@@ -66,7 +66,7 @@ calyx_abi::externs! {
         observe(context, ModeShare { mode, body: id, components, elastic })
     }
 
-    Scene fn calyx_gears_mode_kind(context, mode: f64, around: Handle, planets: Vec<Handle>) -> Handle {
+    Scene fn calyx_gears_mode_type(context, mode: f64, around: Handle, planets: Vec<Handle>) -> Handle {
         let (mode, set) = (mode_number(mode)?, planet_set(context, around, planets)?);
         observe(context, ModeClassification { mode, set })
     }
@@ -130,16 +130,16 @@ calyx_abi::externs! {
         observe(context, FaceLoadFactor(pair(mesh)))
     }
 
-    Scene fn calyx_gears_loaded_face(context, mesh: Handle) -> Handle {
+    Scene fn calyx_gears_loaded_face_fraction(context, mesh: Handle) -> Handle {
         observe(context, LoadedFace(pair(mesh)))
     }
 
-    Scene fn calyx_gears_lowest_contact(context, body: Handle) -> Handle {
+    Scene fn calyx_gears_min_contact_radius(context, body: Handle) -> Handle {
         let body = gear_body(context, body)?;
         observe(context, LowestContact(body))
     }
 
-    Scene fn calyx_gears_highest_contact(context, body: Handle) -> Handle {
+    Scene fn calyx_gears_max_contact_radius(context, body: Handle) -> Handle {
         let body = gear_body(context, body)?;
         observe(context, HighestContact(body))
     }
@@ -171,19 +171,19 @@ calyx_abi::externs! {
         observe(context, MaxRootCompression(body))
     }
 
-    Scene fn calyx_gears_tooth_at(context, body: Handle, of: String) -> Handle {
+    Scene fn calyx_gears_tooth_of_max(context, body: Handle, of: String) -> Handle {
         place(context, body, &of, Coordinate::Tooth)
     }
 
-    Scene fn calyx_gears_roll_angle_at(context, body: Handle, of: String) -> Handle {
+    Scene fn calyx_gears_roll_angle_of_max(context, body: Handle, of: String) -> Handle {
         place(context, body, &of, Coordinate::RollAngle)
     }
 
-    Scene fn calyx_gears_radius_at(context, body: Handle, of: String) -> Handle {
+    Scene fn calyx_gears_radius_of_max(context, body: Handle, of: String) -> Handle {
         place(context, body, &of, Coordinate::Radius)
     }
 
-    Scene fn calyx_gears_axial_at(context, body: Handle, of: String) -> Handle {
+    Scene fn calyx_gears_axial_position_of_max(context, body: Handle, of: String) -> Handle {
         place(context, body, &of, Coordinate::Axial)
     }
 
@@ -197,7 +197,7 @@ calyx_abi::externs! {
         observe(context, SupportMoment(body, axis_number(&axis)))
     }
 
-    Scene fn calyx_gears_lug_force(context, body: Handle, lug: f64, direction: String) -> Handle {
+    Scene fn calyx_gears_spline_tooth_force(context, body: Handle, lug: f64, direction: String) -> Handle {
         let id = self::body(context, body)?;
         let lug = spline_tooth_number(host(context)?, id, lug)?;
         observe(context, SplineToothLoad { body: id, spline_tooth: lug, radial: direction == "radial" })
@@ -248,14 +248,19 @@ fn planet_set(
     around: Handle,
     planets: Vec<Handle>,
 ) -> Result<PlanetSet, RuntimeError> {
-    let around = externs::body(context, "around", around)?;
+    let around = externs::body(context, "central", around)?;
     let planets: Vec<BodyId> = planets
         .into_iter()
         .map(|planet| externs::body(context, "planets", planet))
         .collect::<Result<_, _>>()?;
     if planets.contains(&around) || planets.is_empty() {
         let message = "planets are bodies around another one";
-        return Err(refusal("E0772", "planets", message, "give the planets, and sun or carrier as `around`"));
+        return Err(refusal(
+            "E0772",
+            "planets",
+            message,
+            "give the planets, and sun or carrier as `central`",
+        ));
     }
     Ok(PlanetSet { around, planets })
 }

@@ -216,7 +216,7 @@ pub(crate) fn unequal_planet_spacing(planets: f64, teeth: f64) -> Option<Geometr
         ],
         sentence![
             "choose teeth of sun and ring that add up to a multiple of ", number planets, ", such as ", number fitting,
-            "; or give the positions of the planets with `places`"
+            "; or give the positions of the planets with `planet_angles`"
         ],
     ))
 }

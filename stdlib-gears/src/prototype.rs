@@ -587,7 +587,7 @@ impl Prototype for GearPrototype {
                 });
                 let on_web = self.rim.web.is_some() && matches!(self.rim.hold, BoreSupport::SplineTeeth(_));
                 let spline_teeth = on_web.then(|| Ignored {
-                    input: "lugs".into(),
+                    input: "spline_teeth".into(),
                     reason: "they support the bore of a web, which a two-dimensional model does not have"
                         .into(),
                 });

@@ -15,7 +15,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_spectrum(
         context, of: String, from: f64, to: f64, window: String, piece: f64, scaling: String, highest: f64,
     ) -> () {
-        let piece = (positive("piece", piece)? > 0.0).then_some(piece);
+        let piece = (positive("segment", piece)? > 0.0).then_some(piece);
         let scaling = if scaling == "density" { Scaling::Density } else { Scaling::Amplitude };
         ask(context, of, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, piece, scaling })
     }
@@ -23,7 +23,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_spectrogram(
         context, of: String, piece: f64, from: f64, to: f64, window: String, highest: f64,
     ) -> () {
-        let piece = more_than_none("piece", piece)?;
+        let piece = more_than_none("segment", piece)?;
         ask(context, of, [from, to], highest, SignalKind::Spectrogram { window: named(&window)?, piece })
     }
 
@@ -33,10 +33,10 @@ calyx_abi::externs! {
         let shaft = if shaft == GROUND { None } else { Some(body(context, "shaft", shaft)?) };
         let ahead = (!angle.is_empty()).then_some(angle);
         if shaft.is_none() && ahead.is_none() {
-            return Err(refusal("E0778", "shaft", "it is not said whose turns are counted",
+            return Err(refusal("E0778", "shaft", "the shaft whose revolutions are counted is missing",
                 "give the `shaft`, or the name of an output that is its `angle`"));
         }
-        let (turns, highest) = (more_than_none("turns", turns)?, more_than_none("highest", highest)?);
+        let (turns, highest) = (more_than_none("revolutions", turns)?, more_than_none("highest", highest)?);
         let window = named(&window)?;
         ask(context, of, [from, to], highest, SignalKind::OrderMap { shaft, ahead, turns, highest, window })
     }
@@ -108,7 +108,7 @@ pub fn check(host: &ModelHost) -> Result<(), RuntimeError> {
             SignalKind::OrderMap { ahead: Some(ahead), .. } => Some(("angle", ahead)),
             _ => None,
         };
-        for (argument, name) in [("of", &request.of)].into_iter().chain(ahead) {
+        for (argument, name) in [("output", &request.of)].into_iter().chain(ahead) {
             if output(host, name).is_some() {
                 continue;
             }

@@ -137,7 +137,7 @@ fn check_places(argument: &'static str, places: &[f64]) -> Result<(), GeometryEr
         argument,
         sentence![
             "a table of flank modifications has ", number places.len() as f64,
-            " places, which must be two at least and ascend"
+            " positions, which must be two at least and ascend"
         ],
         sentence!["sort the table and remove duplicates"],
     ))
@@ -151,7 +151,7 @@ fn check_count(argument: &'static str, found: usize, wanted: usize) -> Result<()
         "E0643",
         argument,
         sentence![
-            "a table of flank modifications has ", number found as f64, " depths for ", number wanted as f64, " places"
+            "a table of flank modifications has ", number found as f64, " depths for ", number wanted as f64, " positions"
         ],
         sentence!["give one depth for each place; for a topography one row along the face after the other"],
     ))
@@ -219,7 +219,7 @@ mod tests {
     fn tables_are_met_smoothly_and_continue_straight() {
         let places = vec![-1.0, -0.2, 0.5, 0.6, 2.0];
         let values = vec![0.3, -0.4, 0.8, 0.7, 0.1];
-        let spline = NaturalSpline::new("rolls", places.clone(), values.clone()).expect("a spline");
+        let spline = NaturalSpline::new("roll_angles", places.clone(), values.clone()).expect("a spline");
         for (&place, &value) in places.iter().zip(&values) {
             assert!((spline.at(place)[0] - value).abs() < 1e-14);
             let [before, after] = [place - 1e-9, place + 1e-9].map(|x| spline.at(x));
@@ -245,10 +245,11 @@ mod tests {
         let [f, g] = [vec![0.1, -0.3, 0.5, 0.2], vec![1.0, -2.0, 0.7]];
         let values = f.iter().flat_map(|f| g.iter().map(move |g| f * g)).collect();
         let splines = [
-            NaturalSpline::new("rolls", first.clone(), f.clone()).expect("a spline"),
-            NaturalSpline::new("places", second.clone(), g.clone()).expect("a spline"),
+            NaturalSpline::new("roll_angles", first.clone(), f.clone()).expect("a spline"),
+            NaturalSpline::new("axial_positions", second.clone(), g.clone()).expect("a spline"),
         ];
-        let tensor = TensorSpline::new(["rolls", "places"], [first, second], values).expect("a spline");
+        let tensor =
+            TensorSpline::new(["roll_angles", "axial_positions"], [first, second], values).expect("a spline");
         for x in [-0.2, 0.1, 0.7, 1.05, 1.4] {
             for y in [-1.5, -0.4, 0.5, 1.2] {
                 let (f, g) = (splines[0].at(x), splines[1].at(y));
@@ -265,15 +266,16 @@ mod tests {
     #[test]
     fn tables_that_are_none_are_refused() {
         let refused = |places: Vec<f64>, values: Vec<f64>| {
-            let error = NaturalSpline::new("rolls", places, values).expect_err("refused");
+            let error = NaturalSpline::new("roll_angles", places, values).expect_err("refused");
             (error.code, error.argument)
         };
-        assert_eq!(refused(vec![0.0], vec![0.0]), ("E0643", "rolls"));
-        assert_eq!(refused(vec![0.0, 0.0], vec![0.0, 0.0]), ("E0643", "rolls"));
+        assert_eq!(refused(vec![0.0], vec![0.0]), ("E0643", "roll_angles"));
+        assert_eq!(refused(vec![0.0, 0.0], vec![0.0, 0.0]), ("E0643", "roll_angles"));
         assert_eq!(refused(vec![0.0, 1.0], vec![0.0]), ("E0643", "depths"));
         assert_eq!(refused(vec![0.0, 1.0], vec![0.0, f64::NAN]), ("E0643", "depths"));
         let places = [vec![0.0, 1.0], vec![1.0, 0.0]];
-        let error = TensorSpline::new(["rolls", "places"], places, vec![0.0; 4]).expect_err("refused");
-        assert_eq!((error.code, error.argument), ("E0643", "places"));
+        let error =
+            TensorSpline::new(["roll_angles", "axial_positions"], places, vec![0.0; 4]).expect_err("refused");
+        assert_eq!((error.code, error.argument), ("E0643", "axial_positions"));
     }
 }

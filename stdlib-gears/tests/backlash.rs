@@ -44,7 +44,7 @@ pub fn reversing() -> (Scene, [PairId; 2]) {
         tip_corner_contact: false,
         half_cells: Some(6),
         grid_width: Some(8e-4),
-        back_side_contact: true,
+        coast_side_contact: true,
         ..MeshOptions::default()
     };
     let meshed = mesh(&mut scene, bodies[0], bodies[1], &options).expect("a mesh");

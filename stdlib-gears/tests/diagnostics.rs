@@ -138,8 +138,14 @@ fn impossible_racks_rims_and_reliefs_are_refused() {
     assert_eq!(check_rim(0.88 * INCH, 0.7 * INCH, 0.6 * INCH), Ok(()));
 
     let reliefs = [
-        (34.0, 0.0005, "E0640", "start_roll", "34 deg, but the involute runs from 1.8072 deg to 33.678 deg"),
-        (1.0, 0.0005, "E0640", "start_roll", "1 deg"),
+        (
+            34.0,
+            0.0005,
+            "E0640",
+            "start_roll_angle",
+            "34 deg, but the involute runs from 1.8072 deg to 33.678 deg",
+        ),
+        (1.0, 0.0005, "E0640", "start_roll_angle", "1 deg"),
         (27.25, 0.05, "E0641", "depth", "0.05 inch deep"),
         (27.25, -0.001, "E0641", "depth", "-0.001 inch"),
     ];

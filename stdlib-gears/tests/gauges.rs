@@ -120,15 +120,15 @@ fn gauges_are_placed_by_radius_or_tangent_angle() {
         refused(GaugePlacement { along: FilletLocation::TangentAngle(1.6), ..MIDDLE }),
         "tangent_angle"
     );
-    assert_eq!(refused(GaugePlacement { axial: 0.51 * FACE, ..MIDDLE }), "axial");
-    assert_eq!(refused(GaugePlacement { axial: f64::NAN, ..MIDDLE }), "axial");
+    assert_eq!(refused(GaugePlacement { axial: 0.51 * FACE, ..MIDDLE }), "axial_position");
+    assert_eq!(refused(GaugePlacement { axial: f64::NAN, ..MIDDLE }), "axial_position");
     let along = GaugePlacement { length: 2.0 * fillet.length(), ..MIDDLE };
     assert_eq!(refused(along), "length");
     assert_eq!(refused(GaugePlacement { length: -1e-3, ..MIDDLE }), "length");
     // Rotated into the face direction the gauge fits, but not near the end of the face.
     let across = GaugePlacement { direction: FRAC_PI_2, length: 0.2 * FACE, ..MIDDLE };
     assert!(GaugePlacement { axial: 0.39 * FACE, ..across }.on(&gear).is_ok());
-    assert_eq!(refused(GaugePlacement { axial: 0.41 * FACE, ..across }), "axial");
+    assert_eq!(refused(GaugePlacement { axial: 0.41 * FACE, ..across }), "axial_position");
 }
 
 /// With Poisson's ratio zero every section of a spur gear is in plane strain, and the strain along

@@ -77,6 +77,39 @@ fn samples_of_all_functions_are_accepted() {
     assert!(wrong.is_empty(), "\n{wrong}");
 }
 
+/// Calls every renamed function, and every function with renamed arguments, by both names: the
+/// programs are equal, and each former name is reported with its fix.
+#[test]
+fn former_names_of_the_library_mean_the_same() {
+    let mut renamed = 0;
+    for function in functions() {
+        let formers = function.parameters.iter().filter(|parameter| parameter.sample.is_some());
+        let formers = formers.filter_map(|parameter| parameter.former.as_deref());
+        let mut formers: Vec<&str> = function.former.as_deref().into_iter().chain(formers).collect();
+        if formers.is_empty() {
+            continue;
+        }
+        renamed += formers.len();
+        let [current, former] = [false, true]
+            .map(|is_former| check_program("model.cx", &function.padded(is_former), &ModelLoader::default()));
+        let (of_names, others): (Vec<_>, Vec<_>) =
+            former.diagnostics.iter().cloned().partition(|found| found.code == "W0840");
+        assert_eq!(others, current.diagnostics, "{}", function.name);
+        assert!(of_names.iter().all(|found| found.fix.is_some()), "{}: {of_names:?}", function.name);
+        let mut reported: Vec<&str> =
+            of_names.iter().filter_map(|found| found.message.split('`').nth(1)).collect();
+        formers.sort_unstable();
+        reported.sort_unstable();
+        assert_eq!(reported, formers, "{}", function.name);
+        let [current, former] = [current, former].map(|checked| {
+            let program = checked.program.expect("a program");
+            format!("{:?}", Program { files: Vec::new(), ..program })
+        });
+        assert!(current == former, "{}: the programs differ", function.name);
+    }
+    assert!(renamed > 40, "only {renamed} former names");
+}
+
 /// An error inside a library function is reported at the argument that the program passed.
 #[test]
 fn errors_inside_library_functions_are_shown_at_the_argument() {
@@ -90,8 +123,9 @@ fn errors_inside_library_functions_are_shown_at_the_argument() {
         });
         library::model(&function, &arguments)
     };
-    let torque =
-        |speed: &str| format!("import gears;\nvar still = 0 rpm;\nprint(gears.torque_of(3 kW, {speed}));");
+    let torque = |speed: &str| {
+        format!("import gears;\nvar still = 0 rpm;\nprint(gears.torque_from_power(3 kW, {speed}));")
+    };
     // Model, code, text at which the error is reported.
     let cases = [
         (planetary("cells = 2.5"), "E0672", "2.5"),

@@ -150,7 +150,7 @@ pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineE
             EngineError::new(
                 "E0714",
                 format!("no contact can balance the load: it drives {}", named(motion)),
-                "constrain this degree of freedom (remove it from `free`) or add a bearing, or check the sign of the load and that the teeth are in mesh; a reversing load needs `back_side_contact = TRUE` in `gears.mesh`",
+                "constrain this degree of freedom (remove it from `free`) or add a bearing, or check the sign of the load and that the teeth are in mesh; a reversing load needs `coast_side_contact = TRUE` in `gears.mesh`",
             ),
             motion,
         ),

@@ -57,7 +57,7 @@ impl SplineSupport {
         let wrong = |argument, message, help| GeometryError::error("E0655", argument, message, help);
         if self.spline_teeth < 3 {
             return Err(wrong(
-                "lugs",
+                "teeth",
                 sentence!["a spline needs at least three teeth to centre a rim; it has ", number f64::from(self.spline_teeth)],
                 sentence!["give at least 3"],
             ));

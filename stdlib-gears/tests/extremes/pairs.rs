@@ -270,7 +270,7 @@ fn far_relieved(cycle: f64) -> f64 {
 }
 
 /// Pair at a centre distance different from that without backlash, and its diagnostics.
-fn meshed(apart: f64, back_side_contact: bool) -> Result<(Scene, Vec<String>), Refusal> {
+fn meshed(apart: f64, coast_side_contact: bool) -> Result<(Scene, Vec<String>), Refusal> {
     let mut scene = Scene::default();
     let turning = |x: f64, speed: f64| SteadyRotation { origin: [x, 0.0], start: 0.0, speed };
     let first = Body::new("first", PLAIN[0].prototype.clone(), turning(0.0, 1.0))
@@ -281,7 +281,7 @@ fn meshed(apart: f64, back_side_contact: bool) -> Result<(Scene, Vec<String>), R
         &mut scene,
         Body::new("second", PLAIN[1].prototype.clone(), turning(3.0 * INCH + apart, -0.5)),
     )?;
-    let options = MeshOptions { tip_corner_contact: false, back_side_contact, ..MeshOptions::default() };
+    let options = MeshOptions { tip_corner_contact: false, coast_side_contact, ..MeshOptions::default() };
     let meshed = mesh(&mut scene, first, second, &options)?;
     Ok((scene, meshed.warnings.into_iter().map(|warning| warning.message.to_string()).collect()))
 }

@@ -22,7 +22,7 @@ const BACK: PairId = PairId(1);
 const STANDARD: f64 = 0.5 * MODULE * (TEETH[0] + TEETH[1]) as f64;
 
 fn both(options: Options) -> Options {
-    Options { back_side_contact: true, ..options }
+    Options { coast_side_contact: true, ..options }
 }
 
 fn base_radii() -> [f64; 2] {

@@ -99,7 +99,7 @@ pub struct Options {
     /// True for half-spaces instead of finite elements.
     pub backed: bool,
     pub misalignment: Misalignment,
-    pub back_side_contact: bool,
+    pub coast_side_contact: bool,
     /// Pose of the whole pair, including its load.
     pub place: Pose,
     /// Eccentricity of each gear on its shaft, m: along the gear's x axis.
@@ -119,7 +119,7 @@ impl Options {
             edges: false,
             backed: true,
             misalignment: Misalignment::default(),
-            back_side_contact: false,
+            coast_side_contact: false,
             place: Pose::IDENTITY,
             eccentricity: [0.0; 2],
             apart: 1e-3,
@@ -165,7 +165,7 @@ impl Options {
             half_cells: Some(self.half_cells[0]),
             half_slices: self.half_cells[1],
             misalignment: self.misalignment,
-            back_side_contact: self.back_side_contact,
+            coast_side_contact: self.coast_side_contact,
             ..MeshOptions::default()
         };
         let meshed = mesh(&mut scene, first, second, &options).expect("they mesh");

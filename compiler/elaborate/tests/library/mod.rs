@@ -10,8 +10,11 @@ use calyx_lang::span::{FileId, Span};
 pub const MARK: &str = "/* the call */";
 
 /// A function and its parameters.
+#[derive(Clone)]
 pub struct Function {
     pub name: String,
+    /// The former name, if any.
+    pub former: Option<String>,
     /// The path by which a program calls it.
     path: String,
     pub parameters: Vec<Argument>,
@@ -20,8 +23,11 @@ pub struct Function {
 }
 
 /// A parameter.
+#[derive(Clone)]
 pub struct Argument {
     pub name: String,
+    /// The former name, if any.
+    pub former: Option<String>,
     pub default: Option<String>,
     pub low: Option<String>,
     pub high: Option<String>,
@@ -67,7 +73,8 @@ fn function(decl: &FunctionDecl, name: String, path: String, text: &str) -> Func
     let parameters = decl.parameters.iter().filter(|parameter| parameter.mode == Mode::In);
     let parameters = parameters.map(|parameter| argument(&name, parameter, text)).collect();
     let result = decl.result.as_ref().map_or("", |ty| slice(text, ty.span));
-    Function { is_observable: result.starts_with("Observable"), path, parameters, name }
+    let former = decl.former.as_ref().map(|former| former.name.clone());
+    Function { is_observable: result.starts_with("Observable"), path, parameters, name, former }
 }
 
 fn slice(text: &str, span: Span) -> &str {
@@ -76,6 +83,7 @@ fn slice(text: &str, span: Span) -> &str {
 
 fn argument(function: &str, parameter: &Parameter, text: &str) -> Argument {
     let name = parameter.name.name.clone();
+    let former = parameter.former.as_ref().map(|former| former.name.clone());
     let default = parameter.default.as_ref().and_then(|(_, value)| value.as_ref());
     let default = default.map(|value| slice(text, value.span).replace("ground()", "gears.ground()"));
     let (mut low, mut high, mut choices) = (None, None, Vec::new());
@@ -103,7 +111,7 @@ fn argument(function: &str, parameter: &Parameter, text: &str) -> Argument {
         Some((_, _, value)) => Some((*value).to_owned()),
         None => default.clone().or_else(|| choices.first().cloned()).or_else(|| sample_of(&ty)),
     };
-    Argument { sample, name, default, low, high, choices, ty, is_number }
+    Argument { sample, name, former, default, low, high, choices, ty, is_number }
 }
 
 fn is_number(ty: &TypeExpr) -> bool {
@@ -167,18 +175,18 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("disc_web", "inner_diameter", "26 mm"),
     ("disc_web", "bore_diameter", "10 mm"),
     ("disc_web", "web_thickness", "4 mm"),
-    ("splined", "lugs", "8"),
+    ("splined", "teeth", "8"),
     ("tip_relief", "depth", "10 um"),
-    ("tip_relief", "start_roll", "0.5 rad"),
+    ("tip_relief", "start_roll_angle", "0.5 rad"),
     ("root_relief", "depth", "10 um"),
-    ("root_relief", "start_roll", "0.2 rad"),
+    ("root_relief", "start_roll_angle", "0.2 rad"),
     ("lead_crown", "depth", "5 um"),
-    ("profile_table", "rolls", "[0.1 rad, 0.3 rad, 0.6 rad]"),
+    ("profile_table", "roll_angles", "[0.1 rad, 0.3 rad, 0.6 rad]"),
     ("profile_table", "depths", "[0 um, 1 um, 5 um]"),
-    ("lead_table", "places", "[-5 mm, 0 mm, 5 mm]"),
+    ("lead_table", "axial_positions", "[-5 mm, 0 mm, 5 mm]"),
     ("lead_table", "depths", "[3 um, 0 um, 3 um]"),
-    ("topography", "rolls", "[0.1 rad, 0.3 rad, 0.6 rad]"),
-    ("topography", "places", "[-5 mm, 5 mm]"),
+    ("topography", "roll_angles", "[0.1 rad, 0.3 rad, 0.6 rad]"),
+    ("topography", "axial_positions", "[-5 mm, 5 mm]"),
     ("topography", "depths", "[0 um, 1 um, 2 um, 3 um, 4 um, 5 um]"),
     ("profile_slope", "deviation", "5 um"),
     ("helix_slope", "deviation", "5 um"),
@@ -205,16 +213,16 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("time_range", "step", "0.1 ms"),
     ("impulse", "at", "1 ms"),
     ("impulse", "duration", "1 ms"),
-    ("spectrum", "of", "\"error\""),
-    ("spectrogram", "of", "\"error\""),
-    ("spectrogram", "piece", "1 ms"),
-    ("order_map", "of", "\"error\""),
+    ("spectrum", "output", "\"error\""),
+    ("spectrogram", "output", "\"error\""),
+    ("spectrogram", "segment", "1 ms"),
+    ("order_map", "output", "\"error\""),
     ("order_map", "shaft", "pinion"),
-    ("transfer_function", "of", "\"error\""),
+    ("transfer_function", "output", "\"error\""),
     ("transfer_function", "from", "0 s"),
     ("transfer_function", "momentum", "1"),
-    ("torque_of", "power", "1 kW"),
-    ("torque_of", "speed", "1000 rpm"),
+    ("torque_from_power", "power", "1 kW"),
+    ("torque_from_power", "speed", "1000 rpm"),
     ("planetary", "sun", "pinion_gear"),
     ("planetary", "planet", "pinion_gear"),
     ("planetary", "ring", "ring_gear"),
@@ -223,9 +231,9 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("planetary", "sun_torque", "10 N*m"),
     ("planetary", "planets", "4"),
     ("natural_frequency", "mode", "1"),
-    ("mode_share", "mode", "1"),
-    ("mode_kind", "mode", "1"),
-    ("mode_kind", "planets", "[wheel]"),
+    ("modal_energy_share", "mode", "1"),
+    ("mode_type", "mode", "1"),
+    ("mode_type", "planets", "[wheel]"),
     ("lumped_natural_frequency", "mode", "1"),
     ("lumped_natural_frequency", "planets", "[wheel]"),
     ("lumped_natural_frequency", "sun_meshes", "[mesh]"),
@@ -233,7 +241,7 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("tooth_load", "tooth", "0"),
     ("friction_loss", "coefficient", "0.05"),
     ("efficiency", "coefficient", "0.05"),
-    ("lug_force", "lug", "0"),
+    ("spline_tooth_force", "tooth", "0"),
     ("lumped_member", "mass", "1 kg"),
     ("lumped_member", "inertia", "1e-3 kg*m^2"),
     ("lumped_member", "radius", "20 mm"),
@@ -249,9 +257,9 @@ const SAMPLES: &[(&str, &str, &str)] = &[
 /// Functions that need a planetary set, a splined rim or a dynamic analysis; [`SCENE`] has none of
 /// them.
 pub const NOT_IN_SCENE: [&str; 7] = [
-    "mode_kind",
+    "mode_type",
     "lumped_natural_frequency",
-    "lug_force",
+    "spline_tooth_force",
     "impulse",
     "spectrogram",
     "order_map",
@@ -282,7 +290,7 @@ var pinion = gears.body("pinion", pinion_gear, free = ["theta_z"], moment = 10 N
 var wheel = gears.body("wheel", pinion_gear, frame := Rotate(-speed * Time, e3) * Translate(40 mm * e1));
 var housing = gears.rigid_body("housing", free = ["u_x", "u_y"], mass = 1 kg, frame := Translate(1 m * e1));
 var bearing = gears.bearing("seat", housing, radial_stiffness = 1e8 N/m);
-var mesh = gears.mesh(pinion, wheel, back_side_contact = TRUE);
+var mesh = gears.mesh(pinion, wheel, coast_side_contact = TRUE);
 var gauge = gears.gauge(pinion);
 output error := gears.transmission_error(mesh);
 "#;
@@ -318,21 +326,19 @@ pub fn model(function: &Function, arguments: &[String]) -> String {
 impl Argument {
     /// Returns `true` for a number that is a count.
     pub fn is_count(&self) -> bool {
-        const COUNTS: [&str; 14] = [
+        const COUNTS: [&str; 12] = [
             "teeth",
             "cells",
             "cells_along",
             "steps",
             "count",
-            "lugs",
             "planets",
             "mode",
             "modes",
             "tooth",
-            "lug",
             "face_elements",
-            "keep_every",
-            "turns",
+            "output_every",
+            "revolutions",
         ];
         self.is_number && COUNTS.contains(&self.name.as_str())
     }
@@ -445,6 +451,23 @@ impl Function {
                 format!("{} {bind} {value}", parameter.name)
             })
             .collect()
+    }
+
+    /// Returns the sample with every name, current or former, padded with blanks to the length of
+    /// the longer one, so that two programs that differ in names only have equal locations.
+    pub fn padded(&self, is_former: bool) -> String {
+        let padded = |name: &str, former: &Option<String>| {
+            let other = former.as_deref().unwrap_or(name);
+            let width = name.len().max(other.len());
+            format!("{:width$}", if is_former { other } else { name })
+        };
+        let mut renamed = Function { path: String::new(), ..self.clone() };
+        for parameter in &mut renamed.parameters {
+            parameter.name = padded(&parameter.name, &parameter.former);
+        }
+        let prefix = self.path.strip_suffix(&self.name).unwrap_or_default();
+        renamed.path = format!("{prefix}{}", padded(&self.name, &self.former));
+        model(&renamed, &renamed.arguments(|parameter| parameter.sample.clone()))
     }
 
     /// Returns the sample with one to three arguments replaced by extreme values.

@@ -57,6 +57,10 @@
                       "pure" 'font-lock-keyword-face "area" 'font-lock-function-name-face
                       "in" 'font-lock-keyword-face "d" 'font-lock-variable-name-face
                       "Length" 'font-lock-type-face "Area" 'font-lock-type-face)
+  (calyx-tests--faces "function area was surface(in d was width: Length) {}"
+                      "area" 'font-lock-function-name-face "was" 'font-lock-keyword-face
+                      "d" 'font-lock-variable-name-face "was" 'font-lock-keyword-face
+                      "Length" 'font-lock-type-face)
   (calyx-tests--faces "var at = test + unit;" "at" 'font-lock-variable-name-face "test" nil "unit" nil))
 
 (ert-deftest calyx-expressions ()
