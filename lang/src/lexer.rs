@@ -39,8 +39,8 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let word = &text[token.span.start as usize..token.span.end as usize];
         let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
-        // In `param at Time = 0 s`, `param` is a variable, and in `in unit was length: Length`, `unit`
-        // is a parameter. In `record at was place {`, `record` is a keyword.
+        // In `param at Time = 0 s`, `param` is a variable, and in `in unit was length: Length`,
+        // `unit` is a parameter. In `record at was place {`, `record` is a keyword.
         let is_name = next == Some(Kind::Identifier)
             && matches!(
                 &text[tokens[i + 1].span.start as usize..tokens[i + 1].span.end as usize],
