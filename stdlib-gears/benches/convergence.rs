@@ -68,7 +68,10 @@ fn main() {
                 mesh("0.5", 0.5, 3, None),
                 mesh("0.7", 0.7, 3, None),
                 mesh("0.75", 0.75, 3, None),
+                mesh("1 o1", 1.0, 1, None),
+                mesh("0.75 o2", 0.75, 2, None),
                 mesh("1 o2", 1.0, 2, Some(2)),
+                mesh("1 o2 a3", 1.0, 2, None),
                 mesh("1", 1.0, 3, None),
                 mesh("1.5", 1.5, 3, None),
             ];

@@ -15,7 +15,9 @@
 //! the effectivity, the ratio of estimated to true error (`stdlib-gears/tests/estimates.rs`). See
 //! `docs/theory/error-estimates.md`.
 
+mod bounds;
 mod continuation;
+mod mesh_variants;
 mod perturbed_solve_count;
 mod perturbed_solves;
 mod rounding;
@@ -108,7 +110,9 @@ pub(crate) fn attach(
                 Err("between two positions none could be solved to see what lies there".to_owned())
             }
             (Some(course), Some(finer)) => {
-                Ok(course.errors(&ends(rows, index), (&finer, &ends(known, index)), closed))
+                let own = ends(rows, index);
+                let errors = course.errors(&own, (&finer, &ends(known, index)), closed);
+                Ok(bounds::within(errors, &own, bounds::of(request, observables)))
             }
             _ => Err("the positions do not go anywhere".to_owned()),
         };

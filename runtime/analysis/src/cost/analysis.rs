@@ -90,9 +90,9 @@ impl Task<'_> {
             Estimates::None => {}
             _ if in_time => add(Cost { time: OF_STEPS * own.time, memory: own.memory }),
             estimates => {
-                for perturbed_solve in
-                    perturbed_solves_of(estimates, fidelity, options, self.positions, self.outputs.len())
-                {
+                let own = (fidelity, in_space);
+                let outputs = self.outputs.len();
+                for perturbed_solve in perturbed_solves_of(estimates, own, options, self.positions, outputs) {
                     let Some((part, fidelity)) =
                         self.of_perturbed_solve(&perturbed_solve, in_space, meshes, rates)
                     else {

@@ -2,7 +2,8 @@
 //! predicted from the counts.
 
 use super::Estimates;
-use super::perturbed_solves::{BETWEEN, MeshVariant, PART_OF_POSITIONS, SAMPLES, SPREAD, refinement_above};
+use super::mesh_variants::MeshVariant;
+use super::perturbed_solves::{PART_OF_POSITIONS, SAMPLES, SPREAD, added_positions, refinement_above};
 use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions};
 
 /// Positions of an analysis solved once more, with one setting changed.
@@ -18,10 +19,11 @@ pub(crate) struct PerturbedSolve {
     pub condensed: bool,
 }
 
-/// The perturbed solves of a quasi-static analysis with these numbers of positions and outputs.
+/// The perturbed solves of a quasi-static analysis in two or three dimensions with these numbers of
+/// positions and outputs.
 pub(crate) fn perturbed_solves_of(
     estimates: Estimates,
-    fidelity: Fidelity,
+    (fidelity, in_space): (Fidelity, bool),
     structure: StructureOptions,
     positions: usize,
     outputs: usize,
@@ -39,11 +41,11 @@ pub(crate) fn perturbed_solves_of(
     };
     let mut all = vec![
         perturbed_solve(own.clone(), samples, true, false),
-        perturbed_solve(own, positions.div_ceil(BETWEEN), false, false),
+        perturbed_solve(own, added_positions(positions, in_space), false, false),
     ];
     if fidelity.body_model() == BodyModel::Elements {
-        let other = MeshVariant::than(fidelity, structure).structure;
-        all.push(perturbed_solve(vec![(fidelity, other)], samples, true, true));
+        let others = MeshVariant::of(fidelity, structure).map(|other| (fidelity, other.structure));
+        all.push(perturbed_solve(others.to_vec(), samples, true, true));
     }
     if estimates == Estimates::Full {
         let above = fidelity.all_above().map(|above| {

@@ -1,7 +1,10 @@
 //! Perturbed solves of quasi-static analyses: the same positions with one setting changed.
 
-use super::sampling::{SampledOutput, SamplingContext, divided, most_promising};
-use super::{Ends, ErrorPart, Estimates, Evidence, Part, Statistics, ends, is_stress, rounding, within};
+use super::mesh_variants::MeshVariant;
+use super::sampling::{Promising, SampledOutput, SamplingContext, divided, most_promising};
+use super::{
+    Ends, ErrorPart, Estimates, Evidence, Part, Statistics, bounds, ends, is_stress, rounding, within,
+};
 use crate::observables::Observe;
 use crate::rows::StepRow;
 use crate::scene::Scene;
@@ -17,28 +20,6 @@ use calyx_solve::system::System;
 use rayon::prelude::*;
 use std::f64::consts::SQRT_2;
 
-/// Ratio of the elements along every direction in the plane mesh of a perturbed solve to those of
-/// the analysis.
-const COARSER: f64 = 0.45;
-/// Plane meshes up to this refinement are compared with one with this ratio of elements along every
-/// direction, and at least of this order.
-const COARSE: f64 = 0.5;
-const FINER: f64 = 2.0;
-const FINER_ORDER: usize = 3;
-/// Factor on the difference from a finer mesh, whose own error is small.
-const OF_FINER_MESH: f64 = 1.1;
-/// Order of displacements along the face in a perturbed solve whose model does not prescribe it:
-/// one less than that of the templates.
-const AXIAL_ORDER: usize = 2;
-/// Factor on the difference from the coarser mesh, for deflections and forces, and for stresses, in
-/// plane models. The theoretical value for elements of order three is smaller; corners and integer
-/// numbers of elements increase it.
-const OF_MESH: [f64; 2] = [0.5, 0.2];
-/// Factors in three dimensions by the order of the elements, from 2 on, with one order less in the
-/// perturbed solve. Linear elements are so inaccurate that a tenth of the difference from them is
-/// the error of quadratic ones, while stresses of quadratic and cubic elements are close by
-/// coincidence.
-const OF_ORDER: [[f64; 2]; 2] = [[0.15, 0.08], [0.4, 1.9]];
 /// Factor for contact grids with half as many cells.
 pub(super) const OF_GRID: f64 = 0.4;
 /// Minimum number of positions that are solved again; of many positions, a fraction.
@@ -54,10 +35,10 @@ const USUAL: f64 = 0.5;
 /// Lower bound of the errors of peak-to-peak and mean relative to the errors at both extremes or
 /// over all positions, because the degree of cancellation is unknown.
 const OF_SUMS: f64 = 0.2;
-/// Number of positions per additional position between two. Few positions are all solved again,
-/// twice on grids of half the cells, each at a quarter of the time or less. So the estimates take
-/// at most about the time of the analysis, without structures, which may be cached.
-pub(super) const BETWEEN: usize = 2;
+/// Number of positions per additional position between two, and the number of additional positions
+/// up to which there may be more.
+const PER_ADDED: usize = 2;
+const FEW_ADDED: usize = 8;
 /// Number of rounds of division; each uses the results of the previous ones.
 const ROUNDS: usize = 4;
 
@@ -108,16 +89,12 @@ pub(crate) fn quasi_static_perturbed_solves(
         _ => (scene, &own),
     };
     let fidelity = judged.plan.fidelity;
-    let other = MeshVariant::than(fidelity, judged.structure);
-    let meshed = (fidelity.body_model() == BodyModel::Elements)
-        .then(|| part_of(judged.perturbed_solve(compared, fidelity, other.structure, &samples)))
-        .transpose()?;
-
-    let of_mesh = |output: usize| other.factor(is_stress(&judged.outputs[output], &scene.observables));
     let mut found = Vec::new();
     // Levels without a mesh have no mesh error, and rigid bodies have no pressure.
-    if let Some(meshed) = meshed {
-        found.push(judged.found(Part::Discretization, &samples, meshed, base, of_mesh));
+    if fidelity.body_model() == BodyModel::Elements {
+        let (meshed, other) = judged.on_another_mesh(compared, &samples)?;
+        let factor = |output: usize| other.factor(is_stress(&judged.outputs[output], &scene.observables));
+        found.push(judged.found(Part::Discretization, &samples, meshed, base, factor));
     }
     if fidelity != Fidelity::Rigid {
         found.push(judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, |_| OF_GRID));
@@ -138,6 +115,16 @@ pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) 
         (Fidelity::Solid(_), _) | (_, Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane) => refinement,
         (_, Fidelity::Solid(_)) => 1.0,
     }
+}
+
+/// Returns the number of positions that are solved between those of an analysis.
+///
+/// The estimates take at most about the time of the analysis, without structures, which may be
+/// cached. Few positions are all solved again, twice on grids of half the cells along every
+/// direction: each at a quarter of the time, and in three dimensions at a sixteenth.
+pub(super) fn added_positions(positions: usize, in_space: bool) -> usize {
+    let on_coarse_grids = if in_space { 0 } else { SAMPLES.min(positions).div_ceil(2) };
+    positions.div_ceil(PER_ADDED).max((positions - on_coarse_grids).min(FEW_ADDED))
 }
 
 /// Reason why there is no perturbed solve.
@@ -201,6 +188,25 @@ impl BaseAnalysis<'_, '_> {
         Ok(self.solve(&system, &plan, &self.at(samples))?.values(self.outputs.len()))
     }
 
+    /// Solves the samples on the first of the meshes for a comparison that can be condensed. If
+    /// there is none, returns the reason why the preferred one cannot.
+    fn on_another_mesh(
+        &self,
+        scene: &Scene,
+        samples: &[usize],
+    ) -> Result<(Result<Values, String>, MeshVariant), EngineError> {
+        let fidelity = self.plan.fidelity;
+        let [preferred, other] = MeshVariant::of(fidelity, self.structure);
+        let first = part_of(self.perturbed_solve(scene, fidelity, preferred.structure, samples))?;
+        if first.is_ok() {
+            return Ok((first, preferred));
+        }
+        match part_of(self.perturbed_solve(scene, fidelity, other.structure, samples))? {
+            Ok(values) => Ok((Ok(values), other)),
+            Err(_) => Ok((first, preferred)),
+        }
+    }
+
     /// Solves the samples at the next level that supports the scene, or returns the reason why
     /// there is none.
     fn level_above(&self, samples: &[usize]) -> Result<Result<Values, String>, EngineError> {
@@ -257,21 +263,29 @@ impl BaseAnalysis<'_, '_> {
         };
         let is_closed = |output| is_closed(self.rows, output, &self.scene.observables);
         let closed: Vec<bool> = self.outputs.iter().map(is_closed).collect();
+        let bounds = |output| bounds::of(output, &self.scene.observables);
+        let bounds: Vec<[f64; 2]> = self.outputs.iter().map(bounds).collect();
         let mut all = self.rows.to_vec();
-        let mut left = self.rows.len().div_ceil(BETWEEN);
+        let mut left = added_positions(self.rows.len(), self.plan.in_space);
         for round in 0..ROUNDS {
             let course =
                 |(output, &closed)| SamplingContext::of(within(&all, self.rows, closed), Some(output));
             let courses: Vec<Option<SamplingContext>> = closed.iter().enumerate().map(course).collect();
             let known = |(output, &closed): (usize, &bool)| {
                 let course = courses[output].as_ref()?;
-                Some(SampledOutput { course, ends: ends(within(&all, self.rows, closed), output), closed })
+                let ends = ends(within(&all, self.rows, closed), output);
+                Some(SampledOutput { course, ends, closed, bounds: bounds[output] })
             };
             let known: Vec<SampledOutput<'_>> = closed.iter().enumerate().filter_map(known).collect();
             let turn = all.len() - self.rows.len();
             let wanted =
                 most_promising(&known, average, turn).into_iter().take(left.div_ceil(ROUNDS - round));
-            let positions: Vec<Position> = wanted.map(|promising| divided(&all, promising)).collect();
+            // In three dimensions a tooth pair takes up load gradually along its contact line.
+            let own = |promising: Promising| Promising {
+                event: promising.event.filter(|_| !self.plan.in_space),
+                ..promising
+            };
+            let positions: Vec<Position> = wanted.map(|promising| divided(&all, own(promising))).collect();
             left -= positions.len();
             match part_of(self.solve(self.system, self.plan, &positions))? {
                 Ok(besides) => all.extend(besides.rows),
@@ -310,48 +324,8 @@ impl BaseAnalysis<'_, '_> {
     }
 }
 
-/// Mesh for a comparison.
-pub(super) struct MeshVariant {
-    pub(super) structure: StructureOptions,
-    /// Factors on the difference: deflections and forces, and stresses.
-    factors: [f64; 2],
-}
-
-impl MeshVariant {
-    /// Creates a less accurate mesh: in plane models with fewer elements, in three dimensions with
-    /// elements of a lower order, because meshes there have few elements already. A coarse plane
-    /// mesh would have too few elements; it is compared with a finer one, which is cheap.
-    pub(super) fn than(fidelity: Fidelity, structure: StructureOptions) -> MeshVariant {
-        match fidelity {
-            Fidelity::Solid(_) if structure.order > 1 => {
-                let axial_order = structure.axial_order.map_or(AXIAL_ORDER, |order| (order - 1).max(1));
-                let axial_order = Some(axial_order);
-                let structure = StructureOptions { order: structure.order - 1, axial_order, ..structure };
-                MeshVariant { structure, factors: OF_ORDER[structure.order.min(OF_ORDER.len()) - 1] }
-            }
-            _ if structure.refinement <= COARSE => MeshVariant {
-                structure: StructureOptions {
-                    refinement: FINER * structure.refinement,
-                    order: structure.order.max(FINER_ORDER),
-                    ..structure
-                },
-                factors: [OF_FINER_MESH; 2],
-            },
-            _ => MeshVariant {
-                structure: StructureOptions { refinement: COARSER * structure.refinement, ..structure },
-                factors: OF_MESH,
-            },
-        }
-    }
-
-    /// Returns the factor on the difference of an output, depending on whether it is a stress.
-    pub(super) fn factor(&self, is_stress: bool) -> f64 {
-        self.factors[usize::from(is_stress)]
-    }
-}
-
-/// Returns the scene with half as many cells across and along every patch; `None` if none of the
-/// numbers can be halved.
+/// Returns the scene with half as many cells across and along every patch; `None` if no number can
+/// be halved.
 pub(super) fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
     let half = |count: usize| if count > 1 { Some(count.div_ceil(2)) } else { None };
     let mut coarse = scene.clone();

@@ -34,12 +34,16 @@ const SHORTEST: f64 = 0.02;
 /// Point of division of an interval with a named position at one end, as a fraction from that end.
 /// No interval is divided closer to an end.
 const BESIDE_NAMES: f64 = 0.25;
+/// Larger miss distance of both continuations of an output, relative to peak-to-peak, above which
+/// they meet at a kink: smooth histories are continued with smaller errors.
+const KINKED: f64 = 0.3;
 /// Fraction of an interval's miss distance that is added to its extreme while intervals are
 /// selected, relative to peak-to-peak.
 const HIDDEN: f64 = 0.25;
 /// Estimated error of the mean over an interval, relative to the miss distances of the
-/// continuations at its ends.
-const MISSED_MEAN: f64 = 0.15;
+/// continuations at its ends: the standard deviation of the mean of a history that jumps by that
+/// distance at a uniformly distributed location, `1 / sqrt(12)`.
+const MISSED_MEAN: f64 = 0.288_675;
 /// Rises below this fraction of peak-to-peak divide no interval.
 const RISING: f64 = 1e-3;
 /// Outputs that vary by at most this fraction of their magnitude select no intervals.
@@ -66,6 +70,8 @@ struct Extrapolation {
     rise: f64,
     /// Miss distance of the better extrapolation at the opposite end.
     missed: f64,
+    /// Miss distance of the other one; 0 if there is only one.
+    missed_more: f64,
     /// Expected location of a kink, as a fraction of the interval.
     kink: Option<f64>,
 }
@@ -180,7 +186,14 @@ impl SamplingContext {
     fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Extrapolation {
         let (continued, alone) = self.continued(interval, of, closed, true);
         let missed = missed(&continued, alone);
-        Extrapolation { rise: continued.largest(level).rise, missed, kink: continued.kink() }
+        let both = alone.iter().all(|&alone| alone);
+        let more = continued.misses().into_iter().map(f64::abs).fold(0.0, f64::max);
+        Extrapolation {
+            rise: continued.largest(level).rise,
+            missed,
+            missed_more: if both { more } else { 0.0 },
+            kink: continued.kink(),
+        }
     }
 
     /// Returns the excess of the estimated maximum between positions over the largest value at the
@@ -262,6 +275,8 @@ pub(crate) struct SampledOutput<'a> {
     pub course: &'a SamplingContext,
     pub ends: Vec<Ends>,
     pub closed: bool,
+    /// Smallest and largest possible value.
+    pub bounds: [f64; 2],
 }
 
 /// Interval that is worth dividing.
@@ -271,6 +286,8 @@ pub(crate) struct Promising {
     pub interval: usize,
     /// Expected location of a kink, as a fraction of the interval.
     pub kink: Option<f64>,
+    /// The same of the output with the most distinct kink in the interval.
+    pub event: Option<f64>,
 }
 
 /// Sorts the intervals by the merit of dividing them for the extremes of all outputs, in descending
@@ -280,12 +297,16 @@ pub(crate) struct Promising {
 /// Two orders alternate, the first one if `turn` is even. The first is by the expected rise above
 /// the extreme, relative to peak-to-peak. The second adds the misfit of continuations in any
 /// output: an event that shows in one output, such as a tooth pair that takes up load, affects
-/// others.
+/// others. For the same reason each interval has the kink of the output that shows it best. A load
+/// share, for example, is straight up to the point where a tooth pair leaves contact, which other
+/// outputs with curved time histories do not show.
 pub(crate) fn most_promising(all: &[SampledOutput<'_>], average: f64, turn: usize) -> Vec<Promising> {
     // Interval, rise relative to peak-to-peak, and evaluation, for every output and either sign.
     let mut looks: Vec<(usize, f64, Extrapolation)> = Vec::new();
     let mut hidden: BTreeMap<usize, f64> = BTreeMap::new();
-    for SampledOutput { course, ends, closed } in all {
+    // Larger miss distance relative to peak-to-peak, and location, of the most distinct kink.
+    let mut events: BTreeMap<usize, (f64, f64)> = BTreeMap::new();
+    for SampledOutput { course, ends, closed, bounds: [lowest, highest] } in all {
         if !ends.iter().all(|end| (end.low + end.high).is_finite()) {
             continue;
         }
@@ -297,15 +318,23 @@ pub(crate) fn most_promising(all: &[SampledOutput<'_>], average: f64, turn: usiz
         if spread <= CHANGING * magnitude {
             continue;
         }
-        for (values, most) in [(&high, most), (&low, least)] {
+        for (values, most, bound) in [(&high, most, *highest), (&low, least, -lowest)] {
             let of = |index: isize| values[index.rem_euclid(values.len() as isize) as usize];
             let long = |&i: &isize| course.place(i + 1) - course.place(i) > SHORTEST * average;
             for interval in course.intervals(*closed).filter(long) {
                 let look = course.look(interval, of, *closed, most);
                 let interval = interval as usize;
-                looks.push((interval, look.rise / spread, look));
+                let rise = if most < bound { look.rise } else { 0.0 };
+                looks.push((interval, rise / spread, look));
                 let part = (look.missed / spread).min(1.0);
                 hidden.entry(interval).and_modify(|most| *most = most.max(part)).or_insert(part);
+                let distinct = look.missed_more / spread;
+                if let Some(kink) = look.kink.filter(|_| distinct > KINKED) {
+                    let event = events.entry(interval).or_insert((distinct, kink));
+                    if distinct > event.0 {
+                        *event = (distinct, kink);
+                    }
+                }
             }
         }
     }
@@ -321,7 +350,11 @@ pub(crate) fn most_promising(all: &[SampledOutput<'_>], average: f64, turn: usiz
         let mut in_order: Vec<(usize, (f64, Option<f64>))> =
             best.into_iter().filter(|(_, (promise, _))| *promise > least).collect();
         in_order.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
-        in_order.into_iter().map(|(interval, (_, kink))| Promising { interval, kink })
+        let event = |interval: &usize| events.get(interval).map(|(_, event)| *event);
+        let all = in_order.into_iter();
+        all.map(|(interval, (_, kink))| Promising { interval, kink, event: event(&interval) })
+            .collect::<Vec<_>>()
+            .into_iter()
     };
     let mut orders = [
         in_order(&|_, rise| rise, RISING),
@@ -340,12 +373,13 @@ pub(crate) fn most_promising(all: &[SampledOutput<'_>], average: f64, turn: usiz
 }
 
 /// Returns the position that divides an interval after a row; the last interval extends over the
-/// end of the cycle. The position is at the expected kink, close to a named row, or in the middle.
-pub(crate) fn divided(rows: &[StepRow], Promising { interval, kink }: Promising) -> Position {
+/// end of the cycle. The position is at the expected kink of the output or of another one, close to
+/// a named row, or in the middle.
+pub(crate) fn divided(rows: &[StepRow], Promising { interval, kink, event }: Promising) -> Position {
     let (first, last) = (&rows[0].position, &rows[rows.len() - 1].position);
     let one = &rows[interval].position;
     let named = [one, &rows[(interval + 1) % rows.len()].position].map(|at| !at.name.is_empty());
-    let part = match (kink, named) {
+    let part = match (kink.or(event), named) {
         (Some(kink), _) => kink.clamp(BESIDE_NAMES, 1.0 - BESIDE_NAMES),
         (None, [true, false]) => BESIDE_NAMES,
         (None, [false, true]) => 1.0 - BESIDE_NAMES,

@@ -81,7 +81,9 @@ fn measured(at: &[(f64, &'static str)], more: usize, course: impl Fn(f64) -> f64
     let mut all = found.clone();
     for turn in 0..more {
         let course_of = SamplingContext::of(&all, Some(0)).expect("it goes somewhere");
-        let known = [sampling::SampledOutput { course: &course_of, ends: ends(&all, 0), closed: true }];
+        let bounds = [f64::NEG_INFINITY, f64::INFINITY];
+        let known =
+            [sampling::SampledOutput { course: &course_of, ends: ends(&all, 0), closed: true, bounds }];
         let promising = sampling::most_promising(&known, own.average(), turn);
         let place = sampling::divided(&all, promising[0]).cycle;
         all.extend(rows(&[(place, "")], course));
@@ -175,7 +177,7 @@ fn what_happens_close_to_a_name_is_measured() {
 #[test]
 fn a_cycle_is_halved_round_its_end() {
     let found = rows(&uniform(4), |_| 1.0);
-    let middle = sampling::divided(&found, sampling::Promising { interval: 3, kink: None });
+    let middle = sampling::divided(&found, sampling::Promising { interval: 3, kink: None, event: None });
     assert_eq!((middle.cycle, middle.time), (0.875, 2.75));
     assert!((middle.roll - 1.175).abs() < 1e-15);
 }

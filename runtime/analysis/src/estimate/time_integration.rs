@@ -8,7 +8,8 @@
 //! Richardson extrapolation of this order gives the error. If the differences do not grow, the
 //! steps are too long, and nothing is estimated.
 
-use super::perturbed_solves::{MeshVariant, OF_GRID, coarser_grids};
+use super::mesh_variants::MeshVariant;
+use super::perturbed_solves::{OF_GRID, coarser_grids};
 use super::{Ends, ErrorPart, Estimates, Evidence, Part, Statistics, ends, is_stress};
 use crate::rows::StepRow;
 use crate::scene::Scene;
@@ -87,8 +88,16 @@ impl BaseMotion<'_> {
             _ => (self.scene, longer),
         };
         if self.fidelity.body_model() == BodyModel::Elements {
-            let other = MeshVariant::than(self.fidelity, self.structure);
-            let meshed = self.moved(scene, self.fidelity, other.structure)?;
+            let [preferred, other] = MeshVariant::of(self.fidelity, self.structure);
+            let first = self.moved(scene, self.fidelity, preferred.structure)?;
+            let second = match first {
+                Ok(_) => None,
+                Err(_) => self.moved(scene, self.fidelity, other.structure)?.ok(),
+            };
+            let (meshed, other) = match second {
+                Some(rows) => (Ok(rows), other),
+                None => (first, preferred),
+            };
             let factor =
                 |output: usize| other.factor(is_stress(&self.outputs[output], &self.scene.observables));
             let meshed = meshed.as_ref().map(Vec::as_slice).map_err(String::clone);

@@ -23,6 +23,10 @@ impl Observable for LoadShare {
         Observed::number(if total > 0.0 { own / total } else { 0.0 })
     }
 
+    fn bounds(&self) -> [f64; 2] {
+        [0.0, 1.0]
+    }
+
     fn pair_of(&self) -> Option<PairId> {
         Some(self.0)
     }

@@ -105,6 +105,11 @@ pub trait Observable: Comparable + Debug + Send + Sync {
         if self.stresses_of().is_some() { Needs::Stresses } else { Needs::Forces }
     }
 
+    /// Returns the smallest and the largest possible value, SI.
+    fn bounds(&self) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
     /// Returns the body whose stresses it needs; the plan provides stress recovery for it.
     fn stresses_of(&self) -> Option<BodyId> {
         None

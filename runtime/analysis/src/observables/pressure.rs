@@ -18,6 +18,10 @@ impl Observable for MaxContactPressure {
         largest(at, self.0, Zone::Flank)
     }
 
+    fn bounds(&self) -> [f64; 2] {
+        [0.0, f64::INFINITY]
+    }
+
     fn pair_of(&self) -> Option<PairId> {
         Some(self.0)
     }
@@ -34,6 +38,10 @@ impl Observable for MaxEdgePressure {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         largest(at, self.0, Zone::Edge)
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [0.0, f64::INFINITY]
     }
 
     fn pair_of(&self) -> Option<PairId> {
