@@ -21,7 +21,7 @@ fn at(pair: &'static str, name: &str, cells: [usize; 2]) -> [f64; 2] {
     let row = Row::of(pair);
     let (mut scene, cycle, _) = row.scene();
     (scene.pairs[0].grid.half_cells, scene.pairs[0].grid.half_slices) = (Some(cells[0]), cells[1]);
-    let mesh = calyx_runtime::scene::PairId(0);
+    let mesh = PairId(0);
     let outputs = vec![
         OutputRequest::observing(
             "flank",
