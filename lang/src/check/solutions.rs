@@ -65,7 +65,7 @@ impl<'a> Checker<'a> {
             return Expr::error(span);
         };
         let (types, result, instance) = self.instantiate(id, span);
-        let names: Vec<&str> = parameters.iter().map(|p| p.name.name.as_str()).collect();
+        let names = decl.parameter_names().split_off(1);
         let Some(fields) = self.spread(&name, &names, rest) else { return Expr::error(span) };
         let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
         let listed: Vec<(&str, bool)> = parameters
