@@ -316,6 +316,7 @@ fn is_header(kind: &StmtKind) -> bool {
             | StmtKind::Param(_)
             | StmtKind::Const { .. }
             | StmtKind::Record(_)
+            | StmtKind::Enum(_)
             | StmtKind::Dimension { .. }
             | StmtKind::Unit(_)
     )

@@ -170,6 +170,7 @@ fn runs(kind: &StmtKind) -> bool {
             | StmtKind::Param(_)
             | StmtKind::Const { .. }
             | StmtKind::Record(_)
+            | StmtKind::Enum(_)
             | StmtKind::Dimension { .. }
             | StmtKind::Unit(_)
             | StmtKind::Function(_)

@@ -46,6 +46,7 @@ pub enum StmtKind {
         value: Expr,
     },
     Record(RecordDecl),
+    Enum(EnumDecl),
     /// `dimension Cost;` declares a new base dimension, `dimension LineLoad = Force / Length;` a
     /// name for a product.
     Dimension {
@@ -166,6 +167,19 @@ pub struct RecordField {
     pub former: Option<Ident>,
     pub annotation: Option<TypeExpr>,
     pub default: Option<Expr>,
+    pub doc: Option<String>,
+}
+
+/// `enum Hand { left, right }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnumDecl {
+    pub name: Ident,
+    pub choices: Vec<EnumChoice>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnumChoice {
+    pub name: Ident,
     pub doc: Option<String>,
 }
 
@@ -329,6 +343,8 @@ pub enum ExprKind {
     },
     /// `[element for variable in values if condition]`
     Comprehension(Box<Comprehension>),
+    /// `e is none`
+    IsNone(Box<Expr>),
     /// `if (c) a else b`
     If {
         condition: Box<Expr>,

@@ -132,6 +132,10 @@ const CODES: &[Explanation] = codes! {
     "W0840" "a former name" "The function, argument, record or field has a new name. The former name means the same, but a later version will not accept it. `calyx check --fix` writes the new name."
     "E0850" "a malformed loop over values or brackets" "A loop over values is written `for (x in values) ...` and a comprehension `[element for x in values if condition]`. A unit after brackets applies to plain numbers: `[1, 2] mm`."
     "E0851" "a limit of a range or slice that is not an integer" "A range counts by 1 from its start to below its end, and a slice counts elements, so their limits are integers. Compute other steps from the count: `0.5 * i`."
+    "E0855" "an optional value without a test" "A parameter or field with the default `none` may have no value. Test it: in `if (width is none) a else b`, `width` is `none` in `a` and a value in `b`. After `if (width is none) return 0;` it is a value, too."
+    "E0856" "a test of a value that is never `none`" "Only parameters and fields with the default `none` can be `none`. Remove the test, or give the parameter the default `none`."
+    "E0857" "a text that is not one of the choices" "An enumeration has the choices of its declaration, and a param or parameter those after `in`. A comparison with another text is never true. Correct the spelling; the message lists the choices."
+    "W0850" "a result type that gives a parameter a fractional dimension" "The type of a result determines the types of parameters without an annotation. In `function area(in d) -> Length { return d^2; }`, `d` would be a Length^(1/2). Correct the result type, here to `Area`, or state the type of the parameter."
 };
 
 #[cfg(test)]

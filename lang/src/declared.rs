@@ -67,6 +67,7 @@ pub fn name_of(statement: &Stmt) -> Option<&Ident> {
     match &statement.kind {
         StmtKind::Function(decl) => Some(&decl.name),
         StmtKind::Record(decl) => Some(&decl.name),
+        StmtKind::Enum(decl) => Some(&decl.name),
         StmtKind::Unit(decl) => Some(&decl.name),
         StmtKind::Param(decl) => Some(&decl.name),
         StmtKind::Output { name, .. } | StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => {

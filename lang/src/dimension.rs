@@ -207,6 +207,11 @@ impl Dimension {
         self.exponents.map(|e| (e.numerator, e.denominator))
     }
 
+    /// Returns `true` if some exponent is not an integer.
+    pub fn is_fractional(self) -> bool {
+        self.exponents().iter().any(|(_, denominator)| *denominator != 1)
+    }
+
     pub fn is_none(self) -> bool {
         self.without_cycles() == Dimension::NONE
     }

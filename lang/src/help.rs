@@ -219,6 +219,11 @@ const KEYWORDS: &[Help] = &[
         "record Blank {\n    width = 25 mm;\n    teeth: Number;\n}\nprint(Blank(teeth = 20));",
     ),
     help(
+        "enum",
+        "A type with a few values, its choices. The text of a choice stands for it.",
+        "enum Hand { left, right }\nvar hand = Hand.left;\nprint(hand == \"left\");",
+    ),
+    help(
         "dimension",
         "Declares a name for a product of dimensions or, without a value, a new base dimension.",
         "dimension Cost;\nunit euro: Cost;\ndimension Wage = Cost/Time;\nprint(200 euro / 8 hour);",
@@ -263,8 +268,8 @@ const KEYWORDS: &[Help] = &[
     ),
     help(
         "for",
-        "A loop with an initialization, a condition, and a step after each iteration. All three may be empty.",
-        "for (var i = 0; i < 3; i = i + 1) print(i);",
+        "A loop over the elements of an array or the numbers of a range, or with an initialization, a condition, and a step after each iteration.",
+        "for (width in [1 mm, 2 mm]) print(width);\nfor (i in 0 .. 3) print(i);\nfor (var i = 0; i < 3; i += 1) print(i);",
     ),
     help(
         "while",
@@ -343,6 +348,11 @@ const KEYWORDS: &[Help] = &[
         "at",
         "The value of an expression at a time, or with another value of a param.",
         "var angle := 3 rpm * Time;\nprint(angle at Time = 5 s);",
+    ),
+    help(
+        "is",
+        "`e is none` tests whether an optional parameter or field has no value.",
+        "function area(in length, in width = none) {\n    if (width is none) return length^2;\n    return length * width;\n}\nprint(area(2 mm));",
     ),
     help("pure", "Marks an engine function that depends only on its arguments.", ""),
     help("scene", "Marks an engine function that adds to the model.", ""),

@@ -478,9 +478,10 @@ pub enum ExprKind {
     Tuple(Vec<Expr>),
     /// Element of a tuple, by constant index.
     TupleElement(Box<Expr>, usize),
-    /// A copy of an array that shares no memory with the original. It is inserted when an array
-    /// that is read from a place is bound to another place, passed by `in`, stored in an array, or
-    /// returned while a place still refers to it.
+    /// A copy of an array, which later changes of the original do not affect. It is inserted when
+    /// an array that is read from a place is bound to another place, passed by `in`, stored in an
+    /// array, or returned while a place still refers to it. The copy shares the elements until one
+    /// of the two changes.
     Copy(Box<Expr>),
     /// Number of elements.
     Len(Box<Expr>),

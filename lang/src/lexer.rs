@@ -39,18 +39,24 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let word = &text[token.span.start as usize..token.span.end as usize];
         let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
-        // In `param at Time = 0 s`, `param` is a variable, and in `in unit was length: Length`,
-        // `unit` is a parameter. In `record at was place {`, `record` is a keyword.
-        let is_name = next == Some(Kind::Identifier)
-            && matches!(
-                &text[tokens[i + 1].span.start as usize..tokens[i + 1].span.end as usize],
-                "at" | "was"
-            )
-            && tokens.get(i + 2).is_some_and(|t| t.kind == Kind::Identifier)
-            && tokens.get(i + 3).is_none_or(|t| t.kind != Kind::Identifier);
+        // In `param at Time = 0 s` and `param is none`, `param` is a variable, and in `in unit was
+        // length: Length`, `unit` is a parameter. In `record at was place {`, `record` is a keyword.
+        let word_at = |at: usize| {
+            let token = tokens.get(at).filter(|t| t.kind == Kind::Identifier)?;
+            Some(&text[token.span.start as usize..token.span.end as usize])
+        };
+        let is_name = match (word_at(i + 1), word_at(i + 2)) {
+            (Some("at" | "was"), Some(_)) => word_at(i + 3).is_none(),
+            (Some("is"), Some(word)) => word == "none",
+            _ => false,
+        };
         let previous = i.checked_sub(1).map(|p| tokens[p].kind);
         let is_word = match kind {
             Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
+            Kind::Is => {
+                let none = |t: &Token| &text[t.span.start as usize..t.span.end as usize] == "none";
+                previous.is_some_and(Kind::ends_expression) && tokens.get(i + 1).is_some_and(none)
+            }
             Kind::Extern | Kind::Private => matches!(next, Some(Kind::Identifier | Kind::Function)),
             Kind::Host | Kind::Test => next == Some(Kind::Function),
             _ => next == Some(Kind::Identifier),

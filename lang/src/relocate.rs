@@ -72,6 +72,10 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
                 }
             }
         }
+        StmtKind::Enum(decl) => {
+            ident(&mut decl.name, visit);
+            decl.choices.iter_mut().for_each(|choice| ident(&mut choice.name, visit));
+        }
         StmtKind::Dimension { name, value } => {
             ident(name, visit);
             if let Some(value) = value {
@@ -311,7 +315,7 @@ pub fn expr(e: &mut Expr, visit: &mut Visit<'_>) {
             ident(symbol, visit);
             expr(at, visit);
         }
-        ExprKind::Paren(inner) => expr(inner, visit),
+        ExprKind::Paren(inner) | ExprKind::IsNone(inner) => expr(inner, visit),
         ExprKind::Block(body) => statement(body, visit),
     }
 }

@@ -261,9 +261,14 @@ impl Scan<'_> {
                 Some(Kind::OpenBrace) => inner += 1,
                 Some(Kind::CloseBrace) if inner > 0 => inner -= 1,
                 Some(Kind::CloseBrace) => open = open.saturating_sub(1),
-                Some(kind @ (Kind::Function | Kind::Const | Kind::Record | Kind::Dimension | Kind::Unit))
-                    if inner == 0 =>
-                {
+                Some(
+                    kind @ (Kind::Function
+                    | Kind::Const
+                    | Kind::Record
+                    | Kind::Enum
+                    | Kind::Dimension
+                    | Kind::Unit),
+                ) if inner == 0 => {
                     found.extend(self.name(index + 1).map(|span| (open, span, hoisted_kind(kind))));
                 }
                 _ => {}
@@ -277,6 +282,7 @@ fn hoisted_kind(kind: Kind) -> NameKind {
     match kind {
         Kind::Const => NameKind::Const,
         Kind::Record => NameKind::Record,
+        Kind::Enum => NameKind::Enum,
         Kind::Dimension => NameKind::Dimension,
         Kind::Unit => NameKind::Unit,
         _ => NameKind::Function,

@@ -43,6 +43,10 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         StmtKind::Output { name, value } => format!("(output {} {}", name.name, expr(value)),
         StmtKind::Const { name, value } => format!("(const {} {}", name.name, expr(value)),
         StmtKind::Record(decl) => record(decl),
+        StmtKind::Enum(decl) => {
+            let choices = decl.choices.iter().map(|choice| format!(" {}", choice.name.name));
+            format!("(enum {}{}", decl.name.name, choices.collect::<String>())
+        }
         StmtKind::Dimension { name, value } => {
             let value = value.as_ref().map(|t| format!(" {}", type_text(t))).unwrap_or_default();
             format!("(dimension {}{value}", name.name)
@@ -303,6 +307,7 @@ pub fn expr(e: &Expr) -> String {
             format!("(if {} {} {})", expr(condition), expr(then), expr(otherwise))
         }
         ExprKind::At { value, symbol, at } => format!("(at {} {} {})", expr(value), symbol.name, expr(at)),
+        ExprKind::IsNone(value) => format!("(is-none {})", expr(value)),
         ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
         // The function writes its statements.
         ExprKind::Block(_) => "(block)".into(),

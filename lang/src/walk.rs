@@ -115,6 +115,10 @@ fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
             visit(Node::Name(&record.name));
             record.fields.iter().for_each(|field| visit(Node::Field(field)));
         }
+        StmtKind::Enum(decl) => {
+            visit(Node::Name(&decl.name));
+            decl.choices.iter().for_each(|choice| visit(Node::Name(&choice.name)));
+        }
         StmtKind::Dimension { name, value } => {
             visit(Node::Name(name));
             value.iter().for_each(|ty| visit(Node::Type(ty)));
@@ -252,7 +256,7 @@ fn expression_children<'t>(kind: &'t ExprKind, visit: &mut dyn FnMut(Node<'t>)) 
             visit(Node::Name(symbol));
             visit(Node::Expression(at));
         }
-        ExprKind::Paren(inner) => visit(Node::Expression(inner)),
+        ExprKind::Paren(inner) | ExprKind::IsNone(inner) => visit(Node::Expression(inner)),
         ExprKind::Block(body) => visit(Node::Statement(body)),
     }
 }

@@ -25,6 +25,7 @@ pub enum Kind {
     Function,
     Constant,
     Record,
+    Enumeration,
     Dimension,
     Unit,
 }
@@ -47,8 +48,8 @@ pub struct Entry {
     pub effect: &'static str,
 }
 
-/// Parameter, field or param.
-#[derive(Clone, Debug)]
+/// Parameter, field, choice or param.
+#[derive(Clone, Debug, Default)]
 pub struct Field {
     pub name: String,
     /// Former name, which is deprecated.
@@ -152,6 +153,16 @@ impl Reader<'_> {
                     UnitMeaning::Equal(value) => self.slice(value.span),
                 };
                 entry(Kind::Unit, &unit.name, written)
+            }
+            StmtKind::Enum(decl) => {
+                let fields = decl.choices.iter().map(|choice| Field {
+                    name: choice.name.name.clone(),
+                    doc: choice.doc.clone().unwrap_or_default(),
+                    ..Field::default()
+                });
+                let names: Vec<&str> = decl.choices.iter().map(|choice| choice.name.name.as_str()).collect();
+                let written = format!("{} {{ {} }}", decl.name.name, names.join(", "));
+                Entry { fields: fields.collect(), ..entry(Kind::Enumeration, &decl.name, written) }
             }
             StmtKind::Record(record) => {
                 let fields: Vec<Field> = record.fields.iter().map(|field| self.field(field)).collect();

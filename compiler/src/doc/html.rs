@@ -8,12 +8,13 @@ const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("search.js");
 
 /// Sections of a page in order: kind, heading, true if entries have a table of fields.
-const SECTIONS: [(Kind, &str); 7] = [
+const SECTIONS: [(Kind, &str); 8] = [
     (Kind::Param, "Params"),
     (Kind::Output, "Outputs"),
     (Kind::Function, "Functions"),
     (Kind::Record, "Records"),
     (Kind::Constant, "Constants"),
+    (Kind::Enumeration, "Enumerations"),
     (Kind::Dimension, "Dimensions"),
     (Kind::Unit, "Units"),
 ];

@@ -123,6 +123,8 @@ fn the_textmate_grammar_has_the_languages_words() {
         "host",
         "const",
         "record",
+        "enum",
+        "is",
         "dimension",
         "unit",
         "TRUE",

@@ -95,6 +95,7 @@ impl<'a> Checker<'a> {
     fn declared_type(&mut self, name: &Ident) -> Option<Type> {
         match self.names.uses.get(&name.span).copied()? {
             Resolution::Record(id) => Some(Type::Record(id)),
+            Resolution::Enum(id) => Some(self.enum_type(id)),
             Resolution::Dimension(id) => self.own_dimension(id).map(Type::quantity),
             Resolution::Unknown => None,
             _ => Some(self.bad_annotation(format!("`{}` is not a type", name.name), name.span)),
@@ -152,6 +153,7 @@ impl<'a> Checker<'a> {
         let mut candidates: Vec<&str> = NAMES.iter().copied().chain(Dimension::names()).collect();
         candidates.extend(handles.iter().map(String::as_str));
         candidates.extend(self.names.records.iter().map(|record| record.decl.name.name.as_str()));
+        candidates.extend(self.names.enums.iter().map(|declared| declared.decl.name.name.as_str()));
         candidates.extend(self.names.dimensions.iter().map(|own| own.decl.name.name.as_str()));
         let diagnostic = match similar(name, candidates.into_iter()) {
             Some(near) => {

@@ -8,6 +8,7 @@ use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
+use std::collections::HashMap;
 
 /// A called function, and whether each of its parameters has an argument.
 struct Callee<'c> {
@@ -153,13 +154,14 @@ impl<'a> Checker<'a> {
                 .fix("use `=`", between, " = "),
             );
         }
-        let value = self.as_value(|c| c.whole(&argument.value));
+        let value = self.as_value(|c| c.whole_for(ty, &argument.value));
         let cause = Some((
             parameter.span,
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
         ));
-        self.expect(ty, &value, &format!("`{}`", parameter.name), cause);
-        value
+        let wanted = self.without_optional(ty, &value);
+        self.expect(&wanted, &value, &format!("`{}`", parameter.name), cause);
+        self.as_optional(ty, value)
     }
 
     fn symbolic_argument(
@@ -236,6 +238,12 @@ impl<'a> Checker<'a> {
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         let (mut values, mut copy_back, mut demands) = (Vec::new(), Vec::new(), Vec::new());
         let with_argument: Vec<bool> = given.iter().map(Option::is_some).collect();
+        let left_out = decl.parameters.iter().zip(&given).filter(|(_, argument)| argument.is_none());
+        let mut defaults = left_out.filter_map(|(parameter, _)| parameter.default.as_ref()?.1.as_ref());
+        // Arguments that a default uses are evaluated before the call, once.
+        let stores = defaults.any(|default| self.uses_parameters(id, default));
+        let mut bound: HashMap<VarId, VarId> = HashMap::new();
+        let mut stored: Vec<Stmt> = Vec::new();
         let callee = Callee { decl, file, with_argument: &with_argument };
         for (((parameter, argument), ty), variable) in
             decl.parameters.iter().zip(given).zip(&types).zip(variables)
@@ -258,13 +266,19 @@ impl<'a> Checker<'a> {
                         self.hand_over(variable, &value);
                         value
                     }
-                    (Some((_, Some(default))), _) => self.default_value(ty, default, file),
+                    (Some((_, Some(default))), _) => {
+                        let around = std::mem::replace(&mut self.elements, bound.clone());
+                        let value = self.default_value(ty, default, file);
+                        self.elements = around;
+                        value
+                    }
                     _ => Expr::error(span),
                 },
                 (_, Some(argument)) => {
                     let Some((place, value)) = self.place_argument(ty, &parameter.name, argument) else {
                         return Expr::error(span);
                     };
+                    self.forget_variable(place.variable);
                     copy_back.push(place);
                     value
                 }
@@ -281,6 +295,19 @@ impl<'a> Checker<'a> {
                     Expr::error(span)
                 }
             };
+            let mut value = value;
+            if stores
+                && parameter.mode == Mode::In
+                && !matches!(value.kind, Kind::MakeSymbolic(_) | Kind::Error)
+            {
+                let written = value.span;
+                let (hidden, statement) = self.keep(&parameter.name.name, value);
+                if let Kind::Var(id) = hidden.kind {
+                    bound.insert(variable, id);
+                }
+                stored.push(statement);
+                value = Expr { span: written, ..hidden };
+            }
             self.dependence.variable(variable, &value);
             if parameter.mode != Mode::Out {
                 let domain = parameter.domain.as_ref();
@@ -299,7 +326,15 @@ impl<'a> Checker<'a> {
             demands,
             solves: false,
         };
-        self.observed(Expr { kind: Kind::Call(Box::new(call)), ty: result, span })
+        let call = Expr { kind: Kind::Call(Box::new(call)), ty: result.clone(), span };
+        if !stores {
+            return self.observed(call);
+        }
+        // Arguments are evaluated as written, then the defaults.
+        let is_written =
+            |s: &Stmt| s.span.file == span.file && span.start <= s.span.start && s.span.end <= span.end;
+        stored.sort_by_key(|s| if is_written(s) { (0, s.span.start) } else { (1, 0) });
+        self.observed(Expr { kind: Kind::Sequence(stored, Box::new(call)), ty: result, span })
     }
 
     /// Checks an argument that is evaluated. The help of an error names the omitted parameters that
@@ -324,9 +359,10 @@ impl<'a> Checker<'a> {
     fn default_value(&mut self, ty: &Type, default: &'a ast::Expr, file: FileId) -> Expr {
         self.in_file(file, |c| {
             c.as_value(|c| {
-                let value = c.whole(default);
-                c.expect(ty, &value, "the default", None);
-                value
+                let value = c.whole_for(ty, default);
+                let wanted = c.without_optional(ty, &value);
+                c.expect(&wanted, &value, "the default", None);
+                c.as_optional(ty, value)
             })
         })
     }
@@ -354,6 +390,7 @@ impl<'a> Checker<'a> {
     ) -> Option<(Place, Expr)> {
         let place = self.as_value(|c| c.place(&argument.value))?;
         let value = Expr { kind: place_value(&place), ty: place.ty.clone(), span: argument.value.span };
+        let value = self.presence(&argument.value, value, false, true);
         let cause = (parameter.span, format!("`{}` is an `out` or `inout` parameter", parameter.name));
         self.expect(ty, &value, &format!("`{}`", parameter.name), Some(cause));
         Some((place, value))

@@ -79,12 +79,13 @@ impl<'a> Checker<'a> {
         let around = self.elements.insert(declared, id);
         let element = std::mem::replace(&mut walk.element, Expr::error(variable.span));
         let mut inside = vec![self.assign_element(id, variable, element)];
+        let supposed = parts.condition.as_ref().map(|condition| self.facts(condition).0).unwrap_or_default();
         let condition = parts.condition.as_ref().map(|condition| {
             let checked = self.expr(condition);
             self.expect(&Type::Bool, &checked, "the condition of a comprehension", None);
             checked
         });
-        let element = self.stored(&parts.element);
+        let element = self.supposing(supposed, |c| c.stored(&parts.element));
         match around {
             Some(around) => self.elements.insert(declared, around),
             None => self.elements.remove(&declared),
@@ -339,7 +340,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Stores a value in a hidden variable. Returns the variable and the assignment.
-    fn keep(&mut self, name: &str, value: Expr) -> (Expr, Stmt) {
+    pub(super) fn keep(&mut self, name: &str, value: Expr) -> (Expr, Stmt) {
         let (ty, span) = (value.ty.clone(), value.span);
         let id = self.hidden_variable(name, span, ty.clone());
         self.dependence.declare(id);

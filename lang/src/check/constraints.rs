@@ -352,7 +352,12 @@ impl Checker<'_> {
                 let parts = self.field_types(id);
                 self.every_part(parts, Comparable, constraint)
             }
-            Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Error => Outcome::Solved,
+            Type::Optional(inner) => {
+                self.try_solve(&Constraint { kind: Comparable(*inner), span: constraint.span })
+            }
+            Type::Number(_) | Type::Bool | Type::String | Type::Enum(_) | Type::Vector(_) | Type::Error => {
+                Outcome::Solved
+            }
             Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
             other => {
                 let shown = with_article(&self.store.show(&other));
@@ -373,9 +378,13 @@ impl Checker<'_> {
     fn solve_printable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
         match self.store.shallow(a) {
             Type::Unknown(_) => Outcome::Open,
-            Type::Number(_) | Type::Bool | Type::String | Type::Vector(_) | Type::Transform | Type::Error => {
-                Outcome::Solved
-            }
+            Type::Number(_)
+            | Type::Bool
+            | Type::String
+            | Type::Enum(_)
+            | Type::Vector(_)
+            | Type::Transform
+            | Type::Error => Outcome::Solved,
             Type::Array(element) => {
                 self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
             }
@@ -559,7 +568,7 @@ impl Checker<'_> {
             }
             (Type::Array(element), _) => self.styled(*element, unit, digits, constraint),
             (Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Error, _) => Outcome::Solved,
-            (Type::Bool | Type::String, None) if !digits => Outcome::Solved,
+            (Type::Bool | Type::String | Type::Enum(_), None) if !digits => Outcome::Solved,
             // Elements without numbers ignore the format; all numbers must have the dimension of
             // the unit.
             (Type::Tuple(parts), _) => self.every_part(parts, |ty| Styled(ty, unit, digits), constraint),

@@ -123,6 +123,7 @@ impl<'a> Checker<'a> {
     pub(super) fn scalar(&self, ty: &Type) -> Type {
         match self.store.shallow(ty) {
             Type::Array(element) => self.scalar(&element),
+            Type::Optional(inner) => self.scalar(&inner),
             Type::Vector(dim) => Type::Number(dim),
             other => other,
         }

@@ -49,6 +49,21 @@ impl<'a> Checker<'a> {
     }
 
     pub fn expr_at(&mut self, e: &'a ast::Expr, given: Position) -> Expr {
+        let accepted = std::mem::take(&mut self.may_be_absent);
+        let tested = std::mem::take(&mut self.tests_presence);
+        if let ExprKind::Paren(inner) = &e.kind {
+            (self.may_be_absent, self.tests_presence) = (accepted, tested);
+            let inner = self.expr_at(inner, given);
+            return Expr { span: e.span, ..inner };
+        }
+        let checked = self.expr_of_any_type(e, given);
+        match self.store.known(&checked.ty) {
+            Type::Optional(_) => self.presence(e, checked, accepted, tested),
+            _ => checked,
+        }
+    }
+
+    fn expr_of_any_type(&mut self, e: &'a ast::Expr, given: Position) -> Expr {
         let position = if given == Position::Whole && is_bare(e) { Position::Whole } else { Position::Part };
         let span = e.span;
         let (kind, ty) = match &e.kind {
@@ -88,10 +103,13 @@ impl<'a> Checker<'a> {
             ExprKind::List(elements) => return self.list(elements, given, span),
             ExprKind::Measured { elements, unit, exponent, .. } => self.measured(elements, unit, *exponent),
             ExprKind::Comprehension(parts) => return self.as_value(|c| c.comprehension(parts, span)),
+            ExprKind::IsNone(value) => return self.is_none(value, span),
             ExprKind::If { condition, then, otherwise } => {
+                let (yes, no) = self.facts(condition);
                 let condition = self.expr(condition);
                 self.expect(&Type::Bool, &condition, "the condition", None);
-                let (a, b) = (self.expr_at(then, given), self.expr_at(otherwise, given));
+                let a = self.supposing(yes, |c| c.expr_at(then, given));
+                let b = self.supposing(no, |c| c.expr_at(otherwise, given));
                 let cause = Some((a.span, format!("the other branch is a {}", self.store.show(&a.ty))));
                 let ty = a.ty.clone();
                 self.expect(&ty, &b, "this branch", cause);
@@ -204,6 +222,9 @@ impl<'a> Checker<'a> {
         {
             return self.name(field, span);
         }
+        if let Some(id) = self.enum_of(base) {
+            return self.choice(id, field, span);
+        }
         // A field of a `:=` expression may be a component of a vector that depends on time.
         let base = self.expr(base);
         self.named_fields.push((field.clone(), base.ty.clone()));
@@ -300,7 +321,13 @@ impl<'a> Checker<'a> {
         if op == BinaryOp::Power {
             return self.power(left, right, span);
         }
-        let (a, b) = (self.expr_at(left, position), self.expr_at(right, position));
+        let a = self.expr_at(left, position);
+        let supposed = match op {
+            BinaryOp::And => self.facts(left).0,
+            BinaryOp::Or => self.facts(left).1,
+            _ => Default::default(),
+        };
+        let b = self.supposing(supposed, |c| c.expr_at(right, position));
         self.combined(op, op_span, a, b, span)
     }
 

@@ -86,6 +86,12 @@ pub struct Checker<'a> {
     pub(super) making: Vec<RecordId>,
     pub(super) function: FuncId,
     pub(super) file: FileId,
+    /// Paths of optional values that are present at the current position.
+    pub(super) present: super::optional::Present,
+    /// `true` if the next expression may be an optional value.
+    pub(super) may_be_absent: bool,
+    /// `true` if the next expression is the operand of `is none`.
+    pub(super) tests_presence: bool,
     /// Variables whose first value is the literal `0`, and its location.
     pub(super) zero_starts: HashMap<VarId, Span>,
     /// Variables of the enclosing comprehensions, and the hidden variables that stand for them. A
@@ -155,6 +161,9 @@ impl<'a> Checker<'a> {
             making: Vec::new(),
             function: FuncId(0),
             file: FileId(0),
+            present: Default::default(),
+            may_be_absent: false,
+            tests_presence: false,
             zero_starts: HashMap::new(),
             elements: HashMap::new(),
             named_parts: Vec::new(),
@@ -206,6 +215,7 @@ impl<'a> Checker<'a> {
         self.finish_constraints();
         self.report_former_fields();
         self.finish_turns();
+        self.check_result_types();
         self.finish_params();
         self.finish_definitions();
         self.finish_graphs();
@@ -270,6 +280,9 @@ impl<'a> Checker<'a> {
     pub fn expect(&mut self, expected: &Type, found: &Expr, what: &str, cause: Option<(Span, String)>) {
         self.check_turns(expected, &found.ty, found.span, cause.as_ref().map(|(span, _)| *span));
         self.note_literal(expected, found);
+        if self.accepts_choice(expected, found) {
+            return;
+        }
         if let Err(mismatch) = self.store.unify(expected, &found.ty) {
             self.mismatch(mismatch, expected, found, what, cause);
         }
@@ -395,8 +408,17 @@ impl<'a> Checker<'a> {
             let ty = self.variable_type(variable);
             let symbolic = self.variable(variable).kind == VarKind::Symbolic;
             let ty = if symbolic { Type::Symbolic(Box::new(ty)) } else { ty };
+            let optional = match &parameter.default {
+                Some((ast::Bind::Evaluate, Some(default))) => self.is_none_word(default),
+                _ => false,
+            };
+            if optional {
+                let inner = self.store.fresh();
+                let _ = self.store.unify(&ty, &Type::optional(inner));
+            }
             if let Some(annotation) = &parameter.annotation {
                 let annotated = self.annotation(annotation, symbolic);
+                let annotated = if optional { Type::optional(annotated) } else { annotated };
                 // A fresh type variable unifies with any type.
                 let _ = self.store.unify(&ty, &annotated);
             }
@@ -418,6 +440,7 @@ impl<'a> Checker<'a> {
         let handlers = std::mem::take(&mut self.handlers);
         let around = self.dependence.enter(id);
         let reaching = self.reaching.clone();
+        let present = std::mem::take(&mut self.present);
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         for (parameter, &variable) in decl.parameters.iter().zip(&variables) {
             if parameter.mode != ast::Mode::In {
@@ -426,7 +449,18 @@ impl<'a> Checker<'a> {
             match &parameter.default {
                 Some((ast::Bind::Evaluate, Some(default))) => {
                     let ty = self.variable_type(variable);
+                    let earlier =
+                        decl.parameters.iter().zip(&variables).take_while(|(p, _)| p.name != parameter.name);
+                    let earlier = earlier.filter(|(p, id)| {
+                        p.mode == ast::Mode::In && self.variable(**id).kind != VarKind::Symbolic
+                    });
+                    let earlier: HashMap<VarId, VarId> = match &decl.body {
+                        ast::FunctionBody::Statement(_) => earlier.map(|(_, id)| (*id, *id)).collect(),
+                        _ => HashMap::new(),
+                    };
+                    let around = std::mem::replace(&mut self.elements, earlier);
                     self.parameter_default(&ty, &parameter.name, default);
+                    self.elements = around;
                 }
                 Some((ast::Bind::Symbolic, default)) if self.variable(variable).kind == VarKind::Symbolic => {
                     self.symbolic_parameter(variable);
@@ -474,6 +508,7 @@ impl<'a> Checker<'a> {
             },
         );
         self.reaching = reaching;
+        self.present = present;
         self.symbolic = symbolic;
         self.handlers = handlers;
         self.dependence.leave(around);

@@ -66,6 +66,7 @@ impl Renaming<'_> {
             Type::Observable(dim) => Type::Observable(self.dim(&dim)),
             Type::Array(element) => Type::array(self.ty(&element)),
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(&inner))),
+            Type::Optional(inner) => Type::optional(self.ty(&inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.ty(part)).collect()),
             Type::Record(id) => match (self.record)(id) {
                 Some(id) => Type::Record(id),
@@ -79,6 +80,7 @@ impl Renaming<'_> {
             | Type::Bool
             | Type::String
             | Type::Transform
+            | Type::Enum(_)
             | Type::Handle(_)) => other,
         }
     }

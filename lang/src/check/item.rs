@@ -82,6 +82,7 @@ pub fn split(mut statement: Stmt, text: &str) -> Split {
             more.extend(decl.former.iter().map(|former| former.name.clone()));
             (ItemKind::Declaration, decl.name.name.clone())
         }
+        StmtKind::Enum(decl) => (ItemKind::Declaration, decl.name.name.clone()),
         StmtKind::Unit(decl) => (ItemKind::Declaration, decl.name.name.clone()),
         StmtKind::Param(decl) => (ItemKind::State, decl.name.name.clone()),
         StmtKind::Output { name, .. } => (ItemKind::State, name.name.clone()),
@@ -115,6 +116,10 @@ fn without_docs(statement: &mut Stmt) {
         }
         StmtKind::Record(decl) => {
             decl.fields.iter_mut().for_each(|field| field.doc = None);
+            statement.doc = None;
+        }
+        StmtKind::Enum(decl) => {
+            decl.choices.iter_mut().for_each(|choice| choice.doc = None);
             statement.doc = None;
         }
         // The program contains the documentation of params and outputs.

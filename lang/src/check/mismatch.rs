@@ -3,7 +3,7 @@
 use super::dim::Dim;
 use super::infer::Checker;
 use super::symbols::with_article;
-use super::tree::{Expr, Kind};
+use super::tree::{Expr, FuncId, Kind};
 use super::types::{Mismatch, Type};
 use crate::ast::BinaryOp;
 use crate::diagnostic::Diagnostic;
@@ -16,6 +16,10 @@ impl Checker<'_> {
     pub(super) fn same(&mut self, a: &Expr, b: &Expr, op_span: Span, verb: &str) -> bool {
         self.check_turns(&a.ty, &b.ty, b.span, Some(a.span));
         self.check_bare_angle(a, b);
+        self.check_compared(a, b);
+        if self.accepts_choice(&a.ty, b) || self.accepts_choice(&b.ty, a) {
+            return true;
+        }
         let Err(mismatch) = self.store.unify(&a.ty, &b.ty) else { return true };
         let shown = |ty| with_article(&self.store.show(ty));
         let (left, right) = (shown(&a.ty), shown(&b.ty));
@@ -224,6 +228,48 @@ impl Checker<'_> {
             (Some(name), _) => Some(format!("multiply by {} (`{}`)", with_article(name), unit(missing))),
             _ => Some(format!("the dimensions differ by a factor of {}", vocabulary.in_bases(missing))),
         }
+    }
+}
+
+impl Checker<'_> {
+    /// Warns of result types that give a parameter a fractional dimension, such as `-> Length` for
+    /// an area: otherwise the error would be at the callers, which are right.
+    pub(super) fn check_result_types(&mut self) {
+        let mut found = Vec::new();
+        for (id, info) in self.names.functions.iter().enumerate() {
+            let Some((decl, result)) = info.decl.and_then(|decl| Some((decl, decl.result.as_ref()?))) else {
+                continue;
+            };
+            if !self.functions.contains_key(&FuncId(id as u32)) || !self.layout.is_own(decl.name.span) {
+                continue;
+            }
+            for (parameter, variable) in decl.parameters.iter().zip(&info.parameters) {
+                let known = self.variable_types.get(variable).and_then(|ty| match self.store.resolve(ty) {
+                    Type::Number(dim) => dim.as_known(),
+                    _ => None,
+                });
+                if parameter.annotation.is_none() && known.is_some_and(Dimension::is_fractional) {
+                    let name = &parameter.name.name;
+                    let (written, shown) = (
+                        self.text(result.span),
+                        self.store.vocabulary.show(known.unwrap_or(Dimension::NONE)),
+                    );
+                    found.push(
+                        Diagnostic::warning(
+                            "W0850",
+                            format!("the result type `{written}` makes `{name}` a {shown}"),
+                            result.span,
+                            "this result needs such an argument",
+                        )
+                        .label(parameter.name.span, format!("`{name}` is a {shown}"))
+                        .help(format!(
+                            "correct the result type, or state the type of the parameter: `in {name}: Length`"
+                        )),
+                    );
+                }
+            }
+        }
+        found.into_iter().for_each(|diagnostic| self.report(diagnostic));
     }
 }
 

@@ -35,6 +35,7 @@ pub struct NameTable {
     externs: Vec<Span>,
     consts: Vec<(Span, String)>,
     records: Vec<Span>,
+    enums: Vec<Span>,
     dimensions: Vec<Span>,
     units: Vec<Span>,
     params: Vec<Span>,
@@ -125,6 +126,7 @@ impl NameTable {
                 .map(|(id, declared)| (declared.decl.name.span, const_type(id)))
                 .collect(),
             records: names.records.iter().map(|record| record.decl.name.span).collect(),
+            enums: names.enums.iter().map(|declared| declared.decl.name.span).collect(),
             dimensions: names.dimensions.iter().map(|dimension| dimension.decl.name.span).collect(),
             units: names.units.iter().map(|unit| unit.decl.name.span).collect(),
             params: names.params.iter().map(|(decl, _)| decl.name.span).collect(),
@@ -217,6 +219,7 @@ impl NameTable {
                 (NameKind::Const, Declared::At(*span), Some(ty.clone()))
             }
             Resolution::Record(id) => (NameKind::Record, at(&self.records, id.0)?, None),
+            Resolution::Enum(id) => (NameKind::Enum, at(&self.enums, id)?, None),
             Resolution::Dimension(id) => (NameKind::Dimension, at(&self.dimensions, id)?, None),
             Resolution::OwnUnit(id) => (NameKind::Unit, at(&self.units, id)?, None),
             Resolution::Module(id) => {
@@ -224,7 +227,7 @@ impl NameTable {
                 (NameKind::Module, Declared::Module(path), None)
             }
             Resolution::Builtin(_) => (NameKind::Builtin, Declared::Nowhere, None),
-            Resolution::Constant(_) => (NameKind::Constant, Declared::Nowhere, None),
+            Resolution::Constant(_) | Resolution::None => (NameKind::Constant, Declared::Nowhere, None),
             Resolution::Unit(_) => (NameKind::Unit, Declared::Nowhere, None),
             Resolution::Unknown => return None,
         };

@@ -44,6 +44,7 @@ impl Checker<'_> {
                 (Kind::Number(factor), Type::quantity(dimension))
             }
             Resolution::Record(_)
+            | Resolution::Enum(_)
             | Resolution::Dimension(_)
             | Resolution::Builtin(_)
             | Resolution::Function(_)
@@ -52,6 +53,7 @@ impl Checker<'_> {
                 self.report(not_a_value(res, &name.name, span));
                 (Kind::Error, Type::Error)
             }
+            Resolution::None => (Kind::None, Type::optional(self.store.fresh())),
             Resolution::Unknown => (Kind::Error, Type::Error),
         };
         self.observed(Expr { kind, ty, span })
@@ -189,6 +191,11 @@ fn not_a_value(meaning: Resolution, name: &str, span: Span) -> Diagnostic {
             Diagnostic::error("E0306", format!("`{name}` is a record type, not a value"), span, "not a value")
                 .help(format!("write `{name}(field = value)`"))
                 .suggest(format!("write `{name}()`"), span, format!("{name}()"))
+        }
+        Resolution::Enum(_) => {
+            let message = format!("`{name}` is an enumeration, not a value");
+            Diagnostic::error("E0306", message, span, "not a value")
+                .help(format!("write a choice of it: `{name}.choice`"))
         }
         Resolution::Dimension(_) => {
             Diagnostic::error("E0306", format!("`{name}` is a dimension"), span, "not a value")

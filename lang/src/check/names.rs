@@ -136,6 +136,7 @@ impl<'a> Resolver<'a> {
                     | StmtKind::Function(_)
                     | StmtKind::Const { .. }
                     | StmtKind::Record(_)
+                    | StmtKind::Enum(_)
                     | StmtKind::Dimension { .. }
                     | StmtKind::Unit(_)
                     | StmtKind::Empty
@@ -143,7 +144,7 @@ impl<'a> Resolver<'a> {
                     _ => self.report(
                         Diagnostic::error(
                             "E0210",
-                            "a module may contain only functions, constants, records, dimensions, units and imports",
+                            "a module may contain only functions, constants, records, enumerations, dimensions, units and imports",
                             statement.span,
                             "not allowed in a module",
                         )
@@ -187,6 +188,10 @@ impl<'a> Resolver<'a> {
                 self.names.records.push(Declared { decl, file });
                 former = decl.former.as_ref();
                 (&decl.name, Resolution::Record(RecordId(self.names.records.len() as u32 - 1)))
+            }
+            StmtKind::Enum(decl) => {
+                self.names.enums.push(Declared { decl, file });
+                (&decl.name, Resolution::Enum(self.names.enums.len() as u32 - 1))
             }
             StmtKind::Dimension { name, value } => {
                 let decl = DimensionDecl { name, value: value.as_ref() };
@@ -322,6 +327,7 @@ impl<'a> Resolver<'a> {
             StmtKind::Import(path) => self.import(path, top),
             StmtKind::Const { value, .. } => self.expr(value),
             StmtKind::Record(decl) => self.record(decl),
+            StmtKind::Enum(decl) => self.enumeration(decl),
             StmtKind::Dimension { value, .. } => value.iter().for_each(|value| self.type_expr(value)),
             StmtKind::Unit(decl) => match &decl.meaning {
                 UnitMeaning::Coherent(dimension) => self.type_expr(dimension),
@@ -397,6 +403,15 @@ impl<'a> Resolver<'a> {
             field.default.iter().for_each(|default| self.expr(default));
         }
         self.check_former_names(&decl.field_names());
+    }
+
+    fn enumeration(&mut self, decl: &'a EnumDecl) {
+        let mut seen = HashSet::new();
+        for choice in &decl.choices {
+            if !seen.insert(&choice.name.name) {
+                self.twice(&choice.name);
+            }
+        }
     }
 
     fn param(&mut self, decl: &'a ParamDecl, doc: Option<&'a str>, top: bool) {
@@ -493,18 +508,20 @@ impl<'a> Resolver<'a> {
         decl.result.iter().for_each(|result| self.type_expr(result));
         for parameter in &decl.parameters {
             parameter.annotation.iter().for_each(|annotation| self.type_expr(annotation));
-            if let Some((_, Some(default))) = &parameter.default {
-                self.expr(default);
-            }
             self.domain(parameter.domain.as_ref());
         }
         self.check_former_names(&decl.parameter_names());
+        let default = |parameter: &'a Parameter| match &parameter.default {
+            Some((_, Some(default))) => Some(default),
+            _ => None,
+        };
         let id = match self.names.uses.get(&decl.name.span) {
             Some(Resolution::Function(id)) => *id,
             // An extern function has no body, but the names of its parameters must differ.
             _ => {
                 let mut seen = HashSet::new();
                 for parameter in &decl.parameters {
+                    default(parameter).into_iter().for_each(|e| self.expr(e));
                     if !seen.insert(&parameter.name.name) {
                         self.twice(&parameter.name);
                     }
@@ -518,6 +535,8 @@ impl<'a> Resolver<'a> {
                 let symbolic = matches!(parameter.default, Some((Bind::Symbolic, _)))
                     && matches!(decl.body, FunctionBody::Statement(_));
                 let kind = if symbolic { VarKind::Symbolic } else { VarKind::Parameter(parameter.mode) };
+                // A default may use earlier parameters.
+                default(parameter).into_iter().for_each(|e| r.expr(e));
                 let variable = r.variable(&parameter.name, kind);
                 // Unused parameters are allowed.
                 r.names.variables[variable.0 as usize].reads = 1;
@@ -559,6 +578,7 @@ impl<'a> Resolver<'a> {
                 self.names.uses.insert(name.span, res);
                 self.names.written.insert(name.span);
                 if let Resolution::Var(id) = res {
+                    self.names.assigned.insert(id);
                     self.outer(id);
                     self.refuse_in_test(name, id);
                 }

@@ -43,7 +43,12 @@ impl<'a> Checker<'a> {
                 Some(Domain::Choices { values, .. }) => {
                     for value in values {
                         let value = self.expr(value);
-                        self.expect(&Type::String, &value, "a choice", None);
+                        let wanted = if let Type::Enum(_) = self.store.shallow(&ty) {
+                            ty.clone()
+                        } else {
+                            Type::String
+                        };
+                        self.expect(&wanted, &value, "a choice", None);
                         match super::constant::text(&value) {
                             Some(text) => choices.push(text.to_string()),
                             None if matches!(value.ty, Type::String) => {
@@ -102,6 +107,13 @@ impl<'a> Checker<'a> {
                     self.params[index].whole &= dimension.is_none();
                     self.params[index].unit = Some(written);
                 }
+                Type::Enum(of) if element == ty => {
+                    let own = &mut self.params[index].choices;
+                    if own.is_empty() {
+                        own.clone_from(&of.choices);
+                    }
+                    self.params[index].whole = false;
+                }
                 Type::Bool | Type::String | Type::Error if element == ty => self.params[index].whole = false,
                 Type::Unknown(_) if element == ty => {}
                 _ => {
@@ -123,7 +135,7 @@ impl<'a> Checker<'a> {
     /// Checks the default of a function's parameter at the declaration.
     pub(super) fn parameter_default(&mut self, ty: &Type, name: &ast::Ident, default: &'a ast::Expr) {
         let around = self.constant_place.replace("a default");
-        let value = self.as_value(|c| c.whole(default));
+        let value = self.as_value(|c| c.whole_for(ty, default));
         self.constant_place = around;
         // Under a unit system, a literal without a unit has the dimension of each call.
         let open = matches!(self.store.shallow(ty), Type::Unknown(_));

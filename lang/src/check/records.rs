@@ -42,8 +42,14 @@ impl<'a> Checker<'a> {
             })
         };
         for (id, at, field, file) in all() {
+            let optional = field.default.as_ref().is_some_and(|default| self.is_none_word(default));
+            if optional {
+                let inner = self.store.fresh();
+                self.store.records[id.0 as usize].fields[at].1 = Type::optional(inner);
+            }
             if let Some(annotation) = &field.annotation {
                 let annotated = self.in_file(file, |c| c.annotation(annotation, false));
+                let annotated = if optional { Type::optional(annotated) } else { annotated };
                 if self.store.unify(&self.field_type(id, at), &annotated).is_err() {
                     // Infinite or too large, which `refuse_endless_records` reports.
                     self.store.records[id.0 as usize].fields[at].1 = annotated;
@@ -77,7 +83,7 @@ impl<'a> Checker<'a> {
             let around = self.constant_place.replace("the default of a field");
             self.making.push(id);
             self.in_file(file, |c| {
-                let value = c.as_value(|c| c.whole(default));
+                let value = c.as_value(|c| c.whole_for(&ty, default));
                 let what = format!("the default of `{}`", field.name.name);
                 match c.store.unify(&ty, &value.ty) {
                     Err(Mismatch::Infinite) if c.holds(&value.ty, id) => c.endless_record(id, at),
@@ -159,7 +165,7 @@ impl<'a> Checker<'a> {
                     let fields = self.store.record(*inner).into_iter().flat_map(|record| &record.fields);
                     left.extend(fields.map(|(_, ty)| ty));
                 }
-                Type::Array(inner) => left.push(inner),
+                Type::Array(inner) | Type::Optional(inner) => left.push(inner),
                 Type::Tuple(parts) => left.extend(parts),
                 _ => {}
             }
@@ -208,7 +214,7 @@ impl<'a> Checker<'a> {
                     self.making.push(id);
                     let value = self.in_file(file, |c| {
                         c.as_value(|c| {
-                            let value = c.whole(default);
+                            let value = c.whole_for(&wanted, default);
                             c.expect(&wanted, &value, "the default", None);
                             value
                         })
@@ -344,8 +350,9 @@ impl<'a> Checker<'a> {
             parameter.span,
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
         ));
-        self.expect(ty, &value, &format!("`{}`", parameter.name), cause);
-        value
+        let wanted = self.without_optional(ty, &value);
+        self.expect(&wanted, &value, &format!("`{}`", parameter.name), cause);
+        self.as_optional(ty, value)
     }
 
     /// Returns the error for a field that does not exist.

@@ -90,6 +90,7 @@ rules! {
     UnifyVectors "Vector(a) unifies with Vector(b) if a unifies with b"
     UnifyObservables "Observable(a) unifies with Observable(b) if a unifies with b"
     UnifyArrays "Array(S) unifies with Array(T) if S unifies with T"
+    UnifyOptionals "optional types unify if their values do"
     UnifyTuples "tuples unify if their elements do"
     UnifySame "Bool, String, Transform, the unit type, handles and records unify with themselves"
     UnifyKind "types of different kinds do not unify"
@@ -237,11 +238,18 @@ pub(super) fn unified(a: &Type, b: &Type, result: &Result<(), Mismatch>) {
         (Ok(()), Type::Observable(_), _) => UnifyObservables,
         (Ok(()), Type::Array(_), _) => UnifyArrays,
         (Ok(()), Type::Tuple(_), _) => UnifyTuples,
+        (Ok(()), Type::Optional(_), _) => UnifyOptionals,
         // Only parameters have such types, and parameters are not unified with each other.
         (Ok(()), Type::Symbolic(_), _) => return,
         (
             Ok(()),
-            Type::Unit | Type::Bool | Type::String | Type::Transform | Type::Handle(_) | Type::Record(_),
+            Type::Unit
+            | Type::Bool
+            | Type::String
+            | Type::Transform
+            | Type::Handle(_)
+            | Type::Enum(_)
+            | Type::Record(_),
             _,
         ) => UnifySame,
     };

@@ -87,6 +87,7 @@ impl Letters<'_> {
             Type::Observable(dim) => format!("Observable({})", self.dim(&dim)),
             Type::Array(element) => format!("Array({})", self.ty(&element)),
             Type::Symbolic(inner) => format!("Symbolic({})", self.ty(&inner)),
+            Type::Optional(inner) => format!("{} or none", self.ty(&inner)),
             Type::Tuple(parts) => {
                 let parts: Vec<String> = parts.iter().map(|part| self.ty(part)).collect();
                 format!("[{}]", parts.join(", "))

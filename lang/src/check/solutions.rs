@@ -80,7 +80,7 @@ impl<'a> Checker<'a> {
         self.expect(&ty, &guess, "the guess", cause);
         let others = types.get(1..).unwrap_or_default();
         let mut values = vec![guess];
-        values.extend(self.symbolic_arguments(parameters, others, (given, fields), (file, span)));
+        values.extend(self.symbolic_arguments(parameters, others, (given, fields), (id, file, span)));
         self.check_residual(&ty, &result, function.value.span);
         let call = Call {
             function: id,

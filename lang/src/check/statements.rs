@@ -4,6 +4,7 @@ use super::builtins::Builtin;
 use super::constant;
 use super::dependence::Region;
 use super::infer::Checker;
+use super::optional::continues;
 use super::symbols::{Resolution, VarKind, similar, with_article};
 use super::tree::*;
 use super::types::Type;
@@ -44,6 +45,7 @@ impl<'a> Checker<'a> {
             // Already declared, before the other statements.
             | Ast::Const { .. }
             | Ast::Record(_)
+            | Ast::Enum(_)
             | Ast::Dimension { .. }
             | Ast::Unit(_) => StmtKind::Nothing,
             Ast::Units(name) => {
@@ -134,12 +136,29 @@ impl<'a> Checker<'a> {
         then: &'a ast::Stmt,
         otherwise: Option<&'a ast::Stmt>,
     ) -> StmtKind {
+        let (yes, no) = self.facts(condition);
         let condition = self.condition(condition);
         self.note_evaluated(&condition);
         self.dependence.open(Region::Choice);
         self.dependence.decides(&condition);
-        let (then, otherwise) =
-            self.either(|c| c.boxed(then), |c| otherwise.map(|otherwise| c.boxed(otherwise)));
+        let ((then, after_then), (otherwise, after_otherwise)) = self.either(
+            |c| {
+                c.present.extend(yes);
+                let then = c.boxed(then);
+                let goes_on = continues(&then);
+                (then, goes_on.then(|| c.present.clone()))
+            },
+            |c| {
+                c.present.extend(no);
+                let otherwise = otherwise.map(|otherwise| c.boxed(otherwise));
+                let goes_on = otherwise.as_ref().is_none_or(|otherwise| continues(otherwise));
+                (otherwise, goes_on.then(|| c.present.clone()))
+            },
+        );
+        // A branch that leaves does not reach the next statement.
+        if let (Some(only), None) | (None, Some(only)) = (after_then, after_otherwise) {
+            self.present = only;
+        }
         self.dependence.close();
         StmtKind::If(condition, then, otherwise)
     }
@@ -147,7 +166,9 @@ impl<'a> Checker<'a> {
     fn while_loop(&mut self, condition: &'a ast::Expr, body: &'a ast::Stmt) -> StmtKind {
         self.repeated(&[body], |c| {
             c.dependence.open(Region::Loop);
+            let (yes, _) = c.facts(condition);
             let condition = c.loop_condition(condition);
+            c.present.extend(yes);
             let body = c.boxed(body);
             c.dependence.close();
             StmtKind::While(condition, body)
@@ -281,6 +302,7 @@ impl<'a> Checker<'a> {
                 self.evidence.initialize(id, value);
                 let value = self.stored(value);
                 let ty = self.variable_type(id);
+                self.forget_variable(id);
                 self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
                 let place = Place { variable: id, steps: Vec::new(), ty, span: decl.name.span };
                 self.assigned(&place, &value);
@@ -307,9 +329,13 @@ impl<'a> Checker<'a> {
             // Already reported by the parser.
             _ => None,
         };
+        let ty = target.as_ref().map_or(Type::Error, |target| target.ty.clone());
+        self.may_be_absent = matches!(self.store.shallow(&ty), Type::Optional(_));
         let value = self.stored(value);
         let Some(target) = target else { return StmtKind::Nothing };
         self.expect_stored(&target, &value);
+        let value = self.as_optional(&ty, value);
+        self.assigned_presence(&target, place, &value);
         self.assigned(&target, &value);
         StmtKind::Assign(target, value)
     }
@@ -323,7 +349,8 @@ impl<'a> Checker<'a> {
         };
         let shown = self.variable_type(target.variable);
         let cause = (variable.span, format!("`{}` is a {}", variable.name, self.store.show(&shown)));
-        self.expect(&target.ty, value, &what, Some(cause));
+        let wanted = self.without_optional(&target.ty, value);
+        self.expect(&wanted, value, &what, Some(cause));
     }
 
     /// Checks `place += value` and the like.
@@ -343,8 +370,11 @@ impl<'a> Checker<'a> {
         let value = self.expr(value);
         let Some(target) = target else { return StmtKind::Nothing };
         let present = Expr { kind: Kind::Updated(target.variable), ty: target.ty.clone(), span: place.span };
+        let present = self.presence(place, present, false, false);
         let value = self.combined(op, op_span, present, value, span);
         self.expect_stored(&target, &value);
+        let value = self.as_optional(&target.ty, value);
+        self.assigned_presence(&target, place, &value);
         self.assigned(&target, &value);
         StmtKind::Update(target, value)
     }

@@ -338,7 +338,7 @@ impl<'a> Checker<'a> {
                 let comparison = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
                 let of_values = matches!(
                     self.store.shallow(&a.ty),
-                    Type::String | Type::Array(_) | Type::Tuple(_) | Type::Record(_)
+                    Type::String | Type::Enum(_) | Type::Array(_) | Type::Tuple(_) | Type::Record(_)
                 );
                 if comparison && of_values {
                     // Strings and arrays never depend on time, so their comparison is a captured
@@ -506,7 +506,10 @@ impl<'a> Checker<'a> {
         let mut bound = BTreeSet::new();
         statements.iter().for_each(|s| self.bound_in(s, &mut bound));
         self.forget(&bound);
+        self.forget_present();
+        let present = self.present.clone();
         let result = work(self);
+        self.present = present;
         self.forget(&bound);
         result
     }
@@ -520,6 +523,7 @@ impl<'a> Checker<'a> {
         let mut bound = BTreeSet::new();
         self.bound_in(statement, &mut bound);
         self.forget(&bound);
+        self.forget_present();
         work(self)
     }
 
@@ -527,6 +531,7 @@ impl<'a> Checker<'a> {
     pub(super) fn forget_rebound(&mut self) {
         let rebound: BTreeSet<VarId> = self.rebound.iter().copied().collect();
         self.forget(&rebound);
+        self.forget_present();
     }
 
     fn forget(&mut self, bound: &BTreeSet<VarId>) {
@@ -544,9 +549,12 @@ impl<'a> Checker<'a> {
         second: impl FnOnce(&mut Self) -> B,
     ) -> (A, B) {
         let before = self.reaching.clone();
+        let present = self.present.clone();
         let a = first(self);
         let after_first = std::mem::replace(&mut self.reaching, before);
+        let present_after_first = std::mem::replace(&mut self.present, present);
         let b = second(self);
+        self.present.retain(|path| present_after_first.contains(path));
         for (id, reaching) in after_first {
             if *self.reaching.entry(id).or_insert(reaching) != reaching {
                 self.reaching.insert(id, Reaching::Several);

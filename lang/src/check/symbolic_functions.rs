@@ -100,7 +100,7 @@ impl<'a> Checker<'a> {
         let Some(given) = given else {
             return Expr { kind: Kind::Error, ty: result, span };
         };
-        let arguments = self.symbolic_arguments(&decl.parameters, &types, given, (file, span));
+        let arguments = self.symbolic_arguments(&decl.parameters, &types, given, (id, file, span));
         let call = Call {
             function: id,
             instance,
@@ -114,14 +114,14 @@ impl<'a> Checker<'a> {
         if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
     }
 
-    /// Checks the arguments of parameters of a symbolic function that is declared in `file` and
-    /// called at `span`.
+    /// Checks the arguments of parameters of the symbolic function `id`, which is declared in `file`
+    /// and called at `span`.
     pub(super) fn symbolic_arguments(
         &mut self,
         parameters: &'a [ast::Parameter],
         types: &[Type],
         (given, mut fields): MatchedArguments<'a>,
-        (file, span): (FileId, Span),
+        (id, file, span): (FuncId, FileId, Span),
     ) -> Vec<Expr> {
         let mut values = Vec::new();
         for ((parameter, argument), ty) in parameters.iter().zip(given).zip(types) {
@@ -135,6 +135,20 @@ impl<'a> Checker<'a> {
                 }
                 (None, _) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(ty, &parameter.name, &mut fields, span)
+                }
+                (None, Some((_, Some(default)))) if self.uses_parameters(id, default) => {
+                    let name = &parameter.name.name;
+                    self.report(
+                        Diagnostic::error(
+                            "E0512",
+                            format!("a symbolic expression needs a value for `{name}`"),
+                            span,
+                            "left out",
+                        )
+                        .label(default.span, "the default uses another parameter")
+                        .help(format!("pass it: `{name} = ...`")),
+                    );
+                    Expr { kind: Kind::Error, ty: ty.clone(), span }
                 }
                 (None, Some((_, Some(default)))) => self.in_file(file, |c| {
                     let value = c.as_symbolic(|c| c.whole(default));
@@ -292,10 +306,37 @@ impl<'a> Checker<'a> {
     }
 }
 
+impl Checker<'_> {
+    /// Returns `true` if an expression uses a parameter of a function.
+    pub(super) fn uses_parameters(&self, id: FuncId, e: &ast::Expr) -> bool {
+        let own = &self.names.functions[id.0 as usize].parameters;
+        let mut pending = vec![e];
+        while let Some(e) = pending.pop() {
+            if let ExprKind::Name(name) = &e.kind
+                && let Some(Resolution::Var(variable)) = self.names.uses.get(&name.span)
+                && own.contains(variable)
+            {
+                return true;
+            }
+            if let ExprKind::String(text) = &e.kind {
+                pending.extend(text.iter().filter_map(|part| match part {
+                    ast::StringPart::Value(value, _) => Some(value),
+                    ast::StringPart::Text(_) => None,
+                }));
+            }
+            pending.extend(parts(e));
+        }
+        false
+    }
+}
+
 /// Returns the subexpressions from which an expression's value is computed.
 fn parts(e: &ast::Expr) -> Vec<&ast::Expr> {
     match &e.kind {
-        ExprKind::Field { base: a, .. } | ExprKind::Unary { operand: a, .. } | ExprKind::Paren(a) => vec![a],
+        ExprKind::Field { base: a, .. }
+        | ExprKind::Unary { operand: a, .. }
+        | ExprKind::Paren(a)
+        | ExprKind::IsNone(a) => vec![a],
         ExprKind::Index { base: a, index: b } | ExprKind::Binary { left: a, right: b, .. } => vec![a, b],
         ExprKind::At { value, at, .. } => vec![value, at],
         ExprKind::If { condition, then, otherwise } => vec![condition, then, otherwise],

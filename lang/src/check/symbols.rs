@@ -3,7 +3,7 @@
 use super::builtins::Builtin;
 use super::tree::{FuncId, RecordId, VarId};
 use super::unit::Surroundings;
-use crate::ast::{Expr, FunctionDecl, Ident, Mode, ParamDecl, RecordDecl, TypeExpr, UnitDecl};
+use crate::ast::{EnumDecl, Expr, FunctionDecl, Ident, Mode, ParamDecl, RecordDecl, TypeExpr, UnitDecl};
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
 use crate::units::Unit;
@@ -20,6 +20,8 @@ pub enum Resolution {
     /// A `const`, by index in [`Names::consts`].
     Const(u32),
     Record(RecordId),
+    /// An `enum`, by index in [`Names::enums`].
+    Enum(u32),
     /// A `dimension`, by index in [`Names::dimensions`].
     Dimension(u32),
     /// A `unit`, by index in [`Names::units`].
@@ -28,6 +30,8 @@ pub enum Resolution {
     Builtin(Builtin),
     Constant(Constant),
     Unit(&'static Unit),
+    /// `none`, the absence of an optional value.
+    None,
     /// Not found; already reported.
     Unknown,
 }
@@ -120,6 +124,8 @@ pub struct Names<'a> {
     pub uses: HashMap<Span, Resolution>,
     /// Names that are assigned to.
     pub written: HashSet<Span>,
+    /// Variables that a statement assigns, wholly or in part.
+    pub assigned: HashSet<VarId>,
     pub variables: Vec<Variable>,
     /// Variables whose names are units after a number where they are visible (W0205).
     pub hidden_by_units: HashSet<VarId>,
@@ -127,6 +133,7 @@ pub struct Names<'a> {
     pub externs: Vec<ExternInfo<'a>>,
     pub consts: Vec<Declared<ConstDecl<'a>>>,
     pub records: Vec<Declared<&'a RecordDecl>>,
+    pub enums: Vec<Declared<&'a EnumDecl>>,
     pub dimensions: Vec<Declared<DimensionDecl<'a>>>,
     pub units: Vec<Declared<&'a UnitDecl>>,
     pub params: Vec<(&'a ParamDecl, Option<&'a str>)>,

@@ -88,6 +88,12 @@ pub enum Kind {
     Updated(VarId),
     /// The sum of no terms: `0`, or the null vector.
     Zero,
+    /// An absent optional value.
+    None,
+    /// A value as an optional one.
+    Some(Box<Expr>),
+    /// `e is none`
+    IsNone(Box<Expr>),
     /// A function of the runtime without effects.
     Standard(Standard, Vec<Expr>),
     /// An element of a tuple, or a field of a record.
@@ -397,6 +403,7 @@ impl Expr {
             | Kind::Chosen(_)
             | Kind::Updated(_)
             | Kind::Zero
+            | Kind::None
             | Kind::MakeSymbolic(_) => Vec::new(),
             Kind::Sequence(statements, value) => {
                 let mut all = Vec::new();
@@ -410,6 +417,8 @@ impl Expr {
             | Kind::TupleElement(a, _)
             | Kind::Field(a, _)
             | Kind::Len(a)
+            | Kind::Some(a)
+            | Kind::IsNone(a)
             | Kind::UnitAxis(a)
             | Kind::Derivative(a, _)
             | Kind::Gradient(a, _) => vec![a],

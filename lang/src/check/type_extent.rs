@@ -52,7 +52,9 @@ impl Walk<'_> {
         match store.known(ty) {
             Type::Unknown(variable) if self.excluded == Some(*variable) => return None,
             Type::Unknown(variable) => self.unknowns.push(*variable),
-            Type::Array(inner) | Type::Symbolic(inner) => add(self.extent(inner, around + 1)?),
+            Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => {
+                add(self.extent(inner, around + 1)?)
+            }
             Type::Tuple(parts) => {
                 for part in parts {
                     add(self.extent(part, around + 1)?);

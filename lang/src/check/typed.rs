@@ -63,6 +63,7 @@ impl Checker<'_> {
             };
             let declared = |name: &Ident| match self.names.uses.get(&name.span)? {
                 Resolution::Record(id) => Some(self.store.repr(&Type::Record(*id))),
+                Resolution::Enum(_) => Some(Repr::String),
                 Resolution::Dimension(_) => Some(Repr::Number),
                 _ => None,
             };

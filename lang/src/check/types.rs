@@ -7,6 +7,7 @@ use crate::dimension::Dimension;
 use crate::vocabulary::Vocabulary;
 use calyx_abi::Repr;
 use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// A type variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -26,6 +27,8 @@ pub enum Type {
     Transform,
     Array(Box<Type>),
     Tuple(Vec<Type>),
+    /// A value of the type, or `none`. Only parameters and fields have such types.
+    Optional(Box<Type>),
     /// A number with a value at every step of an analysis.
     Observable(Dim),
     /// An expression that is passed to the engine without evaluation.
@@ -33,6 +36,15 @@ pub enum Type {
     /// An object created by the engine.
     Handle(String),
     Record(RecordId),
+    /// One of several choices. Two types are the same if their names and choices are.
+    Enum(Arc<EnumType>),
+}
+
+/// An enumeration: its name and its choices. Values are the texts of the choices.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct EnumType {
+    pub name: String,
+    pub choices: Vec<String>,
 }
 
 /// A record's name and the types of its fields. Records are nominal and never generic.
@@ -59,9 +71,14 @@ impl Type {
             Type::Record(id) => Type::Record(number(*id)),
             Type::Array(element) => Type::array(element.with_records(number)),
             Type::Symbolic(inner) => Type::Symbolic(Box::new(inner.with_records(number))),
+            Type::Optional(inner) => Type::optional(inner.with_records(number)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| part.with_records(number)).collect()),
             other => other.clone(),
         }
+    }
+
+    pub fn optional(inner: Type) -> Type {
+        Type::Optional(Box::new(inner))
     }
 
     pub fn array(element: Type) -> Type {
@@ -119,7 +136,7 @@ impl Store {
     pub fn has_record(&self, ty: &Type) -> bool {
         match self.shallow(ty) {
             Type::Record(_) => true,
-            Type::Array(inner) | Type::Symbolic(inner) => self.has_record(&inner),
+            Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => self.has_record(&inner),
             Type::Tuple(parts) => parts.iter().any(|part| self.has_record(part)),
             _ => false,
         }
@@ -205,6 +222,7 @@ impl Store {
             Type::Observable(dim) => Type::Observable(self.dim(&dim)),
             Type::Array(element) => Type::array(self.resolve(&element)),
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.resolve(&inner))),
+            Type::Optional(inner) => Type::optional(self.resolve(&inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.resolve(part)).collect()),
             other => other,
         }
@@ -273,7 +291,9 @@ impl Store {
                 let difference = self.dim(&x).over(&self.dim(&y));
                 difference.as_known().is_some_and(|d| !d.fits(Dimension::NONE))
             }
-            (Type::Array(x), Type::Array(y)) | (Type::Symbolic(x), Type::Symbolic(y)) => self.differ(&x, &y),
+            (Type::Array(x), Type::Array(y))
+            | (Type::Optional(x), Type::Optional(y))
+            | (Type::Symbolic(x), Type::Symbolic(y)) => self.differ(&x, &y),
             (Type::Tuple(x), Type::Tuple(y)) if x.len() == y.len() => {
                 x.iter().zip(&y).any(|(x, y)| self.differ(x, y))
             }
@@ -296,7 +316,9 @@ impl Store {
             (Type::Number(x), Type::Number(y))
             | (Type::Vector(x), Type::Vector(y))
             | (Type::Observable(x), Type::Observable(y)) => self.unify_dims(x, y),
-            (Type::Array(x), Type::Array(y)) | (Type::Symbolic(x), Type::Symbolic(y)) => self.unify(x, y),
+            (Type::Array(x), Type::Array(y))
+            | (Type::Optional(x), Type::Optional(y))
+            | (Type::Symbolic(x), Type::Symbolic(y)) => self.unify(x, y),
             (Type::Tuple(x), Type::Tuple(y)) if x.len() == y.len() => {
                 x.iter().zip(y).try_for_each(|(x, y)| self.unify(x, y))
             }
@@ -314,6 +336,7 @@ impl Store {
             Type::Observable(dim) => Type::Observable(self.closed_dim(&dim)),
             Type::Array(element) => Type::array(self.closed(&element)),
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.closed(&inner))),
+            Type::Optional(inner) => Type::optional(self.closed(&inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.closed(part)).collect()),
             other => other,
         }
@@ -332,7 +355,9 @@ impl Store {
             Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => {
                 dims.extend(self.dim(dim).unknowns.keys());
             }
-            Type::Array(inner) | Type::Symbolic(inner) => self.unknowns(inner, types, dims),
+            Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => {
+                self.unknowns(inner, types, dims)
+            }
             Type::Tuple(parts) => parts.iter().for_each(|part| self.unknowns(part, types, dims)),
             _ => {}
         }
@@ -344,11 +369,13 @@ impl Store {
             Type::Unknown(_) | Type::Error | Type::Number(_) => Repr::Number,
             Type::Unit => Repr::Unit,
             Type::Bool => Repr::Bool,
-            Type::String => Repr::String,
+            Type::String | Type::Enum(_) => Repr::String,
             Type::Vector(_) => Repr::Vector,
             Type::Transform => Repr::Transform,
             Type::Array(element) => Repr::Array(Box::new(self.repr(&element))),
             Type::Tuple(parts) => Repr::Tuple(parts.iter().map(|part| self.repr(part)).collect()),
+            // Whether there is a value, and the value.
+            Type::Optional(inner) => Repr::Tuple(vec![Repr::Bool, self.repr(&inner)]),
             Type::Observable(_) => Repr::Symbolic(Box::new(Repr::Number)),
             Type::Symbolic(inner) => Repr::Symbolic(Box::new(self.repr(&inner))),
             Type::Handle(_) => Repr::Handle,
@@ -378,7 +405,9 @@ impl Store {
             }
             Type::Observable(dim) => format!("Observable({})", self.show_dim(&dim)),
             Type::Symbolic(inner) => format!("Symbolic({})", self.show(&inner)),
+            Type::Optional(inner) => format!("{} or none", self.show(&inner)),
             Type::Handle(name) => name,
+            Type::Enum(of) => of.name.clone(),
             Type::Record(id) => self.record(id).map_or_else(|| "_".into(), |record| record.name.clone()),
         }
     }
@@ -409,6 +438,7 @@ impl Substitution {
             Type::Observable(dim) => Type::Observable(self.dim(store, &dim)),
             Type::Array(element) => Type::array(self.ty(store, &element)),
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(store, &inner))),
+            Type::Optional(inner) => Type::optional(self.ty(store, &inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.ty(store, part)).collect()),
             other => other,
         }

@@ -478,6 +478,7 @@ fn written_kind(found: Declared<'_>) -> NameKind {
                 FunctionBody::Extern { .. } => NameKind::Extern,
             },
             StmtKind::Record(_) => NameKind::Record,
+            StmtKind::Enum(_) => NameKind::Enum,
             StmtKind::Param(_) => NameKind::Param,
             StmtKind::Output { .. } => NameKind::Output,
             StmtKind::Const { .. } => NameKind::Const,

@@ -3,8 +3,8 @@
 use super::document::Item;
 use super::printer::{Layout, Printer};
 use crate::ast::{
-    Bind, Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, RecordDecl,
-    StmtKind, UnitDecl, UnitMeaning, VarDecl,
+    Bind, Domain, EnumDecl, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter,
+    RecordDecl, StmtKind, UnitDecl, UnitMeaning, VarDecl,
 };
 use crate::lexer::Kind;
 
@@ -84,6 +84,39 @@ impl Printer<'_> {
             self.item(Item::HardLine);
         }
         self.token(Kind::CloseBrace);
+    }
+
+    /// Formats `enum Name { a, b }` on one line, or one choice per line if it does not fit or has
+    /// comments.
+    pub(super) fn enumeration(&mut self, decl: &EnumDecl) {
+        self.token(Kind::Enum);
+        self.space();
+        self.token(Kind::Identifier);
+        self.space();
+        self.group(|p| {
+            p.token(Kind::OpenBrace);
+            p.item(Item::Indent);
+            let documented = decl.choices.iter().any(|choice| choice.doc.is_some());
+            for index in 0..decl.choices.len() {
+                if index > 0 {
+                    p.token(Kind::Comma);
+                }
+                match documented {
+                    true => p.begin_item(),
+                    false => p.line(),
+                }
+                p.token(Kind::Identifier);
+            }
+            if p.kind() == Some(Kind::Comma) {
+                p.token(Kind::Comma);
+            }
+            p.comments();
+            p.item(Item::Dedent);
+            if !decl.choices.is_empty() {
+                p.item(if documented { Item::HardLine } else { Item::Line });
+            }
+            p.token(Kind::CloseBrace);
+        });
     }
 
     /// Formats `dimension Name = Force/Length;`.

@@ -66,6 +66,13 @@ impl Printer<'_> {
             }
             ExprKind::Binary { op, .. } => self.group(|p| p.chain(e, *op)),
             ExprKind::List(items) => self.list(items),
+            ExprKind::IsNone(value) => {
+                self.expression(value);
+                self.space();
+                self.token(Kind::Is);
+                self.space();
+                self.token(Kind::Identifier);
+            }
             ExprKind::If { .. } => self.group(|p| p.conditional(e)),
             ExprKind::At { value, at, .. } => self.group(|p| {
                 p.expression(value);
@@ -309,6 +316,7 @@ fn is_short(e: &Expr) -> bool {
         | ExprKind::Measured { .. }
         | ExprKind::Comprehension(_)
         | ExprKind::Slice { .. }
+        | ExprKind::IsNone(_)
         | ExprKind::If { .. }
         | ExprKind::At { .. }
         | ExprKind::Paren(_)

@@ -46,6 +46,7 @@ impl Printer<'_> {
             StmtKind::Param(param) => self.param(param),
             StmtKind::Const { value, .. } => self.named_value(Kind::Const, Bind::Evaluate, value),
             StmtKind::Record(record) => self.record(record),
+            StmtKind::Enum(decl) => self.enumeration(decl),
             StmtKind::Dimension { value, .. } => self.dimension(value.is_some()),
             StmtKind::Unit(unit) => self.unit(unit),
             StmtKind::Output { value, .. } => self.named_value(Kind::Output, Bind::Symbolic, value),
@@ -357,6 +358,7 @@ fn is_plain(statement: &Stmt) -> bool {
         | StmtKind::Param(_)
         | StmtKind::Const { .. }
         | StmtKind::Record(_)
+        | StmtKind::Enum(_)
         | StmtKind::Dimension { .. }
         | StmtKind::Unit(_)
         | StmtKind::Output { .. }

@@ -48,10 +48,12 @@ pub enum Kind {
     Extern,
     Host,
     At,
+    Is,
     Private,
     Test,
     Const,
     Record,
+    Enum,
     Dimension,
     Unit,
 
@@ -167,6 +169,7 @@ impl Kind {
                 | Kind::Test
                 | Kind::Const
                 | Kind::Record
+                | Kind::Enum
                 | Kind::Dimension
                 | Kind::Unit
         )
@@ -207,11 +210,13 @@ pub(super) const CONTEXTUAL: &[Spelling] = &[
     ("output", Kind::Output, "`output`"),
     ("extern", Kind::Extern, "`extern`"),
     ("at", Kind::At, "`at`"),
+    ("is", Kind::Is, "`is`"),
     ("private", Kind::Private, "`private`"),
     ("host", Kind::Host, "`host`"),
     ("test", Kind::Test, "`test`"),
     ("const", Kind::Const, "`const`"),
     ("record", Kind::Record, "`record`"),
+    ("enum", Kind::Enum, "`enum`"),
     ("dimension", Kind::Dimension, "`dimension`"),
     ("unit", Kind::Unit, "`unit`"),
 ];

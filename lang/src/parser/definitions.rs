@@ -1,16 +1,16 @@
-//! Parses declarations of constants, records, dimensions and units.
+//! Parses declarations of constants, records, enumerations, dimensions and units.
 
 use super::declarations::{inside_another, type_expression};
 use super::expressions::Expressions;
 use super::recovery::{Reader, close, expect, name, position, renamed, semicolon, when};
 use super::source::Source;
 use super::{Problem, Rule};
-use crate::ast::{RecordDecl, RecordField, StmtKind, UnitDecl, UnitMeaning};
+use crate::ast::{EnumChoice, EnumDecl, RecordDecl, RecordField, StmtKind, UnitDecl, UnitMeaning};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
 use chumsky::prelude::*;
 
-/// Parses `const`, `record`, `dimension` and `unit`.
+/// Parses `const`, `record`, `enum`, `dimension` and `unit`.
 pub(super) fn definition<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let end = semicolon(source);
     let constant = just(Kind::Const)
@@ -33,16 +33,17 @@ pub(super) fn definition<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rul
     let unit = just(Kind::Unit).ignore_then(name(source, "the unit")).then(meaning).then_ignore(end).map(
         |(name, meaning)| name.map_or(StmtKind::Error, |name| StmtKind::Unit(UnitDecl { name, meaning })),
     );
-    let outside = outside_blocks(source).ignore_then(choice((record(source, e), dimension, unit)));
+    let outside =
+        outside_blocks(source).ignore_then(choice((record(source, e), enumeration(source), dimension, unit)));
     constant.or(outside).boxed()
 }
 
-/// Reports the next token if it starts a record, dimension or unit inside a block, function or
+/// Reports the next token if it starts a record, enumeration, dimension or unit inside a block, function or
 /// other statement.
 fn outside_blocks<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
-        if !matches!(source.kind(at), Some(Kind::Record | Kind::Dimension | Kind::Unit)) {
+        if !matches!(source.kind(at), Some(Kind::Record | Kind::Enum | Kind::Dimension | Kind::Unit)) {
             return Err(Problem(None));
         }
         if source.previous(at) != Some(Kind::Private)
@@ -88,6 +89,29 @@ fn record<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind>
             Some(name) => {
                 let fields = fields.into_iter().flatten().collect();
                 StmtKind::Record(RecordDecl { name, former, fields })
+            }
+            None => StmtKind::Error,
+        })
+        .boxed()
+}
+
+/// Parses `enum Hand { left, right }`.
+fn enumeration<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
+    let choice = when(move |at| source.kind(at) == Some(Kind::Identifier))
+        .ignore_then(name(source, "the choice"))
+        .map_with(|name, extra| {
+            let doc = source.doc(extra.span().start);
+            name.map(|name| EnumChoice { name, doc })
+        });
+    just(Kind::Enum)
+        .ignore_then(name(source, "the enumeration"))
+        .then_ignore(expect(source, Kind::OpenBrace, "before the choices of an enumeration"))
+        .then(choice.separated_by(just(Kind::Comma)).allow_trailing().collect::<Vec<_>>())
+        .then_ignore(close(source, Kind::CloseBrace, "`,` or `}`"))
+        .map(|(name, choices)| match name {
+            Some(name) => {
+                let choices = choices.into_iter().flatten().collect();
+                StmtKind::Enum(EnumDecl { name, choices })
             }
             None => StmtKind::Error,
         })

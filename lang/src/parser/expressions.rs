@@ -495,6 +495,12 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
     .map_with(|suffix, extra| (suffix, source.range(extra.span())))
     .boxed();
 
+    // The word after `is` is `none`, or the lexer would not have marked it.
+    let is_none = just(Kind::Is)
+        .ignore_then(index_of(Kind::Identifier))
+        .map_with(|_, extra| source.range(extra.span()))
+        .boxed();
+
     atom.pratt((
         postfix(SUFFIX, suffix, |base: Expr, (suffix, suffix_span): (Suffix, Span), _: &mut _| {
             let span = base.span.to(suffix_span);
@@ -527,6 +533,10 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
         ),
         infix(left(SUM), sum, |l, op, r, _: &mut _| binary(l, op, r)),
         infix(left(RELATION), relation, |l, op, r, _: &mut _| binary(l, op, r)),
+        postfix(RELATION, is_none, |value: Expr, word: Span, _: &mut _| {
+            let span = value.span.to(word);
+            Expr { kind: ExprKind::IsNone(Box::new(value)), span }
+        }),
         infix(left(AND), and, |l, op, r, _: &mut _| binary(l, op, r)),
         infix(left(OR), or, |l, op, r, _: &mut _| binary(l, op, r)),
     ))

@@ -47,6 +47,7 @@ pub fn lenses(source: &Source<'_>, file: &Arc<str>) -> Vec<CodeLens> {
         let (name, test) = match &statement.kind {
             StmtKind::Function(function) => (&function.name, function.is_test),
             StmtKind::Record(record) => (&record.name, false),
+            StmtKind::Enum(decl) => (&decl.name, false),
             StmtKind::Const { name, .. } => (name, false),
             StmtKind::Param(param) => (&param.name, false),
             _ => continue,

@@ -270,7 +270,7 @@ impl TokenContext<'_> {
             NameKind::Record => (TokenKind::Struct, none),
             NameKind::Field if argument != none => (TokenKind::Parameter, argument),
             NameKind::Field => (TokenKind::Property, none),
-            NameKind::Dimension => (TokenKind::Type, none),
+            NameKind::Dimension | NameKind::Enum => (TokenKind::Type, none),
             NameKind::Unit => (TokenKind::Unit, none),
             NameKind::Module => (TokenKind::Namespace, none),
             NameKind::Constant if &*name.text == "Time" => {

@@ -80,6 +80,7 @@ impl Outline<'_> {
             StmtKind::Const { name, .. } => declares(name, SymbolKind::Constant),
             StmtKind::Dimension { name, .. } => declares(name, SymbolKind::Dimension),
             StmtKind::Unit(unit) => declares(&unit.name, SymbolKind::Unit),
+            StmtKind::Enum(decl) => declares(&decl.name, SymbolKind::Dimension),
             StmtKind::Record(record) => {
                 let children = record.fields.iter().map(|field| self.field(field)).collect();
                 symbols.push(Symbol {

@@ -28,6 +28,7 @@ rows!(statement(StmtKind) {
     StmtKind::Function(_) => "`function`",
     StmtKind::Const { .. } => "`const name = e;`",
     StmtKind::Record(_) => "`record`",
+    StmtKind::Enum(_) => "`enum`",
     StmtKind::Dimension { value: None, .. } => "`dimension name;`",
     StmtKind::Dimension { value: Some(_), .. } => "`dimension name = T;`",
     StmtKind::Unit(UnitDecl { meaning: UnitMeaning::Coherent(_), .. }) => "`unit name: T;`",
@@ -132,6 +133,7 @@ rows!(expression(ExprKind) {
     ExprKind::Comprehension(_) => "`[e for name in e if e]`",
     ExprKind::If { .. } => "`if (e) e else e`",
     ExprKind::At { .. } => "`e at name = e`",
+    ExprKind::IsNone(_) => "`e is none`",
     ExprKind::Paren(_) => "`(e)`",
     ExprKind::Block(_) => "`{ var a = e; return e; }`",
 });

@@ -6,7 +6,7 @@ use super::errors::text;
 use super::sequence::{calls, order_as_written};
 use super::values::own_value;
 use crate::ast::Mode;
-use crate::check::tree::{ArgumentRange, Call, Place, Step};
+use crate::check::tree::{ArgumentRange, Call, Expr, Place, Step};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, ExprKind, FunctionId, Op};
@@ -106,7 +106,7 @@ impl Body<'_, '_> {
         let mut arguments: Vec<ir::Expr> = passed.map(|(_, value)| value.clone()).collect();
         for (argument, demand) in &demands {
             if let (Some(value), Some(written)) = (values.get(*argument), call.arguments.get(*argument)) {
-                self.demand(demand, value.clone(), written.span, &call.arguments[*argument].ty);
+                self.demand_of_any(demand, value.clone(), written);
             }
         }
         for (a, b) in &call.perhaps_same {
@@ -144,6 +144,26 @@ impl Body<'_, '_> {
         }
         self.span = around;
         PassedArguments { function, arguments, copy_back }
+    }
+
+    /// Checks an argument; an optional one only if it is present.
+    fn demand_of_any(&mut self, demand: &ArgumentRange, value: ir::Expr, written: &Expr) {
+        let store = &self.lowering.checker.store;
+        let Type::Optional(inner) = store.shallow(&self.types.ty(store, &written.ty)) else {
+            return self.demand(demand, value, written.span, &written.ty);
+        };
+        let part = |at, repr| ir::Expr {
+            kind: ExprKind::TupleElement(Box::new(value.clone()), at),
+            repr,
+            span: written.span,
+        };
+        let (present, content) = (part(0, Repr::Bool), part(1, self.repr(&inner)));
+        let (check, after) = (self.new_block(), self.new_block());
+        self.branch_on(present, check, after);
+        self.start(check);
+        self.demand(demand, content, written.span, &inner);
+        self.jump(after);
+        self.start(after);
     }
 
     /// Lowers a place with its indices, which are evaluated immediately if `kept` is set.

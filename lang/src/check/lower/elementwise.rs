@@ -130,6 +130,28 @@ impl Body<'_, '_> {
     }
 }
 
+/// Returns a value of a representation that the program does not use, such as that of an absent
+/// optional value.
+pub(super) fn absent(repr: &Repr, span: Span) -> ir::Expr {
+    let number = || ir::Expr { kind: ExprKind::Number(0.0), repr: Repr::Number, span };
+    let vector = || ir::Expr {
+        kind: ExprKind::Op(Op::Vector, vec![number(), number(), number()]),
+        repr: Repr::Vector,
+        span,
+    };
+    let kind = match repr {
+        Repr::Number | Repr::Unit => return number(),
+        Repr::Vector => return vector(),
+        Repr::Transform => ExprKind::Op(Op::Translate, vec![vector()]),
+        Repr::String => ExprKind::String(String::new()),
+        Repr::Array(_) => ExprKind::Array(Vec::new()),
+        Repr::Tuple(parts) => ExprKind::Tuple(parts.iter().map(|part| absent(part, span)).collect()),
+        // A word that is zero.
+        Repr::Bool | Repr::Handle | Repr::Symbolic(_) => ExprKind::Bool(false),
+    };
+    ir::Expr { kind, repr: repr.clone(), span }
+}
+
 fn length(array: &ir::Expr, span: Span) -> ir::Expr {
     ir::Expr { kind: ExprKind::Len(Box::new(array.clone())), repr: Repr::Number, span }
 }

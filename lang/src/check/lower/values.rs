@@ -1,7 +1,7 @@
 //! Lowers expressions that are evaluated.
 
 use super::body::Body;
-use super::elementwise::declaration;
+use super::elementwise::{absent, declaration};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
 use crate::check::tree::{DefId, Expr, Kind, Style, TextPart};
@@ -64,6 +64,20 @@ impl Body<'_, '_> {
                 None => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
             },
             Kind::Zero => self.zero(&e.ty, span),
+            Kind::None => {
+                let repr = self.repr(&e.ty);
+                absent(&repr, span)
+            }
+            Kind::Some(value) => {
+                let value = self.owned(value);
+                let repr = Repr::Tuple(vec![Repr::Bool, value.repr.clone()]);
+                make(ExprKind::Tuple(vec![make(ExprKind::Bool(true), Repr::Bool), value]), repr)
+            }
+            Kind::IsNone(value) => {
+                let value = self.value(value);
+                let present = make(ExprKind::TupleElement(Box::new(value), 0), Repr::Bool);
+                make(ExprKind::Op(Op::Not, vec![present]), Repr::Bool)
+            }
             Kind::Sequence(statements, value) => {
                 let around = self.span;
                 statements.iter().for_each(|s| self.statement(s));
@@ -301,7 +315,7 @@ impl Body<'_, '_> {
                 let field = |(name, ty): &(String, Type)| (name.clone(), self.display(ty, style, system));
                 Display::Record(record.name.clone(), record.fields.iter().map(field).collect())
             }
-            Type::Bool | Type::String => text(),
+            Type::Bool | Type::String | Type::Enum(_) => text(),
             _ => Display::Plain,
         }
     }

@@ -13,7 +13,11 @@ impl<'a> Resolver<'a> {
         match &annotation.kind {
             TypeKind::Name(name) => {
                 let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
-                if let Some((res @ (Resolution::Record(_) | Resolution::Dimension(_)), _)) = found {
+                if let Some((
+                    res @ (Resolution::Record(_) | Resolution::Enum(_) | Resolution::Dimension(_)),
+                    _,
+                )) = found
+                {
                     let res = *res;
                     self.names.uses.insert(name.span, res);
                     self.report_former(name, res);
@@ -154,7 +158,7 @@ impl<'a> Resolver<'a> {
                 self.name(symbol);
                 self.expr(at);
             }
-            ExprKind::Paren(inner) => self.expr(inner),
+            ExprKind::Paren(inner) | ExprKind::IsNone(inner) => self.expr(inner),
             // The body of a symbolic function, which shares its block with the parameters.
             ExprKind::Block(body) => self.body(body),
         }
@@ -293,6 +297,9 @@ impl<'a> Resolver<'a> {
         if let Some(unit) = Unit::find(&name.name) {
             return Resolution::Unit(unit);
         }
+        if name.name == "none" {
+            return Resolution::None;
+        }
         self.unknown(name);
         Resolution::Unknown
     }
@@ -348,6 +355,7 @@ pub(super) fn item_names(statement: &Stmt) -> impl Iterator<Item = &Ident> {
     let (name, former) = match &statement.kind {
         StmtKind::Function(decl) => (Some(&decl.name), decl.former.as_ref()),
         StmtKind::Record(decl) => (Some(&decl.name), decl.former.as_ref()),
+        StmtKind::Enum(decl) => (Some(&decl.name), None),
         StmtKind::Unit(decl) => (Some(&decl.name), None),
         StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => (Some(name), None),
         _ => (None, None),

@@ -18,17 +18,18 @@ syn keyword calyxStorage var function
 syn keyword calyxMode in out inout
 syn keyword calyxBoolean TRUE FALSE
 syn match calyxInclude "\<\%(import\|units\)\>\ze\s\+\h"
-syn match calyxDeclaration "\<\%(param\|output\|const\|record\|dimension\|unit\)\>\ze\s\+\K"
+syn match calyxDeclaration "\<\%(param\|output\|const\|record\|enum\|dimension\|unit\)\>\ze\s\+\K"
 syn match calyxModifier "\<\%(extern\|private\)\>\ze\s\+\h"
 syn match calyxModifier "\<extern\s\+\%(pure\|scene\|effect\)\>"
 syn match calyxModifier "\<\%(host\|test\)\>\ze\s\+function\>"
 syn match calyxModifier "\%(\k\s\+\)\@<=was\>\ze\s\+\K"
+syn match calyxOperatorWord "\%([[:alnum:]_)\]\"%.]\s\+\)\@<=is\>\ze\s\+none\>"
 syn match calyxOperatorWord "\%([[:alnum:]_)\]\"%.]\s\+\)\@<=at\>\ze\s\+\K\k*\s*=[^=]"
 
 " What is named.
 syn match calyxFunction "\%(\<function\s\+\)\@<=\K\k*"
 syn match calyxName "\%(\<\%(param\|output\|const\|unit\)\s\+\)\@<=\K\k*"
-syn match calyxType "\%(\<\%(record\|dimension\)\s\+\)\@<=\K\k*"
+syn match calyxType "\%(\<\%(record\|enum\|dimension\)\s\+\)\@<=\K\k*"
 syn match calyxCall "\K\k*\ze\s*(" contains=calyxBuiltin,calyxConditional,calyxRepeat,calyxException,calyxStatement,calyxStorage,calyxMode
 syn match calyxNamedArgument "\%([(,]\_s*\)\@<=\K\k*\ze\s*:\?=[^=]"
 syn match calyxUserLabel "\%(^\|[;{}]\)\s*\zs\%(default\>\)\@!\K\k*\ze\s*:[^=]"
@@ -37,7 +38,7 @@ syn match calyxUserLabel "\%(\<goto\s\+\)\@<=\K\k*"
 " Names of the language.
 syn keyword calyxBuiltin sin cos tan asin acos atan atan2 exp log abs floor ceil round dot cross norm
 syn keyword calyxBuiltin Translate Rotate inverse origin direction velocity acceleration angular_velocity
-syn keyword calyxBuiltin angular_acceleration max sqrt derivative gradient print assert len push
+syn keyword calyxBuiltin angular_acceleration max sqrt derivative gradient print assert len push sum sort
 syn match calyxBuiltin "\<min\>\ze\s*("
 syn keyword calyxConstant Time e1 e2 e3 pi inf nan
 syn keyword calyxDimension Number Length Mass Angle Temperature Area Volume SecondMomentOfArea Curvature Velocity

@@ -204,7 +204,7 @@ impl<'a> Context<'a> {
             Some(Kind::Units) if alone => CompletionSite::System,
             Some(Kind::Goto) if alone => CompletionSite::Label,
             Some(Kind::Private) if alone => {
-                CompletionSite::Words(vec!["function", "const", "record", "dimension", "unit"])
+                CompletionSite::Words(vec!["function", "const", "record", "enum", "dimension", "unit"])
             }
             Some(Kind::Extern) if alone => CompletionSite::Words(vec!["pure", "scene", "effect", "function"]),
             Some(Kind::Extern) if end == start + 2 => CompletionSite::Words(vec!["function"]),
@@ -251,6 +251,7 @@ impl<'a> Context<'a> {
             "test" => Kind::Test,
             "const" => Kind::Const,
             "record" => Kind::Record,
+            "enum" => Kind::Enum,
             "dimension" => Kind::Dimension,
             "unit" => Kind::Unit,
             _ => kind,

@@ -118,6 +118,18 @@ const STATEMENTS: &[Keyword] = &[
         stands: &[Model, Module, Block],
     },
     Keyword {
+        label: "enum",
+        detail: "a type with a few values",
+        snippet: "enum ${1:Name} { ${2:first}, ${3:second}$0 }",
+        stands: &[Model, Module],
+    },
+    Keyword {
+        label: "for in",
+        detail: "a loop over values",
+        snippet: "for (${1:x} in ${2:values}) {\n    $0\n}",
+        stands: &[Model, Block],
+    },
+    Keyword {
         label: "function :=",
         detail: "a symbolic function",
         snippet: "function ${1:name}(in ${2:x}) := $0;",
@@ -298,6 +310,12 @@ pub fn documentation(word: &str) -> Option<&'static str> {
         }
         "record" => {
             "`record Name { width = 1 mm; teeth: Number; }` declares a record with named fields, which is made like a call."
+        }
+        "enum" => {
+            "`enum Name { first, second }` declares a type with a few values, written `Name.first`. The text of a choice stands for it."
+        }
+        "for in" => {
+            "`for (x in array) ...` runs for each element of an array, `for (i in 0 .. n) ...` for each number of a range without its end."
         }
         "dimension" => {
             "`dimension Name = Force/Length;` names a product of dimensions; `dimension Name;` adds a base dimension."

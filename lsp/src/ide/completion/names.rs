@@ -208,7 +208,7 @@ pub fn item(request: &Request<'_>, known: &Visible, module: Option<&str>, rank: 
     item.filter = module.map(|_| known.name.to_string());
     item.detail = match known.kind {
         NameKind::Symbolic => format!(":= {ty}").trim_end().to_string(),
-        NameKind::Module | NameKind::Record => known.kind.describe().to_string(),
+        NameKind::Module | NameKind::Record | NameKind::Enum => known.kind.describe().to_string(),
         _ => signature(ty),
     };
     item.subject = Some(match &known.declared {

@@ -92,7 +92,7 @@ fn handles(request: &Request<'_>) -> BTreeSet<String> {
 pub fn types_of(request: &Request<'_>, module: &str, items: &mut Vec<Item>) {
     let Some(path) = callee::module_path(request.database, &request.visible, module) else { return };
     for (order, known) in request.database.members(&path).iter().enumerate() {
-        if matches!(known.kind, NameKind::Record | NameKind::Dimension) {
+        if matches!(known.kind, NameKind::Record | NameKind::Enum | NameKind::Dimension) {
             let rank = Rank { order: order as u32, ..Rank::default() };
             let mut item =
                 Item::new(known.name.to_string(), ItemKind::Type, rank).detail(known.kind.describe());

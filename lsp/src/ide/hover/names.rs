@@ -158,7 +158,12 @@ fn type_line(
     let Some(ty) = name.ty.as_deref().or(declaration.ty.as_deref()) else { return facts };
     let shown = match name.kind {
         // Their types are in the declaration.
-        NameKind::Extern | NameKind::Record | NameKind::Dimension | NameKind::Unit | NameKind::Module => None,
+        NameKind::Extern
+        | NameKind::Record
+        | NameKind::Enum
+        | NameKind::Dimension
+        | NameKind::Unit
+        | NameKind::Module => None,
         NameKind::Function | NameKind::SymbolicFunction => (!declaration.header.contains("->")).then_some(ty),
         _ => Some(ty),
     };

@@ -167,6 +167,7 @@ fn kind(kind: ItemKind) -> CompletionItemKind {
             }
             NameKind::Const | NameKind::Constant => CompletionItemKind::CONSTANT,
             NameKind::Record => CompletionItemKind::STRUCT,
+            NameKind::Enum => CompletionItemKind::ENUM,
             NameKind::Field => CompletionItemKind::FIELD,
             NameKind::Dimension => CompletionItemKind::CLASS,
             NameKind::Unit => CompletionItemKind::UNIT,
