@@ -237,6 +237,11 @@ fn builds_say_what_they_lack() {
 }
 
 #[test]
+fn instances_of_components() {
+    hold(include_str!("cli/components.md"));
+}
+
+#[test]
 fn params_come_from_files_and_options() {
     hold(include_str!("cli/params.md"));
 }

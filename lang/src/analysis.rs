@@ -33,6 +33,8 @@ pub enum NameKind {
     Const,
     Record,
     Enum,
+    /// `component Stage(gear: Gear) { ... }`
+    Component,
     Field,
     Dimension,
     Unit,
@@ -58,6 +60,7 @@ impl NameKind {
             NameKind::Const => "constant",
             NameKind::Record => "record",
             NameKind::Enum => "enumeration",
+            NameKind::Component => "component",
             NameKind::Field => "field",
             NameKind::Dimension => "dimension",
             NameKind::Unit => "unit",

@@ -4,6 +4,7 @@
 //! parser reports the reason.
 
 use crate::span::Span;
+use std::ops::Deref;
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Ident {
@@ -35,8 +36,8 @@ pub enum StmtKind {
     Empty,
     /// A statement that could not be parsed (already reported).
     Error,
-    /// `import gears.helical;`
-    Import(Vec<Ident>),
+    /// `import gears.helical;`, `import gears.helical as h;` or `import "folder/file" as name;`
+    Import(Import),
     /// `units inch_lbf_s;`
     Units(Ident),
     Param(ParamDecl),
@@ -130,6 +131,33 @@ pub enum StmtKind {
     },
 }
 
+/// An import. It dereferences to the path of the module.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// The dotted path of the module. The names of a path in quotation marks have the location of
+    /// the string.
+    pub path: Vec<Ident>,
+    /// The name after `as`.
+    pub alias: Option<Ident>,
+    /// `true` for a path in quotation marks.
+    pub is_quoted: bool,
+}
+
+impl Import {
+    /// Returns the name under which the module is visible.
+    pub fn name(&self) -> Option<&Ident> {
+        self.alias.as_ref().or(self.path.last())
+    }
+}
+
+impl Deref for Import {
+    type Target = [Ident];
+
+    fn deref(&self) -> &[Ident] {
+        &self.path
+    }
+}
+
 /// The kind of a binding: `=` evaluates now, `:=` stores the expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Bind {
@@ -220,6 +248,9 @@ pub struct FunctionDecl {
     pub is_test: bool,
     /// `true` for `host function`: the program that embeds the model may replace its body.
     pub is_host: bool,
+    /// `true` for `component Stage(gear: Gear) { ... }`: its body is a block, whose declarations are
+    /// the members of its instances.
+    pub is_component: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]

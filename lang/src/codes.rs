@@ -108,7 +108,7 @@ const CODES: &[Explanation] = codes! {
     "E0502" "a time-dependent name where a value is needed" "The name is bound with `:=` to an expression in `Time`. Use it inside another `:=`, or evaluate it with `at Time = ...`."
     "E0503" "`=` and `:=` exchanged" "The declaration of a variable or parameter determines whether it has a value or an expression."
     "E0504" "a symbolic name without an expression" "The `:=` of this name comes later, or is in code that has not run. Move the binding before this use."
-    "E0505" "an observable used as a value" "An observable has a value at each step of an analysis, not while the model is built. Use it in an `output` or another `:=`."
+    "E0505" "an observable used as a value" "An observable has a value at each step of an analysis, not while the model is built. The program can compute other observables with it, but cannot print it, compare it, or use it as a count. Make it an `output`, or bind it with `:=`."
     "E0506" "an expression that is not a symbol" "Expressions can be differentiated with respect to, and evaluated at, `Time`, number params and number arguments of symbolic functions."
     "E0507" "an expression that cannot be symbolic" "Only numbers, vectors, frames, and brackets and records of them can be bound with `:=`."
     "E0508" "the derivative of an observable" "The analysis computes the values of an observable, so its derivative is not known when the model is compiled."
@@ -136,6 +136,13 @@ const CODES: &[Explanation] = codes! {
     "E0856" "a test of a value that is never `none`" "Only parameters and fields with the default `none` can be `none`. Remove the test, or give the parameter the default `none`."
     "E0857" "a text that is not one of the choices" "An enumeration has the choices of its declaration, and a param or parameter those after `in`. A comparison with another text is never true. Correct the spelling; the message lists the choices."
     "W0850" "a result type that gives a parameter a fractional dimension" "The type of a result determines the types of parameters without an annotation. In `function area(in d) -> Length { return d^2; }`, `d` would be a Length^(1/2). Correct the result type, here to `Area`, or state the type of the parameter."
+    "E0870" "a mode of a component's parameter" "A component receives values and has members, so its parameters have no mode: `component Stage(ratio: Number) { ... }`."
+    "E0871" "a name of the model in a component" "A component may have several instances and may be imported by other models, so its body sees constants, functions, records and other components, but no variables, params and outputs of the model. Pass their values as arguments."
+    "E0872" "a component that contains itself" "Every instance would contain another one without end. Put the repeated part into a component of its own, and declare an array of its instances."
+    "E0873" "a member of unknown type" "All instances of a component have one type, so the types of its parameters and members follow from the component alone. Write the type of the parameter: `component Stage(ratio: Number)`."
+    "E0874" "an instance without a name" "The names of params and outputs contain the name of the instance, and must be known before the model runs. Declare instances at the top level of a model or component: `var low = Stage(3);`, or `var stages = [Stage(3), Stage(4)];`. A function cannot create them."
+    "E0875" "an argument that is not known before the run" "The default or the range of a param of the component uses this parameter. Params are set before the model runs, so the argument may contain literals, params and functions of them, but no variables."
+    "E0876" "a return in a component" "A component does not return a value: its members are its parameters, params, variables and outputs, which all need values. Use `if`, or move the statements into a function."
 };
 
 #[cfg(test)]

@@ -73,7 +73,7 @@ pub fn name_of(statement: &Stmt) -> Option<&Ident> {
         StmtKind::Output { name, .. } | StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => {
             Some(name)
         }
-        StmtKind::Import(path) => path.last(),
+        StmtKind::Import(import) => import.name(),
         _ => None,
     }
 }

@@ -13,7 +13,7 @@ use calyx_abi::description::{
 /// Describes a program for an engine with this fingerprint. Defaults and ranges of params, tables
 /// and calls are empty; elaboration sets them.
 pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
-    ModelDescription {
+    let description = ModelDescription {
         abi,
         name: program.files.first().map(|file| file.name.clone()).unwrap_or_default(),
         doc: program.doc.clone(),
@@ -44,8 +44,10 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
                 site: output.site.0 as usize,
                 unit: unit(&output.unit),
                 si: output.si.clone(),
+                is_array: output.is_array,
             })
             .collect(),
+        declared_outputs: Vec::new(),
         host_functions: program
             .host_functions
             .iter()
@@ -94,7 +96,13 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
         known_dimensions: dimensions(program),
         tables: [].into(),
         calls: Vec::new(),
-    }
+    };
+    // Elaboration determines the number of elements of arrays.
+    let declared_outputs = match program.outputs.iter().any(|output| output.is_array) {
+        true => description.outputs.clone(),
+        false => Vec::new(),
+    };
+    ModelDescription { declared_outputs, ..description }
 }
 
 fn dimensions(program: &Program) -> Vec<DimensionDescription> {

@@ -224,6 +224,12 @@ const KEYWORDS: &[Help] = &[
         "enum Hand { left, right }\nvar hand = Hand.left;\nprint(hand == \"left\");",
     ),
     help(
+        "component",
+        "A part of a model that may occur several times, with its own params and outputs. An instance is declared with `var`.",
+        "component Shaft(diameter: Length) {\n    param torque = 10 N*m;\n    var stress = 16 * torque / (pi * diameter^3);\n}\n\
+         var shaft = Shaft(20 mm);\nprint(shaft.stress);",
+    ),
+    help(
         "dimension",
         "Declares a name for a product of dimensions or, without a value, a new base dimension.",
         "dimension Cost;\nunit euro: Cost;\ndimension Wage = Cost/Time;\nprint(200 euro / 8 hour);",

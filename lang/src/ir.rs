@@ -107,6 +107,8 @@ pub struct Output {
     pub name: String,
     pub doc: String,
     pub site: SiteId,
+    /// `true` if the program passes an array: the results have its elements, `name[0]`.
+    pub is_array: bool,
     /// Display unit in the model's unit system; `si` is the name of the coherent SI unit.
     pub unit: DisplayUnit,
     pub si: String,

@@ -45,12 +45,16 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
             let token = tokens.get(at).filter(|t| t.kind == Kind::Identifier)?;
             Some(&text[token.span.start as usize..token.span.end as usize])
         };
-        let is_name = match (word_at(i + 1), word_at(i + 2)) {
+        let (next_word, name_follows) = (word_at(i + 1), word_at(i + 2).is_some());
+        let is_name = match (next_word, word_at(i + 2)) {
             (Some("at" | "was"), Some(_)) => word_at(i + 3).is_none(),
             (Some("is"), Some(word)) => word == "none",
             _ => false,
         };
         let previous = i.checked_sub(1).map(|p| tokens[p].kind);
+        // In `import param as p`, it is a module.
+        let module =
+            matches!(previous, Some(Kind::Import | Kind::Dot)) && next_word == Some("as") && name_follows;
         let is_word = match kind {
             Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
             Kind::Is => {
@@ -59,9 +63,10 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
             }
             Kind::Extern | Kind::Private => matches!(next, Some(Kind::Identifier | Kind::Function)),
             Kind::Host | Kind::Test => next == Some(Kind::Function),
+            Kind::Import => matches!(next, Some(Kind::Identifier | Kind::StringOpen)),
             _ => next == Some(Kind::Identifier),
         };
-        if is_word && !is_name {
+        if is_word && !module && !is_name {
             tokens[i].kind = kind;
         }
     }

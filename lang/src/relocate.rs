@@ -49,7 +49,9 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
     visit(&mut s.span, None);
     match &mut s.kind {
         StmtKind::Empty | StmtKind::Error | StmtKind::Break | StmtKind::Continue => {}
-        StmtKind::Import(path) => path.iter_mut().for_each(|name| ident(name, visit)),
+        StmtKind::Import(import) => {
+            import.path.iter_mut().chain(&mut import.alias).for_each(|name| ident(name, visit));
+        }
         StmtKind::Units(name) | StmtKind::Goto(name) => ident(name, visit),
         StmtKind::Param(decl) => {
             ident(&mut decl.name, visit);

@@ -157,9 +157,9 @@ impl Scan<'_> {
                 self.pending.extend(self.name(last).map(|span| (span, NameKind::Module)));
                 return last + 1;
             }
-            Kind::Function => {
+            Kind::Function | Kind::Component => {
                 if let Some(span) = self.name(index + 1) {
-                    self.declare(span, NameKind::Function);
+                    self.declare(span, hoisted_kind(kind));
                 }
                 self.open();
                 return self.parameters(self.after_name(index + 1), end);
@@ -263,6 +263,7 @@ impl Scan<'_> {
                 Some(Kind::CloseBrace) => open = open.saturating_sub(1),
                 Some(
                     kind @ (Kind::Function
+                    | Kind::Component
                     | Kind::Const
                     | Kind::Record
                     | Kind::Enum
@@ -283,6 +284,7 @@ fn hoisted_kind(kind: Kind) -> NameKind {
         Kind::Const => NameKind::Const,
         Kind::Record => NameKind::Record,
         Kind::Enum => NameKind::Enum,
+        Kind::Component => NameKind::Component,
         Kind::Dimension => NameKind::Dimension,
         Kind::Unit => NameKind::Unit,
         _ => NameKind::Function,

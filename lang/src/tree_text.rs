@@ -37,7 +37,10 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
     let head = match &s.kind {
         StmtKind::Empty => "(empty".into(),
         StmtKind::Error => "(error".into(),
-        StmtKind::Import(path) => format!("(import {}", names(path, ".")),
+        StmtKind::Import(import) => {
+            let alias = import.alias.as_ref().map(|name| format!(" as {}", name.name)).unwrap_or_default();
+            format!("(import {}{alias}", names(import, "."))
+        }
         StmtKind::Units(system) => format!("(units {}", system.name),
         StmtKind::Param(p) => format!("(param {} {}{}", p.name.name, expr(&p.default), domain(&p.domain)),
         StmtKind::Output { name, value } => format!("(output {} {}", name.name, expr(value)),
@@ -205,9 +208,10 @@ fn declared(name: &Ident, former: &Option<Ident>) -> String {
 }
 
 fn function_word(function: &FunctionDecl) -> &'static str {
-    match (function.is_test, function.is_host) {
-        (true, _) => "test",
-        (_, true) => "host",
+    match (function.is_test, function.is_host, function.is_component) {
+        (true, _, _) => "test",
+        (_, true, _) => "host",
+        (_, _, true) => "component",
         _ => "function",
     }
 }

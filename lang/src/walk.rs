@@ -100,7 +100,9 @@ impl<'t> Node<'t> {
 fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
     match kind {
         StmtKind::Empty | StmtKind::Error | StmtKind::Break | StmtKind::Continue => {}
-        StmtKind::Import(path) => path.iter().for_each(|name| visit(Node::Name(name))),
+        StmtKind::Import(import) => {
+            import.path.iter().chain(&import.alias).for_each(|name| visit(Node::Name(name)));
+        }
         StmtKind::Units(name) | StmtKind::Goto(name) => visit(Node::Name(name)),
         StmtKind::Param(param) => {
             visit(Node::Name(&param.name));

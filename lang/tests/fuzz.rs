@@ -181,6 +181,7 @@ const WORDS: &[&str] = &[
     "at",
     "const",
     "record",
+    "component",
     "unit",
     "dimension",
     "(",

@@ -52,7 +52,7 @@ calyx_abi::externs! {
         let mut stops = clearances([radial_clearance, axial_clearance], [radial_stiffness, axial_stiffness]);
         stops.extend(gaps(&gap_clearances, &gap_directions, &gap_arms, gap_stiffness)?);
         let bearing = Bearing {
-            name,
+            name: context.name_in_instance(name),
             body: first,
             to,
             at,

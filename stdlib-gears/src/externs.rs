@@ -258,18 +258,11 @@ impl BodyPlacement {
             free[at] = true;
         }
         let motion = Arc::new(FrameMotion { value: self.frame.0, params: context.params.clone() });
+        let name = context.name_in_instance(self.name);
         let (place, host) = (context.place, host(context)?);
         let load = load(host, self.load, &self.host_load, place);
-        let body = Body {
-            name: self.name,
-            prototype,
-            motion,
-            phase: 0.0,
-            free,
-            load,
-            impulses: Vec::new(),
-            added: self.added,
-        };
+        let body =
+            Body { name, prototype, motion, phase: 0.0, free, load, impulses: Vec::new(), added: self.added };
         let id = add_body(&mut host.scene, body).map_err(|refusal| host.rejected(refusal, place))?;
         if !self.host_load.is_empty() {
             host.host_loaded.insert(id.0);

@@ -31,7 +31,7 @@ calyx_abi::externs! {
         context, of: String, shaft: Handle, angle: String, from: f64, to: f64, turns: f64, highest: f64, window: String,
     ) -> () {
         let shaft = if shaft == GROUND { None } else { Some(body(context, "shaft", shaft)?) };
-        let ahead = (!angle.is_empty()).then_some(angle);
+        let ahead = (!angle.is_empty()).then(|| context.name_in_instance(angle));
         if shaft.is_none() && ahead.is_none() {
             return Err(refusal("E0778", "shaft", "the shaft whose revolutions are counted is missing",
                 "give the `shaft`, or the name of an output that is its `angle`"));
@@ -93,6 +93,7 @@ fn ask(
     }
     let highest = more_than_none("highest", highest.min(f64::MAX))?;
     let place = context.place;
+    let of = context.name_in_instance(of);
     let request = SignalRequest { of, span: Span { from, to }, highest, kind };
     host(context)?.asked_signals.push(RequestedSignal { request, place });
     Ok(())

@@ -13,6 +13,7 @@ use std::collections::BTreeSet;
 /// types.
 const OF_THE_LANGUAGE: &[&str] = &[
     "calyx_std_print",
+    "calyx_std_instance",
     "calyx_std_assert",
     "calyx_std_output",
     "calyx_std_unit_axis",

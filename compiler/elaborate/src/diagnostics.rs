@@ -14,9 +14,13 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 
 /// Converts a run-time error to a diagnostic at its source location.
 pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
-    let label = match error.argument.as_deref().filter(|argument| !argument.is_empty()) {
-        Some(argument) => format!("caused by `{argument}`"),
-        None => "the error occurs here".to_owned(),
+    let instance = error.details.calls.iter().rfind(|call| call.instance().is_some());
+    let instance = instance.filter(|call| Some(call.place) == error.place).and_then(|call| call.instance());
+    let argument = error.argument.as_deref().filter(|argument| !argument.is_empty());
+    let label = match (instance, argument) {
+        (Some(path), _) => format!("`{path}` cannot be built"),
+        (None, Some(argument)) => format!("caused by `{argument}`"),
+        (None, None) => "the error occurs here".into(),
     };
     let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
     diagnostic.calls = error.details.calls.clone();

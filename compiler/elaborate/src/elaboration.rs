@@ -168,7 +168,11 @@ fn elaborate_with(
     let mut found: Vec<Diagnostic> = survived.iter().map(at_place).collect();
     let (mut refused, mut planned, mut geometry) = (None, None, Geometry::default());
     let mut read = Vec::new();
+    let mut outputs = None;
     if let Some(host) = context.host::<ModelHost>() {
+        if !interpreted.description().declared_outputs.is_empty() && ran.is_ok() {
+            outputs = Some(host.outputs.iter().map(|output| output.name.clone()).collect::<Vec<_>>());
+        }
         // An incomplete scene has no meaningful analysis.
         if ran.is_ok() && survived.is_empty() {
             check_unrestrained(host);
@@ -214,12 +218,13 @@ fn elaborate_with(
     // A loop repeats the same diagnostic in every iteration.
     found.dedup();
     go_on(cancel)?;
+    let description = interpreted.into_description();
+    let description = match outputs {
+        Some(names) => description.with_outputs(names.iter().map(String::as_str)),
+        None => description,
+    };
     Ok(Elaboration {
-        description: ModelDescription {
-            tables: read.into(),
-            calls: sites.describe(),
-            ..interpreted.into_description()
-        },
+        description: ModelDescription { tables: read.into(), calls: sites.describe(), ..description },
         found,
         refused,
         runnable: true,

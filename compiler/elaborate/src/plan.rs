@@ -255,7 +255,7 @@ impl Planned {
             bodies: bodies.collect(),
             meshes: meshes.collect(),
             bearings: bearings.collect(),
-            outputs: description.outputs.iter().map(|output| output.name.clone()).collect(),
+            outputs: host.outputs.iter().map(|output| output.name.clone()).collect(),
             positions: match host.asked {
                 Some(asked) => vec![asked.problems],
                 None => host.positions.iter().map(Vec::len).collect(),

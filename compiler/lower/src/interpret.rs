@@ -20,6 +20,7 @@ pub use trace::NanTrace;
 use crate::layout::running_sums;
 use crate::link::{LinkError, resolve_externs};
 use calyx_abi::context::{Context, MAX_DEPTH, RuntimeError};
+use calyx_abi::error::Place;
 use calyx_abi::{Extern, Purity, Slot, helpers, limits, stack};
 use calyx_lang::ir::{Function, FunctionId, LocalId, Mode, Program};
 use calyx_lang::span::Span;
@@ -118,6 +119,7 @@ impl<'p> Interpreter<'p> {
                 stack: arguments.to_vec(),
                 activation,
                 guards: 0,
+                calls: Vec::new(),
                 kept: None,
             };
             machine.kept = keep.then(Vec::new);
@@ -145,6 +147,8 @@ struct Machine<'m, 'p> {
     ctx: &'m mut Context,
     stack: Vec<Slot>,
     activation: Activation<'m, 'p>,
+    /// The active calls, outermost first.
+    calls: Vec<(FunctionId, Place)>,
     /// Number of active blocks, in this function and its callers, whose errors the program catches.
     guards: usize,
     /// The final variables of the outermost function, if requested.
@@ -170,7 +174,10 @@ impl<'p> Machine<'_, 'p> {
     fn call_at(&mut self, id: FunctionId, start: usize, span: Span) -> Result<(), RuntimeError> {
         self.at(span);
         let place = self.ctx.place;
-        self.call(id, start).map_err(|mut error| {
+        self.calls.push((id, place));
+        let result = self.call(id, start);
+        self.calls.pop();
+        result.map_err(|mut error| {
             error.place.get_or_insert(self.ctx.place);
             let name = self.interpreter.program.functions.get(id.0 as usize).map_or("", |f| &f.name);
             error.passed(name, place);

@@ -122,6 +122,7 @@ mod tests {
             site: 0,
             unit: UnitDescription { name: "N".into(), factor: 1.0, ..UnitDescription::default() },
             si: "N".into(),
+            is_array: false,
         };
         let outputs = vec![output("é"), output("è")];
         let text = header("m", &ModelDescription { outputs, ..ModelDescription::default() });

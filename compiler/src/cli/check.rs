@@ -2,6 +2,7 @@
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat};
+use calyx::elaborate::{Cancel, Ranges, check_ranges};
 use calyx::fix::{Applied, fix_file};
 use calyx::{Checked, check_file_allowing};
 use calyx_lang::diagnostic::Severity;
@@ -13,6 +14,7 @@ use std::process::ExitCode;
 pub const EXAMPLES: &str = "Examples:
   calyx check pair.cx
   calyx check pair.cx --fix
+  calyx check pair.cx --ranges
   calyx check pair.cx --message-format json 2> messages.jsonl
 
 Exit status: 0 without errors, 1 with errors, 2 for wrong usage of the command.";
@@ -24,6 +26,12 @@ pub struct Check {
     /// Apply unambiguous fixes to the model and the modules in its directory, then check again
     #[arg(long)]
     fix: bool,
+    /// Build the model also at the other values of its integer, Boolean and choice params
+    ///
+    /// One param is varied at a time. Of a range with many values, 32 are tried, or fewer if there
+    /// are many params.
+    #[arg(long)]
+    ranges: bool,
     #[command(flatten)]
     allow: AllowPath,
     /// Format of messages on standard error
@@ -34,7 +42,7 @@ pub struct Check {
 impl Check {
     pub fn run(self) -> ExitCode {
         let format = self.message_format;
-        let checked = match if self.fix {
+        let mut checked = match if self.fix {
             self.fixed()
         } else {
             check_file_allowing(&self.file, &self.allow.paths())
@@ -43,7 +51,15 @@ impl Check {
             Err(error) => return format.unreadable(&self.file, &error),
         };
         MessageFormat::printed_before_error(&checked, false);
+        let ranges = match self.ranges {
+            true => check_ranges(&checked, &Cancel::default()).unwrap_or_default(),
+            false => Ranges::default(),
+        };
+        checked.diagnostics.extend(ranges.found);
         format.diagnostics(&checked.diagnostics, &checked.files);
+        for (param, tried, allowed) in &ranges.cut {
+            format.note(&format!("`{param}` was checked at {tried} of its {allowed} values\n"));
+        }
         format.note(&self.summary(&checked));
         if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS }
     }

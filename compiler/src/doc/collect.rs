@@ -24,6 +24,8 @@ pub enum Kind {
     Output,
     Function,
     Constant,
+    /// Its fields are its parameters, params and outputs.
+    Component,
     Record,
     Enumeration,
     Dimension,
@@ -54,7 +56,8 @@ pub struct Field {
     pub name: String,
     /// Former name, which is deprecated.
     pub former: Option<String>,
-    /// `in`, `out` or `inout` for parameters, empty for others.
+    /// `in`, `out` or `inout` for parameters, `param` or `output` for those of components, empty for
+    /// others.
     pub mode: &'static str,
     pub doc: String,
     pub ty: Option<Type>,
@@ -169,6 +172,21 @@ impl Reader<'_> {
                 let signature = call(&record.name.name, &fields);
                 Entry { fields, ..entry(Kind::Record, &record.name, signature) }
             }
+            StmtKind::Function(component) if component.is_component => {
+                let parameters = component.parameters.iter().map(|p| Field { mode: "", ..self.parameter(p) });
+                let parameters: Vec<Field> = parameters.collect();
+                let signature = call(&component.name.name, &parameters);
+                let members = match &component.body {
+                    FunctionBody::Statement(body) => match &body.kind {
+                        StmtKind::Block(statements) => statements.as_slice(),
+                        _ => &[],
+                    },
+                    _ => &[],
+                };
+                let members = members.iter().filter_map(|statement| self.member(statement));
+                let fields = parameters.into_iter().chain(members).collect();
+                Entry { fields, ..entry(Kind::Component, &component.name, signature) }
+            }
             StmtKind::Function(function) if !function.is_test => {
                 let fields: Vec<Field> = function.parameters.iter().map(|p| self.parameter(p)).collect();
                 // Names of the prelude need no module prefix.
@@ -183,6 +201,27 @@ impl Reader<'_> {
                 }
             }
             _ => return None,
+        })
+    }
+
+    /// Returns a param or output of a component.
+    fn member(&self, statement: &Stmt) -> Option<Field> {
+        let (name, mode, default, domain) = match &statement.kind {
+            StmtKind::Param(param) => {
+                (&param.name, "param", Some(self.slice(param.default.span)), self.domain(&param.domain))
+            }
+            StmtKind::Output { name, .. } => (name, "output", None, String::new()),
+            _ => return None,
+        };
+        Some(Field {
+            name: name.name.clone(),
+            former: None,
+            mode,
+            doc: statement.doc.clone().unwrap_or_default(),
+            ty: None,
+            default,
+            domain,
+            symbolic: false,
         })
     }
 

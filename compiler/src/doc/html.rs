@@ -8,10 +8,11 @@ const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("search.js");
 
 /// Sections of a page in order: kind, heading, true if entries have a table of fields.
-const SECTIONS: [(Kind, &str); 8] = [
+const SECTIONS: [(Kind, &str); 9] = [
     (Kind::Param, "Params"),
     (Kind::Output, "Outputs"),
     (Kind::Function, "Functions"),
+    (Kind::Component, "Components"),
     (Kind::Record, "Records"),
     (Kind::Constant, "Constants"),
     (Kind::Enumeration, "Enumerations"),
@@ -141,7 +142,7 @@ fn field_html(entry: &Entry, field: &Field, links: &Links) -> String {
         };
         facts.push(format!("{}{units}", links.ty(ty)));
     }
-    if field.mode == "out" || field.mode == "inout" {
+    if !matches!(field.mode, "" | "in") {
         facts.push(format!("<em>{}</em>", field.mode));
     }
     if field.symbolic {
@@ -149,7 +150,7 @@ fn field_html(entry: &Entry, field: &Field, links: &Links) -> String {
     }
     match &field.default {
         Some(default) => facts.push(format!("default <code>{}</code>", escape(default))),
-        None if entry.kind != Kind::Param => facts.push("required".into()),
+        None if entry.kind != Kind::Param && field.mode != "output" => facts.push("required".into()),
         None => {}
     }
     if !field.domain.is_empty() {

@@ -123,6 +123,7 @@ fn the_textmate_grammar_has_the_languages_words() {
         "host",
         "const",
         "record",
+        "component",
         "enum",
         "is",
         "dimension",

@@ -39,6 +39,12 @@ impl<'a> Checker<'a> {
     pub(super) fn annotation(&mut self, annotation: &TypeExpr, symbolic: bool) -> Type {
         match &annotation.kind {
             TypeKind::Error => Type::Error,
+            // A handle of a module.
+            TypeKind::Member(_, name)
+                if !self.names.uses.contains_key(&name.span) && self.handles.contains(&name.name) =>
+            {
+                Type::Handle(name.name.clone())
+            }
             TypeKind::Member(_, name) => self.declared_type(name).unwrap_or(Type::Error),
             TypeKind::Name(name) => match name.name.as_str() {
                 _ if self.names.uses.contains_key(&name.span) => {
@@ -97,6 +103,10 @@ impl<'a> Checker<'a> {
             Resolution::Record(id) => Some(Type::Record(id)),
             Resolution::Enum(id) => Some(self.enum_type(id)),
             Resolution::Dimension(id) => self.own_dimension(id).map(Type::quantity),
+            Resolution::Function(id) if self.component_record(id).is_some() => {
+                self.ensure_inferred(id);
+                self.component_record(id).map(Type::Record)
+            }
             Resolution::Unknown => None,
             _ => Some(self.bad_annotation(format!("`{}` is not a type", name.name), name.span)),
         }
@@ -154,6 +164,8 @@ impl<'a> Checker<'a> {
         candidates.extend(handles.iter().map(String::as_str));
         candidates.extend(self.names.records.iter().map(|record| record.decl.name.name.as_str()));
         candidates.extend(self.names.enums.iter().map(|declared| declared.decl.name.name.as_str()));
+        let components = self.names.functions.iter().filter(|function| function.is_component());
+        candidates.extend(components.map(|component| component.name.as_str()));
         candidates.extend(self.names.dimensions.iter().map(|own| own.decl.name.name.as_str()));
         let diagnostic = match similar(name, candidates.into_iter()) {
             Some(near) => {

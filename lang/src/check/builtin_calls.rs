@@ -36,11 +36,15 @@ impl<'a> Checker<'a> {
                 }
                 let ty = self.fresh_number();
                 let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
+                let mut observes = false;
                 for value in &values {
                     let cause =
                         Some((values[0].span, format!("this is a {}", self.store.show(&values[0].ty))));
-                    self.expect(&ty, value, &format!("an argument of `{}`", name.name), cause);
+                    let (number, is_observable) = self.number_of(value);
+                    observes |= is_observable;
+                    self.expect(&ty, &number, &format!("an argument of `{}`", name.name), cause);
                 }
+                let ty = self.observable_if(ty, observes);
                 let mut values = values.into_iter();
                 let first = values.next().unwrap_or_else(|| Expr::error(span));
                 values.fold(first, |a, b| Expr { kind: Kind::Op(op, vec![a, b]), ty: ty.clone(), span })
@@ -51,10 +55,12 @@ impl<'a> Checker<'a> {
                 };
                 let x = self.expr(x);
                 let dim = self.store.fresh_dim();
-                self.expect(&Type::Number(dim.clone()), &x, "the argument of `sqrt`", None);
+                let (number, observes) = self.number_of(&x);
+                self.expect(&Type::Number(dim.clone()), &number, "the argument of `sqrt`", None);
                 let half = Rational::new(1, 2).unwrap_or(Rational::ONE);
                 let root = self.store.dim(&dim).power(half).unwrap_or_else(Dim::none);
-                Expr { kind: Kind::Op(Op::Sqrt, vec![x]), ty: Type::Number(root), span }
+                let ty = self.observable_if(Type::Number(root), observes);
+                Expr { kind: Kind::Op(Op::Sqrt, vec![x]), ty, span }
             }
             Builtin::Derivative => self.derivative(arguments, span),
             Builtin::Gradient => self.gradient(arguments, span),
@@ -180,18 +186,23 @@ impl<'a> Checker<'a> {
         let (d, e) = (self.store.fresh_dim(), self.store.fresh_dim());
         let around = self.symbolic;
         self.symbolic |= signature.symbolic;
-        let mut values = Vec::new();
+        let (mut values, mut observes) = (Vec::new(), false);
         for ((name, shape), argument) in signature.parameters.iter().zip(given.into_iter().flatten()) {
             let value = self.whole(&argument.value);
             let ty = shape_type(*shape, &d, &e);
-            self.expect(&ty, &value, &format!("`{name}` of `{}`", signature.name), None);
+            // Functions of numbers also take observables; vectors and frames have no observables.
+            let numeric = matches!(shape_type(signature.result, &d, &e), Type::Number(_));
+            let (number, is_observable) = self.number_of(&value);
+            let given = if numeric { &number } else { &value };
+            observes |= numeric && is_observable;
+            self.expect(&ty, given, &format!("`{name}` of `{}`", signature.name), None);
             values.push(value);
         }
         self.symbolic = around;
         if let (Op::Rotate, [_, axis]) = (signature.op, values.as_mut_slice()) {
             self.check_axis(axis);
         }
-        let ty = shape_type(signature.result, &d, &e);
+        let ty = self.observable_if(shape_type(signature.result, &d, &e), observes);
         let result = Expr { kind: Kind::Op(signature.op, values), ty, span };
         if signature.symbolic && !self.symbolic { self.evaluate_now(result, signature.name) } else { result }
     }

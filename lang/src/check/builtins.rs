@@ -246,6 +246,7 @@ pub fn shown(name: &str) -> Option<String> {
     let parameters = callable.parameters.iter().map(|p| (p.mode, p.name.to_string(), p.ty.clone()));
     let shown = ShownScheme {
         name: name.into(),
+        is_component: false,
         parameters: parameters.collect(),
         result: callable.result,
         demands: Vec::new(),

@@ -154,7 +154,10 @@ impl<'a> Checker<'a> {
                 .fix("use `=`", between, " = "),
             );
         }
-        let value = self.as_value(|c| c.whole_for(ty, &argument.value));
+        let value = self.as_value(|c| {
+            let value = c.whole_for(ty, &argument.value);
+            c.fitted(ty, value)
+        });
         let cause = Some((
             parameter.span,
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
@@ -224,11 +227,16 @@ impl<'a> Checker<'a> {
         else {
             return Expr::error(span);
         };
+        self.check_instance(id, span);
         if let ast::FunctionBody::Symbolic(_) = &decl.body {
             return self.symbolic_call(id, name, arguments, span);
         }
         if self.symbolic && self.names_symbols(arguments) {
             return self.symbolic_call(id, name, arguments, span);
+        }
+        if self.passes_observables(id, arguments) {
+            let call = self.as_symbolic(|c| c.symbolic_call(id, name, arguments, span));
+            return if self.symbolic { call } else { self.as_observable(call) };
         }
         let given = self.given(&name.name, decl, arguments, span);
         let (types, result, instance) = self.instantiate(id, span);
@@ -295,6 +303,9 @@ impl<'a> Checker<'a> {
                     Expr::error(span)
                 }
             };
+            if self.static_parameters.contains(&variable) {
+                self.static_argument(&parameter.name, &value);
+            }
             let mut value = value;
             if stores
                 && parameter.mode == Mode::In

@@ -183,6 +183,9 @@ impl Checker<'_> {
         match self.store.unify(a, b) {
             Ok(()) => Outcome::Solved,
             Err(Mismatch::Infinite) => Outcome::failed(too_large(constraint.span)),
+            Err(Mismatch::Kind) if matches!(self.store.shallow(b), Type::Observable(_)) => {
+                Outcome::failed(self.observable_as_value(constraint.span))
+            }
             Err(mismatch) => {
                 let (found, wanted) = (with_article(&self.store.show(a)), with_article(&self.store.show(b)));
                 let code = if matches!(mismatch, Mismatch::Dimension(..)) { "E0402" } else { "E0301" };
@@ -229,6 +232,8 @@ impl Checker<'_> {
             (Type::Array(element), Type::Number(_)) => {
                 self.each(constraint, |part| Multiply((**element).clone(), right.clone(), part))
             }
+            (Type::Observable(x), Type::Observable(y) | Type::Number(y))
+            | (Type::Number(x), Type::Observable(y)) => Type::Observable(x.times(y)),
             (Type::Transform, Type::Transform) => Type::Transform,
             (Type::Transform, Type::Vector(dim)) => {
                 let length = super::length();
@@ -288,6 +293,8 @@ impl Checker<'_> {
             (Type::Array(element), Type::Number(_)) => {
                 self.each(constraint, |part| Divide((**element).clone(), right.clone(), part))
             }
+            (Type::Observable(x), Type::Observable(y) | Type::Number(y))
+            | (Type::Number(x), Type::Observable(y)) => Type::Observable(x.over(y)),
             (Type::Unknown(_), _) => match self.store.shallow(c) {
                 Type::Number(_) => {
                     let dividend = self.fresh_number();
@@ -307,11 +314,10 @@ impl Checker<'_> {
     fn solve_additive(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
         match self.store.shallow(a) {
             Type::Unknown(_) => Outcome::Open,
-            Type::Number(_) | Type::Vector(_) | Type::Error => Outcome::Solved,
+            Type::Number(_) | Type::Vector(_) | Type::Observable(_) | Type::Error => Outcome::Solved,
             Type::Array(element) => {
                 self.try_solve(&Constraint { kind: Additive(*element), span: constraint.span })
             }
-            Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
             other => {
                 let shown = with_article(&self.store.show(&other));
                 let help = match other {

@@ -110,6 +110,7 @@ impl<'a> Checker<'a> {
                 self.expect(&Type::Bool, &condition, "the condition", None);
                 let a = self.supposing(yes, |c| c.expr_at(then, given));
                 let b = self.supposing(no, |c| c.expr_at(otherwise, given));
+                let (a, b) = self.alike(a, b);
                 let cause = Some((a.span, format!("the other branch is a {}", self.store.show(&a.ty))));
                 let ty = a.ty.clone();
                 self.expect(&ty, &b, "this branch", cause);
@@ -207,6 +208,9 @@ impl<'a> Checker<'a> {
 
     /// Converts an observable in a `:=` to its value as a number.
     pub(super) fn observed(&mut self, e: Expr) -> Expr {
+        if self.symbolic {
+            self.solve_open_constraints(std::iter::once(&e.ty));
+        }
         match (self.symbolic, self.store.shallow(&e.ty)) {
             (true, Type::Observable(dim)) => {
                 let span = e.span;
@@ -297,6 +301,7 @@ impl<'a> Checker<'a> {
     fn list(&mut self, elements: &'a [ast::Expr], given: Position, span: Span) -> Expr {
         let elements: Vec<Expr> = elements.iter().map(|e| self.expr_at(e, given)).collect();
         self.solve_open_constraints(elements.iter().map(|e| &e.ty));
+        let elements = self.all_alike(elements);
         let first = elements.first().map(|e| e.ty.clone());
         if first.is_none_or(|first| elements.iter().all(|e| !self.store.differ(&first, &e.ty))) {
             let element = self.store.fresh();
@@ -333,6 +338,10 @@ impl<'a> Checker<'a> {
 
     /// Applies an operator other than `^` to checked operands.
     pub(super) fn combined(&mut self, op: BinaryOp, op_span: Span, a: Expr, b: Expr, span: Span) -> Expr {
+        let (a, b) = match op {
+            BinaryOp::Add | BinaryOp::Subtract => self.alike(a, b),
+            _ => (a, b),
+        };
         let ty = match op {
             BinaryOp::And | BinaryOp::Or => {
                 let what = if op == BinaryOp::And { "an operand of `&`" } else { "an operand of `|`" };
@@ -383,14 +392,16 @@ impl<'a> Checker<'a> {
         let (base, exponent) = (self.expr(left), self.expr(right));
         self.expect(&Type::number(), &exponent, "an exponent", None);
         let dim = self.store.fresh_dim();
-        self.expect(&Type::Number(dim.clone()), &base, "the base of `^`", None);
+        let (number, observes) = self.number_of(&base);
+        self.expect(&Type::Number(dim.clone()), &number, "the base of `^`", None);
         let ty = match super::constant::number(&exponent, &self.store) {
             Some(value) => match Rational::from_f64(value).and_then(|r| self.store.dim(&dim).power(r)) {
                 Some(power) => Type::Number(power),
-                None => self.pure_base(&base, "an exponent that is not a simple fraction"),
+                None => self.pure_base(&number, "an exponent that is not a simple fraction"),
             },
-            None => self.pure_base(&base, "an exponent that is not constant"),
+            None => self.pure_base(&number, "an exponent that is not constant"),
         };
+        let ty = self.observable_if(ty, observes);
         Expr { kind: Kind::Binary(BinaryOp::Power, Box::new(base), Box::new(exponent)), ty, span }
     }
 

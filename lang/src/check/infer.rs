@@ -62,11 +62,28 @@ pub struct Checker<'a> {
     pub(super) rebound: HashSet<VarId>,
     /// Definitions of outputs, which later expressions may use.
     pub(super) output_defs: HashMap<u32, DefId>,
+    /// Variables with the observables of outputs that are arrays.
+    pub(super) output_arrays: HashMap<u32, VarId>,
     /// `true` inside a `:=` expression.
     pub(super) symbolic: bool,
     /// Description of an expression that is evaluated before the program runs, such as `a param's
     /// default`.
     pub(super) constant_place: Option<&'static str>,
+    /// The components, in order of declaration.
+    pub(super) components: Vec<FuncId>,
+    /// Members of components that other units check.
+    pub(super) imported_members: HashMap<FuncId, Vec<(String, Type)>>,
+    /// `true` for the default and the range of a param.
+    pub(super) declaring_param: bool,
+    /// Calls that may instantiate a component.
+    pub(super) instance_sites: HashSet<Span>,
+    /// Variables and functions, by the location of their name, that have observables although they
+    /// start with numbers.
+    pub(super) given_observables: HashSet<Span>,
+    /// Further ones, which this check has found.
+    pub requested_observables: HashSet<Span>,
+    /// Parameters of components that the default or range of a param uses.
+    pub(super) static_parameters: HashSet<VarId>,
     /// Enclosing `switch` statements, innermost last: the value and the cases so far.
     pub(super) switches: Vec<(Expr, Vec<Expr>)>,
     /// Number of enclosing `catch` sections in the current function.
@@ -121,8 +138,17 @@ pub struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    pub fn new(modules: &'a [ModuleData], names: Names<'a>, layout: &'a Layout) -> Self {
+    /// Creates a checker. `given_observables` are those that an earlier check of the same program
+    /// has requested.
+    pub fn new(
+        modules: &'a [ModuleData],
+        names: Names<'a>,
+        layout: &'a Layout,
+        given_observables: HashSet<Span>,
+    ) -> Self {
         let groups = recursive_groups(&names.functions);
+        let components = (0..).map(FuncId).zip(&names.functions).filter(|(_, info)| info.is_component());
+        let components = components.map(|(id, _)| id).collect();
         let mut nested: HashMap<FuncId, Vec<FuncId>> = HashMap::new();
         for (id, function) in (0..).map(FuncId).zip(&names.functions) {
             if let Some(around) = function.parent {
@@ -148,8 +174,16 @@ impl<'a> Checker<'a> {
             graphs: Default::default(),
             rebound: HashSet::new(),
             output_defs: HashMap::new(),
+            output_arrays: HashMap::new(),
             symbolic: false,
             constant_place: None,
+            components,
+            imported_members: HashMap::new(),
+            declaring_param: false,
+            instance_sites: HashSet::new(),
+            given_observables,
+            requested_observables: HashSet::new(),
+            static_parameters: HashSet::new(),
             switches: Vec::new(),
             handlers: 0,
             domains: Vec::new(),
@@ -192,6 +226,7 @@ impl<'a> Checker<'a> {
         self.declare_params();
         self.find_rebound(&model.tree.statements);
         self.find_foreign(&model.tree.statements);
+        self.note_instance_sites(&model.tree.statements);
         let body = self.statements(&model.tree.statements);
         let span = Span::new(FileId(0), 0, model.text.len());
         self.functions.insert(
@@ -203,6 +238,7 @@ impl<'a> Checker<'a> {
                 body,
                 definition: None,
                 host: None,
+                component: None,
                 scheme: Scheme::default(),
                 span,
             },
@@ -296,7 +332,10 @@ impl<'a> Checker<'a> {
         what: &str,
         cause: Option<(Span, String)>,
     ) {
-        let (wanted, got) = (self.store.show(expected), self.store.show(&found.ty));
+        let (mut wanted, mut got) = (self.store.show(expected), self.store.show(&found.ty));
+        if wanted == got {
+            (wanted, got) = (self.shown_kind(expected), self.shown_kind(&found.ty));
+        }
         if let Mismatch::Dimension(dims) = &mismatch {
             let (wanted, got) = &**dims;
             return self.dimension_mismatch(wanted, got, found, what, cause);
@@ -327,6 +366,24 @@ impl<'a> Checker<'a> {
             diagnostic = diagnostic.label(span, message);
         }
         self.report(diagnostic);
+    }
+
+    /// Returns a type as displayed next to another type of the same name.
+    fn shown_kind(&self, ty: &Type) -> String {
+        let shown = self.store.show(ty);
+        match self.store.shallow(ty) {
+            Type::Handle(_) => format!("{shown} of the library"),
+            Type::Record(id) => {
+                let component = self.component_of(id).map(|id| self.names.functions[id.0 as usize].file);
+                let file = component.or_else(|| self.names.records.get(id.0 as usize).map(|r| r.file));
+                let module = file.and_then(|file| self.modules.get(file.0 as usize));
+                match module.map(|module| module.name.as_str()) {
+                    None | Some("") => format!("{shown} of the model"),
+                    Some(module) => format!("{shown} of `{module}`"),
+                }
+            }
+            _ => shown,
+        }
     }
 
     fn kind_help(&self, expected: &Type, found: &Type) -> String {
@@ -380,7 +437,15 @@ impl<'a> Checker<'a> {
                 .flat_map(|member| &self.names.functions[member.0 as usize].callees)
                 .copied()
                 .collect();
-            let outside = |callee: &FuncId| !self.groups.get(callee).is_some_and(|of| Rc::ptr_eq(of, &group));
+            // Functions of a component are inferred where its body reaches them, when the types of
+            // the variables before them are known.
+            let inside = |callee: &FuncId| {
+                let around = self.component_around(*callee).filter(|around| around != callee);
+                around.is_some_and(|around| group.contains(&around))
+            };
+            let outside = |callee: &FuncId| {
+                !inside(callee) && !self.groups.get(callee).is_some_and(|of| Rc::ptr_eq(of, &group))
+            };
             open.extend(called.into_iter().rev().filter(outside).map(|callee| (callee, false)));
         }
     }
@@ -397,6 +462,7 @@ impl<'a> Checker<'a> {
         self.solve_constraints();
         let inner = std::mem::replace(&mut self.pending, outer_constraints);
         self.generalise(group, inner);
+        self.check_components(group);
     }
 
     fn declare_signature(&mut self, id: FuncId) {
@@ -426,7 +492,13 @@ impl<'a> Checker<'a> {
         }
         let result = match &decl.result {
             Some(annotation) => self.annotation(annotation, false),
-            None => self.store.fresh(),
+            None => match self.component_record(id) {
+                Some(record) => Type::Record(record),
+                None => match self.requested_type(decl.name.span, &Type::number()) {
+                    Some(observable) => observable,
+                    None => self.store.fresh(),
+                },
+            },
         };
         self.signatures.insert(id, Signature { parameters, result, scheme: None });
         self.file = file;
@@ -482,7 +554,16 @@ impl<'a> Checker<'a> {
                 ast::StmtKind::Block(statements) => {
                     self.find_rebound(statements);
                     self.find_foreign(statements);
+                    if decl.is_component || decl.is_test {
+                        self.note_instance_sites(statements);
+                    }
+                    if decl.is_component {
+                        self.declare_component_params(id);
+                    }
                     body = self.statements(statements);
+                    if decl.is_component {
+                        body.push(self.members(id, decl, statements));
+                    }
                 }
                 _ => body.push(self.statement(statement)),
             },
@@ -503,6 +584,7 @@ impl<'a> Checker<'a> {
                 body,
                 definition,
                 host,
+                component: self.component_around(id),
                 scheme: Scheme::default(),
                 span: decl.name.span,
             },
@@ -525,8 +607,10 @@ impl<'a> Checker<'a> {
                 && variable.span.file == FileId(0);
             shown.then(|| (variable.name.clone(), self.store.show(ty)))
         });
-        let params = self.params.iter().map(|param| (param.name.clone(), self.store.show(&param.ty)));
-        let outputs = self.outputs.iter().map(|output| (output.name.clone(), self.store.show(&output.ty)));
+        let params = self.params.iter().filter(|param| param.owner == FuncId(0));
+        let params = params.map(|param| (param.name.clone(), self.store.show(&param.ty)));
+        let outputs = self.outputs.iter().filter(|output| output.owner == FuncId(0));
+        let outputs = outputs.map(|output| (output.name.clone(), self.store.show(&output.ty)));
         variables.chain(params).chain(outputs).collect()
     }
 

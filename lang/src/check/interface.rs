@@ -29,6 +29,10 @@ pub struct Interface {
     pub records: Vec<RecordKey>,
     /// For a symbolic function, `true` if it depends on `Time`.
     on_time: Option<bool>,
+    /// For a component, the members of its instances.
+    members: Option<Vec<(String, Type)>>,
+    /// Positions of the parameters of a component that the default or range of a param uses.
+    statics: Vec<usize>,
 }
 
 /// Renumbers type and dimension variables.
@@ -131,9 +135,14 @@ impl Interface {
             open: false,
         };
         let all = |order: &mut Renaming<'_>| {
-            let each = signatures.iter().map(|signature| {
+            let each = signatures.iter().zip(group).map(|(signature, id)| {
                 let parameters: Vec<Type> = signature.parameters.iter().map(|ty| order.ty(ty)).collect();
-                (parameters, order.ty(&signature.result))
+                let record = checker.component_record(*id).and_then(|record| checker.store.record(record));
+                let members = record.map(|record| {
+                    let fields = record.fields.iter();
+                    fields.map(|(name, ty)| (name.clone(), order.ty(ty))).collect::<Vec<_>>()
+                });
+                (parameters, order.ty(&signature.result), members)
             });
             let types: Vec<_> = each.collect();
             let mut constraints: Vec<ConstraintKind> = Vec::new();
@@ -172,7 +181,10 @@ impl Interface {
         let scheme = Scheme { types, dims, constraints: scheme.constraints.clone() };
         let (types, dims) = (scheme.types.len() as u32, scheme.dims.len() as u32);
         let records = records.take();
-        let interfaces = members.into_iter().zip(group).map(|((parameters, result), id)| {
+        let interfaces = members.into_iter().zip(group).map(|((parameters, result, members), id)| {
+            let variables = checker.names.functions[id.0 as usize].parameters.iter().enumerate();
+            let is_static = |variable: &VarId| checker.static_parameters.contains(variable);
+            let statics = variables.filter(|(_, variable)| is_static(variable)).map(|(at, _)| at);
             let body = checker.functions.get(id).and_then(|function| function.definition.as_ref());
             Interface {
                 parameters,
@@ -182,6 +194,8 @@ impl Interface {
                 constraints: constraints.clone(),
                 records: records.clone(),
                 on_time: body.map(|body| checker.defs[body.def.0 as usize].on_time),
+                members,
+                statics: statics.collect(),
             }
         });
         let interfaces = interfaces.collect();
@@ -202,7 +216,7 @@ impl Interface {
         let numbered = Store::unknown(self.types, self.dims);
         let record = |id: RecordId| {
             let key = self.records.get(id.0 as usize)?;
-            let mut all = (0..checker.names.records.len() as u32).map(RecordId);
+            let mut all = (0..checker.record_count() as u32).map(RecordId);
             all.find(|id| checker.record_key(*id).as_ref() == Some(key))
         };
         let mut renaming = Renaming {
@@ -226,6 +240,12 @@ impl Interface {
             .copied()
             .zip(decl.parameters.iter().map(|parameter| parameter.mode))
             .collect();
+        if let Some(members) = &self.members {
+            let members = members.iter().map(|(name, ty)| (name.clone(), renaming.ty(ty))).collect();
+            checker.imported_members.insert(id, members);
+        }
+        let all = &checker.names.functions[id.0 as usize].parameters;
+        checker.static_parameters.extend(self.statics.iter().filter_map(|at| all.get(*at)));
         let place = decl.name.span;
         let definition = self.on_time.map(|on_time| {
             checker.defs.push(Def {
@@ -263,6 +283,7 @@ impl Interface {
                 body: Vec::new(),
                 definition,
                 host: None,
+                component: decl.is_component.then_some(id),
                 scheme: scheme.clone(),
                 span: decl.name.span,
             },
@@ -274,7 +295,10 @@ impl Interface {
 impl Checker<'_> {
     /// Returns the identity of a record for other checks; `None` if it is declared in a function.
     pub(super) fn record_key(&self, id: RecordId) -> Option<RecordKey> {
-        let record = self.names.records.get(id.0 as usize)?;
+        let Some(record) = self.names.records.get(id.0 as usize) else {
+            let component = self.names.functions.get(self.component_of(id)?.0 as usize)?;
+            return self.layout.locate(component.decl?.name.span);
+        };
         let name = record.decl.name.span;
         let whole =
             |statement: &Stmt| matches!(&statement.kind, StmtKind::Record(decl) if decl.name.span == name);

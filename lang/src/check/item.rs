@@ -71,7 +71,7 @@ pub fn split(mut statement: Stmt, text: &str) -> Split {
             (kind, decl.name.name.clone())
         }
         StmtKind::Import(path) => {
-            let name = path.last().map(|ident| ident.name.clone()).unwrap_or_default();
+            let name = path.name().map(|ident| ident.name.clone()).unwrap_or_default();
             let path: Vec<&str> = path.iter().map(|ident| ident.name.as_str()).collect();
             (ItemKind::Import(path.join(".")), name)
         }
@@ -159,6 +159,7 @@ impl Item {
             body,
             is_test: decl.is_test,
             is_host: decl.is_host,
+            is_component: decl.is_component,
         };
         let text = self.text.get(..start as usize).unwrap_or(&self.text).to_string();
         let span = Span::new(self.statement.span.file, 0, text.len());

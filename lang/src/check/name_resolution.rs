@@ -28,8 +28,10 @@ pub struct NameTable {
     components: HashMap<Span, String>,
     /// Names that are assigned to.
     written: HashSet<Span>,
-    /// Locations where functions are named, and whether the functions are symbolic.
-    functions: Vec<(Span, bool)>,
+    /// Locations where functions are named, and their kinds.
+    functions: Vec<(Span, NameKind)>,
+    /// Names of members of instances: the name of the component, and the member.
+    members: HashMap<Span, (Span, String, String)>,
     /// Schemes of the functions that were checked in this unit, including nested ones.
     schemes: HashMap<FuncId, ShownScheme>,
     externs: Vec<Span>,
@@ -58,6 +60,8 @@ pub enum Declared {
     /// A built-in name without a declaration.
     Nowhere,
     At(Span),
+    /// A member of the component whose name is at a location.
+    Member(Span, String),
     /// A module, by its dotted path.
     Module(String),
 }
@@ -67,6 +71,7 @@ impl NameTable {
     pub fn of(checker: &mut Checker<'_>, schemes: HashMap<FuncId, ShownScheme>) -> NameTable {
         let mut parts: HashMap<Span, Span> = checker.named_parts.drain(..).collect();
         let (mut part_types, mut components) = (HashMap::new(), HashMap::new());
+        let mut members = HashMap::new();
         let names = &checker.names;
         for (index, record) in names.records.iter().enumerate() {
             let known = checker.store.record(super::tree::RecordId(index as u32));
@@ -96,6 +101,14 @@ impl NameTable {
                 }
                 _ => continue,
             };
+            if let Some(component) = checker.component_of(id)
+                && let Some(decl) = names.functions[component.0 as usize].decl
+                && let Some((_, ty)) = checker.store.field(id, &field.name)
+            {
+                let shown = checker.store.show(&ty);
+                members.insert(field.span, (decl.name.span, field.name.clone(), shown));
+                continue;
+            }
             let declared = names.records.get(id.0 as usize).and_then(|record| {
                 let names = record.decl.field_names();
                 let current = names.iter().find(|declared| declared.name.name == field.name);
@@ -104,9 +117,13 @@ impl NameTable {
             });
             parts.extend(declared.map(|declared| (field.span, declared)));
         }
-        let symbolic = |info: &super::symbols::FunctionInfo<'_>| match info.decl {
-            Some(decl) => (decl.name.span, matches!(decl.body, FunctionBody::Symbolic(_))),
-            None => (Span::default(), false),
+        let function = |info: &super::symbols::FunctionInfo<'_>| match info.decl {
+            Some(decl) if decl.is_component => (decl.name.span, NameKind::Component),
+            Some(decl) if matches!(decl.body, FunctionBody::Symbolic(_)) => {
+                (decl.name.span, NameKind::SymbolicFunction)
+            }
+            Some(decl) => (decl.name.span, NameKind::Function),
+            None => (Span::default(), NameKind::Function),
         };
         let const_type = |id: usize| match checker.consts.get(&(id as u32)) {
             Some(Some(value)) => checker.store.show(&value.ty),
@@ -117,7 +134,8 @@ impl NameTable {
             part_types,
             components,
             schemes,
-            functions: names.functions.iter().map(symbolic).collect(),
+            functions: names.functions.iter().map(function).collect(),
+            members,
             externs: names.externs.iter().map(|info| info.decl.name.span).collect(),
             consts: names
                 .consts
@@ -129,8 +147,8 @@ impl NameTable {
             enums: names.enums.iter().map(|declared| declared.decl.name.span).collect(),
             dimensions: names.dimensions.iter().map(|dimension| dimension.decl.name.span).collect(),
             units: names.units.iter().map(|unit| unit.decl.name.span).collect(),
-            params: names.params.iter().map(|(decl, _)| decl.name.span).collect(),
-            outputs: names.outputs.iter().map(|(name, ..)| name.span).collect(),
+            params: names.params.iter().map(|param| param.decl.name.span).collect(),
+            outputs: names.outputs.iter().map(|output| output.name.span).collect(),
             modules: checker.modules.iter().map(|module| module.name.clone()).collect(),
             written: std::mem::take(&mut checker.names.written),
             uses: HashMap::new(),
@@ -181,6 +199,10 @@ impl NameTable {
             let found = (*declared != span).then(|| self.at(typed, *declared)).flatten();
             return found.map(|found| NameMeaning { declared: declares, written, ..found });
         }
+        if let Some((component, member, ty)) = self.members.get(&span) {
+            let declared = Declared::Member(*component, member.clone());
+            return Some(NameMeaning { kind: NameKind::Field, declared, ty: Some(ty.clone()), written });
+        }
         if let Some(ty) = self.components.get(&span) {
             return Some(NameMeaning {
                 kind: NameKind::Field,
@@ -209,8 +231,7 @@ impl NameTable {
                 (NameKind::Output, at(&self.outputs, id)?, ty)
             }
             Resolution::Function(id) => {
-                let (span, symbolic) = *self.functions.get(id.0 as usize)?;
-                let kind = if symbolic { NameKind::SymbolicFunction } else { NameKind::Function };
+                let (span, kind) = *self.functions.get(id.0 as usize)?;
                 (kind, Declared::At(span), self.scheme(id).map(ShownScheme::to_string))
             }
             Resolution::Extern(id) => (NameKind::Extern, at(&self.externs, id)?, None),

@@ -25,7 +25,10 @@ impl Checker<'_> {
             Resolution::Param(id) => self.param_use(id, span),
             Resolution::Output(id) => match self.output_defs.get(&id).copied() {
                 Some(def) => return self.use_def(def, span),
-                None => (Kind::Error, Type::Error),
+                None => match self.output_arrays.get(&id).copied() {
+                    Some(variable) => (Kind::Var(variable), self.variable_type(variable)),
+                    None => (Kind::Error, Type::Error),
+                },
             },
             Resolution::Constant(constant) => return self.constant(constant, span),
             Resolution::Const(id) => return self.const_use(id, span),
@@ -60,7 +63,9 @@ impl Checker<'_> {
     }
 
     fn variable_use(&mut self, id: VarId, span: Span) -> Expr {
-        if let Some(place) = self.constant_place {
+        if let Some(place) = self.constant_place
+            && !self.static_parameter(id)
+        {
             self.report(
                 Diagnostic::error(
                     "E0212",

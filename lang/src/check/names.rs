@@ -4,6 +4,7 @@
 //! Functions are visible in their whole block, variables after their declaration.
 
 mod ambiguous;
+mod model_names;
 mod test_functions;
 mod uses;
 
@@ -141,15 +142,19 @@ impl<'a> Resolver<'a> {
                     | StmtKind::Unit(_)
                     | StmtKind::Empty
                     | StmtKind::Error => {}
-                    _ => self.report(
-                        Diagnostic::error(
-                            "E0210",
-                            "a module may contain only functions, constants, records, enumerations, dimensions, units and imports",
-                            statement.span,
-                            "not allowed in a module",
-                        )
-                        .help("move it to the model, or into a function"),
-                    ),
+                    kind => {
+                        let help = match kind {
+                            StmtKind::Param(_) | StmtKind::Output { .. } => {
+                                "move it to the model, or into a `component`, whose instances have it"
+                            }
+                            _ => "move it to the model, or into a function",
+                        };
+                        let message = "a module may contain only functions, components, constants, records, enumerations, dimensions, units and imports";
+                        self.report(
+                            Diagnostic::error("E0210", message, statement.span, "not allowed in a module")
+                                .help(help),
+                        );
+                    }
                 }
             }
             self.statement(statement, true);
@@ -422,7 +427,8 @@ impl<'a> Resolver<'a> {
             return;
         }
         let id = self.names.params.len() as u32;
-        self.names.params.push((decl, doc));
+        let owner = self.function;
+        self.names.params.push(ParamInfo { decl, doc, owner });
         self.declare(&decl.name, Resolution::Param(id));
     }
 
@@ -433,7 +439,8 @@ impl<'a> Resolver<'a> {
             return;
         }
         let id = self.names.outputs.len() as u32;
-        self.names.outputs.push((name, value, doc));
+        let owner = self.function;
+        self.names.outputs.push(OutputInfo { name, doc, owner });
         self.declare(name, Resolution::Output(id));
     }
 
@@ -474,8 +481,8 @@ impl<'a> Resolver<'a> {
         });
     }
 
-    fn import(&mut self, path: &'a [Ident], top: bool) {
-        let (Some(last), true) = (path.last(), top) else { return };
+    fn import(&mut self, path: &'a Import, top: bool) {
+        let (Some(last), true) = (path.name(), top) else { return };
         let name = path.iter().map(|ident| ident.name.as_str()).collect::<Vec<_>>().join(".");
         match self.modules.iter().position(|module| module.name == name) {
             Some(index) => {
@@ -543,7 +550,14 @@ impl<'a> Resolver<'a> {
                 r.names.functions[id.0 as usize].parameters.push(variable);
             }
             match &decl.body {
-                FunctionBody::Statement(body) => r.body(body),
+                FunctionBody::Statement(body) => match &body.kind {
+                    StmtKind::Block(statements) if decl.is_component => {
+                        r.declare_functions(statements);
+                        statements.iter().for_each(|s| r.statement(s, true));
+                        r.use_members(statements);
+                    }
+                    _ => r.body(body),
+                },
                 FunctionBody::Symbolic(e) => r.expr(e),
                 FunctionBody::Extern { .. } => {}
             }
@@ -577,6 +591,7 @@ impl<'a> Resolver<'a> {
                 let res = self.lookup(name);
                 self.names.uses.insert(name.span, res);
                 self.names.written.insert(name.span);
+                self.refuse_state(name, res);
                 if let Resolution::Var(id) = res {
                     self.names.assigned.insert(id);
                     self.outer(id);

@@ -1,98 +1,139 @@
 //! Checks params and outputs: the interface of the model.
 
 use super::infer::Checker;
-use super::symbols::with_article;
-use super::tree::{DefId, Output, Param, StmtKind};
+use super::symbols::{ParamInfo, with_article};
+use super::tree::{DefId, Expr, FuncId, Kind, Output, Param, StmtKind, VarId};
 use super::types::Type;
 use crate::ast::{self, Domain, ExprKind, UnaryOp};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
+use crate::span::Span;
 
 impl<'a> Checker<'a> {
-    /// Checks all params first, because they are set before the program runs.
+    /// Checks the params of the model first, because they are set before the program runs. Those of
+    /// a component are checked with its body.
     pub(super) fn declare_params(&mut self) {
-        self.constant_place = Some("a param's default");
-        for (decl, doc) in self.names.params.clone() {
-            let default = self.whole(&decl.default);
-            let ty = default.ty.clone();
-            let (mut low, mut high, mut choices) = (None, None, Vec::new());
-            let name = &decl.name.name;
-            match &decl.domain {
-                Some(Domain::Range { low: l, high: h, .. }) => {
-                    let cause = Some((
-                        decl.default.span,
-                        format!("`{name}` is a {} by its default", self.store.show(&ty)),
-                    ));
-                    // The range of an array holds for each element.
-                    let limit = self.scalar(&ty);
-                    for (end, e) in [(&mut low, l), (&mut high, h)] {
-                        if let Some(e) = e {
-                            let e = self.whole(e);
-                            let number = self.fresh_number();
-                            self.expect(&number, &e, "a limit of a range", None);
-                            self.expect(
-                                &limit,
-                                &e,
-                                &format!("a limit of the range of `{name}`"),
-                                cause.clone(),
-                            );
-                            *end = Some(e);
-                        }
+        for index in 0..self.names.params.len() {
+            let info = self.names.params[index];
+            let (name, span) = (info.decl.name.name.clone(), info.decl.name.span);
+            let param = match info.owner {
+                FuncId(0) => self.declared_param(index as u32),
+                owner => Param {
+                    name,
+                    doc: info.doc.unwrap_or_default().to_string(),
+                    ty: self.store.fresh(),
+                    default: Expr::error(span),
+                    low: None,
+                    high: None,
+                    choices: Vec::new(),
+                    unit: None,
+                    whole: is_whole(&info.decl.default),
+                    owner,
+                    span,
+                },
+            };
+            self.params.push(param);
+        }
+    }
+
+    /// Checks the params of a component.
+    pub(super) fn declare_component_params(&mut self, component: FuncId) {
+        for index in 0..self.names.params.len() {
+            if self.names.params[index].owner == component {
+                let param = self.declared_param(index as u32);
+                // Functions inside the component may already use the type.
+                let before = self.params[index].ty.clone();
+                self.expect(&before, &param.default.clone(), &format!("`{}`", param.name), None);
+                self.params[index] = param;
+            }
+        }
+    }
+
+    /// Checks the declaration of a param.
+    fn declared_param(&mut self, index: u32) -> Param {
+        let ParamInfo { decl, doc, owner } = self.names.params[index as usize];
+        let around = self.constant_place.replace("a param's default");
+        self.declaring_param = true;
+        let default = self.whole(&decl.default);
+        let ty = default.ty.clone();
+        let (mut low, mut high, mut choices) = (None, None, Vec::new());
+        let name = &decl.name.name;
+        match &decl.domain {
+            Some(Domain::Range { low: l, high: h, .. }) => {
+                let cause = Some((
+                    decl.default.span,
+                    format!("`{name}` is a {} by its default", self.store.show(&ty)),
+                ));
+                // The range of an array holds for each element.
+                let limit = self.scalar(&ty);
+                for (end, e) in [(&mut low, l), (&mut high, h)] {
+                    if let Some(e) = e {
+                        let e = self.whole(e);
+                        let number = self.fresh_number();
+                        self.expect(&number, &e, "a limit of a range", None);
+                        let what = format!("a limit of the range of `{name}`");
+                        self.expect(&limit, &e, &what, cause.clone());
+                        *end = Some(e);
                     }
                 }
-                Some(Domain::Choices { values, .. }) => {
-                    for value in values {
-                        let value = self.expr(value);
-                        let wanted = if let Type::Enum(_) = self.store.shallow(&ty) {
-                            ty.clone()
-                        } else {
-                            Type::String
-                        };
-                        self.expect(&wanted, &value, "a choice", None);
-                        match super::constant::text(&value) {
-                            Some(text) => choices.push(text.to_string()),
-                            None if matches!(value.ty, Type::String) => {
-                                self.report(
-                                    Diagnostic::error(
-                                        "E0212",
-                                        "choices must be texts without values in braces",
-                                        value.span,
-                                        "this text is not constant",
-                                    )
-                                    .help("write the text itself"),
-                                );
-                            }
-                            None => {}
-                        }
-                    }
-                    self.expect(&Type::String, &default, &format!("the default of `{name}`"), None);
+            }
+            Some(Domain::Choices { values, .. }) => {
+                choices = self.param_choices(&ty, values);
+                self.expect(&Type::String, &default, &format!("the default of `{name}`"), None);
+            }
+            None => {}
+        }
+        self.domain(&ty, decl.domain.as_ref(), Some(&default), name);
+        self.dependence.param(index, &default);
+        self.note_circular_param(index, &default);
+        self.constant_place = around;
+        self.declaring_param = false;
+        Param {
+            name: name.clone(),
+            doc: doc.unwrap_or_default().to_string(),
+            ty,
+            whole: is_whole(&decl.default),
+            default,
+            low,
+            high,
+            choices,
+            unit: None,
+            owner,
+            span: decl.name.span,
+        }
+    }
+
+    /// Returns the allowed texts of a param of a type.
+    fn param_choices(&mut self, ty: &Type, values: &'a [ast::Expr]) -> Vec<String> {
+        let mut choices = Vec::new();
+        for value in values {
+            let value = self.expr(value);
+            let wanted = if let Type::Enum(_) = self.store.shallow(ty) { ty.clone() } else { Type::String };
+            self.expect(&wanted, &value, "a choice", None);
+            match super::constant::text(&value) {
+                Some(text) => choices.push(text.to_string()),
+                None if matches!(value.ty, Type::String) => {
+                    self.report(
+                        Diagnostic::error(
+                            "E0212",
+                            "choices must be texts without values in braces",
+                            value.span,
+                            "this text is not constant",
+                        )
+                        .help("write the text itself"),
+                    );
                 }
                 None => {}
             }
-            self.domain(&ty, decl.domain.as_ref(), Some(&default), name);
-            self.dependence.param(self.params.len() as u32, &default);
-            self.note_circular_param(self.params.len() as u32, &default);
-            self.params.push(Param {
-                name: name.clone(),
-                doc: doc.unwrap_or_default().to_string(),
-                ty,
-                whole: is_whole(&decl.default),
-                default,
-                low,
-                high,
-                choices,
-                unit: None,
-                span: decl.name.span,
-            });
         }
-        self.constant_place = None;
+        choices
     }
 
     /// Determines the type and the unit of each param, once types are known.
     pub(super) fn finish_params(&mut self) {
         for index in 0..self.params.len() {
             let (ty, span) = (self.store.resolve(&self.params[index].ty), self.params[index].span);
-            let decl = self.names.params[index].0;
+            let decl = self.names.params[index].decl;
             let element = match &ty {
                 Type::Array(element) => self.store.resolve(element),
                 other => other.clone(),
@@ -151,17 +192,91 @@ impl<'a> Checker<'a> {
 
     /// Checks `output name := value;`.
     pub(super) fn output(&mut self, id: u32, name: &ast::Ident, value: &'a ast::Expr) -> StmtKind {
-        let e = self.as_symbolic(|c| c.whole(value));
+        let e = match listed(value) {
+            Some(elements) => self.listed_outputs(name, elements, value.span),
+            None => self.as_symbolic(|c| c.whole(value)),
+        };
+        self.solve_open_constraints(std::iter::once(&e.ty));
+        if matches!(self.store.shallow(&e.ty), Type::Array(_)) && !self.is_symbolic_brackets(&e) {
+            return self.array_output(id, name, e);
+        }
         let number = self.fresh_number();
         self.expect(&number, &e, &format!("the output `{}`", name.name), None);
         let (ty, span) = (e.ty.clone(), e.span);
         let def: DefId = self.make_def(&name.name, e, span);
         self.defs[def.0 as usize].stored = true;
         self.output_defs.insert(id, def);
-        let doc =
-            self.names.outputs.get(id as usize).and_then(|(_, _, doc)| *doc).unwrap_or_default().to_string();
-        self.outputs.push(Output { name: name.name.clone(), doc, ty, span: name.span });
-        StmtKind::Output(self.outputs.len() as u32 - 1, def)
+        let info = self.names.outputs.get(id as usize).copied();
+        // The instance of a component has the output as a member.
+        let member = info.is_some_and(|info| info.owner != FuncId(0));
+        let member = member.then(|| self.observable_variable(&name.name, &ty, name.span));
+        let index = self.add_output(id, name, ty, member);
+        StmtKind::Output(index, def)
+    }
+
+    fn add_output(&mut self, id: u32, name: &ast::Ident, ty: Type, member: Option<VarId>) -> u32 {
+        let info = self.names.outputs.get(id as usize);
+        let doc = info.and_then(|info| info.doc).unwrap_or_default().to_string();
+        let owner = info.map_or(FuncId(0), |info| info.owner);
+        self.outputs.push(Output { name: name.name.clone(), doc, ty, owner, member, span: name.span });
+        self.outputs.len() as u32 - 1
+    }
+
+    /// Checks the elements of an array of outputs as written: each may depend on `Time`.
+    fn listed_outputs(&mut self, name: &ast::Ident, elements: &'a [ast::Expr], span: Span) -> Expr {
+        let element_type = Type::Observable(self.store.fresh_dim());
+        let mut ty = element_type.clone();
+        let elements: Vec<Expr> = elements
+            .iter()
+            .map(|element| match listed(element) {
+                Some(inner) => self.listed_outputs(name, inner, element.span),
+                None => {
+                    let e = self.as_symbolic(|c| c.whole(element));
+                    let number = self.fresh_number();
+                    self.expect(&number, &e, &format!("an element of the output `{}`", name.name), None);
+                    self.as_observable(e)
+                }
+            })
+            .collect();
+        if let Some(first) = elements.first() {
+            ty = first.ty.clone();
+        }
+        for element in &elements {
+            self.expect(&ty, element, "an element of this array", None);
+        }
+        Expr { kind: Kind::Array(elements), ty: Type::array(ty), span }
+    }
+
+    /// Checks `output name := array;`. The outputs have indices: `name[0]`.
+    fn array_output(&mut self, id: u32, name: &ast::Ident, e: Expr) -> StmtKind {
+        let mut element = self.store.shallow(&e.ty);
+        while let Type::Array(inner) = element {
+            element = self.store.shallow(&inner);
+        }
+        let number = match element {
+            Type::Observable(dim) | Type::Number(dim) => Type::Number(dim),
+            other => {
+                let number = self.fresh_number();
+                let found = Expr { ty: other, ..e.clone() };
+                self.expect(&number, &found, &format!("an element of the output `{}`", name.name), None);
+                number
+            }
+        };
+        self.note_evaluated(&e);
+        let variable = self.hidden_variable(&name.name, name.span, e.ty.clone());
+        self.dependence.variable(variable, &e);
+        self.output_arrays.insert(id, variable);
+        let index = self.add_output(id, name, number, Some(variable));
+        StmtKind::ArrayOutput(index, e)
+    }
+}
+
+/// Returns the elements of brackets.
+fn listed(e: &ast::Expr) -> Option<&[ast::Expr]> {
+    match &e.kind {
+        ExprKind::List(elements) => Some(elements),
+        ExprKind::Paren(inner) => listed(inner),
+        _ => None,
     }
 }
 

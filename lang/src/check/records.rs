@@ -36,6 +36,13 @@ impl<'a> Checker<'a> {
             let (name, former) = (record.decl.name.name.clone(), former.collect());
             self.store.records.push(RecordType { name, fields, former });
         }
+        // The types of instances have the members of their components, which are known when these
+        // have been checked.
+        for component in self.components.clone() {
+            let name = self.names.functions[component.0 as usize].name.clone();
+            let fields = self.imported_members.remove(&component).unwrap_or_default();
+            self.store.records.push(RecordType { name, fields, former: Vec::new() });
+        }
         let all = || {
             (0..).map(RecordId).zip(&records).flat_map(|(id, record)| {
                 record.decl.fields.iter().enumerate().map(move |(at, field)| (id, at, field, record.file))

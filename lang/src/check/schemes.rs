@@ -15,6 +15,8 @@ use std::fmt::{self, Display, Formatter};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ShownScheme {
     pub name: String,
+    /// `true` for a component, whose parameters have no mode.
+    pub is_component: bool,
     /// Mode, name and type of each parameter.
     pub parameters: Vec<(Mode, String, String)>,
     /// Result type; `None` if there is no result.
@@ -27,11 +29,12 @@ impl Display for ShownScheme {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let parameters = self.parameters.iter().map(|(mode, name, ty)| {
             let mode = match mode {
-                Mode::In => "in",
-                Mode::Out => "out",
-                Mode::InOut => "inout",
+                Mode::In if self.is_component => "",
+                Mode::In => "in ",
+                Mode::Out => "out ",
+                Mode::InOut => "inout ",
             };
-            format!("{mode} {name}: {ty}")
+            format!("{mode}{name}: {ty}")
         });
         write!(f, "({})", parameters.collect::<Vec<_>>().join(", "))?;
         if let Some(result) = &self.result {
@@ -49,7 +52,8 @@ impl Checker<'_> {
     pub(super) fn shown_scheme(&self, id: FuncId) -> Option<ShownScheme> {
         let (function, signature) = (self.names.functions.get(id.0 as usize)?, self.signatures.get(&id)?);
         let mut letters = Letters { store: &self.store, types: Vec::new(), dims: Vec::new() };
-        let mut shown = ShownScheme { name: function.name.clone(), ..ShownScheme::default() };
+        let is_component = function.is_component();
+        let mut shown = ShownScheme { name: function.name.clone(), is_component, ..ShownScheme::default() };
         for (parameter, ty) in function.decl?.parameters.iter().zip(&signature.parameters) {
             shown.parameters.push((parameter.mode, parameter.name.name.clone(), letters.ty(ty)));
         }

@@ -301,6 +301,11 @@ impl<'a> Checker<'a> {
                 }
                 self.evidence.initialize(id, value);
                 let value = self.stored(value);
+                let requested = self.requested_type(decl.name.span, &value.ty);
+                let value = match &requested {
+                    Some(ty) => self.fitted(ty, value),
+                    None => value,
+                };
                 let ty = self.variable_type(id);
                 self.forget_variable(id);
                 self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
@@ -333,15 +338,16 @@ impl<'a> Checker<'a> {
         self.may_be_absent = matches!(self.store.shallow(&ty), Type::Optional(_));
         let value = self.stored(value);
         let Some(target) = target else { return StmtKind::Nothing };
-        self.expect_stored(&target, &value);
-        let value = self.as_optional(&ty, value);
+        let Some(value) = self.expect_stored(&target, value) else { return StmtKind::Nothing };
         self.assigned_presence(&target, place, &value);
         self.assigned(&target, &value);
         StmtKind::Assign(target, value)
     }
 
-    /// Requires that a value has the type of the place that it is assigned to.
-    fn expect_stored(&mut self, target: &Place, value: &Expr) {
+    /// Requires that a value has the type of the place that it is assigned to, and returns it as one
+    /// of this type. Returns `None` if the variable has observables and was first taken for a
+    /// number: then the program is checked again.
+    fn expect_stored(&mut self, target: &Place, value: Expr) -> Option<Expr> {
         let variable = self.variable(target.variable).clone();
         let what = match target.steps.is_empty() {
             true => format!("`{}`", variable.name),
@@ -349,8 +355,14 @@ impl<'a> Checker<'a> {
         };
         let shown = self.variable_type(target.variable);
         let cause = (variable.span, format!("`{}` is a {}", variable.name, self.store.show(&shown)));
-        let wanted = self.without_optional(&target.ty, value);
-        self.expect(&wanted, value, &what, Some(cause));
+        self.solve_open_constraints(std::iter::once(&value.ty));
+        let value = self.fitted(&target.ty, value);
+        if variable.kind == VarKind::Value && self.observable_requested(variable.span, &target.ty, &value) {
+            return None;
+        }
+        let wanted = self.without_optional(&target.ty, &value);
+        self.expect(&wanted, &value, &what, Some(cause));
+        Some(self.as_optional(&target.ty, value))
     }
 
     /// Checks `place += value` and the like.
@@ -372,8 +384,7 @@ impl<'a> Checker<'a> {
         let present = Expr { kind: Kind::Updated(target.variable), ty: target.ty.clone(), span: place.span };
         let present = self.presence(place, present, false, false);
         let value = self.combined(op, op_span, present, value, span);
-        self.expect_stored(&target, &value);
-        let value = self.as_optional(&target.ty, value);
+        let Some(value) = self.expect_stored(&target, value) else { return StmtKind::Nothing };
         self.assigned_presence(&target, place, &value);
         self.assigned(&target, &value);
         StmtKind::Update(target, value)
@@ -458,6 +469,16 @@ impl<'a> Checker<'a> {
                 element
             }
         };
+        let value = self.fitted(&element, value);
+        if let Some(variable) = place.steps.is_empty().then(|| self.variable(place.variable).clone())
+            && self.observable_requested(
+                variable.span,
+                &place.ty,
+                &Expr { ty: Type::array(value.ty.clone()), ..value.clone() },
+            )
+        {
+            return StmtKind::Nothing;
+        }
         let what = format!("an element of `{}`", self.text(place.span));
         self.expect(&element, &value, &what, Some(cause));
         self.assigned(&place, &value);
@@ -494,6 +515,19 @@ impl<'a> Checker<'a> {
 
     fn return_value(&mut self, value: Option<&'a ast::Expr>, span: Span) -> StmtKind {
         let top = self.function == FuncId(0);
+        if self.names.functions[self.function.0 as usize].is_component() {
+            self.report(
+                Diagnostic::error(
+                    "E0876",
+                    "a component does not return",
+                    span,
+                    "the members of an instance must all have values",
+                )
+                .help("use `if`, or move the statements into a function"),
+            );
+            value.map(|value| self.stored(value));
+            return StmtKind::Nothing;
+        }
         let result = self.current_result();
         self.dependence.leave_function();
         match value {
@@ -526,9 +560,18 @@ impl<'a> Checker<'a> {
                     return StmtKind::Return(None);
                 }
                 let name = self.names.functions[self.function.0 as usize].name.clone();
+                let decl = self.names.functions[self.function.0 as usize].decl;
+                let declared_result = decl.and_then(|decl| decl.result.as_ref());
                 let declared = self.names.functions[self.function.0 as usize].decl.map(|d| {
                     (d.result.as_ref().map_or(d.name.span, |r| r.span), format!("result of `{name}`"))
                 });
+                let value = self.fitted(&result, value);
+                let own = self.names.functions[self.function.0 as usize].decl.map(|decl| decl.name.span);
+                if let Some(own) = own.filter(|_| declared_result.is_none())
+                    && self.observable_requested(own, &result, &value)
+                {
+                    return StmtKind::Nothing;
+                }
                 self.expect(&result, &value, &format!("the result of `{name}`"), declared);
                 let function = self.function;
                 self.dependence.returned(function, &value);

@@ -85,6 +85,10 @@ impl<'a> Checker<'a> {
         let found = &self.defs[def.0 as usize];
         let (ty, name, bound) = (found.expr.ty.clone(), found.name.clone(), found.span);
         if found.observes {
+            // An expression of observables is an observable.
+            if let Type::Number(dim) = self.store.shallow(&ty) {
+                return Expr { kind: Kind::MakeSymbolic(def), ty: Type::Observable(dim), span };
+            }
             let diagnostic = self.observable_as_value(span).label(bound, "bound to an observable here");
             self.report(diagnostic);
         } else if found.on_time {
@@ -348,6 +352,11 @@ impl<'a> Checker<'a> {
                 Kind::Binary(op, self.split_box(a, to), self.split_box(b, to))
             }
             Kind::Op(op, all) => Kind::Op(op, all.into_iter().map(|a| self.split(a, to)).collect()),
+            Kind::If(condition, a, b)
+                if to.function.is_none() && self.chooses_observable(&condition, &a, &b) =>
+            {
+                return self.chosen_observable(*condition, *a, *b, span, to);
+            }
             Kind::If(a, b, c) => {
                 Kind::If(self.split_box(a, to), self.split_box(b, to), self.split_box(c, to))
             }
@@ -405,6 +414,22 @@ impl<'a> Checker<'a> {
             Type::String => Expr { kind: Kind::Text(String::new()), ..e },
             _ => self.split(e, to),
         }
+    }
+
+    /// Splits a choice of observables whose condition is known when the binding executes: only the
+    /// observable that is chosen is captured, so the other one need not exist.
+    fn chosen_observable(&mut self, condition: Expr, a: Expr, b: Expr, span: Span, to: &mut Builder) -> Expr {
+        let condition = self.condition_value(condition);
+        let (a, b) = (self.as_observable(a), self.as_observable(b));
+        let ty = a.ty.clone();
+        let kind = Kind::If(Box::new(condition), Box::new(a), Box::new(b));
+        to.observes = true;
+        let captured = self.capture(Expr { kind, ty: ty.clone(), span }, to);
+        let number = match self.store.shallow(&ty) {
+            Type::Observable(dim) => Type::Number(dim),
+            other => other,
+        };
+        Expr { kind: Kind::Observe(Box::new(captured)), ty: number, span }
     }
 
     fn split_box(&mut self, mut e: Box<Expr>, to: &mut Builder) -> Box<Expr> {

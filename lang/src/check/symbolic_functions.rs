@@ -264,6 +264,10 @@ impl<'a> Checker<'a> {
     }
 
     /// Returns `true` if a checked expression has brackets of symbolic expressions as its value.
+    pub(super) fn is_symbolic_brackets(&self, e: &Expr) -> bool {
+        !matches!(e.kind, Kind::Array(_)) && self.is_brackets(e)
+    }
+
     pub(super) fn is_brackets(&self, e: &Expr) -> bool {
         match &e.kind {
             Kind::Array(_) | Kind::Tuple(_) | Kind::SymbolicCall(_) | Kind::Gradient(..) => true,

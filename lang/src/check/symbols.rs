@@ -87,6 +87,12 @@ pub struct FunctionInfo<'a> {
     pub callees: BTreeSet<FuncId>,
 }
 
+impl FunctionInfo<'_> {
+    pub fn is_component(&self) -> bool {
+        self.decl.is_some_and(|decl| decl.is_component)
+    }
+}
+
 #[derive(Clone, Debug)]
 pub struct ExternInfo<'a> {
     pub decl: &'a FunctionDecl,
@@ -115,6 +121,24 @@ pub struct DimensionDecl<'a> {
     pub value: Option<&'a TypeExpr>,
 }
 
+/// A param of the model or of a component.
+#[derive(Clone, Copy, Debug)]
+pub struct ParamInfo<'a> {
+    pub decl: &'a ParamDecl,
+    pub doc: Option<&'a str>,
+    /// The component that declares it, or the top level.
+    pub owner: FuncId,
+}
+
+/// An output of the model or of a component.
+#[derive(Clone, Copy, Debug)]
+pub struct OutputInfo<'a> {
+    pub name: &'a Ident,
+    pub doc: Option<&'a str>,
+    /// The component that declares it, or the top level.
+    pub owner: FuncId,
+}
+
 /// The result of name resolution.
 #[derive(Default)]
 pub struct Names<'a> {
@@ -136,8 +160,8 @@ pub struct Names<'a> {
     pub enums: Vec<Declared<&'a EnumDecl>>,
     pub dimensions: Vec<Declared<DimensionDecl<'a>>>,
     pub units: Vec<Declared<&'a UnitDecl>>,
-    pub params: Vec<(&'a ParamDecl, Option<&'a str>)>,
-    pub outputs: Vec<(&'a Ident, &'a Expr, Option<&'a str>)>,
+    pub params: Vec<ParamInfo<'a>>,
+    pub outputs: Vec<OutputInfo<'a>>,
     pub diagnostics: Vec<Diagnostic>,
 }
 

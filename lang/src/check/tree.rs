@@ -228,6 +228,8 @@ pub enum StmtKind {
     Push(Place, Expr),
     /// Passes an output, by index, to the engine.
     Output(u32, DefId),
+    /// Passes the elements of an array as outputs to the engine.
+    ArrayOutput(u32, Expr),
     Block(Vec<Stmt>),
     If(Expr, Box<Stmt>, Option<Box<Stmt>>),
     While(Expr, Box<Stmt>),
@@ -330,6 +332,8 @@ pub struct Function {
     pub definition: Option<SymbolicBody>,
     /// For a host function with its body: its interface.
     pub host: Option<HostOffer>,
+    /// The component that contains the function; a component contains itself.
+    pub component: Option<FuncId>,
     pub scheme: Scheme,
     pub span: Span,
 }
@@ -362,6 +366,8 @@ pub struct Param {
     pub unit: Option<DisplayUnit>,
     /// `true` if the default is an integer without a unit.
     pub whole: bool,
+    /// The component that declares it, or the top level.
+    pub owner: FuncId,
     pub span: Span,
 }
 
@@ -370,6 +376,11 @@ pub struct Output {
     pub name: String,
     pub doc: String,
     pub ty: Type,
+    /// The component that declares it, or the top level.
+    pub owner: FuncId,
+    /// The variable with its observable, which is a member of the component's instances, or with
+    /// the array of its observables.
+    pub member: Option<VarId>,
     pub span: Span,
 }
 
@@ -487,6 +498,7 @@ impl Stmt {
             | StmtKind::Update(place, value)
             | StmtKind::Push(place, value) => place.indices().chain([value]).collect(),
             StmtKind::Eval(e)
+            | StmtKind::ArrayOutput(_, e)
             | StmtKind::If(e, ..)
             | StmtKind::While(e, _)
             | StmtKind::DoWhile(_, e)

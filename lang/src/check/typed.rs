@@ -10,7 +10,7 @@ use crate::ast::{FunctionBody, Ident};
 use crate::ir::ExternDecl;
 use crate::span::Span;
 use calyx_abi::{Purity, Repr};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 /// Typed functions and the tables that their bodies refer to. Clones share them.
@@ -27,6 +27,8 @@ pub struct Typed {
     pub store: Arc<Store>,
     /// Symbolic names whose expression is selected at run time.
     pub chosen: Arc<BTreeSet<VarId>>,
+    /// Parameters of components that the default or range of a param uses.
+    pub statics: Arc<HashSet<VarId>>,
     variables: Arc<Vec<Variable>>,
     variable_types: Arc<HashMap<VarId, Type>>,
 }
@@ -44,6 +46,10 @@ impl Typed {
     /// Returns `true` if it contains a generic function.
     pub fn is_general(&self) -> bool {
         self.functions.values().any(|function| !function.scheme.types.is_empty())
+    }
+
+    pub fn is_component(&self, id: FuncId) -> bool {
+        self.functions.get(&id).is_some_and(|function| function.component == Some(id))
     }
 
     pub fn function_name(&self, id: FuncId) -> &str {
@@ -90,6 +96,7 @@ impl Checker<'_> {
             outputs: Arc::new(self.outputs),
             store: Arc::new(self.store),
             chosen: Arc::new(self.graphs.chosen),
+            statics: Arc::new(self.static_parameters),
             variables: Arc::new(self.names.variables),
             variable_types: Arc::new(self.variable_types),
         };

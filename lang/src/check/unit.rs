@@ -10,10 +10,10 @@ use super::name_resolution::NameTable;
 use super::schemes::ShownScheme;
 use super::tree::{FuncId, RecordId, VarId};
 use super::typed::Typed;
-use super::{has_errors, names};
+use super::{ModuleData, has_errors, names};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 /// Function of the library that creates a handle.
@@ -33,6 +33,8 @@ pub trait Surroundings {
     fn doc(&self, module: &str) -> String;
     /// Returns the functions of the library that create a handle of this type.
     fn makers(&self, handle: &str) -> Vec<Maker>;
+    /// Returns `true` if functions of a module take or return handles of this type.
+    fn has_handle(&self, module: &str, handle: &str) -> bool;
     /// Returns `true` if a module with this name can be imported.
     fn is_module(&self, name: &str) -> bool;
     /// Returns the modules that can be imported.
@@ -75,34 +77,69 @@ pub struct Context<'c> {
     pub surroundings: &'c dyn Surroundings,
 }
 
+/// Limit of the repetitions of a check. A repetition is needed if a variable that starts as a number
+/// later receives an observable; few programs need more than one.
+const MOST_REPETITIONS: usize = 8;
+
+/// A check of the names and types of an excerpt.
+struct CheckedNames<'m> {
+    checker: Checker<'m>,
+    /// Diagnostics of the names.
+    diagnostics: Vec<Diagnostic>,
+    functions: HashMap<ItemId, FuncId>,
+    foreign: HashMap<FuncId, ItemId>,
+}
+
+impl<'m> CheckedNames<'m> {
+    /// Checks the modules of an excerpt. The variables declared at `observables` have observables.
+    fn of(
+        modules: &'m [ModuleData],
+        layout: &'m Layout,
+        context: &Context<'m>,
+        observables: &HashSet<Span>,
+    ) -> Self {
+        let mut names = names::resolve(modules, context.surroundings);
+        let diagnostics = std::mem::take(&mut names.diagnostics);
+        let (mut functions, mut foreign) = (HashMap::new(), HashMap::new());
+        for (index, info) in names.functions.iter().enumerate() {
+            let id = FuncId(index as u32);
+            let Some(decl) = info.decl.filter(|_| info.parent == Some(FuncId(0))) else { continue };
+            let Some(segment) = layout.segment(decl.name.span.file, decl.name.span.start) else { continue };
+            match segment.part {
+                Part::Header => {
+                    foreign.insert(id, segment.item);
+                }
+                Part::Own | Part::Whole => {
+                    functions.entry(segment.item).or_insert(id);
+                }
+            }
+        }
+        let mut checker = Checker::new(modules, names, layout, observables.clone());
+        checker.handles.extend(context.handles.iter().cloned());
+        for (&id, item) in &foreign {
+            if let Some(interface) = context.interfaces.get(item) {
+                interface.import(&mut checker, id);
+            }
+        }
+        checker.program();
+        CheckedNames { checker, diagnostics, functions, foreign }
+    }
+}
+
 /// Checks an excerpt's own items. Returns the interfaces of `group`, in order, or `None` if they
 /// depend on the uses of the functions.
 pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit, Option<Vec<Interface>>) {
     let Excerpt { modules, layout } = excerpt;
-    let mut names = names::resolve(&modules, context.surroundings);
-    let mut diagnostics = std::mem::take(&mut names.diagnostics);
-    let (mut functions, mut foreign) = (HashMap::new(), HashMap::new());
-    for (index, info) in names.functions.iter().enumerate() {
-        let id = FuncId(index as u32);
-        let Some(decl) = info.decl.filter(|_| info.parent == Some(FuncId(0))) else { continue };
-        let Some(segment) = layout.segment(decl.name.span.file, decl.name.span.start) else { continue };
-        match segment.part {
-            Part::Header => {
-                foreign.insert(id, segment.item);
-            }
-            Part::Own | Part::Whole => {
-                functions.entry(segment.item).or_insert(id);
-            }
+    let mut observables = HashSet::new();
+    let mut checked = CheckedNames::of(&modules, &layout, context, &observables);
+    for _ in 0..MOST_REPETITIONS {
+        if checked.checker.requested_observables.is_empty() {
+            break;
         }
+        observables.extend(checked.checker.requested_observables.drain());
+        checked = CheckedNames::of(&modules, &layout, context, &observables);
     }
-    let mut checker = Checker::new(&modules, names, &layout);
-    checker.handles.extend(context.handles.iter().cloned());
-    for (&id, item) in &foreign {
-        if let Some(interface) = context.interfaces.get(item) {
-            interface.import(&mut checker, id);
-        }
-    }
-    checker.program();
+    let CheckedNames { mut checker, mut diagnostics, functions, foreign } = checked;
     diagnostics.append(&mut checker.diagnostics);
     let types = checker.shown_types();
     let own = (1..checker.names.functions.len() as u32).map(FuncId).filter(|id| !foreign.contains_key(id));
@@ -117,7 +154,7 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
         false => members.and_then(|members| Interface::of_group(&mut checker, &members)),
     };
     let local = |id: RecordId| (ItemId::MAX, id.0);
-    let records = (0..checker.names.records.len() as u32).map(RecordId);
+    let records = (0..checker.record_count() as u32).map(RecordId);
     let records = records.map(|id| checker.record_key(id).unwrap_or(local(id))).collect();
     let sound = match has_errors(&diagnostics) {
         true => Some(checker.sound_functions(&diagnostics)),
@@ -201,6 +238,10 @@ impl Surroundings for Nothing {
 
     fn makers(&self, _: &str) -> Vec<Maker> {
         Vec::new()
+    }
+
+    fn has_handle(&self, _: &str, _: &str) -> bool {
+        false
     }
 
     fn is_module(&self, _: &str) -> bool {

@@ -13,7 +13,7 @@ use crate::check::excerpt::ItemId;
 use crate::check::item::ItemKind;
 use crate::check::name_resolution::Declared as Target;
 use crate::check::unit::Unit;
-use crate::check::{ShownScheme, builtins, expressions};
+use crate::check::{ShownScheme, builtins, declared_names, expressions};
 use crate::declared::{self, Declared};
 use crate::deep_recursion::with_deep_stack;
 use crate::lexer::Tokens;
@@ -94,6 +94,14 @@ pub(super) fn relative_names<'db>(
                 Some(file) => RelativeTarget::Module(*file),
                 None => return,
             },
+            Target::Member(component, member) => {
+                let item = unit.layout.locate(*component).map(|(item, _)| item);
+                let at = item.and_then(|item| member_span(db, item, member));
+                match item.zip(at) {
+                    Some((item, at)) => RelativeTarget::In(item, at.start, at.end),
+                    None => return,
+                }
+            }
             Target::At(at) => match unit.layout.locate(*at) {
                 Some((to, from)) => RelativeTarget::In(to, from, from + at.end.saturating_sub(at.start)),
                 None => return,
@@ -128,6 +136,22 @@ pub(super) fn relative_names<'db>(
     Arc::new(found)
 }
 
+/// Returns the location of a member in the item of its component.
+fn member_span(db: &dyn salsa::Database, component: ItemId, member: &str) -> Option<Span> {
+    let content = item_of(component).content(db);
+    let StmtKind::Function(decl) = &content.statement.kind else { return None };
+    let parameters = decl.parameters.iter().map(|parameter| &parameter.name);
+    let declared = match &decl.body {
+        FunctionBody::Statement(body) => match &body.kind {
+            StmtKind::Block(statements) => statements.as_slice(),
+            _ => &[],
+        },
+        _ => &[],
+    };
+    let mut names = parameters.chain(declared.iter().flat_map(declared_names));
+    names.find(|name| name.name == member).map(|name| name.span)
+}
+
 type RelativePlace = (ItemId, u32);
 
 /// Returns the item with an id of the current revision.
@@ -147,6 +171,7 @@ pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<
     });
     Some(ShownScheme {
         name: decl.name.name.clone(),
+        is_component: false,
         parameters: parameters.collect(),
         result: decl.result.as_ref().map(|result| text(result.span)),
         demands: Vec::new(),
@@ -473,6 +498,7 @@ fn written_kind(found: Declared<'_>) -> NameKind {
         Declared::Caught(_) => NameKind::Variable,
         Declared::Statement(statement) => match &statement.kind {
             StmtKind::Function(decl) => match decl.body {
+                FunctionBody::Statement(_) if decl.is_component => NameKind::Component,
                 FunctionBody::Statement(_) => NameKind::Function,
                 FunctionBody::Symbolic(_) => NameKind::SymbolicFunction,
                 FunctionBody::Extern { .. } => NameKind::Extern,

@@ -6,7 +6,7 @@ use super::analysis::{extern_scheme, unit_of};
 use super::units::id;
 use crate::analysis::{CallParameter, Callable, NameKind, SourceRange};
 use crate::ast::{Bind, FunctionBody, FunctionDecl, Mode, RecordDecl, RecordField, Stmt, StmtKind};
-use crate::check::ShownScheme;
+use crate::check::{ShownScheme, declared_names};
 use crate::declared::{self, Declared};
 use crate::deep_recursion::with_deep_stack;
 use crate::dimension::Dimension;
@@ -59,6 +59,50 @@ impl Database {
         declared::former(found).map(|former| former.name.clone())
     }
 
+    /// Returns the members of the instances of the component declared at a location.
+    pub fn members_of_component(&self, place: &SourceRange) -> Option<Vec<CallParameter>> {
+        let db = &self.salsa;
+        let text = self.find(&place.file)?;
+        let item = with_deep_stack(|| self.items_in(text, place.start..place.start)).into_iter().next()?;
+        let unit = with_deep_stack(|| unit_of(db, item, self.library))?;
+        let (file, base) = unit.layout.start(id(item))?;
+        let start = item.start(db);
+        let StmtKind::Function(decl) = &item.content(db).statement.kind else { return None };
+        let FunctionBody::Statement(body) = &decl.body else { return None };
+        let StmtKind::Block(statements) = &body.kind else { return None };
+        let parameters = decl.parameters.iter().map(|parameter| (&parameter.name, parameter.doc.clone()));
+        let declared = statements.iter().flat_map(|statement| {
+            declared_names(statement).into_iter().map(|name| (name, statement.doc.clone()))
+        });
+        let members = parameters.chain(declared).filter_map(|(name, doc)| {
+            let moved = Span { file, start: name.span.start + base, end: name.span.end + base };
+            let meaning = unit.meanings.at(&unit.typed, moved)?;
+            // Expressions are not members.
+            if meaning.kind == NameKind::Symbolic {
+                return None;
+            }
+            let at = |from: u32| start + from;
+            let declared =
+                SourceRange { file: place.file.clone(), start: at(name.span.start), end: at(name.span.end) };
+            let observed = meaning.kind == NameKind::Output;
+            let ty = meaning.ty.unwrap_or_default();
+            Some(CallParameter {
+                name: name.name.as_str().into(),
+                former: None,
+                mode: Mode::In,
+                symbolic: false,
+                ty: if observed { format!("Observable({ty})") } else { ty },
+                dimension: unit.meanings.dimension_at(&unit.typed, moved),
+                default: None,
+                range: None,
+                choices: Vec::new(),
+                doc,
+                declared: Some(declared),
+            })
+        });
+        Some(members.collect())
+    }
+
     /// Computes [`Database::callable`] with types from another source.
     pub(super) fn called(&self, place: &SourceRange, types: &Types<'_>) -> Option<Callable> {
         let part = self.part_at(&place.file, place.start)?;
@@ -96,6 +140,7 @@ fn described(
             match decl.body {
                 FunctionBody::Extern { .. } => callable.kind = NameKind::Extern,
                 FunctionBody::Symbolic(_) => callable.kind = NameKind::SymbolicFunction,
+                FunctionBody::Statement(_) if decl.is_component => callable.kind = NameKind::Component,
                 FunctionBody::Statement(_) => {}
             }
             let shown = (types.scheme)(decl);

@@ -279,7 +279,7 @@ pub(super) fn reachable(db: &dyn salsa::Database, text: Text, library: Library) 
 
 /// Returns the names of handle types in a file's declarations of engine functions.
 #[salsa::tracked]
-fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
+pub(super) fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<String> {
     let externs = items(db, text).iter().filter(|item| *item.kind(db) == ItemKind::Extern);
     let decls = externs.filter_map(|item| match &item.content(db).statement.kind {
         StmtKind::Function(decl) => Some(handles_of(decl)),

@@ -112,7 +112,8 @@ impl Database {
             });
             let result = result.map(|result| result.split(" where ").next().unwrap_or(result).to_string());
             let parameters = parameters.collect();
-            ShownScheme { name: decl.name.name.clone(), parameters, result, demands: Vec::new() }
+            let (name, is_component) = (decl.name.name.clone(), decl.is_component);
+            ShownScheme { name, is_component, parameters, result, demands: Vec::new() }
         };
         let field = |decl: &RecordDecl, field: &RecordField| {
             ty(&decl.name.name, &field.name.name).unwrap_or_default()
@@ -167,7 +168,7 @@ fn function_around(tokens: &[Token], offset: u32) -> Option<Token> {
                 found = found.filter(|_| depth > 0);
             }
             Kind::Semicolon if depth == 0 => found = None,
-            Kind::Function if depth == 0 => {
+            Kind::Function | Kind::Component if depth == 0 => {
                 found = tokens.get(index + 1).filter(|name| name.kind == Kind::Identifier).copied();
             }
             _ => {}

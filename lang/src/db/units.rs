@@ -2,7 +2,8 @@
 
 use super::groups::{Group, group_of, groups, header, header_links, links, named, sees_state};
 use super::items::{
-    Item, bases, declarations, declared, facts, handles, items, library_bases, module, reachable, vocabulary,
+    Item, bases, declarations, declared, facts, handles, items, library_bases, module, own_handles,
+    reachable, vocabulary,
 };
 use super::{Library, Text};
 use crate::ast::{StmtKind, TypeExpr, TypeKind};
@@ -170,19 +171,17 @@ impl<'db> Gathered<'db> {
                 Some(Part::Header) => header_links(db, item, library),
                 _ => links(db, item, library),
             };
-            for &to in needed {
+            let mut needed = needed.clone();
+            while let Some(to) = needed.pop() {
                 if self.parts.contains_key(&to) || (!to_functions && *to.kind(db) == ItemKind::Function) {
                     continue;
                 }
                 let part = match to.kind(db) {
                     ItemKind::Function => match interface(db, to, library) {
                         Some(interface) => {
-                            for (record, _) in &interface.records {
-                                let record = Item::from_id(Id::from_bits(*record));
-                                if !self.parts.contains_key(&record) {
-                                    self.add(record, Part::Whole);
-                                }
-                            }
+                            // Records, and components whose instances occur in its types.
+                            let records = interface.records.iter();
+                            needed.extend(records.map(|(record, _)| Item::from_id(Id::from_bits(*record))));
                             self.interfaces.insert(id(to), interface);
                             Part::Header
                         }
@@ -355,6 +354,10 @@ impl Surroundings for GroupContext<'_> {
             declared.iter().filter(|(name, all)| callable(name, all)).map(|(name, _)| name.clone()).collect();
         names.sort();
         names
+    }
+
+    fn has_handle(&self, module: &str, handle: &str) -> bool {
+        self.file_of(module).is_some_and(|file| own_handles(self.db, file).contains(handle))
     }
 
     fn is_module(&self, name: &str) -> bool {

@@ -215,7 +215,7 @@ impl Printer<'_> {
                 self.space();
             }
         }
-        self.token(Kind::Function);
+        self.token(if function.is_component { Kind::Component } else { Kind::Function });
         self.space();
         self.renamed(&function.former);
         let has_block = match &function.body {
@@ -224,7 +224,8 @@ impl Printer<'_> {
             FunctionBody::Extern { .. } => false,
         };
         let layout = if has_block { Layout::EachClosed } else { Layout::Each };
-        self.bracket((Kind::OpenParen, Kind::CloseParen), &function.parameters, layout, Self::parameter);
+        let parameter = if function.is_component { Self::declared_parameter } else { Self::parameter };
+        self.bracket((Kind::OpenParen, Kind::CloseParen), &function.parameters, layout, parameter);
         if function.result.is_some() {
             self.space();
             self.token(Kind::Arrow);
@@ -240,6 +241,11 @@ impl Printer<'_> {
             Mode::InOut => Kind::InOut,
         });
         self.space();
+        self.declared_parameter(parameter);
+    }
+
+    /// Formats a parameter without its mode.
+    fn declared_parameter(&mut self, parameter: &Parameter) {
         self.renamed(&parameter.former);
         if parameter.annotation.is_some() {
             self.token(Kind::Colon);

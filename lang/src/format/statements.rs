@@ -3,7 +3,7 @@
 
 use super::document::Item;
 use super::printer::Printer;
-use crate::ast::{BinaryOp, Bind, Expr, Ident, Module, Stmt, StmtKind};
+use crate::ast::{BinaryOp, Bind, Expr, Import, Module, Stmt, StmtKind};
 use crate::lexer::Kind;
 
 impl Printer<'_> {
@@ -127,13 +127,22 @@ impl Printer<'_> {
         }
     }
 
-    fn import(&mut self, path: &[Ident]) {
+    fn import(&mut self, import: &Import) {
         self.token(Kind::Import);
         self.space();
-        for index in 0..path.len() {
+        if import.is_quoted {
+            self.string();
+        }
+        for index in (0..import.path.len()).filter(|_| !import.is_quoted) {
             if index > 0 {
                 self.token(Kind::Dot);
             }
+            self.token(Kind::Identifier);
+        }
+        if import.alias.is_some() {
+            self.space();
+            self.token(Kind::Identifier);
+            self.space();
             self.token(Kind::Identifier);
         }
         self.token(Kind::Semicolon);

@@ -54,6 +54,7 @@ pub enum Kind {
     Const,
     Record,
     Enum,
+    Component,
     Dimension,
     Unit,
 
@@ -170,6 +171,7 @@ impl Kind {
                 | Kind::Const
                 | Kind::Record
                 | Kind::Enum
+                | Kind::Component
                 | Kind::Dimension
                 | Kind::Unit
         )
@@ -217,6 +219,7 @@ pub(super) const CONTEXTUAL: &[Spelling] = &[
     ("const", Kind::Const, "`const`"),
     ("record", Kind::Record, "`record`"),
     ("enum", Kind::Enum, "`enum`"),
+    ("component", Kind::Component, "`component`"),
     ("dimension", Kind::Dimension, "`dimension`"),
     ("unit", Kind::Unit, "`unit`"),
 ];

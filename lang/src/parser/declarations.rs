@@ -6,8 +6,8 @@ use super::expressions::Expressions;
 use super::recovery::{Reader, close, expect, identifier, name, position, renamed, semicolon, when};
 use super::source::Source;
 use crate::ast::{
-    Bind, Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter, Stmt,
-    StmtKind, TypeExpr, TypeKind,
+    Bind, Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Import, Mode, ParamDecl, Parameter,
+    Stmt, StmtKind, TypeExpr, TypeKind,
 };
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
@@ -18,11 +18,29 @@ use chumsky::prelude::*;
 pub(super) fn interface<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
     let end = semicolon(source);
     let path = name(source, "the module")
-        .then(just(Kind::Dot).ignore_then(name(source, "the module")).repeated().collect::<Vec<_>>());
-    let import = just(Kind::Import).ignore_then(path).then_ignore(end.clone()).map(|(first, rest)| {
-        let path: Option<Vec<Ident>> = std::iter::once(first).chain(rest).collect();
-        path.map_or(StmtKind::Error, StmtKind::Import)
-    });
+        .then(just(Kind::Dot).ignore_then(name(source, "the module")).repeated().collect::<Vec<_>>())
+        .map(|(first, rest)| (std::iter::once(first).chain(rest).collect::<Option<Vec<Ident>>>(), false));
+    let path = quoted_path(source).map(|path| (Some(path), true)).or(path);
+    let alias = when(move |at| source.text(at) == "as" && source.kind(at + 1) == Some(Kind::Identifier));
+    let alias = alias.ignore_then(identifier(source)).ignore_then(identifier(source)).or_not();
+    let import = just(Kind::Import).ignore_then(path).then(alias).then_ignore(end.clone()).map_with(
+        |((path, is_quoted), alias), extra| {
+            if let (Some(path), true, None) = (&path, is_quoted, &alias) {
+                let span = path.first().map_or_else(Default::default, |name| name.span);
+                extra.emit(
+                    Diagnostic::error(
+                        "E0115",
+                        "`as` and a name are expected after the file",
+                        span,
+                        "without a name",
+                    )
+                    .help("write `import \"folder/file\" as name;`")
+                    .into(),
+                );
+            }
+            path.map_or(StmtKind::Error, |path| StmtKind::Import(Import { path, alias, is_quoted }))
+        },
+    );
     let units = just(Kind::Units)
         .ignore_then(name(source, "the unit system"))
         .then_ignore(end.clone())
@@ -46,6 +64,32 @@ pub(super) fn interface<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule
     top_level_only(source).ignore_then(choice((import, units, param, output))).boxed()
 }
 
+/// Parses the path of a module in quotation marks: `"folder/file"`.
+fn quoted_path<'a>(source: &'a Source<'a>) -> Rule<'a, Vec<Ident>> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::StringOpen) {
+            return Err(Problem(None));
+        }
+        let end = source.next(at);
+        super::recovery::advance_to(input, end);
+        let span = source.place(at).to(source.place(end - 1));
+        let plain = end == at + 3 && source.kind(at + 1) == Some(Kind::StringText);
+        let text = if plain { source.text(at + 1) } else { "" };
+        let names: Vec<Ident> =
+            text.split(['/', '.']).map(|name| Ident { name: name.into(), span }).collect();
+        if names.iter().any(|name| name.name.trim().is_empty()) {
+            input.emit(
+                Diagnostic::error("E0114", "this is not the path of a module", span, "no path")
+                    .help("write a file of this folder or below it, without `.cx`: `\"folder/file\"`")
+                    .into(),
+            );
+        }
+        Ok(names)
+    })
+    .boxed()
+}
+
 /// Reports the next token if it starts a top-level declaration inside a block, a function or
 /// another statement.
 fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
@@ -66,7 +110,15 @@ fn top_level_only<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
 pub(super) fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     let after_statement = matches!(source.previous(at), None | Some(Kind::Semicolon | Kind::CloseBrace));
     let inside = source.opening(at, Kind::CloseBrace);
-    if inside.is_none() && (after_statement || source.begins_line(at)) {
+    let begins = after_statement || source.begins_line(at);
+    if inside.is_none() && begins {
+        return None;
+    }
+    // Params and outputs are members of a component.
+    if let Some(open) = inside.filter(|_| matches!(source.kind(at), Some(Kind::Param | Kind::Output)))
+        && (begins || open + 1 == at)
+        && is_component_body(source, open)
+    {
         return None;
     }
     let message = format!("{} is allowed only at the top level of a file", source.describe(at));
@@ -76,6 +128,16 @@ pub(super) fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnosti
         Some(open) => problem.label(source.place(open), "inside this block"),
         None => problem,
     })
+}
+
+/// Returns `true` if a brace opens the body of a component.
+fn is_component_body(source: &Source<'_>, open: usize) -> bool {
+    let header = open
+        .checked_sub(1)
+        .filter(|close| source.kind(*close) == Some(Kind::CloseParen))
+        .and_then(|close| source.opening(close, Kind::CloseParen));
+    let word = header.and_then(|parameters| parameters.checked_sub(2));
+    word.is_some_and(|word| source.kind(word) == Some(Kind::Component))
 }
 
 /// Parses `in low .. high` or `in ["a", "b"]`.
@@ -97,6 +159,66 @@ fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
         .boxed()
 }
 
+/// Parses `component Name(a: Type, b = 2) { ... }`.
+pub(super) fn component<'a>(
+    source: &'a Source<'a>,
+    e: &Expressions<'a>,
+    body: Rule<'a, Stmt>,
+) -> Rule<'a, StmtKind> {
+    let word = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Component) {
+            return Err(Problem(None));
+        }
+        input.next();
+        if source.previous(at) != Some(Kind::Private)
+            && let Some(problem) = inside_another(source, at)
+        {
+            input.emit(problem.into());
+        }
+        Ok(())
+    });
+    let block = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::OpenBrace) {
+            let message =
+                format!("`{{` is expected before the body of a component, not {}", source.describe(at));
+            input.emit(Diagnostic::error("E0115", message, source.place(at), "found here").into());
+        }
+        Ok(())
+    });
+    word.ignore_then(name(source, "the component"))
+        .then(parameters(source, parameter(source, e, type_expression(source), false)))
+        .then_ignore(block)
+        .then(body)
+        .map(|((name, parameters), body)| {
+            name.map_or(StmtKind::Error, |name| {
+                StmtKind::Function(FunctionDecl {
+                    name,
+                    former: None,
+                    parameters,
+                    result: None,
+                    body: FunctionBody::Statement(Box::new(body)),
+                    is_test: false,
+                    is_host: false,
+                    is_component: true,
+                })
+            })
+        })
+        .boxed()
+}
+
+/// Parses the parameters of a function or component in parentheses.
+fn parameters<'a>(source: &'a Source<'a>, one: Rule<'a, Option<Parameter>>) -> Rule<'a, Vec<Parameter>> {
+    let listed = one.separated_by(just(Kind::Comma)).allow_trailing().collect::<Vec<Option<Parameter>>>();
+    just(Kind::OpenParen)
+        .ignore_then(listed.clone())
+        .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"))
+        .or(expect(source, Kind::OpenParen, "before the parameters").ignore_then(listed))
+        .map(|parameters| parameters.into_iter().flatten().collect::<Vec<_>>())
+        .boxed()
+}
+
 /// Parses `function f(...) statement`, `host function f(...) statement`, `function p(...) := e;`,
 /// `function p(...) := { ... }`, `extern pure function f(...) -> T;`.
 pub(super) fn function<'a>(
@@ -105,16 +227,7 @@ pub(super) fn function<'a>(
     body: Rule<'a, Stmt>,
 ) -> Rule<'a, StmtKind> {
     let types = type_expression(source);
-    let listed = parameter(source, e, types.clone())
-        .separated_by(just(Kind::Comma))
-        .allow_trailing()
-        .collect::<Vec<Option<Parameter>>>();
-    let parameters = just(Kind::OpenParen)
-        .ignore_then(listed.clone())
-        .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"))
-        .or(expect(source, Kind::OpenParen, "before the parameters").ignore_then(listed))
-        .map(|parameters| parameters.into_iter().flatten().collect::<Vec<_>>())
-        .boxed();
+    let parameters = parameters(source, parameter(source, e, types.clone(), true));
     let signature = just(Kind::Function)
         .ignore_then(renamed(source, "the function"))
         .then(parameters)
@@ -160,7 +273,17 @@ pub(super) fn function<'a>(
         |(mark, ((((name, former), parameters), result), body))| {
             let (is_test, is_host) = (mark == Some(Kind::Test), mark == Some(Kind::Host));
             name.map_or(StmtKind::Error, |name| {
-                StmtKind::Function(FunctionDecl { name, former, parameters, result, body, is_test, is_host })
+                let is_component = false;
+                StmtKind::Function(FunctionDecl {
+                    name,
+                    former,
+                    parameters,
+                    result,
+                    body,
+                    is_test,
+                    is_host,
+                    is_component,
+                })
             })
         },
     );
@@ -188,6 +311,7 @@ pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
                     | Kind::Test
                     | Kind::Const
                     | Kind::Record
+                    | Kind::Component
                     | Kind::Dimension
                     | Kind::Unit
             )
@@ -204,17 +328,38 @@ pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     .boxed()
 }
 
+/// Parses a parameter. Those of components have no mode.
 fn parameter<'a>(
     source: &'a Source<'a>,
     e: &Expressions<'a>,
     types: Rule<'a, TypeExpr>,
+    has_mode: bool,
 ) -> Rule<'a, Option<Parameter>> {
     let mode = select! { Kind::In => Mode::In, Kind::Out => Mode::Out, Kind::InOut => Mode::InOut };
+    let mode = mode.map_with(move |mode, extra| {
+        if !has_mode {
+            let at: SimpleSpan = extra.span();
+            let place = source.place(at.start);
+            let next = source.place(at.end);
+            let message =
+                format!("a parameter of a component has no mode, so `{}` is wrong", source.text(at.start));
+            extra.emit(
+                Diagnostic::error("E0870", message, place, "not allowed here")
+                    .help("a component only receives values; its members are read as `instance.member`")
+                    .fix("remove it", crate::span::Span { end: next.start, ..place }, "")
+                    .into(),
+            );
+        }
+        if has_mode { mode } else { Mode::In }
+    });
     // A name without a mode: `function f(a)`.
     let no_mode = custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
         if source.kind(at) != Some(Kind::Identifier) {
             return Err(Problem(None));
+        }
+        if !has_mode {
+            return Ok(Mode::In);
         }
         let place = source.place(at);
         let before = crate::span::Span { end: place.start, ..place };

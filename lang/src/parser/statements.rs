@@ -48,6 +48,7 @@ fn statement<'a>(source: &'a Source<'a>) -> Rule<'a, Stmt> {
         let kind = choice((
             declarations::interface(source, &e),
             declarations::function(source, &e, body.clone()),
+            declarations::component(source, &e, body.clone()),
             definitions::definition(source, &e),
             simple(source, &e).then_ignore(semicolon(source)).boxed(),
             jump(source, &e).then_ignore(semicolon(source)).boxed(),

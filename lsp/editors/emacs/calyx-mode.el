@@ -58,7 +58,7 @@ The formatter's is 4."
 
 (defconst calyx--contextual
   '("import" "units" "param" "output" "extern" "at" "private" "test" "host"
-    "const" "record" "enum" "dimension" "unit" "is")
+    "const" "record" "component" "enum" "dimension" "unit" "is")
   "Words of the language only where another name follows.")
 
 (defconst calyx--constants '("Time" "e1" "e2" "e3" "pi" "inf" "nan")
@@ -134,7 +134,7 @@ multiplied with or divided by."
     ;; Contextual keywords, which require a name after them.
     (,(concat "\\_<\\(param\\|output\\|const\\|unit\\)\\_>[ \t]+\\(" calyx--name "\\)")
      (1 font-lock-keyword-face) (2 font-lock-variable-name-face))
-    (,(concat "\\_<\\(record\\|enum\\|dimension\\)\\_>[ \t]+\\(" calyx--name "\\)")
+    (,(concat "\\_<\\(record\\|component\\|enum\\|dimension\\)\\_>[ \t]+\\(" calyx--name "\\)")
      (1 font-lock-keyword-face) (2 font-lock-type-face))
     (,(concat "\\_<\\(import\\|units\\)\\_>[ \t]+\\([[:alpha:]_][[:alnum:]_.]*\\)")
      (1 font-lock-keyword-face) (2 font-lock-constant-face))

@@ -40,7 +40,7 @@ pub fn prepare(snapshot: &Snapshot, position: &Position) -> Option<Item> {
 }
 
 fn is_function(kind: NameKind) -> bool {
-    matches!(kind, NameKind::Function | NameKind::SymbolicFunction | NameKind::Extern)
+    matches!(kind, NameKind::Function | NameKind::SymbolicFunction | NameKind::Extern | NameKind::Component)
 }
 
 /// Returns the function declared at a position, or the top level of a file at its start.

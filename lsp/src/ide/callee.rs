@@ -37,6 +37,7 @@ pub fn is_called(kind: NameKind) -> bool {
             | NameKind::Extern
             | NameKind::Builtin
             | NameKind::Record
+            | NameKind::Component
     )
 }
 
@@ -55,19 +56,20 @@ pub fn fields_of(database: &Database, visible: &[Visible], name: &str) -> Option
 /// Returns the fields of a record type.
 pub fn fields(database: &Database, visible: &[Visible], shape: &Shape) -> Option<Vec<CallParameter>> {
     let Shape::Named(record) = shape else { return None };
-    let seen = visible.iter().find(|known| *known.name == **record && known.kind == NameKind::Record);
-    let callable = match seen {
-        Some(known) => of(database, known),
+    let is_type = |known: &Visible| matches!(known.kind, NameKind::Record | NameKind::Component);
+    let seen = visible.iter().find(|known| *known.name == **record && is_type(known));
+    let fields = |known: &Visible| match (known.kind, &known.declared) {
+        (NameKind::Component, Some(place)) => database.members_of_component(place),
+        _ => of(database, known).map(|callable| callable.parameters),
+    };
+    match seen {
+        Some(known) => fields(known),
         None => {
             // The type of a record of a module is its unqualified name.
             let exported = database.exported(record.rsplit('.').next().unwrap_or(record));
-            exported
-                .iter()
-                .find(|(_, known)| known.kind == NameKind::Record)
-                .and_then(|(_, known)| of(database, known))
+            exported.iter().find(|(_, known)| is_type(known)).and_then(|(_, known)| fields(known))
         }
-    };
-    Some(callable?.parameters)
+    }
 }
 
 /// Assignment of arguments to parameters.

@@ -485,7 +485,7 @@ impl<'a> CursorContext<'a> {
                     if let Some(kind) = kind {
                         return Block { kind, head };
                     }
-                    if self.previous(head) == Some(Kind::Function) {
+                    if matches!(self.previous(head), Some(Kind::Function | Kind::Component)) {
                         return Block { kind: BlockKind::Function, head: head - 1 };
                     }
                 }

@@ -39,7 +39,7 @@ pub fn definition(snapshot: &Snapshot, at: &Position) -> Option<Definition> {
 pub fn type_definition(snapshot: &Snapshot, at: &Position) -> Option<Definition> {
     let database = &snapshot.database;
     let name = database.name_at(&at.file, at.offset)?;
-    if name.kind == NameKind::Record {
+    if matches!(name.kind, NameKind::Record | NameKind::Component) {
         return declared(snapshot, &name, name.declared.as_ref()?);
     }
     // The result type of a function, the element type of an array.
@@ -47,7 +47,8 @@ pub fn type_definition(snapshot: &Snapshot, at: &Position) -> Option<Definition>
     let ty = ty.rsplit("->").next().unwrap_or(ty).trim();
     let ty = ty.trim_start_matches("Array(").trim_end_matches(')');
     let (module, record) = ty.rsplit_once('.').map_or((None, ty), |(module, record)| (Some(module), record));
-    let is_record = |known: &&Visible| known.kind == NameKind::Record && *known.name == *record;
+    let is_type = |kind| matches!(kind, NameKind::Record | NameKind::Component);
+    let is_record = |known: &&Visible| is_type(known.kind) && *known.name == *record;
     let visible = || database.visible(&at.file, at.offset);
     let known = match module {
         Some(module) => database.members(module).iter().find(is_record).cloned(),

@@ -19,7 +19,7 @@ pub fn links(snapshot: &Snapshot, source: &Source<'_>) -> Vec<Link> {
         StmtKind::Import(path) => Some(path),
         _ => None,
     });
-    let link = |path: &Vec<calyx_lang::ast::Ident>| {
+    let link = |path: &calyx_lang::ast::Import| {
         let (first, last) = (path.first()?, path.last()?);
         let names: Vec<&str> = path.iter().map(|name| name.name.as_str()).collect();
         let file = snapshot.database.file_of(&names.join("."))?;

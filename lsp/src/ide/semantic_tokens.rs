@@ -267,7 +267,7 @@ impl TokenContext<'_> {
             NameKind::Function | NameKind::Extern | NameKind::Builtin => (TokenKind::Function, none),
             NameKind::SymbolicFunction => (TokenKind::Function, Modifiers::SYMBOLIC),
             NameKind::Const => (TokenKind::Variable, Modifiers::READONLY),
-            NameKind::Record => (TokenKind::Struct, none),
+            NameKind::Record | NameKind::Component => (TokenKind::Struct, none),
             NameKind::Field if argument != none => (TokenKind::Parameter, argument),
             NameKind::Field => (TokenKind::Property, none),
             NameKind::Dimension | NameKind::Enum => (TokenKind::Type, none),
@@ -332,7 +332,8 @@ fn of_statement(statement: &Stmt, found: &mut HashMap<u32, NameMeaning>) {
         StmtKind::Goto(label) => is(label, TokenKind::Label, Modifiers::NONE),
         StmtKind::Units(system) => is(system, TokenKind::Unit, Modifiers::DEFAULT_LIBRARY),
         StmtKind::Import(path) => {
-            path.iter().for_each(|name| is(name, TokenKind::Namespace, Modifiers::NONE))
+            let written = path.path.iter().filter(|_| !path.is_quoted);
+            written.chain(&path.alias).for_each(|name| is(name, TokenKind::Namespace, Modifiers::NONE));
         }
         StmtKind::Function(function) => {
             if let FunctionBody::Extern { purity: Some(word) } = &function.body {

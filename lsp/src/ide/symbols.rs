@@ -138,7 +138,11 @@ impl Outline<'_> {
     }
 
     fn function(&self, function: &FunctionDecl, whole: (u32, u32)) -> Symbol {
-        let kind = if function.is_test { SymbolKind::Test } else { SymbolKind::Function };
+        let kind = match (function.is_test, function.is_component) {
+            (true, _) => SymbolKind::Test,
+            (_, true) => SymbolKind::Record,
+            _ => SymbolKind::Function,
+        };
         let symbol = self.symbol(&function.name, kind, whole);
         let children = match &function.body {
             FunctionBody::Statement(body) => match &body.kind {

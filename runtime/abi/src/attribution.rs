@@ -3,7 +3,7 @@
 
 use crate::RuntimeError;
 use crate::description::CallDescription;
-use crate::error::Place;
+use crate::error::{Call, Place};
 
 /// Moves an error to the argument at fault.
 ///
@@ -13,7 +13,35 @@ use crate::error::Place;
 /// there are several. The library's location remains as a note.
 ///
 /// Arguments with default values have no location: the error stays at the call.
+///
+/// An error in the body of a component moves on to the declaration of the outermost instance, and
+/// its location remains as a note with the path of the instance.
 pub fn attribute<'c>(
+    error: &mut RuntimeError,
+    calls: impl Iterator<Item = &'c CallDescription> + Clone,
+    is_library: impl Fn(u32) -> bool,
+) {
+    attribute_argument(error, calls, is_library);
+    attribute_instance(error);
+}
+
+/// Moves an error from the body of a component to the declaration of the instance.
+fn attribute_instance(error: &mut RuntimeError) {
+    let calls = &error.details.calls;
+    let innermost = calls.iter().find_map(Call::instance);
+    let outermost = calls.iter().rfind(|call| call.instance().is_some());
+    let (Some(place), Some(path), Some(outermost)) = (error.place, innermost, outermost) else { return };
+    if place == outermost.place {
+        return;
+    }
+    let cause = if error.argument.is_some() { "caused by this argument" } else { "the error occurs here" };
+    let note = format!("{cause}, in `{path}`");
+    error.place = Some(outermost.place);
+    error.argument = None;
+    error.details.notes.push((place, note));
+}
+
+fn attribute_argument<'c>(
     error: &mut RuntimeError,
     calls: impl Iterator<Item = &'c CallDescription> + Clone,
     is_library: impl Fn(u32) -> bool,

@@ -73,6 +73,8 @@ pub struct Context {
     pub kept_output: u64,
     /// Size of the tables that the program has read, bytes.
     pub kept_tables: u64,
+    /// Path of the instance of a component that is being built; empty outside of components.
+    pub instance: String,
 }
 
 /// Byte offsets of the fields of [`Context`] that generated code accesses.
@@ -117,7 +119,14 @@ impl Context {
             keeps_output: false,
             kept_output: 0,
             kept_tables: 0,
+            instance: String::new(),
         }
+    }
+
+    /// Returns a name that the model gives to a part, with the path of the instance that is being
+    /// built: `low.sun`.
+    pub fn name_in_instance(&self, name: String) -> String {
+        if self.instance.is_empty() { name } else { format!("{}.{name}", self.instance) }
     }
 
     /// Returns the state of the engine, if it has type `T`.

@@ -50,7 +50,12 @@ pub struct ModelDescription {
     /// Name of the unit system of printed results: `SI`, `mm_N_s`, `inch_lbf_s`.
     pub units: String,
     pub params: Vec<ParamDescription>,
+    /// Outputs of a run. Elaboration replaces arrays by their elements at the default values of the
+    /// params.
     pub outputs: Vec<OutputDescription>,
+    /// Outputs as declared, if some of them are arrays; otherwise empty.
+    #[serde(default)]
+    pub declared_outputs: Vec<OutputDescription>,
     /// Host functions that the embedding program may provide, in the order of
     /// [`crate::Context::host_functions`].
     pub host_functions: Vec<HostFunctionDescription>,
@@ -139,6 +144,31 @@ pub struct OutputDescription {
     pub unit: UnitDescription,
     /// Name of the coherent SI unit.
     pub si: String,
+    /// True for an array, whose elements are outputs of a run: `name[0]`.
+    #[serde(default)]
+    pub is_array: bool,
+}
+
+impl ModelDescription {
+    /// Returns the description with the outputs of a run, by name, in the place of arrays.
+    pub fn with_outputs<'n>(&self, names: impl Iterator<Item = &'n str>) -> ModelDescription {
+        let outputs = names.filter_map(|name| self.output_of(name)).collect();
+        ModelDescription { outputs, ..self.clone() }
+    }
+
+    /// Returns the description of an output of a run.
+    fn output_of(&self, name: &str) -> Option<OutputDescription> {
+        let mut declared = name;
+        loop {
+            let is_array = declared.len() < name.len();
+            let found = |output: &&OutputDescription| output.name == declared && output.is_array == is_array;
+            if let Some(found) = self.declared_outputs.iter().find(found) {
+                return Some(OutputDescription { name: name.into(), is_array: false, ..found.clone() });
+            }
+            let (array, _) = declared.strip_suffix(']')?.rsplit_once('[')?;
+            declared = array;
+        }
+    }
 }
 
 /// Host function that the embedding program may provide in place of the model's own

@@ -43,6 +43,14 @@ pub struct Call {
     pub place: Place,
 }
 
+impl Call {
+    /// Returns the path of the instance that the call creates, if it calls a component: its function
+    /// is called `Stage low`.
+    pub fn instance(&self) -> Option<&str> {
+        self.function.split_once(' ').map(|(_, path)| path)
+    }
+}
+
 impl RuntimeError {
     /// Creates an error without a location.
     pub fn new(code: &str, message: impl Into<String>, help: impl Into<String>) -> Self {

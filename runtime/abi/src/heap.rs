@@ -13,8 +13,12 @@ use crate::limits::Limits;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-/// Index into the [`Heap`].
+/// Index into the [`Heap`], with [`SYMBOLIC`] set for a symbolic value.
 pub type HeapId = u64;
+
+/// Mark of the ids of symbolic values. It distinguishes them from indices of observables, because a
+/// slot of the type `Observable` may have either.
+pub const SYMBOLIC: HeapId = 1 << 48;
 
 /// Evaluator of a kernel. Machine code and the interpreter implement it with bitwise equal results.
 pub trait Kernel: Send + Sync {
@@ -39,8 +43,9 @@ pub struct SymbolicValue {
     /// Representation of its value: Number, Vector or Transform.
     pub repr: Repr,
     pub kernel: Arc<dyn Kernel>,
-    /// Captured values as numbers, in the order of the site's captures. An observable is captured
-    /// as its index and replaced by its value at each step (see [`SymbolicValue::observables`]).
+    /// Captured values as numbers, in the order of the site's captures. An observable of the engine
+    /// is captured as its index and replaced by its value at each step (see
+    /// [`SymbolicValue::observables`]); one that the program computed is a part.
     pub captured: Vec<f64>,
     /// Positions in `captured` of indices of observables.
     pub observables: Vec<usize>,
@@ -191,8 +196,9 @@ pub struct Heap {
 impl Heap {
     pub fn insert(&mut self, object: Object) -> HeapId {
         self.bytes += object.bytes();
+        let mark = if matches!(object, Object::Symbolic(_)) { SYMBOLIC } else { 0 };
         self.objects.push(object);
-        (self.objects.len() - 1) as HeapId
+        (self.objects.len() - 1) as HeapId | mark
     }
 
     /// Returns the approximate memory of all objects, bytes.
@@ -206,11 +212,11 @@ impl Heap {
     }
 
     pub fn get(&self, id: HeapId) -> Option<&Object> {
-        self.objects.get(usize::try_from(id).ok()?)
+        self.objects.get(usize::try_from(id & !SYMBOLIC).ok()?)
     }
 
     pub fn get_mut(&mut self, id: HeapId) -> Option<&mut Object> {
-        self.objects.get_mut(usize::try_from(id).ok()?)
+        self.objects.get_mut(usize::try_from(id & !SYMBOLIC).ok()?)
     }
 
     pub fn string(&mut self, text: &str) -> HeapId {
@@ -238,8 +244,10 @@ impl Heap {
         Some(slots.iter().map(|&s| f64::from_bits(s)).collect())
     }
 
+    /// Returns a symbolic value; `None` for the id of another object, such as the index of an
+    /// observable of the engine.
     pub fn symbolic(&self, id: HeapId) -> Option<Arc<SymbolicValue>> {
-        match self.get(id)? {
+        match self.get(id).filter(|_| id & SYMBOLIC != 0)? {
             Object::Symbolic(value) => Some(value.clone()),
             _ => None,
         }

@@ -241,7 +241,7 @@ pub enum CaptureKind {
     Number = 0,
     /// 0 or 1.
     Bool = 1,
-    /// Index of an observable.
+    /// Index of an observable of the engine, or heap id of one that the program computed.
     Observable = 2,
     /// Heap id of a symbolic value.
     Part = 3,
@@ -291,11 +291,17 @@ pub fn make_symbolic(
         if is(index, CaptureKind::Number) { f64::from_bits(slot) } else { slot as f64 }
     });
     let captured = captured.collect();
-    let observables = (0..slots.len()).filter(|&index| is(index, CaptureKind::Observable)).collect();
-    let mut parts = Vec::new();
-    for index in (0..slots.len()).filter(|&index| is(index, CaptureKind::Part)) {
-        let part = ctx.heap.symbolic(slots[index]).ok_or_else(|| malformed("not a symbolic value"))?;
-        parts.push((index, part));
+    let (mut observables, mut parts) = (Vec::new(), Vec::new());
+    for (index, &slot) in slots.iter().enumerate() {
+        let observable = is(index, CaptureKind::Observable);
+        if !observable && !is(index, CaptureKind::Part) {
+            continue;
+        }
+        match ctx.heap.symbolic(slot) {
+            Some(part) => parts.push((index, part)),
+            None if observable => observables.push(index),
+            None => return Err(malformed("not a symbolic value")),
+        }
     }
     let value = SymbolicValue::new(site, repr, kernel, captured, observables, parts);
     if value.depth() > MOST_PARTS {
@@ -324,7 +330,7 @@ pub fn eval_symbolic(
     result: &mut [Slot],
 ) -> Result<(), RuntimeError> {
     let value = ctx.heap.symbolic(id).ok_or_else(|| malformed("not a symbolic value"))?;
-    if !value.observables.is_empty() {
+    if !value.observes().is_empty() {
         return Err(RuntimeError::new(
             codes::OBSERVABLE,
             "an observable has no value before the analysis has run",

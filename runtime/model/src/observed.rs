@@ -62,8 +62,9 @@ impl OutputRequest {
     pub fn evaluate(&self, time: f64, observed: &[Observed]) -> Observed {
         let seen = |index: usize| observed.get(index).map_or(f64::NAN, |seen| seen.value);
         // An output that depends on one observable keeps the location of that observable.
-        let place = match self.value.observables.as_slice() {
-            [at] => observed.get(self.value.captured[*at] as usize).and_then(|seen| seen.place.clone()),
+        let mut sources = self.value.observes().into_iter();
+        let place = match (sources.next(), sources.next()) {
+            (Some(only), None) => observed.get(only).and_then(|seen| seen.place.clone()),
             _ => None,
         };
         let ranges = |index: usize| observed.get(index).is_some_and(|seen| seen.least.is_some());

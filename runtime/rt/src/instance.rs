@@ -1,5 +1,6 @@
 //! A model instance: a program with values of its params, which can be run repeatedly.
 
+use crate::described::Described;
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::host::{Host, ResolvedHost};
@@ -98,6 +99,25 @@ impl Instance {
     /// Returns names, units, ranges and docs of the params and outputs.
     pub fn description(&self) -> &ModelDescription {
         self.program.description()
+    }
+
+    /// Determines the outputs of the current params. If some outputs are arrays, this builds the
+    /// model, without solving it. Otherwise each run does this.
+    ///
+    /// # Errors
+    /// As for [`Instance::params`].
+    pub(crate) fn fix_outputs(&mut self) -> Result<(), Error> {
+        let job = self.job();
+        let program = stack::with_stack(|| job.described())??;
+        self.shape = shape(program.description());
+        self.program = program;
+        Ok(())
+    }
+
+    /// Returns the program, with the outputs of the current params after
+    /// [`Instance::fix_outputs`].
+    pub(crate) fn program(&self) -> &Arc<dyn Program> {
+        &self.program
     }
 
     fn names(&self) -> Names<'_> {
@@ -345,8 +365,30 @@ impl Job {
         context
     }
 
+    /// Returns the program with the outputs of the params. If some outputs are arrays, this builds
+    /// the model, without solving it.
+    fn described(&self) -> Result<Arc<dyn Program>, Error> {
+        if self.program.description().declared_outputs.is_empty() {
+            return Ok(self.program.clone());
+        }
+        let mut context = self.context();
+        context.print = Box::new(|_| {});
+        context.kernels = self.program.kernels();
+        params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
+        if let Some(host) = context.host::<ModelHost>() {
+            (host.checking, host.overrides) = (true, self.overrides);
+        }
+        // The run reports an error of the model.
+        let _ = self.program.main(&mut context);
+        let host = context.host::<ModelHost>();
+        let names = host.iter().flat_map(|host| &host.outputs).map(|output| output.name.as_str());
+        Ok(Arc::new(Described::new(self.program.clone(), names)))
+    }
+
     /// Runs the program and sends its positions to `hand_over`.
-    fn execute(self, hand_over: Option<Steps>) -> Result<Results, Error> {
+    fn execute(mut self, hand_over: Option<Steps>) -> Result<Results, Error> {
+        self.program = self.described()?;
+        self.shape = shape(self.program.description());
         let seen = NanLog::new(self.cancel.clone(), self.limits);
         let (program, settings) = (self.program.clone(), self.settings.clone());
         self.watched(hand_over, &seen).map_err(|error| match error {

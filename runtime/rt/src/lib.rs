@@ -8,6 +8,7 @@ pub mod budget;
 pub mod c_api;
 #[cfg(feature = "command")]
 pub mod command;
+mod described;
 pub mod directory;
 pub mod engine;
 pub mod error;

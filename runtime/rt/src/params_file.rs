@@ -11,6 +11,7 @@ use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Key of JSON files by which editors find the schema; it is not a param.
@@ -76,25 +77,66 @@ fn json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
     })?;
     let mut all: Vec<ParamAssignment> = Vec::new();
     for (name, raw) in entries.into_iter().filter(|(name, _)| name != SCHEMA_KEY) {
-        let value = raw.get();
-        let start = value.as_ptr().addr() - text.as_ptr().addr();
-        let of_value = start..start + value.len();
-        let before = text[..start].trim_end().trim_end_matches(':').trim_end();
-        let of_name = match before.strip_suffix(&format!("\"{name}\"")) {
-            Some(rest) => rest.len()..before.len(),
-            // A name with escape sequences.
-            None => of_value.clone(),
-        };
-        if all.iter().any(|known| known.name == name) {
-            return Err(wrong(file, of_name, format!("`{name}` is given twice"), "keep one of them"));
-        }
-        let value = match json_value(value) {
-            Ok(value) => value,
-            Err(kind) => return Err(wrong(file, of_value, format!("`{name}` is {kind}"), KINDS)),
-        };
-        all.push(given(file, &name, value, [of_name, of_value]));
+        json_entry(file, &name, &name, raw.get(), &mut all)?;
     }
     Ok(all)
+}
+
+/// Adds the assignments of an entry. `key` is its name in the file, `name` the name of the param:
+/// objects and arrays of objects have the params of the instances of components.
+fn json_entry(
+    file: &Arc<FileDescription>,
+    key: &str,
+    name: &str,
+    value: &str,
+    all: &mut Vec<ParamAssignment>,
+) -> Result<(), InvalidParam> {
+    let text = file.text.as_str();
+    let start = value.as_ptr().addr() - text.as_ptr().addr();
+    let of_value = start..start + value.len();
+    let before = text[..start].trim_end().trim_end_matches(':').trim_end();
+    let of_name = match before.strip_suffix(&format!("\"{key}\"")) {
+        Some(rest) => rest.len()..before.len(),
+        // An element of an array, or a name with escape sequences.
+        None => of_value.clone(),
+    };
+    // The parts of a valid text are valid.
+    let assigned = match value.as_bytes().first() {
+        Some(b'{') => {
+            let parts =
+                serde_json::Deserializer::from_str(value).deserialize_map(Entries).unwrap_or_default();
+            return parts.into_iter().try_for_each(|(key, part)| {
+                json_entry(file, &key, &format!("{name}.{key}"), part.get(), all)
+            });
+        }
+        Some(b'[') if has_instances(value) => {
+            let parts: Vec<&RawValue> = serde_json::from_str(value).unwrap_or_default();
+            return parts.into_iter().enumerate().try_for_each(|(index, part)| {
+                json_entry(file, "", &format!("{name}[{index}]"), part.get(), all)
+            });
+        }
+        _ => match json_value(value) {
+            Ok(value) => value,
+            Err(kind) => return Err(wrong(file, of_value, format!("`{name}` is {kind}"), KINDS)),
+        },
+    };
+    if all.iter().any(|known| known.name == name) {
+        return Err(wrong(file, of_name, format!("`{name}` is given twice"), "keep one of them"));
+    }
+    all.push(given(file, name, assigned, [of_name, of_value]));
+    Ok(())
+}
+
+/// Returns `true` for an object, and for an array of such values.
+fn has_instances(value: &str) -> bool {
+    match value.as_bytes().first() {
+        Some(b'{') => true,
+        Some(b'[') => {
+            let parts: Vec<&RawValue> = serde_json::from_str(value).unwrap_or_default();
+            !parts.is_empty() && parts.iter().all(|part| has_instances(part.get()))
+        }
+        _ => false,
+    }
 }
 
 /// Parses the text of a value; returns the kind of one that no param takes.
@@ -160,16 +202,52 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
     })?;
     let mut all: Vec<ParamAssignment> = Vec::new();
     for (name, value) in table.into_inner() {
-        let at = [name.span(), value.span()];
-        let name = name.into_inner();
-        match toml_value(value.into_inner()) {
-            Ok(value) => all.push(given(file, &name, value, at)),
-            Err(kind) => return Err(wrong(file, at[0].clone(), format!("`{name}` is {kind}"), KINDS)),
-        }
+        toml_entry(file, name.as_ref(), name.span(), value, &mut all)?;
     }
     // The table is sorted by name; errors are reported in the order of the file.
     all.sort_by_key(|given| given.origin.as_ref().map(|origin| origin.start));
     Ok(all)
+}
+
+/// Adds the assignments of an entry. Tables and arrays of tables have the params of the instances of
+/// components.
+fn toml_entry(
+    file: &Arc<FileDescription>,
+    name: &str,
+    of_name: Range<usize>,
+    value: Spanned<DeValue>,
+    all: &mut Vec<ParamAssignment>,
+) -> Result<(), InvalidParam> {
+    let of_value = value.span();
+    match value.into_inner() {
+        DeValue::Table(table) => table.into_iter().try_for_each(|(key, value)| {
+            toml_entry(file, &format!("{name}.{}", key.as_ref()), key.span(), value, all)
+        }),
+        DeValue::Array(parts) if !parts.is_empty() && parts.iter().all(holds_instances) => {
+            parts.into_iter().enumerate().try_for_each(|(index, part)| {
+                let at = part.span();
+                toml_entry(file, &format!("{name}[{index}]"), at, part, all)
+            })
+        }
+        other => {
+            let assigned = toml_value(other)
+                .map_err(|kind| wrong(file, of_name.clone(), format!("`{name}` is {kind}"), KINDS))?;
+            if all.iter().any(|known| known.name == name) {
+                return Err(wrong(file, of_name, format!("`{name}` is given twice"), "keep one of them"));
+            }
+            all.push(given(file, name, assigned, [of_name, of_value]));
+            Ok(())
+        }
+    }
+}
+
+/// Returns `true` for a table, and for an array of such values.
+fn holds_instances(value: &Spanned<DeValue>) -> bool {
+    match value.as_ref() {
+        DeValue::Table(_) => true,
+        DeValue::Array(parts) => !parts.is_empty() && parts.iter().all(holds_instances),
+        _ => false,
+    }
 }
 
 /// Converts a value; returns the kind of one that no param takes.
@@ -229,18 +307,35 @@ mod tests {
     }
 
     #[test]
+    fn params_of_instances_are_nested() {
+        let json =
+            "{\"low\": {\"torque\": 1, \"pinion\": {\"speed\": 2}}, \"stages\": [{}, {\"torque\": 3}]}";
+        let toml = "[low]\ntorque = 1\npinion.speed = 2\n[[stages]]\n[[stages]]\ntorque = 3\n";
+        let flat = "\"low.torque\" = 1\n\"low.pinion.speed\" = 2\n\"stages[1].torque\" = 3\n";
+        for (format, text) in [("json", json), ("toml", toml), ("toml", flat)] {
+            let all = parsed(format, text).unwrap();
+            let names: Vec<_> = all.iter().map(|given| given.name.as_str()).collect();
+            assert_eq!(names, ["low.torque", "low.pinion.speed", "stages[1].torque"], "{format}");
+            let number = AssignedValue::Number(3.0);
+            assert_eq!(all[2].value, number, "{format}");
+        }
+    }
+
+    #[test]
     fn what_is_no_param_is_refused_at_its_place() {
         for (format, text, message, marked) in [
             ("json", "{\"a\": [1]}", "`a` is an array", "[1]"),
             ("json", "{\"a\": null}", "`a` is null", "null"),
-            ("json", "{\"a\": {\"b\": 1}}", "`a` is an object", "{\"b\": 1}"),
+            ("json", "{\"a\": {\"b\": null}}", "`a.b` is null", "null"),
+            ("json", "{\"a\": [{\"b\": 1}, 2]}", "`a` is an array", "[{\"b\": 1}, 2]"),
+            ("json", "{\"a\": {\"b\": 1}, \"a.b\": 2}", "`a.b` is given twice", "\"a.b\""),
             ("json", "{\"a\": 1, \"a\": 2}", "`a` is given twice", "\"a\""),
             ("json", "{\"é\": 1,, }", "not as it should be: ", ""),
             ("json", "[1]", "expected an object of params", ""),
             ("json", "{} {}", "trailing characters", ""),
             ("json", "", "EOF", ""),
             ("toml", "a = [1]", "`a` is an array", "a"),
-            ("toml", "[a]\nb = 1", "`a` is a table", "a"),
+            ("toml", "[a]\nb = [1]", "`a.b` is an array", "b"),
             ("toml", "a = 2026-11-20", "`a` is a date", "a"),
             ("toml", "a = 1\na = 2", "duplicate key", "a"),
             ("toml", "a = 3 mm", "not as it should be", ""),

@@ -123,6 +123,8 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     instance.set_cancel(options.cancel.clone());
     instance.override_analysis(options.overrides);
     let params = instance.params().map_err(RunError::Run)?;
+    instance.fix_outputs().map_err(RunError::Run)?;
+    let program = instance.program().clone();
     let description = program.description();
     let head = head(description, &params, &options.overrides);
     let directory = Arc::new(RunDirectory::lock(path, Kind::Run, options.force)?);

@@ -14,8 +14,11 @@ const QUANTITY: &str = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(\s*[^\d\s.].*
 /// Returns the schema (2020-12) to which every file that `--params` accepts conforms. Numbers are
 /// in the unit of the param's default, its `x-unit`.
 pub fn schema(description: &ModelDescription) -> Value {
-    let params = description.params.iter().map(|param| (param.name.clone(), of_param(param)));
-    let mut properties: Map<String, Value> = params.collect();
+    let mut properties = Map::new();
+    for param in &description.params {
+        let steps: Vec<Step> = steps(&param.name).collect();
+        insert(&mut properties, &steps, of_param(param));
+    }
     properties.insert(SCHEMA_KEY.into(), json!({ "type": "string" }));
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -25,6 +28,52 @@ pub fn schema(description: &ModelDescription) -> Value {
         "properties": properties,
         "additionalProperties": false,
     })
+}
+
+/// A step of a param's name: `stages[0].torque` has the steps `stages`, `0` and `torque`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Step<'n> {
+    Name(&'n str),
+    Index(usize),
+}
+
+fn steps(name: &str) -> impl Iterator<Item = Step<'_>> {
+    name.split('.').flat_map(|part| {
+        let (name, indices) = part.split_once('[').unwrap_or((part, ""));
+        let indices = indices.split('[').filter_map(|index| index.trim_end_matches(']').parse().ok());
+        std::iter::once(Step::Name(name)).chain(indices.map(Step::Index))
+    })
+}
+
+/// Adds a param to the properties of an object; instances of components are objects in it, and
+/// arrays of instances are arrays of objects.
+fn insert(properties: &mut Map<String, Value>, steps: &[Step], param: Value) {
+    let Some((Step::Name(name), rest)) = steps.split_first() else { return };
+    let indices = rest.iter().take_while(|step| matches!(step, Step::Index(_))).count();
+    let (indices, rest) = rest.split_at(indices);
+    if rest.is_empty() {
+        properties.insert((*name).into(), param);
+        return;
+    }
+    let mut at = properties.entry(*name).or_insert_with(|| json!({}));
+    for index in indices {
+        let Step::Index(index) = index else { continue };
+        if at.get("prefixItems").is_none() {
+            *at = json!({ "type": "array", "prefixItems": [], "items": false });
+        }
+        let Some(items) = at["prefixItems"].as_array_mut() else { return };
+        // Instances without params have no schema of their own.
+        while items.len() <= *index {
+            items.push(json!({ "type": "object", "properties": {}, "additionalProperties": false }));
+        }
+        at = &mut items[*index];
+    }
+    if at.get("properties").is_none() {
+        *at = json!({ "type": "object", "properties": {}, "additionalProperties": false });
+    }
+    if let Some(inner) = at["properties"].as_object_mut() {
+        insert(inner, rest, param);
+    }
 }
 
 fn of_param(param: &ParamDescription) -> Value {
@@ -153,6 +202,7 @@ mod tests {
             "string" => value.is_string(),
             "boolean" => value.is_boolean(),
             "object" => value.is_object(),
+            "array" => value.is_array(),
             other => panic!("{other} is not used here"),
         };
         schema.as_object().unwrap().iter().all(|(keyword, rule)| match keyword.as_str() {
@@ -173,6 +223,17 @@ mod tests {
             "additionalProperties" => value
                 .as_object()
                 .is_none_or(|all| all.keys().all(|name| schema["properties"].get(name).is_some())),
+            "prefixItems" => value
+                .as_array()
+                .into_iter()
+                .flatten()
+                .zip(rule.as_array().unwrap())
+                .all(|(value, rule)| conforms(value, rule)),
+            "items" => {
+                assert_eq!(rule, &json!(false));
+                let most = schema["prefixItems"].as_array().unwrap().len();
+                value.as_array().is_none_or(|all| all.len() <= most)
+            }
             "$schema" | "title" | "description" | "default" | "x-unit" => true,
             other => panic!("{other} is not used here"),
         })
@@ -200,6 +261,23 @@ mod tests {
             (json!({ "edges": "TRUE" }), false),
             (json!({ "tips": 0.02 }), false),
             (json!([]), false),
+        ] {
+            assert_eq!(conforms(&file, &schema), valid, "{file}");
+        }
+    }
+
+    #[test]
+    fn instances_are_nested() {
+        let params = ["low.torque", "stages[0].torque", "stages[1].pinion.speed"];
+        let params = params.map(|name| param(name, Repr::Number, "N*m", 1.0)).to_vec();
+        let schema = schema(&ModelDescription { params, ..ModelDescription::default() });
+        for (file, valid) in [
+            (json!({ "low": { "torque": 5 }, "stages": [{ "torque": "3 N*m" }] }), true),
+            (json!({ "stages": [{}, { "pinion": { "speed": 2 } }] }), true),
+            (json!({ "stages": [{}, { "pinion": { "speed": true } }] }), false),
+            (json!({ "stages": [{}, {}, {}] }), false),
+            (json!({ "low": { "torques": 5 } }), false),
+            (json!({ "low": 5 }), false),
         ] {
             assert_eq!(conforms(&file, &schema), valid, "{file}");
         }

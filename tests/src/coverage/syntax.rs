@@ -12,6 +12,7 @@ use std::collections::BTreeSet;
 rows!(statement(StmtKind) {
     StmtKind::Empty => "`;`",
     StmtKind::Error => "a statement that cannot be read",
+    StmtKind::Import(import) if import.alias.is_some() => "`import module as name;`",
     StmtKind::Import(path) if path.len() > 1 => "`import folder.name;`",
     StmtKind::Import(_) => "`import name;`",
     StmtKind::Units(_) => "`units name;`",
@@ -177,7 +178,7 @@ rows!(binary(BinaryOp) {
 });
 
 /// Forms without a variant of their own.
-const FORMS: [&str; 7] = [
+const FORMS: [&str; 8] = [
     "`///` at the beginning of a file",
     "`///` before a declaration",
     "`///` before a parameter",
@@ -185,6 +186,7 @@ const FORMS: [&str; 7] = [
     "`private`",
     "`test function`",
     "`host function`",
+    "`component`",
 ];
 
 /// Returns all productions, in the order of the tree's definition.
@@ -234,6 +236,7 @@ fn add(node: Node<'_>, found: &mut BTreeSet<&'static str>) {
                 form(3, function.result.is_some());
                 form(5, function.is_test);
                 form(6, function.is_host);
+                form(7, function.is_component);
                 found.insert(body::row(&function.body));
             }
             found.insert(statement::row(&s.kind));

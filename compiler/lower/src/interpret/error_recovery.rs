@@ -6,8 +6,10 @@
 
 use super::{Interpreter, Machine};
 use calyx_abi::context::{Context, RuntimeError};
+use calyx_abi::error::Call;
 use calyx_abi::{HeapId, Repr, Slot, helpers};
 use calyx_lang::ir::{ExternId, Program};
+use std::collections::HashSet;
 use std::sync::Mutex;
 
 /// An invalid handle.
@@ -39,6 +41,15 @@ impl<'p> Machine<'_, 'p> {
             return Err(error);
         };
         error.place.get_or_insert(self.ctx.place);
+        // Only the instances of components need the calls: their messages name the instance.
+        let calls = self.calls.iter().rev().map(|(id, place)| Call {
+            function: self.interpreter.program.functions.get(id.0 as usize).map_or("", |f| &f.name).into(),
+            place: *place,
+        });
+        let calls: Vec<Call> = calls.collect();
+        if calls.iter().any(|call| call.instance().is_some()) {
+            error.details.calls.extend(calls);
+        }
         if let Ok(mut failures) = failures.lock() {
             failures.push(error);
         }
@@ -100,8 +111,17 @@ fn poisoned(ctx: &Context, repr: &Repr, slots: &[Slot]) -> bool {
     }
 }
 
-/// Checks captured values: an observable is captured as its index, a number as its value.
+/// Checks captured values: an observable is captured as its index, a number as its value, an
+/// expression with its own captures.
 fn captures_poison(ctx: &Context, id: HeapId) -> bool {
-    let value = ctx.heap.symbolic(id);
-    value.is_some_and(|value| value.captured.iter().any(|held| held.is_nan() || *held == POISON as f64))
+    let Some(value) = ctx.heap.symbolic(id) else { return false };
+    let (mut seen, mut rest) = (HashSet::new(), vec![&*value]);
+    while let Some(value) = rest.pop() {
+        if value.captured.iter().any(|held| held.is_nan() || *held == POISON as f64) {
+            return true;
+        }
+        let parts = value.parts.iter().map(|(_, part)| part.as_ref());
+        rest.extend(parts.filter(|part| seen.insert(std::ptr::from_ref(*part))));
+    }
+    false
 }

@@ -7,9 +7,9 @@ use crate::check::flow;
 use crate::check::tree::{DefId, Expr, FuncId, Kind, Place, Stmt, StmtKind, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{self, Block, BlockId, ExprKind, Function, Local, LocalId, Statement, Terminator};
+use crate::ir::{self, Block, BlockId, Function, Local, LocalId, Statement, Terminator};
 use crate::span::{FileId, Span};
-use calyx_abi::{Purity, Repr};
+use calyx_abi::Repr;
 use std::collections::{HashMap, HashSet};
 
 /// The targets of `break` and `continue`.
@@ -44,6 +44,8 @@ pub(super) struct Body<'l, 'c> {
     pub(super) cases: Vec<HashMap<Span, usize>>,
     /// The target of errors in new blocks.
     pub(super) handler: Option<usize>,
+    /// `true` for an expression that is evaluated before the program runs.
+    pub(super) is_constant: bool,
     /// `true` if some expression needs separate statements.
     pub(super) sequenced: bool,
     /// Errors handled by the enclosing `catch` sections, innermost last.
@@ -74,6 +76,7 @@ impl<'l, 'c> Body<'l, 'c> {
             labels: Vec::new(),
             cases: Vec::new(),
             handler: None,
+            is_constant: false,
             sequenced: true,
             caught: Vec::new(),
             updated: None,
@@ -87,6 +90,7 @@ impl<'l, 'c> Body<'l, 'c> {
         let Some(function) = checker.functions.get(&id) else {
             return body.finish("", Vec::new(), Repr::Unit, Span::default());
         };
+        body.lowering.list_instances_of(id);
         let modes = body.lowering.modes(id);
         let parameters: Vec<(LocalId, Mode)> =
             modes.into_iter().map(|(v, mode)| (body.local(v), mode)).collect();
@@ -97,6 +101,9 @@ impl<'l, 'c> Body<'l, 'c> {
             body.ask_host(host, &own, &result, function.span);
         }
         body.look_for_statements(function);
+        if function.component == Some(id) {
+            body.begin_instance(function.span);
+        }
         body.block(&function.body);
         if body.alive {
             if result != Repr::Unit {
@@ -112,7 +119,11 @@ impl<'l, 'c> Body<'l, 'c> {
             }
             body.end(Terminator::Return(None));
         }
-        let lowered = body.finish(&function.name, parameters, result, function.span);
+        let name = match function.component == Some(id) {
+            true => body.lowering.instance_name(&function.name),
+            false => function.name.clone(),
+        };
+        let lowered = body.finish(&name, parameters, result, function.span);
         let shown = function.span.file == FileId(0);
         let found = flow::check(&lowered, shown);
         for diagnostic in found {
@@ -129,6 +140,7 @@ impl<'l, 'c> Body<'l, 'c> {
     /// Creates a function that returns the value of an expression.
     pub(super) fn lower_expression(lowering: &'l mut Lowering<'c>, name: &str, e: &Expr) -> Function {
         let mut body = Body::new(lowering, FuncId(0), Substitution::default());
+        body.is_constant = true;
         body.begin(e.span);
         let value = body.owned(e);
         let repr = value.repr.clone();
@@ -341,6 +353,7 @@ impl<'l, 'c> Body<'l, 'c> {
                 self.push(Statement::Push { place, value, span });
             }
             StmtKind::Output(index, def) => self.output(*index, *def, span),
+            StmtKind::ArrayOutput(index, value) => self.array_output(*index, value, span),
             StmtKind::Block(statements) => self.block(statements),
             StmtKind::If(condition, then, otherwise) => {
                 self.if_statement(condition, then, otherwise.as_deref());
@@ -362,7 +375,12 @@ impl<'l, 'c> Body<'l, 'c> {
                 Some(to) => self.jump(to),
                 None => self.outside("continue", "a loop", span),
             },
-            StmtKind::Return(value) => self.return_value(value.as_ref()),
+            StmtKind::Return(value) => {
+                if self.lowering.checker.is_component(self.function) {
+                    self.end_instance(span);
+                }
+                self.return_value(value.as_ref());
+            }
             StmtKind::Throw(value) => self.throw(value.as_ref(), span),
             StmtKind::Try { body, error, handler } => self.try_catch(body, *error, handler),
         }
@@ -417,23 +435,6 @@ impl<'l, 'c> Body<'l, 'c> {
             let value = self.value(value);
             self.push(Statement::Eval(value));
         }
-    }
-
-    fn output(&mut self, index: u32, def: DefId, span: Span) {
-        self.bind(def);
-        let value = self.make_symbolic(def, span);
-        let checker = self.lowering.checker;
-        let name = checker.outputs.get(index as usize).map(|output| output.name.clone()).unwrap_or_default();
-        if let (ExprKind::MakeSymbolic { site, .. }, Some(output)) =
-            (&value.kind, self.lowering.program.outputs.get_mut(index as usize))
-        {
-            output.site = *site;
-        }
-        let name = ir::Expr { kind: ExprKind::String(name), repr: Repr::String, span };
-        let parameters = [("name", Repr::String), ("value", Repr::Symbolic(Box::new(Repr::Number)))];
-        let id = self.lowering.standard("output", Purity::Scene, &parameters, Repr::Unit);
-        let call = ExprKind::CallExtern(id, vec![name, value]);
-        self.push(Statement::Eval(ir::Expr { kind: call, repr: Repr::Unit, span }));
     }
 
     fn if_statement(&mut self, condition: &Expr, then: &Stmt, otherwise: Option<&Stmt>) {

@@ -190,7 +190,7 @@ impl<'c> Lowering<'c> {
 pub fn flow(unit: &Unit, functions: &[FuncId]) -> Vec<Diagnostic> {
     let linked = Linked::new(vec![unit], &HashMap::new());
     let mut lowering = Lowering::new(&linked);
-    lowering.interface(&unit.typed);
+    lowering.interface_alone();
     for id in functions {
         let function = unit.typed.functions.get(id);
         // Functions with only a header, and symbolic functions, have no control flow.

@@ -9,8 +9,11 @@ mod closures;
 mod elementwise;
 mod errors;
 mod hosts;
+mod instances;
 mod jumps;
 mod linked;
+mod observables;
+mod outputs;
 mod relocation;
 mod sequence;
 mod sites;
@@ -27,14 +30,14 @@ use crate::ast::{Mode, Stmt, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 use crate::ir::{
-    Capture, ExternDecl, ExternId, Function, FunctionId, Output, Param, Program, SiteId, SourceFile, SymExpr,
-    SymKind, Symbol,
+    Capture, ExternDecl, ExternId, Function, FunctionId, Program, SourceFile, SymExpr, SymKind, Symbol,
 };
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
-use body::Body;
+
 use calyx_abi::{Purity, Repr};
 pub use closures::Closure;
+use instances::Around;
 pub use linked::{Linked, flow};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::LazyLock;
@@ -44,12 +47,13 @@ struct PendingInstance {
     unit: usize,
     function: FuncId,
     types: Substitution,
+    around: Around,
     target: FunctionId,
 }
 
-/// A function of a unit, the representations of its scheme's variables, and dimensions if they
-/// affect the code.
-type Instance = (usize, FuncId, Vec<Repr>, Vec<String>);
+/// A function of a unit, the representations of its scheme's variables, dimensions if they affect
+/// the code, and the instance of the component that contains it.
+type Instance = (usize, FuncId, Vec<Repr>, Vec<String>, Around);
 
 pub(super) struct Lowering<'c> {
     linked: &'c Linked<'c>,
@@ -61,6 +65,9 @@ pub(super) struct Lowering<'c> {
     /// The unit system in which the model displays numbers.
     system: UnitSystem,
     instances: HashMap<Instance, FunctionId>,
+    components: instances::Instances,
+    /// The instance whose code is being lowered.
+    around: Around,
     wanted: Vec<PendingInstance>,
     symbolic_functions: symbolic_functions::Instances,
     /// For each function, whether it or a callee formats numbers.
@@ -94,23 +101,10 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
         ..Program::default()
     };
     lowering.within(0, |lowering| {
-        let checker = lowering.checker;
-        lowering.interface(checker);
-        for output in checker.outputs.iter() {
-            let dimension = known_dimension(checker, &output.ty);
-            lowering.program.outputs.push(Output {
-                name: output.name.clone(),
-                doc: output.doc.clone(),
-                // Set when the statement is lowered.
-                site: SiteId(0),
-                unit: checker.store.vocabulary.unit_of(model.system, dimension),
-                si: checker.store.vocabulary.unit_of(UnitSystem::Si, dimension).name,
-                span: lowering.places().map_or(output.span, |places| places.span(output.span)),
-            });
-        }
+        lowering.interface();
     });
     lowering.host_functions();
-    let main = lowering.instance(0, FuncId(0), Substitution::default());
+    let main = lowering.instance(0, FuncId(0), Substitution::default(), None);
     lowering.program.main = main;
     lowering.work();
     lowering.export_symbolic_functions();
@@ -168,6 +162,8 @@ impl<'c> Lowering<'c> {
             closures: &first.closures,
             program: Program::default(),
             instances: HashMap::new(),
+            components: Default::default(),
+            around: None,
             system: UnitSystem::default(),
             wanted: Vec::new(),
             symbolic_functions: Default::default(),
@@ -182,53 +178,14 @@ impl<'c> Lowering<'c> {
     fn work(&mut self) {
         while let Some(wanted) = self.wanted.pop() {
             let function = self.within(wanted.unit, |lowering| {
-                let mut function = Body::lower(lowering, wanted.function, wanted.types);
-                if let Some(places) = lowering.places() {
-                    relocation::function(&mut function, places);
-                }
-                function
+                lowering.lower_around(wanted.around, wanted.function, wanted.types)
             });
             self.program.functions[wanted.target.0 as usize] = function;
         }
     }
 
-    /// Lowers the params.
-    fn interface(&mut self, checker: &'c Typed) {
-        let places = self.places();
-        let placed = |span| places.map_or(span, |places| places.span(span));
-        for (index, param) in checker.params.iter().enumerate() {
-            let repr = checker.store.repr(&param.ty);
-            let mut function = |what: &str, e: &tree::Expr| {
-                let name = format!("{}.{what}", param.name);
-                let mut lowered = Body::lower_expression(self, &name, e);
-                if let Some(places) = places {
-                    relocation::function(&mut lowered, places);
-                }
-                self.program.functions.push(lowered);
-                FunctionId(self.program.functions.len() as u32 - 1)
-            };
-            let default = function("default", &param.default);
-            let low = param.low.as_ref().map(|e| function("low", e));
-            let high = param.high.as_ref().map(|e| function("high", e));
-            let unit = param.unit.clone().unwrap_or_else(|| UnitSystem::Si.unit_of(Dimension::NONE));
-            debug_assert_eq!(index, self.program.params.len());
-            self.program.params.push(Param {
-                name: param.name.clone(),
-                doc: param.doc.clone(),
-                repr,
-                default,
-                low,
-                high,
-                choices: param.choices.clone(),
-                unit,
-                integral: param.whole,
-                span: placed(param.span),
-            });
-        }
-    }
-
     /// Returns the instance of a function for the given, resolved types of its scheme's variables.
-    fn instance(&mut self, unit: usize, function: FuncId, types: Substitution) -> FunctionId {
+    fn instance(&mut self, unit: usize, function: FuncId, types: Substitution, around: Around) -> FunctionId {
         let linked: &'c Linked<'c> = self.linked;
         let typed = linked.typed.get(unit).unwrap_or(self.checker);
         let scheme = typed.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
@@ -259,7 +216,7 @@ impl<'c> Lowering<'c> {
                 scheme.dims.iter().filter_map(|v| types.dims.get(v)).map(|d| typed.store.show_dim(d)),
             );
         }
-        let key = (unit, function, reprs.collect(), shown);
+        let key = (unit, function, reprs.collect(), shown, around);
         if let Some(known) = self.instances.get(&key) {
             return *known;
         }
@@ -273,7 +230,7 @@ impl<'c> Lowering<'c> {
             span: Default::default(),
         });
         self.instances.insert(key, target);
-        self.wanted.push(PendingInstance { unit, function, types, target });
+        self.wanted.push(PendingInstance { unit, function, types, around, target });
         target
     }
 
@@ -318,9 +275,21 @@ impl<'c> Lowering<'c> {
     /// body.
     fn used(&mut self, function: FuncId, instance: UseId, types: &Substitution) -> FunctionId {
         match self.callee(function, instance, types) {
-            Some((unit, function, types)) if !self.alone() => self.instance(unit, function, types),
+            Some((unit, function, types)) if !self.alone() => {
+                let around = self.around_callee(unit, function, instance);
+                self.instance(unit, function, types, around)
+            }
             // In a single unit, calls are not resolved.
             _ => FunctionId(0),
+        }
+    }
+
+    /// Returns the instance of a component to which the code of a called function belongs.
+    fn around_callee(&self, unit: usize, function: FuncId, call: UseId) -> Around {
+        let called = self.linked.typed.get(unit).and_then(|typed| typed.functions.get(&function))?;
+        match called.component? == function {
+            true => self.instance_of(call),
+            false => self.around,
         }
     }
 

@@ -149,7 +149,7 @@ impl Body<'_, '_> {
             }
             Kind::Bool(value) => make(SymKind::Bool(*value), Repr::Bool),
             Kind::Time => make(SymKind::Time, Repr::Number),
-            Kind::Param(id) => make(SymKind::Param(*id), self.repr(&e.ty)),
+            Kind::Param(id) => make(SymKind::Param(self.lowering.param_number(*id)), self.repr(&e.ty)),
             Kind::Def(def) => self.shared(*def, span, captures),
             Kind::Var(id) if captures.arguments.contains_key(id) => {
                 let (index, repr) = captures.arguments[id].clone();
@@ -217,13 +217,13 @@ impl Body<'_, '_> {
             Kind::Derivative(inner, sym) => {
                 let inner = self.symbolic(inner, captures);
                 let repr = inner.repr.clone();
-                make(SymKind::Derivative(Box::new(inner), symbol(*sym, captures)), repr)
+                make(SymKind::Derivative(Box::new(inner), self.symbol(*sym, captures)), repr)
             }
             Kind::Gradient(inner, by) => self.gradient(inner, by, span, captures),
             Kind::At(inner, sym, at) => {
                 let (inner, at) = (self.symbolic(inner, captures), self.symbolic(at, captures));
                 let repr = inner.repr.clone();
-                make(SymKind::At(Box::new(inner), symbol(*sym, captures), Box::new(at)), repr)
+                make(SymKind::At(Box::new(inner), self.symbol(*sym, captures), Box::new(at)), repr)
             }
             // Already reported, or the body of a function in another unit.
             Kind::Error => make(SymKind::Number(f64::NAN), self.repr(&e.ty)),
@@ -276,10 +276,20 @@ impl Body<'_, '_> {
         let index = captures.shared.len() as u32 - 1;
         let parts = by.iter().map(|sym| {
             let inner = Box::new(make(SymKind::Shared(index), repr.clone()));
-            make(SymKind::Derivative(inner, symbol(*sym, captures)), repr.clone())
+            make(SymKind::Derivative(inner, self.symbol(*sym, captures)), repr.clone())
         });
         let parts = parts.collect();
         make(SymKind::Brackets(parts), Repr::Tuple(vec![repr; by.len()]))
+    }
+
+    fn symbol(&self, sym: Sym, captures: &Captures) -> Symbol {
+        match sym {
+            Sym::Time => Symbol::Time,
+            Sym::Param(id) => Symbol::Param(self.lowering.param_number(id)),
+            Sym::Argument(id) => {
+                Symbol::Argument(captures.arguments.get(&id).map_or(u32::MAX, |(index, _)| *index))
+            }
+        }
     }
 
     /// Returns a shared definition, which is added on first use.
@@ -330,17 +340,7 @@ fn checker_closed(checker: &crate::check::typed::Typed, def: DefId) -> bool {
     checker.defs[def.0 as usize].closed
 }
 
-fn symbol(sym: Sym, captures: &Captures) -> Symbol {
-    match sym {
-        Sym::Time => Symbol::Time,
-        Sym::Param(id) => Symbol::Param(id),
-        Sym::Argument(id) => {
-            Symbol::Argument(captures.arguments.get(&id).map_or(u32::MAX, |(index, _)| *index))
-        }
-    }
-}
-
-fn symbolic_binary(op: BinaryOp, a: SymExpr, b: SymExpr, span: Span) -> SymExpr {
+pub(super) fn symbolic_binary(op: BinaryOp, a: SymExpr, b: SymExpr, span: Span) -> SymExpr {
     let make = |kind, repr| SymExpr { kind, repr, span };
     let truth = |value| Box::new(make(SymKind::Bool(value), Repr::Bool));
     match op {

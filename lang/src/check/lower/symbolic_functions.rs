@@ -2,6 +2,7 @@
 //! functions of the model.
 
 use super::body::Body;
+use super::instances::Around;
 use super::sites::Captures;
 use super::{Lowering, known_dimension};
 use crate::ast::Mode;
@@ -20,7 +21,7 @@ const MOST_NESTED: usize = 64;
 /// The functions lowered so far, by function and representation of the arguments.
 #[derive(Default)]
 pub(super) struct Instances {
-    known: HashMap<(usize, FuncId, Vec<Repr>), SymbolicFunctionId>,
+    known: HashMap<(usize, FuncId, Vec<Repr>, Around), SymbolicFunctionId>,
     /// An ordinary function that cannot be inlined, and whether it is a host function.
     refused: Option<(String, bool)>,
     /// Number of functions being lowered, each within the previous one.
@@ -123,6 +124,8 @@ impl Lowering<'_> {
     ) -> Option<SymbolicFunctionId> {
         let checker = self.checker;
         let function = checker.functions.get(&id)?;
+        // Functions outside of components do not depend on the instance.
+        let around = self.around.filter(|_| function.component.is_some());
         let body = FunctionText::of(function);
         let parameter_types: Vec<Type> = function
             .parameters
@@ -132,7 +135,7 @@ impl Lowering<'_> {
         if reprs.len() != parameter_types.len() {
             return None;
         }
-        if let Some(known) = self.symbolic_functions.known.get(&(self.unit, id, reprs.to_vec())) {
+        if let Some(known) = self.symbolic_functions.known.get(&(self.unit, id, reprs.to_vec(), around)) {
             return Some(*known);
         }
         for ((variable, _), (repr, ty)) in function.parameters.iter().zip(reprs.iter().zip(&parameter_types))
@@ -178,11 +181,13 @@ impl Lowering<'_> {
             return None;
         };
         self.symbolic_functions.depth += 1;
+        let outside = std::mem::replace(&mut self.around, around);
         let lowered = Body::lower_symbolic(self, id, &body, types, (&parameter_types, reprs));
+        self.around = outside;
         self.symbolic_functions.depth -= 1;
         let target = SymbolicFunctionId(self.program.symbolic_functions.len() as u32);
         self.program.symbolic_functions.push(lowered);
-        self.symbolic_functions.known.insert((self.unit, id, reprs.to_vec()), target);
+        self.symbolic_functions.known.insert((self.unit, id, reprs.to_vec(), around), target);
         Some(target)
     }
 
@@ -195,7 +200,8 @@ impl Lowering<'_> {
             let symbolic = typed
                 .functions
                 .iter()
-                .filter(|(_, function)| function.definition.is_some() && function.span.file == FileId(0));
+                .filter(|(_, function)| function.definition.is_some() && function.component.is_none())
+                .filter(|(_, function)| function.span.file == FileId(0));
             own.extend(symbolic.map(|(id, function)| (places.span(function.span).start, unit, *id)));
         }
         own.sort();

@@ -35,21 +35,25 @@ impl Body<'_, '_> {
             | Kind::Block(..)
             | Kind::Spline(_)
             | Kind::Assert(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
+            _ if self.is_observable_operation(e) => self.observable_operation(e),
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {
                 make(ExprKind::Number(to_si(*value, self.bare_factor(dim, *system))), Repr::Number)
             }
             Kind::Bool(value) => make(ExprKind::Bool(*value), Repr::Bool),
             Kind::Text(text) => make(ExprKind::String(text.clone()), Repr::String),
+            Kind::Var(id) if self.is_constant && self.lowering.static_argument(*id).is_some() => {
+                let argument = self.lowering.static_argument(*id).unwrap_or_default();
+                make(ExprKind::Call(argument, Vec::new()), self.repr(&e.ty))
+            }
             Kind::Var(id) => {
                 let local = self.local(*id);
                 let repr = self.local_repr(local);
                 make(ExprKind::Local(local), repr)
             }
             Kind::Param(id) => {
-                let repr =
-                    self.lowering.program.params.get(*id as usize).map_or(Repr::Number, |p| p.repr.clone());
-                make(ExprKind::Param(*id), repr)
+                let number = self.lowering.param_number(*id);
+                make(ExprKind::Param(number), self.repr(&e.ty))
             }
             Kind::Def(def) | Kind::MakeSymbolic(def) => self.make_symbolic(*def, span),
             Kind::Chosen(id) => {

@@ -12,21 +12,39 @@ impl<'a> Resolver<'a> {
     pub(super) fn type_expr(&mut self, annotation: &'a TypeExpr) {
         match &annotation.kind {
             TypeKind::Name(name) => {
-                let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
-                if let Some((
-                    res @ (Resolution::Record(_) | Resolution::Enum(_) | Resolution::Dimension(_)),
-                    _,
-                )) = found
-                {
-                    let res = *res;
-                    self.names.uses.insert(name.span, res);
-                    self.report_former(name, res);
+                let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name)).copied();
+                match found {
+                    Some((
+                        res @ (Resolution::Record(_) | Resolution::Enum(_) | Resolution::Dimension(_)),
+                        _,
+                    )) => {
+                        self.names.uses.insert(name.span, res);
+                        self.report_former(name, res);
+                    }
+                    // The type of the instances of a component.
+                    Some((res @ Resolution::Function(id), _))
+                        if self.names.functions[id.0 as usize].is_component() =>
+                    {
+                        self.names.uses.insert(name.span, res);
+                        self.names.functions[self.function.0 as usize].callees.insert(id);
+                    }
+                    _ => {}
                 }
             }
             TypeKind::Member(module, name) => {
                 let res = self.lookup(module);
                 self.names.uses.insert(module.span, res);
-                self.member(module, res, name);
+                let handle = match res {
+                    Resolution::Module(index) => {
+                        let module = &self.modules[index as usize].name;
+                        !self.exports[index as usize].contains_key(&name.name)
+                            && self.around.has_handle(module, &name.name)
+                    }
+                    _ => false,
+                };
+                if !handle {
+                    self.member(module, res, name);
+                }
             }
             TypeKind::Apply(_, parts) => parts.iter().for_each(|part| self.type_expr(part)),
             TypeKind::Product(a, b) | TypeKind::Quotient(a, b) => {
@@ -179,6 +197,7 @@ impl<'a> Resolver<'a> {
         let res = self.lookup(name);
         self.names.uses.insert(name.span, res);
         self.report_former(name, res);
+        self.refuse_state(name, res);
         match res {
             Resolution::Var(id) => {
                 self.names.variables[id.0 as usize].reads += 1;

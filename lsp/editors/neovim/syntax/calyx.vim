@@ -18,7 +18,7 @@ syn keyword calyxStorage var function
 syn keyword calyxMode in out inout
 syn keyword calyxBoolean TRUE FALSE
 syn match calyxInclude "\<\%(import\|units\)\>\ze\s\+\h"
-syn match calyxDeclaration "\<\%(param\|output\|const\|record\|enum\|dimension\|unit\)\>\ze\s\+\K"
+syn match calyxDeclaration "\<\%(param\|output\|const\|record\|component\|enum\|dimension\|unit\)\>\ze\s\+\K"
 syn match calyxModifier "\<\%(extern\|private\)\>\ze\s\+\h"
 syn match calyxModifier "\<extern\s\+\%(pure\|scene\|effect\)\>"
 syn match calyxModifier "\<\%(host\|test\)\>\ze\s\+function\>"
@@ -29,7 +29,7 @@ syn match calyxOperatorWord "\%([[:alnum:]_)\]\"%.]\s\+\)\@<=at\>\ze\s\+\K\k*\s*
 " What is named.
 syn match calyxFunction "\%(\<function\s\+\)\@<=\K\k*"
 syn match calyxName "\%(\<\%(param\|output\|const\|unit\)\s\+\)\@<=\K\k*"
-syn match calyxType "\%(\<\%(record\|enum\|dimension\)\s\+\)\@<=\K\k*"
+syn match calyxType "\%(\<\%(record\|component\|enum\|dimension\)\s\+\)\@<=\K\k*"
 syn match calyxCall "\K\k*\ze\s*(" contains=calyxBuiltin,calyxConditional,calyxRepeat,calyxException,calyxStatement,calyxStorage,calyxMode
 syn match calyxNamedArgument "\%([(,]\_s*\)\@<=\K\k*\ze\s*:\?=[^=]"
 syn match calyxUserLabel "\%(^\|[;{}]\)\s*\zs\%(default\>\)\@!\K\k*\ze\s*:[^=]"

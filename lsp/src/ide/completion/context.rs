@@ -203,16 +203,22 @@ impl<'a> Context<'a> {
             Some(Kind::Import) => CompletionSite::Import(self.path(start + 1, end)),
             Some(Kind::Units) if alone => CompletionSite::System,
             Some(Kind::Goto) if alone => CompletionSite::Label,
-            Some(Kind::Private) if alone => {
-                CompletionSite::Words(vec!["function", "const", "record", "enum", "dimension", "unit"])
-            }
+            Some(Kind::Private) if alone => CompletionSite::Words(vec![
+                "function",
+                "component",
+                "const",
+                "record",
+                "enum",
+                "dimension",
+                "unit",
+            ]),
             Some(Kind::Extern) if alone => CompletionSite::Words(vec!["pure", "scene", "effect", "function"]),
             Some(Kind::Extern) if end == start + 2 => CompletionSite::Words(vec!["function"]),
             Some(Kind::Host | Kind::Test) if alone => CompletionSite::Words(vec!["function"]),
             Some(Kind::Var) if alone || self.around.previous(end) == Some(Kind::Comma) => {
                 CompletionSite::Nothing
             }
-            Some(Kind::Function) => match self.around.previous(end) {
+            Some(Kind::Function | Kind::Component) => match self.around.previous(end) {
                 Some(Kind::Bind) => self.operand(0, end),
                 _ => CompletionSite::Nothing,
             },
@@ -252,6 +258,7 @@ impl<'a> Context<'a> {
             "const" => Kind::Const,
             "record" => Kind::Record,
             "enum" => Kind::Enum,
+            "component" => Kind::Component,
             "dimension" => Kind::Dimension,
             "unit" => Kind::Unit,
             _ => kind,

@@ -130,6 +130,12 @@ const STATEMENTS: &[Keyword] = &[
         stands: &[Model, Block],
     },
     Keyword {
+        label: "component",
+        detail: "a part of a model with its own params",
+        snippet: "component ${1:Name}(${2:ratio}: ${3:Number}) {\n    param ${4:torque} = ${5:1 N*m};\n    $0\n}",
+        stands: &[Model, Module],
+    },
+    Keyword {
         label: "function :=",
         detail: "a symbolic function",
         snippet: "function ${1:name}(in ${2:x}) := $0;",
@@ -176,8 +182,13 @@ pub fn statements(request: &Request<'_>, items: &mut Vec<Item>) {
         Module
     };
     let has_units = (0..).map_while(|at| around.kind(at)).any(|kind| kind == Kind::Units);
+    let component =
+        context.blocks.first().is_some_and(|block| around.kind(block.head) == Some(Kind::Component));
+    let member = |label: &str| component && matches!(label, "param" | "output");
     for (order, keyword) in STATEMENTS.iter().enumerate() {
-        if keyword.stands.contains(&place) && (keyword.label != "units" || !has_units) {
+        if (keyword.stands.contains(&place) || member(keyword.label))
+            && (keyword.label != "units" || !has_units)
+        {
             items.push(keyword_item(request, keyword.label, keyword.detail, keyword.snippet, 1, order));
         }
     }
@@ -316,6 +327,9 @@ pub fn documentation(word: &str) -> Option<&'static str> {
         }
         "for in" => {
             "`for (x in array) ...` runs for each element of an array, `for (i in 0 .. n) ...` for each number of a range without its end."
+        }
+        "component" => {
+            "`component Name(ratio: Number) { ... }` declares a part of a model with its own params and outputs; `var low = Name(3);` is an instance."
         }
         "dimension" => {
             "`dimension Name = Force/Length;` names a product of dimensions; `dimension Name;` adds a base dimension."

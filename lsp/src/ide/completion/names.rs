@@ -162,7 +162,7 @@ pub fn fit(request: &Request<'_>, known: &Visible) -> Option<u8> {
 pub fn shape(known: &Visible) -> Shape {
     let ty = known.ty.as_deref().unwrap_or_default();
     match known.kind {
-        NameKind::Record => Shape::Named(known.name.to_string()),
+        NameKind::Record | NameKind::Component => Shape::Named(known.name.to_string()),
         kind if callee::is_called(kind) && ty.contains(')') => Shape::result(ty),
         // Has any dimension.
         NameKind::Constant if matches!(&*known.name, "inf" | "nan") => Shape::Number(None),
@@ -208,7 +208,9 @@ pub fn item(request: &Request<'_>, known: &Visible, module: Option<&str>, rank: 
     item.filter = module.map(|_| known.name.to_string());
     item.detail = match known.kind {
         NameKind::Symbolic => format!(":= {ty}").trim_end().to_string(),
-        NameKind::Module | NameKind::Record | NameKind::Enum => known.kind.describe().to_string(),
+        NameKind::Module | NameKind::Record | NameKind::Enum | NameKind::Component => {
+            known.kind.describe().to_string()
+        }
         _ => signature(ty),
     };
     item.subject = Some(match &known.declared {

@@ -34,7 +34,9 @@ pub fn types(request: &Request<'_>, items: &mut Vec<Item>) {
     let product = matches!(around.previous(around.before), Some(Kind::Star | Kind::Slash | Kind::Assign));
     let rank = |origin, order: usize| Rank { fit: 1, origin, order: order as u32 };
     for (order, known) in request.visible.iter().enumerate() {
-        let record = known.kind == NameKind::Record && !product && !request.is_around(known);
+        let record = matches!(known.kind, NameKind::Record | NameKind::Component)
+            && !product
+            && !request.is_around(known);
         if known.kind == NameKind::Dimension || record {
             // `Error` is visible everywhere and seldom meant.
             let origin = if known.level.is_some() { 0 } else { 3 };
@@ -92,7 +94,8 @@ fn handles(request: &Request<'_>) -> BTreeSet<String> {
 pub fn types_of(request: &Request<'_>, module: &str, items: &mut Vec<Item>) {
     let Some(path) = callee::module_path(request.database, &request.visible, module) else { return };
     for (order, known) in request.database.members(&path).iter().enumerate() {
-        if matches!(known.kind, NameKind::Record | NameKind::Enum | NameKind::Dimension) {
+        if matches!(known.kind, NameKind::Record | NameKind::Enum | NameKind::Component | NameKind::Dimension)
+        {
             let rank = Rank { order: order as u32, ..Rank::default() };
             let mut item =
                 Item::new(known.name.to_string(), ItemKind::Type, rank).detail(known.kind.describe());

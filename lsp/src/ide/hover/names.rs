@@ -161,6 +161,7 @@ fn type_line(
         NameKind::Extern
         | NameKind::Record
         | NameKind::Enum
+        | NameKind::Component
         | NameKind::Dimension
         | NameKind::Unit
         | NameKind::Module => None,

@@ -166,7 +166,7 @@ fn kind(kind: ItemKind) -> CompletionItemKind {
                 CompletionItemKind::FUNCTION
             }
             NameKind::Const | NameKind::Constant => CompletionItemKind::CONSTANT,
-            NameKind::Record => CompletionItemKind::STRUCT,
+            NameKind::Record | NameKind::Component => CompletionItemKind::STRUCT,
             NameKind::Enum => CompletionItemKind::ENUM,
             NameKind::Field => CompletionItemKind::FIELD,
             NameKind::Dimension => CompletionItemKind::CLASS,
