@@ -105,6 +105,8 @@ fn former_names_of_the_library_mean_the_same() {
             let program = checked.program.expect("a program");
             format!("{:?}", Program { files: Vec::new(), ..program })
         });
+        // Programs contain the text of short expressions, for display.
+        let former = function.with_current_names(&former);
         assert!(current == former, "{}: the programs differ", function.name);
     }
     assert!(renamed > 40, "only {renamed} former names");

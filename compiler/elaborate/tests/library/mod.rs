@@ -456,18 +456,27 @@ impl Function {
     /// Returns the sample with every name, current or former, padded with blanks to the length of
     /// the longer one, so that two programs that differ in names only have equal locations.
     pub fn padded(&self, is_former: bool) -> String {
-        let padded = |name: &str, former: &Option<String>| {
-            let other = former.as_deref().unwrap_or(name);
-            let width = name.len().max(other.len());
-            format!("{:width$}", if is_former { other } else { name })
+        let chosen = |names: [String; 2]| {
+            let [current, former] = names;
+            if is_former { former } else { current }
         };
         let mut renamed = Function { path: String::new(), ..self.clone() };
         for parameter in &mut renamed.parameters {
-            parameter.name = padded(&parameter.name, &parameter.former);
+            parameter.name = chosen(both(&parameter.name, &parameter.former));
         }
         let prefix = self.path.strip_suffix(&self.name).unwrap_or_default();
-        renamed.path = format!("{prefix}{}", padded(&self.name, &self.former));
+        renamed.path = format!("{prefix}{}", chosen(both(&self.name, &self.former)));
         model(&renamed, &renamed.arguments(|parameter| parameter.sample.clone()))
+    }
+
+    /// Replaces padded former names in a text by padded current names.
+    pub fn with_current_names(&self, text: &str) -> String {
+        let own = [(&self.name, &self.former)];
+        let parameters = self.parameters.iter().map(|parameter| (&parameter.name, &parameter.former));
+        own.into_iter().chain(parameters).fold(text.to_owned(), |text, (name, former)| {
+            let [current, former] = both(name, former);
+            text.replace(&former, &current)
+        })
     }
 
     /// Returns the sample with one to three arguments replaced by extreme values.
@@ -484,6 +493,14 @@ impl Function {
             }
         })
     }
+}
+
+/// Returns the current and the former name, padded with blanks to equal lengths; the current name
+/// twice if there is no former one.
+fn both(name: &str, former: &Option<String>) -> [String; 2] {
+    let former = former.as_deref().unwrap_or(name);
+    let width = name.len().max(former.len());
+    [name, former].map(|name| format!("{name:width$}"))
 }
 
 /// A linear congruential generator, so that random numbers are the same on every machine.
