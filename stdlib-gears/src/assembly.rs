@@ -152,7 +152,7 @@ impl Pairing {
         let poses = [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
         let speeds = [rotation_speed(motion(bodies[0]), 0.0)?, rotation_speed(motion(bodies[1]), 0.0)?];
         let axes = Axes::of(&poses, half_widths)?;
-        centred(scene, bodies, speeds)?;
+        centred(scene, bodies)?;
         let orbit = phase_check::orbit(scene, bodies, speeds)?;
         Ok(Pairing { bodies, axes, orbit, speeds: speeds.map(|speed| speed - orbit) })
     }
@@ -373,14 +373,9 @@ pub fn gear_of(scene: &Scene, body: BodyId) -> Option<&GearPrototype> {
 }
 
 /// Rejects a gear that rotates about an axis more than a module away from its own. Such a motion is
-/// no runout: the factors of the frame are in reverse order.
-///
-/// Two gears of equal speed are a locked planetary stage, in which each of them may rotate about
-/// the axis of the other one.
-fn centred(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Result<(), Refusal> {
-    if (speeds[0] - speeds[1]).abs() <= SAME_SPEED * speeds[0].abs().max(speeds[1].abs()) {
-        return Ok(());
-    }
+/// no runout: the factors of the frame are in reverse order. A planet rotates about its pin, which
+/// moves with the carrier.
+fn centred(scene: &Scene, bodies: [BodyId; 2]) -> Result<(), Refusal> {
     let mut found = Vec::new();
     for id in bodies {
         let Some(gear) = gear_of(scene, id) else { continue };
@@ -419,9 +414,6 @@ fn reversed_frame(runout: f64, at: [f64; 3]) -> GeometryError {
         help,
     )
 }
-
-/// Largest relative difference of equal speeds.
-const SAME_SPEED: f64 = 1e-9;
 
 /// Rejects a second mesh of the same bodies: the distribution of load between the two would be
 /// indeterminate.

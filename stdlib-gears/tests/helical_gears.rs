@@ -2,7 +2,7 @@
 //! compatible pairs.
 
 use calyx_gears::assembly::{MeshOptions, add_body, mesh};
-use calyx_gears::blank::{GearBlank, Thickness, Tool};
+use calyx_gears::blank::{GearBlank, Thickness};
 use calyx_gears::derived_quantities::{of_gear, of_mesh};
 use calyx_gears::error::Refusal;
 use calyx_gears::fillet::Side;
@@ -261,7 +261,7 @@ fn a_helical_gear_needs_the_plane_of_its_rack() {
     let rack = normal_rack(0.3).in_plane(Plane::Unstated);
     let mut blank = GearBlank::standard(30, rack).diameters(128e-3, 110e-3);
     let spur = blank.clone().cut().expect("a spur gear");
-    let stated = GearBlank { tool: Tool::Rack(rack.in_plane(Plane::Transverse)), ..blank.clone() };
+    let stated = GearBlank { tool: rack.in_plane(Plane::Transverse).into(), ..blank.clone() };
     assert_eq!(spur.form(), stated.cut().expect("a spur gear").form());
     blank.helix = Helix::new(14.0_f64.to_radians(), Hand::Left).expect("a helix");
     let Err(Refusal::Geometry(errors)) = blank.cut() else { panic!("the plane is not stated") };

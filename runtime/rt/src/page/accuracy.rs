@@ -179,38 +179,22 @@ fn to_halve(output: &Output) -> Vec<&'static Source> {
 
 /// Relative error above which a run names the settings that reduce it.
 const LARGE: f64 = 0.1;
-/// Number of outputs that this line names.
-const NAMED: usize = 3;
 
-/// Returns a line with the outputs whose estimated error is large, and the settings to
-/// refine; `None` if there is no such output.
+/// Returns a line with the settings that reduce large estimated errors; `None` if no output has a
+/// large error.
 pub fn advice(outputs: &[Output]) -> Option<String> {
-    let large = |output: &&Output| {
-        let error = output.error.as_ref();
-        error.is_some_and(|error| !error.is_rounding && error.relative > LARGE)
-            && !to_halve(output).is_empty()
+    let is_large = |output: &&Output| {
+        output.error.as_ref().is_some_and(|error| !error.is_rounding && error.relative > LARGE)
     };
-    let outputs: Vec<&Output> = outputs.iter().filter(large).collect();
-    let needed: Vec<&Source> = outputs.iter().flat_map(|output| to_halve(output)).collect();
+    let needed: Vec<&Source> = outputs.iter().filter(is_large).flat_map(to_halve).collect();
     let is_needed = |source: &&Source| needed.iter().any(|other| other.shown == source.shown);
     let settings = SOURCES.iter().filter(is_needed).map(|source| match source.option {
         Some(option) => format!("{} ({option})", source.finer),
         None => source.finer.to_owned(),
     });
     let settings: Vec<String> = settings.collect();
-    let mut names: Vec<&str> = outputs.iter().map(|output| output.name.as_str()).take(NAMED).collect();
-    let others = format!("{} more", outputs.len().saturating_sub(NAMED));
-    if outputs.len() > NAMED {
-        names.push(&others);
-    }
-    (!outputs.is_empty()).then(|| {
-        format!(
-            "to reduce the errors above {} % ({}): {}; see report.html",
-            100.0 * LARGE,
-            names.join(", "),
-            settings.join(", ")
-        )
-    })
+    let text = || format!("to reduce the errors above {} %: {}", 100.0 * LARGE, settings.join(", "));
+    (!settings.is_empty()).then(text)
 }
 
 /// Returns the stages that take longer and the factors; and true if another fidelity level is

@@ -174,9 +174,7 @@ fn settings_are_named_for_large_errors() {
     assert_eq!(advice(0.099), None);
     assert_eq!(
         advice(0.11).as_deref(),
-        Some(
-            "to reduce the errors above 10 % (te): a finer contact grid (--cells), more positions; see report.html"
-        )
+        Some("to reduce the errors above 10 %: a finer contact grid (--cells), more positions")
     );
 }
 
