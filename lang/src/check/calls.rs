@@ -17,6 +17,25 @@ struct Callee<'c> {
     with_argument: &'c [bool],
 }
 
+/// Arguments that are evaluated before a call, because defaults of other parameters use them.
+#[derive(Default)]
+struct StoredArguments {
+    /// The hidden variable of each parameter.
+    variables: HashMap<VarId, VarId>,
+    statements: Vec<Stmt>,
+}
+
+impl StoredArguments {
+    /// Returns the statements in the order of evaluation: arguments as they are written in the call,
+    /// then defaults.
+    fn in_order(mut self, call: Span) -> Vec<Stmt> {
+        let written =
+            |s: &Stmt| s.span.file == call.file && call.start <= s.span.start && s.span.end <= call.end;
+        self.statements.sort_by_key(|s| if written(s) { (0, s.span.start) } else { (1, 0) });
+        self.statements
+    }
+}
+
 impl<'a> Checker<'a> {
     pub(super) fn call(&mut self, callee: &'a ast::Expr, arguments: &'a [ast::Argument], span: Span) -> Expr {
         let name = match &callee.kind {
@@ -107,7 +126,7 @@ impl<'a> Checker<'a> {
                 (None, _) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(&ty, &parameter.name, &mut fields, span)
                 }
-                (None, Some((_, Some(default)))) => self.default_value(&ty, default, file),
+                (None, Some((_, Some(default)))) => self.default_value(&ty, default, file, None),
                 // Already reported as missing.
                 (None, _) => Expr::error(span),
             };
@@ -246,12 +265,7 @@ impl<'a> Checker<'a> {
         let variables = self.names.functions[id.0 as usize].parameters.clone();
         let (mut values, mut copy_back, mut demands) = (Vec::new(), Vec::new(), Vec::new());
         let with_argument: Vec<bool> = given.iter().map(Option::is_some).collect();
-        let left_out = decl.parameters.iter().zip(&given).filter(|(_, argument)| argument.is_none());
-        let mut defaults = left_out.filter_map(|(parameter, _)| parameter.default.as_ref()?.1.as_ref());
-        // Arguments that a default uses are evaluated before the call, once.
-        let stores = defaults.any(|default| self.uses_parameters(id, default));
-        let mut bound: HashMap<VarId, VarId> = HashMap::new();
-        let mut stored: Vec<Stmt> = Vec::new();
+        let mut stored = self.defaults_use_arguments(id, decl, &given).then(StoredArguments::default);
         let callee = Callee { decl, file, with_argument: &with_argument };
         for (((parameter, argument), ty), variable) in
             decl.parameters.iter().zip(given).zip(&types).zip(variables)
@@ -274,12 +288,7 @@ impl<'a> Checker<'a> {
                         self.hand_over(variable, &value);
                         value
                     }
-                    (Some((_, Some(default))), _) => {
-                        let around = std::mem::replace(&mut self.elements, bound.clone());
-                        let value = self.default_value(ty, default, file);
-                        self.elements = around;
-                        value
-                    }
+                    (Some((_, Some(default))), _) => self.default_value(ty, default, file, stored.as_ref()),
                     _ => Expr::error(span),
                 },
                 (_, Some(argument)) => {
@@ -306,19 +315,12 @@ impl<'a> Checker<'a> {
             if self.static_parameters.contains(&variable) {
                 self.static_argument(&parameter.name, &value);
             }
-            let mut value = value;
-            if stores
-                && parameter.mode == Mode::In
-                && !matches!(value.kind, Kind::MakeSymbolic(_) | Kind::Error)
-            {
-                let written = value.span;
-                let (hidden, statement) = self.keep(&parameter.name.name, value);
-                if let Kind::Var(id) = hidden.kind {
-                    bound.insert(variable, id);
+            let value = match &mut stored {
+                Some(stored) if parameter.mode == Mode::In => {
+                    self.store_argument(&parameter.name, variable, value, stored)
                 }
-                stored.push(statement);
-                value = Expr { span: written, ..hidden };
-            }
+                _ => value,
+            };
             self.dependence.variable(variable, &value);
             if parameter.mode != Mode::Out {
                 let domain = parameter.domain.as_ref();
@@ -338,14 +340,44 @@ impl<'a> Checker<'a> {
             solves: false,
         };
         let call = Expr { kind: Kind::Call(Box::new(call)), ty: result.clone(), span };
-        if !stores {
-            return self.observed(call);
+        self.observed(match stored {
+            Some(stored) => {
+                Expr { kind: Kind::Sequence(stored.in_order(span), Box::new(call)), ty: result, span }
+            }
+            None => call,
+        })
+    }
+
+    /// Returns `true` if the default of a parameter without an argument uses other parameters.
+    fn defaults_use_arguments(
+        &self,
+        id: FuncId,
+        decl: &ast::FunctionDecl,
+        given: &[Option<&ast::Argument>],
+    ) -> bool {
+        let left_out = decl.parameters.iter().zip(given).filter(|(_, argument)| argument.is_none());
+        let mut defaults = left_out.filter_map(|(parameter, _)| parameter.default.as_ref()?.1.as_ref());
+        defaults.any(|default| self.uses_parameters(id, default))
+    }
+
+    /// Stores an argument before the call, so that defaults can use it, and returns its value.
+    fn store_argument(
+        &mut self,
+        parameter: &ast::Ident,
+        variable: VarId,
+        value: Expr,
+        stored: &mut StoredArguments,
+    ) -> Expr {
+        if matches!(value.kind, Kind::MakeSymbolic(_) | Kind::Error) {
+            return value;
         }
-        // Arguments are evaluated as written, then the defaults.
-        let is_written =
-            |s: &Stmt| s.span.file == span.file && span.start <= s.span.start && s.span.end <= span.end;
-        stored.sort_by_key(|s| if is_written(s) { (0, s.span.start) } else { (1, 0) });
-        self.observed(Expr { kind: Kind::Sequence(stored, Box::new(call)), ty: result, span })
+        let written = value.span;
+        let (hidden, statement) = self.keep(&parameter.name, value);
+        if let Kind::Var(id) = hidden.kind {
+            stored.variables.insert(variable, id);
+        }
+        stored.statements.push(statement);
+        Expr { span: written, ..hidden }
     }
 
     /// Checks an argument that is evaluated. The help of an error names the omitted parameters that
@@ -366,16 +398,27 @@ impl<'a> Checker<'a> {
         value
     }
 
-    /// Checks the default of a parameter, which is declared in `file`.
-    fn default_value(&mut self, ty: &Type, default: &'a ast::Expr, file: FileId) -> Expr {
-        self.in_file(file, |c| {
+    /// Checks the default of a parameter, which is declared in `file`. It may use the stored
+    /// arguments.
+    fn default_value(
+        &mut self,
+        ty: &Type,
+        default: &'a ast::Expr,
+        file: FileId,
+        stored: Option<&StoredArguments>,
+    ) -> Expr {
+        let earlier = stored.map(|stored| stored.variables.clone()).unwrap_or_default();
+        let around = std::mem::replace(&mut self.elements, earlier);
+        let value = self.in_file(file, |c| {
             c.as_value(|c| {
                 let value = c.whole_for(ty, default);
                 let wanted = c.without_optional(ty, &value);
                 c.expect(&wanted, &value, "the default", None);
                 c.as_optional(ty, value)
             })
-        })
+        });
+        self.elements = around;
+        value
     }
 
     fn symbolic_default(

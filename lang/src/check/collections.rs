@@ -235,6 +235,17 @@ impl<'a> Checker<'a> {
         (Kind::Array(all), Type::array(ty))
     }
 
+    /// Applies an operator to the elements of an array, and returns the array of the results.
+    pub(super) fn each_element(
+        &mut self,
+        constraint: &Constraint,
+        kind: impl FnOnce(Type) -> ConstraintKind,
+    ) -> Type {
+        let part = self.store.fresh();
+        self.constrain(Constraint { kind: kind(part.clone()), span: constraint.span });
+        Type::array(part)
+    }
+
     /// Checks the values that a loop goes through.
     fn loop_over(&mut self, values: &'a Values, variable: &'a ast::Ident) -> Loop {
         let span = values.span();

@@ -227,10 +227,10 @@ impl Checker<'_> {
                 Type::Vector(x.times(y))
             }
             (Type::Number(_), Type::Array(element)) => {
-                self.each(constraint, |part| Multiply(left.clone(), (**element).clone(), part))
+                self.each_element(constraint, |part| Multiply(left.clone(), (**element).clone(), part))
             }
             (Type::Array(element), Type::Number(_)) => {
-                self.each(constraint, |part| Multiply((**element).clone(), right.clone(), part))
+                self.each_element(constraint, |part| Multiply((**element).clone(), right.clone(), part))
             }
             (Type::Observable(x), Type::Observable(y) | Type::Number(y))
             | (Type::Number(x), Type::Observable(y)) => Type::Observable(x.times(y)),
@@ -291,7 +291,7 @@ impl Checker<'_> {
             (Type::Number(x), Type::Number(y)) => Type::Number(x.over(y)),
             (Type::Vector(x), Type::Number(y)) => Type::Vector(x.over(y)),
             (Type::Array(element), Type::Number(_)) => {
-                self.each(constraint, |part| Divide((**element).clone(), right.clone(), part))
+                self.each_element(constraint, |part| Divide((**element).clone(), right.clone(), part))
             }
             (Type::Observable(x), Type::Observable(y) | Type::Number(y))
             | (Type::Number(x), Type::Observable(y)) => Type::Observable(x.over(y)),
@@ -342,8 +342,8 @@ impl Checker<'_> {
     fn solve_comparable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
         match self.store.shallow(a) {
             Type::Unknown(_) => Outcome::Open,
-            Type::Array(element) => {
-                self.try_solve(&Constraint { kind: Comparable(*element), span: constraint.span })
+            Type::Array(part) | Type::Optional(part) => {
+                self.try_solve(&Constraint { kind: Comparable(*part), span: constraint.span })
             }
             Type::Tuple(parts) => {
                 for part in parts {
@@ -357,9 +357,6 @@ impl Checker<'_> {
             Type::Record(id) => {
                 let parts = self.field_types(id);
                 self.every_part(parts, Comparable, constraint)
-            }
-            Type::Optional(inner) => {
-                self.try_solve(&Constraint { kind: Comparable(*inner), span: constraint.span })
             }
             Type::Number(_) | Type::Bool | Type::String | Type::Enum(_) | Type::Vector(_) | Type::Error => {
                 Outcome::Solved
@@ -498,13 +495,6 @@ impl Checker<'_> {
                 )
             }
         }
-    }
-
-    /// Applies an operator to the elements of an array, and returns the array of the results.
-    fn each(&mut self, constraint: &Constraint, kind: impl FnOnce(Type) -> ConstraintKind) -> Type {
-        let part = self.store.fresh();
-        self.constrain(Constraint { kind: kind(part.clone()), span: constraint.span });
-        Type::array(part)
     }
 
     fn field_types(&self, id: RecordId) -> Vec<Type> {
