@@ -159,7 +159,11 @@ impl<'a> Checker<'a> {
         };
         self.constrain(Constraint { kind: ConstraintKind::Additive(term.clone()), span: array.span });
         let (values, keep) = self.keep("array", array);
-        let zero = Expr { kind: Kind::Zero, ty: term.clone(), span };
+        self.solve_open_constraints(std::iter::once(&term));
+        let zero = match self.store.shallow(&term) {
+            Type::Observable(dim) => self.as_observable(Expr { ty: Type::Number(dim), ..number(0.0, span) }),
+            _ => Expr { kind: Kind::Zero, ty: term.clone(), span },
+        };
         let (total, clear) = self.keep("total", zero);
         let (at, count) = self.keep("index", number(0.0, span));
         let part = Expr {

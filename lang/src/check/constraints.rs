@@ -226,10 +226,10 @@ impl Checker<'_> {
             (Type::Number(x), Type::Vector(y)) | (Type::Vector(x), Type::Number(y)) => {
                 Type::Vector(x.times(y))
             }
-            (Type::Number(_), Type::Array(element)) => {
+            (Type::Number(_) | Type::Observable(_), Type::Array(element)) => {
                 self.each_element(constraint, |part| Multiply(left.clone(), (**element).clone(), part))
             }
-            (Type::Array(element), Type::Number(_)) => {
+            (Type::Array(element), Type::Number(_) | Type::Observable(_)) => {
                 self.each_element(constraint, |part| Multiply((**element).clone(), right.clone(), part))
             }
             (Type::Observable(x), Type::Observable(y) | Type::Number(y))
@@ -290,7 +290,7 @@ impl Checker<'_> {
             (Type::Error, _) | (_, Type::Error) => Type::Error,
             (Type::Number(x), Type::Number(y)) => Type::Number(x.over(y)),
             (Type::Vector(x), Type::Number(y)) => Type::Vector(x.over(y)),
-            (Type::Array(element), Type::Number(_)) => {
+            (Type::Array(element), Type::Number(_) | Type::Observable(_)) => {
                 self.each_element(constraint, |part| Divide((**element).clone(), right.clone(), part))
             }
             (Type::Observable(x), Type::Observable(y) | Type::Number(y))

@@ -57,6 +57,7 @@ impl Body<'_, '_> {
                 let repr = a.repr.clone();
                 self.each(&[a], repr, span, |f, parts| f.negated(op, parts[0].clone(), span))
             }
+            Repr::Symbolic(_) => self.observable_unary(op, a, span),
             _ => unary(op, a, span),
         }
     }
@@ -65,7 +66,8 @@ impl Body<'_, '_> {
     pub(super) fn elementwise(&mut self, op: BinaryOp, a: ir::Expr, b: ir::Expr, span: Span) -> ir::Expr {
         let arrays = [&a.repr, &b.repr].map(|repr| matches!(repr, Repr::Array(_)));
         if arrays == [false, false] {
-            return binary(op, a, b, span);
+            let observable = [&a.repr, &b.repr].iter().any(|repr| matches!(repr, Repr::Symbolic(_)));
+            return if observable { self.observable_binary(op, a, b, span) } else { binary(op, a, b, span) };
         }
         let repr = result(op, &a.repr, &b.repr);
         let (a, b) = (self.local_value(a), self.local_value(b));
@@ -163,6 +165,7 @@ fn result(op: BinaryOp, a: &Repr, b: &Repr) -> Repr {
         (Repr::Array(a), Repr::Array(b)) => array(result(op, a, b)),
         (Repr::Array(a), b) => array(result(op, a, b)),
         (a, Repr::Array(b)) => array(result(op, a, b)),
+        (Repr::Symbolic(_), _) | (_, Repr::Symbolic(_)) => Repr::Symbolic(Box::new(Repr::Number)),
         _ => match binary_form(op, a, b) {
             BinaryForm::Plain(_, repr) | BinaryForm::Swapped(_, repr) => repr,
             BinaryForm::DivideVector => Repr::Vector,

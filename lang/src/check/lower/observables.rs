@@ -46,6 +46,34 @@ impl Body<'_, '_> {
         self.make_site("observable", expr, captures, values, e.span)
     }
 
+    /// Applies `+`, `-`, `*` or `/` to two values of which one is an observable.
+    pub(super) fn observable_binary(
+        &mut self,
+        op: BinaryOp,
+        a: ir::Expr,
+        b: ir::Expr,
+        span: Span,
+    ) -> ir::Expr {
+        let expr = symbolic_binary(op, capture(0, span), capture(1, span), span);
+        self.applied(expr, vec![a, b], span)
+    }
+
+    /// Applies a sign to an observable.
+    pub(super) fn observable_unary(&mut self, op: UnaryOp, a: ir::Expr, span: Span) -> ir::Expr {
+        let Some(op) = unary_op(op, &Repr::Number) else { return a };
+        let kind = SymKind::Op(op, vec![capture(0, span)]);
+        self.applied(SymExpr { kind, repr: Repr::Number, span }, vec![a], span)
+    }
+
+    fn applied(&mut self, expr: SymExpr, values: Vec<ir::Expr>, span: Span) -> ir::Expr {
+        let captures = values.iter().map(|value| Capture {
+            name: "observable".into(),
+            observable: matches!(value.repr, Repr::Symbolic(_)),
+            repr: value.repr.clone(),
+        });
+        self.make_site("observable", expr, captures.collect(), values, span)
+    }
+
     /// Adds a site that is evaluated at every step, and executes it.
     fn make_site(
         &mut self,
@@ -101,4 +129,8 @@ impl Body<'_, '_> {
             }
         }
     }
+}
+
+fn capture(index: u32, span: Span) -> SymExpr {
+    SymExpr { kind: SymKind::Capture(index), repr: Repr::Number, span }
 }
