@@ -169,7 +169,7 @@ fn settings_are_named_for_large_errors() {
             json!({ "discretization": of(1e-9), "contact_grid": of(3e-8), "positions": of(2.9e-8) });
         estimate["not_estimated"] = json!(["level"]);
         run["outputs"]["te"]["error_estimate"] = estimate;
-        super::accuracy::advice(&super::read::Run::read(directory(&run).path()).unwrap().outputs)
+        accuracy::advice(&Run::read(directory(&run).path()).unwrap().outputs)
     };
     assert_eq!(advice(0.099), None);
     assert_eq!(
