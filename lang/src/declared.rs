@@ -1,8 +1,8 @@
 //! Finds the declaration of a name in a syntax tree, and extracts its text.
 
 use crate::ast::{
-    Domain, Expr, FunctionBody, FunctionDecl, Ident, Module, Parameter, RecordDecl, RecordField, Stmt,
-    StmtKind, StringPart, VarDecl,
+    Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Module, Parameter, RecordDecl, RecordField,
+    Stmt, StmtKind, StringPart, VarDecl,
 };
 use crate::span::Span;
 use crate::walk::Node;
@@ -41,7 +41,8 @@ fn within(statement: &Stmt, offset: u32) -> Option<Declared<'_>> {
             }
             let parameter = decl.parameters.iter().find(|parameter| here(&parameter.name));
             parameter.map(|parameter| Declared::Parameter(decl, parameter)).or_else(|| match &decl.body {
-                FunctionBody::Statement(body) => within(body, offset),
+                FunctionBody::Statement(body)
+                | FunctionBody::Symbolic(Expr { kind: ExprKind::Block(body), .. }) => within(body, offset),
                 _ => None,
             })
         }
@@ -206,7 +207,7 @@ pub fn choices(domain: Option<&Domain>) -> Vec<String> {
 /// Returns the text of a string that has no interpolated values.
 pub fn plain_string(e: &Expr) -> Option<String> {
     match &e.kind {
-        crate::ast::ExprKind::String(parts) => match parts.as_slice() {
+        ExprKind::String(parts) => match parts.as_slice() {
             [] => Some(String::new()),
             [StringPart::Text(text)] => Some(text.clone()),
             _ => None,

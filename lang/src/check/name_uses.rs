@@ -77,7 +77,7 @@ impl Checker<'_> {
             );
             return Expr::error(span);
         }
-        if self.variable(id).kind == VarKind::Symbolic {
+        if self.variable(id).kind == VarKind::Symbolic && !self.is_of_symbolic_function(id) {
             return self.symbolic_name(id, span);
         }
         let ty = self.variable_type(id);

@@ -65,8 +65,10 @@ impl<'a> Checker<'a> {
             return Expr::error(span);
         };
         let (types, result, instance) = self.instantiate(id, span);
-        let names = decl.parameter_names().split_off(1);
-        let Some(fields) = self.spread(&name, &names, rest) else { return Expr::error(span) };
+        let names = decl.parameter_names();
+        let names = names.get(1..).unwrap_or_default();
+        self.note_arguments(names, rest);
+        let Some(fields) = self.spread(&name, names, rest) else { return Expr::error(span) };
         let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
         let listed: Vec<(&str, bool)> = parameters
             .iter()

@@ -164,6 +164,9 @@ impl Lowering<'_> {
                 );
             }
         }
+        if !reprs.iter().all(is_symbolic_argument) {
+            return None;
+        }
         if self.symbolic_functions.depth >= MOST_NESTED {
             self.report(
                 Diagnostic::error(
