@@ -99,7 +99,11 @@ fn names_are_declared_where_they_say_and_found_from_there() {
             let found = database.references(place);
             assert!(found.iter().any(|(of, found)| **of == *file && *found == name), "{name:?}");
             assert!(found.iter().any(|(_, found)| found.declares), "{name:?}");
-            let declaration = database.declaration(place).expect("a declaration");
+            // The variable of a comprehension has no statement of its own.
+            let Some(declaration) = database.declaration(place) else {
+                assert_eq!(itself.kind, NameKind::Variable, "{itself:?}");
+                continue;
+            };
             assert_eq!(declaration.kind, itself.kind);
             assert!(declaration.header.contains(&*name.text), "{declaration:?}");
         }
@@ -121,7 +125,13 @@ fn every_name_is_seen_where_it_is_used() {
                     let rest = text[name.end as usize..].trim_start();
                     rest.starts_with('=') || rest.starts_with(":=")
                 });
-            if part || elsewhere || argument || name.declares {
+            // The element of a comprehension precedes its variable.
+            let comprehended = name.kind == NameKind::Variable
+                && name
+                    .declared
+                    .as_ref()
+                    .is_some_and(|place| *place.file == *file && place.start > name.start);
+            if part || elsewhere || argument || comprehended || name.declares {
                 continue;
             }
             let seen = database.visible(&file, name.start);

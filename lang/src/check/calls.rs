@@ -312,12 +312,15 @@ impl<'a> Checker<'a> {
                     Expr::error(span)
                 }
             };
-            if self.static_parameters.contains(&variable) {
+            let is_static = self.static_parameters.contains(&variable);
+            if is_static {
                 self.static_argument(&parameter.name, &value);
             }
             let value = match &mut stored {
                 Some(stored) if parameter.mode == Mode::In => {
-                    self.store_argument(&parameter.name, variable, value, stored)
+                    let kept = self.store_argument(&parameter.name, variable, value.clone(), stored);
+                    // Params of the component use the expression before the model runs.
+                    if is_static { value } else { kept }
                 }
                 _ => value,
             };

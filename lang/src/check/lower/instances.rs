@@ -159,6 +159,8 @@ impl<'c> Lowering<'c> {
             Kind::Call(call) if self.checker.is_component(call.function) => {
                 self.add_instance(call, path);
             }
+            // Arguments are kept for the defaults of others.
+            Kind::Sequence(_, call) => self.list_value(call, path),
             _ => {}
         }
     }
