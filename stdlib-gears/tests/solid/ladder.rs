@@ -75,8 +75,8 @@ fn helical_teeth_give_as_finite_elements() {
     for ([error, _, stiffness, stress], [of_mesh, _, meshed, root]) in given.iter().zip(&meshed) {
         assert!((error / of_mesh - 1.0).abs() < 0.1, "{error} {of_mesh}");
         assert!((stiffness / meshed - 1.0).abs() < 0.1, "{stiffness} {meshed}");
-        // Root stresses are overestimated, as for spur teeth.
-        assert!((1.0..1.25).contains(&(stress / root)), "{stress} {root}");
+        // The order of the elements is low, and there are two of them along the fillet.
+        assert!((0.85..1.1).contains(&(stress / root)), "{stress} {root}");
     }
 }
 
