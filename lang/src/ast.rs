@@ -248,8 +248,8 @@ pub struct FunctionDecl {
     pub is_test: bool,
     /// `true` for `host function`: the program that embeds the model may replace its body.
     pub is_host: bool,
-    /// `true` for `component Stage(gear: Gear) { ... }`: its body is a block, whose declarations are
-    /// the members of its instances.
+    /// `true` for `component Stage(gear: Gear) { ... }`: its body is a block, whose declarations
+    /// are the members of its instances.
     pub is_component: bool,
 }
 

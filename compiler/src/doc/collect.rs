@@ -56,8 +56,8 @@ pub struct Field {
     pub name: String,
     /// Former name, which is deprecated.
     pub former: Option<String>,
-    /// `in`, `out` or `inout` for parameters, `param` or `output` for those of components, empty for
-    /// others.
+    /// `in`, `out` or `inout` for parameters, `param` or `output` for those of components, empty
+    /// for others.
     pub mode: &'static str,
     pub doc: String,
     pub ty: Option<Type>,

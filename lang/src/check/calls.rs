@@ -26,8 +26,8 @@ struct StoredArguments {
 }
 
 impl StoredArguments {
-    /// Returns the statements in the order of evaluation: arguments as they are written in the call,
-    /// then defaults.
+    /// Returns the statements in the order of evaluation: arguments as they are written in the
+    /// call, then defaults.
     fn in_order(mut self, call: Span) -> Vec<Stmt> {
         let written =
             |s: &Stmt| s.span.file == call.file && call.start <= s.span.start && s.span.end <= call.end;

@@ -192,7 +192,8 @@ impl<'a> Checker<'a> {
         };
         let walk = walk.statement(vec![Stmt { kind: first, span }]);
         let ty = total.ty.clone();
-        Expr { kind: Kind::Sequence(vec![keep, clear, walk], Box::new(Expr { span, ..total })), ty, span }
+        let kind = Kind::Sequence(vec![keep, clear, walk], Box::new(Expr { span, ..total }));
+        self.observed(Expr { kind, ty, span })
     }
 
     /// Checks a function of an array of numbers.

@@ -2,9 +2,9 @@
 //! instantiated.
 //!
 //! A component is a function whose body runs once per instance. Its result is a record, nominal as
-//! the component, with its parameters, params, variables and outputs. A params file names the params
-//! of every instance, so the instances of a program must be known before it runs: they are the
-//! declarations `var name = Component(...)` at the top level of the model and of components.
+//! the component, with its parameters, params, variables and outputs. A params file names the
+//! params of every instance, so the instances of a program must be known before it runs: they are
+//! the declarations `var name = Component(...)` at the top level of the model and of components.
 
 use super::infer::Checker;
 use super::symbols::{Resolution, VarKind};
@@ -112,8 +112,8 @@ impl<'a> Checker<'a> {
         Expr { kind, ty: self.variable_type(variable), span }
     }
 
-    /// Checks components after inference: an instance contains no instance of its own component, and
-    /// the types of its members are known.
+    /// Checks components after inference: an instance contains no instance of its own component,
+    /// and the types of its members are known.
     pub(super) fn check_components(&mut self, group: &[FuncId]) {
         for &id in group {
             let info = &self.names.functions[id.0 as usize];

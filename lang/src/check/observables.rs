@@ -45,8 +45,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Converts the number to an observable if one of two values is a number and the other one is an
-    /// observable.
+    /// Converts the number to an observable if one of two values is a number and the other one is
+    /// an observable.
     pub(super) fn alike(&mut self, a: Expr, b: Expr) -> (Expr, Expr) {
         if self.symbolic {
             return (a, b);
@@ -177,8 +177,8 @@ impl Checker<'_> {
             })
     }
 
-    /// Returns `true` if the value of an expression is an observable, as far as this is known before
-    /// the expression is checked.
+    /// Returns `true` if the value of an expression is an observable, as far as this is known
+    /// before the expression is checked.
     fn names_observable(&self, e: &ast::Expr) -> bool {
         match &e.kind {
             ExprKind::Name(_) | ExprKind::Field { .. } | ExprKind::Index { .. } | ExprKind::Call { .. } => {

@@ -344,8 +344,8 @@ impl<'a> Checker<'a> {
         StmtKind::Assign(target, value)
     }
 
-    /// Requires that a value has the type of the place that it is assigned to, and returns it as one
-    /// of this type. Returns `None` if the variable has observables and was first taken for a
+    /// Requires that a value has the type of the place that it is assigned to, and returns it as
+    /// one of this type. Returns `None` if the variable has observables and was first taken for a
     /// number: then the program is checked again.
     fn expect_stored(&mut self, target: &Place, value: Expr) -> Option<Expr> {
         let variable = self.variable(target.variable).clone();

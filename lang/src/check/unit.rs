@@ -77,8 +77,8 @@ pub struct Context<'c> {
     pub surroundings: &'c dyn Surroundings,
 }
 
-/// Limit of the repetitions of a check. A repetition is needed if a variable that starts as a number
-/// later receives an observable; few programs need more than one.
+/// Limit of the repetitions of a check. A repetition is needed if a variable that starts as a
+/// number later receives an observable; few programs need more than one.
 const MOST_REPETITIONS: usize = 8;
 
 /// A check of the names and types of an excerpt.

@@ -44,8 +44,8 @@ pub struct Call {
 }
 
 impl Call {
-    /// Returns the path of the instance that the call creates, if it calls a component: its function
-    /// is called `Stage low`.
+    /// Returns the path of the instance that the call creates, if it calls a component: its
+    /// function is called `Stage low`.
     pub fn instance(&self) -> Option<&str> {
         self.function.split_once(' ').map(|(_, path)| path)
     }

@@ -209,8 +209,8 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
     Ok(all)
 }
 
-/// Adds the assignments of an entry. Tables and arrays of tables have the params of the instances of
-/// components.
+/// Adds the assignments of an entry. Tables and arrays of tables have the params of the instances
+/// of components.
 fn toml_entry(
     file: &Arc<FileDescription>,
     name: &str,

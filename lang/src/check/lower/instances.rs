@@ -241,8 +241,8 @@ impl<'c> Lowering<'c> {
         self.components.by_call.get(&(self.around, self.unit, call)).copied()
     }
 
-    /// Returns the path of the current instance, and of the instance that contains it; empty outside
-    /// of components.
+    /// Returns the path of the current instance, and of the instance that contains it; empty
+    /// outside of components.
     fn instance_paths(&self) -> (String, String) {
         let Some(InstanceId(at)) = self.around else { return Default::default() };
         let instance = &self.components.all[at];
