@@ -31,9 +31,7 @@ impl<'a> Checker<'a> {
     fn check_constant_points(&mut self, points: &Expr) {
         let variable = match &points.kind {
             Kind::Error => None,
-            Kind::Array(all) => all.iter().find(|point| {
-                !matches!(point.kind, Kind::Error) && constant::number(point, &self.store).is_none()
-            }),
+            Kind::Array(all) => all.iter().find(|point| !is_constant(point)),
             _ => Some(points),
         };
         if let Some(variable) = variable {
@@ -48,6 +46,23 @@ impl<'a> Checker<'a> {
             );
         }
     }
+}
+
+/// Returns `true` for literals and operations on them. The dimension of a literal, and therefore its
+/// value, may not be known yet.
+fn is_constant(e: &Expr) -> bool {
+    let operation = matches!(
+        e.kind,
+        Kind::Error
+            | Kind::Number(_)
+            | Kind::Bare(..)
+            | Kind::Bool(_)
+            | Kind::Unary(..)
+            | Kind::Binary(..)
+            | Kind::Op(..)
+            | Kind::If(..)
+    );
+    operation && e.children().into_iter().all(is_constant)
 }
 
 /// Returns the table of a spline, or the reason why there is none. `None` stands for points that are
