@@ -6,7 +6,7 @@ use super::instances::Around;
 use super::sites::Captures;
 use super::{Lowering, known_dimension};
 use crate::ast::Mode;
-use crate::check::tree::{Call, Expr, FuncId, Function, StmtKind, SymbolicBody, VarId};
+use crate::check::tree::{Call, ConstraintKind, Expr, FuncId, Function, StmtKind, SymbolicBody, VarId};
 use crate::check::types::{Store, Substitution, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
@@ -222,6 +222,15 @@ impl Lowering<'_> {
             .iter()
             .map(|(variable, _)| checker.store.repr(&checker.type_of(*variable)))
             .collect();
+        // An argument of an unknown type with elements or fields is no number.
+        let generic = |ty: &Type| matches!(checker.store.shallow(ty), Type::Unknown(_));
+        let has_parts = found.scheme.constraints.iter().any(|constraint| {
+            matches!(&constraint.kind,
+                ConstraintKind::Index(base, ..) | ConstraintKind::Field(base, ..) if generic(base))
+        });
+        if has_parts {
+            return;
+        }
         // Embedding programs pass numbers; a function of frames, records or arrays is instantiated
         // by its calls.
         if !reprs.iter().all(|repr| matches!(repr, Repr::Number | Repr::Bool | Repr::Vector)) {
