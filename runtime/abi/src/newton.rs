@@ -110,10 +110,9 @@ fn iterate<const N: usize>(
             continue;
         }
         if size <= (NOISE * range).max(NOISE_AT_ZERO) {
-            // A NaN is not smaller, so the last iterate is the solution then.
-            if !(simplified < size) {
-                inputs[..N].copy_from_slice(&x);
-            }
+            // If the trial gave NaN, its correction is not smaller either.
+            let better = if simplified < size { trial } else { x };
+            inputs[..N].copy_from_slice(&better);
             return true;
         }
         damping *= 0.5;
