@@ -81,6 +81,11 @@ impl Scan<'_> {
         if renamed { index + 3 } else { index + 1 }
     }
 
+    /// Returns `true` for the `for` of a comprehension, `for x in xs`; a loop has a parenthesis.
+    fn is_comprehension(&self, index: usize) -> bool {
+        self.kind(index) == Some(Kind::For) && self.name(index + 1).is_some()
+    }
+
     fn declare(&mut self, span: Span, kind: NameKind) {
         if let Some(scope) = self.scopes.last_mut() {
             scope.names.push((span, kind));
@@ -164,7 +169,7 @@ impl Scan<'_> {
                 self.open();
                 return self.parameters(self.after_name(index + 1), end);
             }
-            Kind::For => self.open(),
+            Kind::For if !self.is_comprehension(index) => self.open(),
             Kind::Catch => {
                 self.open();
                 if self.kind(index + 1) == Some(Kind::OpenParen)
@@ -204,7 +209,7 @@ impl Scan<'_> {
                     expected = true;
                 }
                 Some(Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace | Kind::CloseParen) | None => break,
-                Some(kind) if kind.begins_statement() => break,
+                Some(kind) if kind.begins_statement() && !self.is_comprehension(index) => break,
                 Some(_) => {}
             }
             index += 1;

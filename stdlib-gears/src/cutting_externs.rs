@@ -94,9 +94,9 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_outer_rim(
-        context, diameter: f64, outer_diameter: f64, seat: String, outer_surface_harmonics: f64, outer_surface_axial_degree: f64,
+        context, diameter: f64, outer_diameter: f64, outer_surface: String, outer_surface_harmonics: f64, outer_surface_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&seat, ["outer_surface_harmonics", "outer_surface_axial_degree"], [outer_surface_harmonics, outer_surface_axial_degree])?;
+        let hold = bore_support(&outer_surface, ["outer_surface_harmonics", "outer_surface_axial_degree"], [outer_surface_harmonics, outer_surface_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::outer(diameter, outer_diameter).map_err(|error| host.rejected(error.into(), place))?;
         Ok(keep(&mut host.rims, rim.held(hold)))

@@ -77,7 +77,7 @@ fn no_bytes_make_loading_panic() {
     let externs = externs();
     let mut random = Random(1);
     let (mut unreadable, mut refused, mut loaded) = (0, 0, 0);
-    for _ in 0..20_000 {
+    for _ in 0..25_000 {
         let mut bytes = whole.clone();
         for _ in 0..=random.below(3) {
             let at = random.below(bytes.len());

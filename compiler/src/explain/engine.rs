@@ -182,7 +182,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0820" "points that cannot be interpolated" "`interpolate` requires at least two points, as many `ys` as `xs`, and ascending `xs`. Sort the table by `xs` and remove duplicates."
     "E0821" "an interpolation outside of its points" "`interpolate` supports values between the first and the last of its `xs`. Extend the table, or limit the argument with `min` and `max`."
     "E0822" "a power at zero speed" "Power is torque times speed, so no torque gives a power at zero speed. Give the speed of the body."
-    "E0823" "an invalid number of planets" "The number of planets is an integer of at least 1. `places`, if given, has one position per planet."
+    "E0823" "an invalid number of planets" "The number of planets is an integer of at least 1. `planet_angles`, if given, has one angle per planet."
     "E0824" "two torques on a planetary set" "The torques on sun and ring are related by equilibrium. Give one of them."
     "E0825" "a planetary set that rotates as a whole" "If sun, carrier and ring have the same speed, the teeth do not roll on each other, and there is no mesh cycle to analyse. Give the sun or the ring another speed."
     "E0852" "a slice outside of its array" "The limits of a slice lie between 0 and the length of the array, and its start is not greater than its end. Limit a computed end with `min(end, len(array))`."

@@ -9,21 +9,33 @@ use calyx_abi::units::to_si;
 
 /// Returns the value, in SI units, of an expression that consists of literals.
 pub fn number(e: &Expr, store: &Store) -> Option<f64> {
+    evaluated(e, store, false)
+}
+
+/// Returns the same value for an expression in a function whose call is lowered. A literal whose
+/// dimension the call does not determine has none.
+pub fn number_in_call(e: &Expr, store: &Store) -> Option<f64> {
+    evaluated(e, store, true)
+}
+
+fn evaluated(e: &Expr, store: &Store, in_call: bool) -> Option<f64> {
+    let number = |e: &Expr| evaluated(e, store, in_call);
     Some(match &e.kind {
         Kind::Number(value) => *value,
         Kind::Bare(value, dim, system) => {
-            let dimension = store.dim(dim).as_known()?;
+            let dim = store.dim(dim);
+            let dimension = dim.as_known().or(in_call.then_some(dim.fixed))?;
             to_si(*value, system.unit_of(dimension.without_own()).factor)
         }
-        Kind::Unary(UnaryOp::Minus, a) => -number(a, store)?,
-        Kind::Unary(UnaryOp::Plus, a) => number(a, store)?,
+        Kind::Unary(UnaryOp::Minus, a) => -number(a)?,
+        Kind::Unary(UnaryOp::Plus, a) => number(a)?,
         Kind::Op(op, all) => {
-            let all: Option<Vec<f64>> = all.iter().map(|a| number(a, store)).collect();
+            let all: Option<Vec<f64>> = all.iter().map(|a| number(a)).collect();
             operation(*op, &all?)?
         }
-        Kind::If(condition, a, b) => number(if truth(condition, store)? { a } else { b }, store)?,
+        Kind::If(condition, a, b) => number(if truth(condition, store, in_call)? { a } else { b })?,
         Kind::Binary(op, a, b) => {
-            let (a, b) = (number(a, store)?, number(b, store)?);
+            let (a, b) = (number(a)?, number(b)?);
             match op {
                 BinaryOp::Add => a + b,
                 BinaryOp::Subtract => a - b,
@@ -39,17 +51,17 @@ pub fn number(e: &Expr, store: &Store) -> Option<f64> {
 
 /// Returns the constant number or truth value of an expression, as a literal.
 pub fn scalar(e: &Expr, store: &Store) -> Option<Kind> {
-    truth(e, store).map(Kind::Bool).or_else(|| number(e, store).map(Kind::Number))
+    truth(e, store, false).map(Kind::Bool).or_else(|| number(e, store).map(Kind::Number))
 }
 
 /// Returns the truth value of an expression that consists of literals.
-fn truth(e: &Expr, store: &Store) -> Option<bool> {
-    let numbers = |a, b| number(a, store).zip(number(b, store));
+fn truth(e: &Expr, store: &Store, in_call: bool) -> Option<bool> {
+    let numbers = |a, b| evaluated(a, store, in_call).zip(evaluated(b, store, in_call));
     Some(match &e.kind {
         Kind::Bool(value) => *value,
-        Kind::Unary(UnaryOp::Not, a) => !truth(a, store)?,
-        Kind::Binary(BinaryOp::And, a, b) => truth(a, store)? && truth(b, store)?,
-        Kind::Binary(BinaryOp::Or, a, b) => truth(a, store)? || truth(b, store)?,
+        Kind::Unary(UnaryOp::Not, a) => !truth(a, store, in_call)?,
+        Kind::Binary(BinaryOp::And, a, b) => truth(a, store, in_call)? && truth(b, store, in_call)?,
+        Kind::Binary(BinaryOp::Or, a, b) => truth(a, store, in_call)? || truth(b, store, in_call)?,
         Kind::Binary(op, a, b) => {
             let (a, b) = numbers(a, b)?;
             match op {

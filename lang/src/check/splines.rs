@@ -69,7 +69,9 @@ fn is_constant(e: &Expr) -> bool {
 /// not constant, which is reported.
 pub fn table(xs: &Expr, ys: &Expr, store: &Store) -> Option<Result<Vec<f64>, String>> {
     let numbers = |e: &Expr| match &e.kind {
-        Kind::Array(all) => all.iter().map(|e| constant::number(e, store)).collect::<Option<Vec<f64>>>(),
+        Kind::Array(all) => {
+            all.iter().map(|e| constant::number_in_call(e, store)).collect::<Option<Vec<f64>>>()
+        }
         _ => None,
     };
     let (xs, ys) = (numbers(xs)?, numbers(ys)?);

@@ -311,6 +311,7 @@ pub(super) fn private<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
                     | Kind::Test
                     | Kind::Const
                     | Kind::Record
+                    | Kind::Enum
                     | Kind::Component
                     | Kind::Dimension
                     | Kind::Unit

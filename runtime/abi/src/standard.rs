@@ -17,12 +17,6 @@ crate::externs! {
         Ok(())
     }
 
-    /// Begins and ends the body of a component: sets the path of the instance that is being built.
-    Scene fn calyx_std_instance(context, path: String) -> () {
-        context.instance = path;
-        Ok(())
-    }
-
     /// `assert(Bool, String)`: fails with E0705 and the message if the condition is false.
     Pure fn calyx_std_assert(context, condition: bool, message: String) -> () {
         if condition {
@@ -142,6 +136,12 @@ crate::externs! {
         let mut values = values;
         values.sort_by(|a, b| a.is_nan().cmp(&b.is_nan()).then(a.total_cmp(b)));
         Ok(values)
+    }
+
+    /// Begins and ends the body of a component: sets the path of the instance that is being built.
+    Scene fn calyx_std_instance(context, path: String) -> () {
+        context.instance = path;
+        Ok(())
     }
 }
 

@@ -324,18 +324,18 @@ mod tests {
     #[test]
     fn what_is_no_param_is_refused_at_its_place() {
         for (format, text, message, marked) in [
-            ("json", "{\"a\": [1]}", "`a` is an array", "[1]"),
+            ("json", "{\"a\": [[1]]}", "`a` is an array of arrays", "[[1]]"),
             ("json", "{\"a\": null}", "`a` is null", "null"),
             ("json", "{\"a\": {\"b\": null}}", "`a.b` is null", "null"),
-            ("json", "{\"a\": [{\"b\": 1}, 2]}", "`a` is an array", "[{\"b\": 1}, 2]"),
+            ("json", "{\"a\": [{\"b\": 1}, 2]}", "`a` is an object", "[{\"b\": 1}, 2]"),
             ("json", "{\"a\": {\"b\": 1}, \"a.b\": 2}", "`a.b` is given twice", "\"a.b\""),
             ("json", "{\"a\": 1, \"a\": 2}", "`a` is given twice", "\"a\""),
             ("json", "{\"é\": 1,, }", "not as it should be: ", ""),
             ("json", "[1]", "expected an object of params", ""),
             ("json", "{} {}", "trailing characters", ""),
             ("json", "", "EOF", ""),
-            ("toml", "a = [1]", "`a` is an array", "a"),
-            ("toml", "[a]\nb = [1]", "`a.b` is an array", "b"),
+            ("toml", "a = [[1]]", "`a` is an array of arrays", "a"),
+            ("toml", "[a]\nb = [[1]]", "`a.b` is an array of arrays", "b"),
             ("toml", "a = 2026-11-20", "`a` is a date", "a"),
             ("toml", "a = 1\na = 2", "duplicate key", "a"),
             ("toml", "a = 3 mm", "not as it should be", ""),
