@@ -103,10 +103,10 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_splined(
-        context, rim: Handle, lugs: f64, width: f64, first: f64, centring: String, stiffness: f64,
-        radial_stiffness: f64, axial_order: f64, clearance: f64,
+        context, rim: Handle, teeth: f64, width: f64, first_angle: f64, centring: String, stiffness: f64,
+        radial_stiffness: f64, axial_degree: f64, clearance: f64,
     ) -> Handle {
-        for (name, number) in [("teeth", lugs), ("axial_degree", axial_order)] {
+        for (name, number) in [("teeth", teeth), ("axial_degree", axial_degree)] {
             if number.fract() != 0.0 {
                 return Err(refusal("E0655", name, &format!("`{name}` cannot be {number}"), "give a whole number"));
             }
@@ -123,12 +123,12 @@ calyx_abi::externs! {
             )),
         };
         let spline = SplineSupport {
-            spline_teeth: lugs as u16,
+            spline_teeth: teeth as u16,
             width: given(width),
-            first,
+            first: first_angle,
             stiffness: given(stiffness),
             radial,
-            axial_order: axial_order as u8,
+            axial_order: axial_degree as u8,
             clearance,
         };
         let (place, host) = (context.place, host(context)?);

@@ -51,13 +51,13 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_impulse(
-        context, on: Handle, at: f64, duration: f64, momentum: [f64; 3], angular_momentum: [f64; 3],
+        context, body: Handle, at: f64, duration: f64, momentum: [f64; 3], angular_momentum: [f64; 3],
     ) -> () {
         if !(duration.is_finite() && duration > 0.0) {
             return Err(refusal("E0766", "duration", &format!("an impulse cannot have a duration of {duration} s"),
                 "give a positive time, a few steps long and much shorter than the periods that are looked at"));
         }
-        let id = body(context, "body", on)?;
+        let id = self::body(context, "body", body)?;
         let host = host(context)?;
         let momentum = Wrench { force: momentum, moment: angular_momentum };
         if let Some(body) = host.scene.bodies.get_mut(id.0) {

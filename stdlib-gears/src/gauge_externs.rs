@@ -145,7 +145,7 @@ fn side_named(side: &str, internal: bool) -> FilletSide {
 
 calyx_abi::externs! {
     Scene fn calyx_gears_gauge(
-        context, body: Handle, radius: f64, tangent_angle: f64, axial: f64, direction: f64, length: f64, side: String,
+        context, body: Handle, radius: f64, tangent_angle: f64, axial_position: f64, direction: f64, length: f64, side: String,
         tooth: f64,
     ) -> Handle {
         let id = externs::body(context, "body", body)?;
@@ -153,7 +153,7 @@ calyx_abi::externs! {
         let (place, host) = (context.place, host(context)?);
         let gear = host.gear_on("body", id)?.clone();
         let along = if radius == 0.0 { FilletLocation::TangentAngle(tangent_angle) } else { FilletLocation::Radius(radius) };
-        let placed = GaugePlacement { along, axial, direction, length }.on(&gear);
+        let placed = GaugePlacement { along, axial: axial_position, direction, length }.on(&gear);
         let placed = placed.map_err(|error| host.rejected(Refusal::from(error), place))?;
         let gauge = Gauge {
             body: id, place: placed, direction, length, side: side_named(&side, gear.form().internal), tooth,

@@ -13,17 +13,17 @@ const DOF_NAMES: [&str; 3] = ["u_x", "u_y", "theta_z"];
 calyx_abi::externs! {
     Pure fn calyx_gears_lumped_member(
         context, mass: f64, inertia: f64, radius: f64, support_stiffness: f64, torsional_stiffness: f64,
-        held: Vec<String>,
+        fixed: Vec<String>,
     ) -> Handle {
-        let mut fixed = [false; 3];
-        for freedom in &held {
+        let mut held = [false; 3];
+        for freedom in &fixed {
             let Some(at) = DOF_NAMES.iter().position(|known| known == freedom) else {
                 return Err(refusal("E0670", "fixed", &format!("\"{freedom}\" is not a degree of freedom of a lumped member"),
                     "they are \"u_x\", \"u_y\" and \"theta_z\""));
             };
-            fixed[at] = true;
+            held[at] = true;
         }
-        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, held: fixed };
+        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, held };
         Ok(keep(&mut host(context)?.lumped_members, member))
     }
 

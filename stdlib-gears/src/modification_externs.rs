@@ -10,12 +10,12 @@ use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 
 calyx_abi::externs! {
-    Pure fn calyx_gears_tip_relief(context, depth: f64, start_roll: f64, shape: String) -> Handle {
-        kept(context, Ok(Modification::TipRelief(relief(depth, start_roll, &shape))))
+    Pure fn calyx_gears_tip_relief(context, depth: f64, start_roll_angle: f64, shape: String) -> Handle {
+        kept(context, Ok(Modification::TipRelief(relief(depth, start_roll_angle, &shape))))
     }
 
-    Pure fn calyx_gears_root_relief(context, depth: f64, start_roll: f64, shape: String) -> Handle {
-        kept(context, Ok(Modification::RootRelief(relief(depth, start_roll, &shape))))
+    Pure fn calyx_gears_root_relief(context, depth: f64, start_roll_angle: f64, shape: String) -> Handle {
+        kept(context, Ok(Modification::RootRelief(relief(depth, start_roll_angle, &shape))))
     }
 
     Pure fn calyx_gears_lead_crown(context, depth: f64) -> Handle {
@@ -30,16 +30,16 @@ calyx_abi::externs! {
         kept(context, Ok(Modification::HelixSlope(deviation)))
     }
 
-    Pure fn calyx_gears_profile_table(context, rolls: Vec<f64>, depths: Vec<f64>) -> Handle {
-        kept(context, Modification::profile_table(rolls, depths))
+    Pure fn calyx_gears_profile_table(context, roll_angles: Vec<f64>, depths: Vec<f64>) -> Handle {
+        kept(context, Modification::profile_table(roll_angles, depths))
     }
 
-    Pure fn calyx_gears_lead_table(context, places: Vec<f64>, depths: Vec<f64>) -> Handle {
-        kept(context, Modification::lead_table(places, depths))
+    Pure fn calyx_gears_lead_table(context, axial_positions: Vec<f64>, depths: Vec<f64>) -> Handle {
+        kept(context, Modification::lead_table(axial_positions, depths))
     }
 
-    Pure fn calyx_gears_topography(context, rolls: Vec<f64>, places: Vec<f64>, depths: Vec<f64>) -> Handle {
-        kept(context, Modification::topography(rolls, places, depths))
+    Pure fn calyx_gears_topography(context, roll_angles: Vec<f64>, axial_positions: Vec<f64>, depths: Vec<f64>) -> Handle {
+        kept(context, Modification::topography(roll_angles, axial_positions, depths))
     }
 
     Pure fn calyx_gears_host_modification(context, name: String) -> Handle {

@@ -66,8 +66,8 @@ calyx_abi::externs! {
         observe(context, ModeShare { mode, body: id, components, elastic })
     }
 
-    Scene fn calyx_gears_mode_type(context, mode: f64, around: Handle, planets: Vec<Handle>) -> Handle {
-        let (mode, set) = (mode_number(mode)?, planet_set(context, around, planets)?);
+    Scene fn calyx_gears_mode_type(context, mode: f64, central: Handle, planets: Vec<Handle>) -> Handle {
+        let (mode, set) = (mode_number(mode)?, planet_set(context, central, planets)?);
         observe(context, ModeClassification { mode, set })
     }
 
@@ -97,13 +97,13 @@ calyx_abi::externs! {
         observe(context, LumpedFrequency { mode, set })
     }
 
-    Scene fn calyx_gears_modes_table(context, modes: f64, around: Handle, planets: Vec<Handle>) -> () {
+    Scene fn calyx_gears_modes_table(context, modes: f64, central: Handle, planets: Vec<Handle>) -> () {
         if modes.fract() != 0.0 {
             return Err(refusal("E0770", "modes", &format!("there are no {modes} modes"), "give a whole number, or 0 for all"));
         }
         let set = match planets.is_empty() {
             true => None,
-            false => Some(planet_set(context, around, planets)?),
+            false => Some(planet_set(context, central, planets)?),
         };
         let count = (modes > 0.0).then_some(modes as usize);
         host(context)?.scene.modes_table = Some(ModesRequest { count, set });
@@ -197,10 +197,10 @@ calyx_abi::externs! {
         observe(context, SupportMoment(body, axis_number(&axis)))
     }
 
-    Scene fn calyx_gears_spline_tooth_force(context, body: Handle, lug: f64, direction: String) -> Handle {
+    Scene fn calyx_gears_spline_tooth_force(context, body: Handle, tooth: f64, direction: String) -> Handle {
         let id = self::body(context, body)?;
-        let lug = spline_tooth_number(host(context)?, id, lug)?;
-        observe(context, SplineToothLoad { body: id, spline_tooth: lug, radial: direction == "radial" })
+        let tooth = spline_tooth_number(host(context)?, id, tooth)?;
+        observe(context, SplineToothLoad { body: id, spline_tooth: tooth, radial: direction == "radial" })
     }
 
     Scene fn calyx_gears_displacement(context, body: Handle, axis: String) -> Handle {

@@ -13,22 +13,22 @@ use calyx_runtime::signal::{Scaling, Signal, SignalKind, SignalRequest, Span, Wi
 
 calyx_abi::externs! {
     Scene fn calyx_gears_spectrum(
-        context, of: String, from: f64, to: f64, window: String, piece: f64, scaling: String, highest: f64,
+        context, output: String, from: f64, to: f64, window: String, segment: f64, scaling: String, highest: f64,
     ) -> () {
-        let piece = (positive("segment", piece)? > 0.0).then_some(piece);
+        let piece = (positive("segment", segment)? > 0.0).then_some(segment);
         let scaling = if scaling == "density" { Scaling::Density } else { Scaling::Amplitude };
-        ask(context, of, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, piece, scaling })
+        ask(context, output, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, piece, scaling })
     }
 
     Scene fn calyx_gears_spectrogram(
-        context, of: String, piece: f64, from: f64, to: f64, window: String, highest: f64,
+        context, output: String, segment: f64, from: f64, to: f64, window: String, highest: f64,
     ) -> () {
-        let piece = more_than_none("segment", piece)?;
-        ask(context, of, [from, to], highest, SignalKind::Spectrogram { window: named(&window)?, piece })
+        let piece = more_than_none("segment", segment)?;
+        ask(context, output, [from, to], highest, SignalKind::Spectrogram { window: named(&window)?, piece })
     }
 
     Scene fn calyx_gears_order_map(
-        context, of: String, shaft: Handle, angle: String, from: f64, to: f64, turns: f64, highest: f64, window: String,
+        context, output: String, shaft: Handle, angle: String, from: f64, to: f64, revolutions: f64, highest: f64, window: String,
     ) -> () {
         let shaft = if shaft == GROUND { None } else { Some(body(context, "shaft", shaft)?) };
         let ahead = (!angle.is_empty()).then(|| context.name_in_instance(angle));
@@ -36,19 +36,19 @@ calyx_abi::externs! {
             return Err(refusal("E0778", "shaft", "the shaft whose revolutions are counted is missing",
                 "give the `shaft`, or the name of an output that is its `angle`"));
         }
-        let (turns, highest) = (more_than_none("revolutions", turns)?, more_than_none("highest", highest)?);
+        let (turns, highest) = (more_than_none("revolutions", revolutions)?, more_than_none("highest", highest)?);
         let window = named(&window)?;
-        ask(context, of, [from, to], highest, SignalKind::OrderMap { shaft, ahead, turns, highest, window })
+        ask(context, output, [from, to], highest, SignalKind::OrderMap { shaft, ahead, turns, highest, window })
     }
 
     Scene fn calyx_gears_transfer_function(
-        context, of: String, from: f64, momentum: f64, to: f64, highest: f64,
+        context, output: String, from: f64, momentum: f64, to: f64, highest: f64,
     ) -> () {
         if momentum == 0.0 || !momentum.is_finite() {
             return Err(refusal("E0778", "momentum", "an impulse of zero gives no transfer function",
                 "give what `gears.impulse` passes on"));
         }
-        ask(context, of, [from, to], highest, SignalKind::TransferFunction { momentum })
+        ask(context, output, [from, to], highest, SignalKind::TransferFunction { momentum })
     }
 }
 
