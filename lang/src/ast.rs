@@ -430,6 +430,7 @@ impl Values {
 }
 
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a text has few parts")]
 pub enum StringPart {
     Text(String),
     Value(Expr, Option<Format>),

@@ -213,7 +213,7 @@ fn impossible_pairs_are_refused() {
     // 0.003.
     let found: Vec<_> = warnings.iter().map(|warning| (warning.code, warning.argument)).collect();
     // Teeth that are thinner by 0.027 inches have a backlash of half a module.
-    assert_eq!(found, [("E0637", "second"), ("E0694", "second")]);
+    assert_eq!(found, [("E0694", "second"), ("E0637", "second")]);
     // A pair without backlash runs on its drive flanks, with a warning.
     let (_, warnings) = MeshGeometry::check_external(&first, &second, 2.995 * INCH, &HelicalTeeth::default())
         .expect("a pair");

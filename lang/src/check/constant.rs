@@ -30,7 +30,7 @@ fn evaluated(e: &Expr, store: &Store, in_call: bool) -> Option<f64> {
         Kind::Unary(UnaryOp::Minus, a) => -number(a)?,
         Kind::Unary(UnaryOp::Plus, a) => number(a)?,
         Kind::Op(op, all) => {
-            let all: Option<Vec<f64>> = all.iter().map(|a| number(a)).collect();
+            let all: Option<Vec<f64>> = all.iter().map(number).collect();
             operation(*op, &all?)?
         }
         Kind::If(condition, a, b) => number(if truth(condition, store, in_call)? { a } else { b })?,
