@@ -28,13 +28,14 @@ impl Body<'_, '_> {
 
     /// Lowers `output name := array;`: a loop that passes every element.
     pub(super) fn array_output(&mut self, index: u32, value: &Expr, span: Span) {
-        let site = SiteId(self.lowering.program.sites.len() as u32);
-        let name = self.output_name(index, site);
         let checker = self.lowering.checker;
         let Some(member) = checker.outputs.get(index as usize).and_then(|output| output.member) else {
             return;
         };
+        // Adds the sites of the array's elements.
         let value = self.owned(value);
+        let site = SiteId(self.lowering.program.sites.len() as u32);
+        let name = self.output_name(index, site);
         let mut element = &value.repr;
         while let Repr::Array(inner) = element {
             element = inner;
