@@ -346,8 +346,8 @@ fn no_text_makes_check_hang_or_crash() {
         let directory = tempfile::tempdir().unwrap();
         std::fs::write(directory.path().join("model.cx"), text).unwrap();
         let output = calyx(directory.path(), &["check".into(), "model.cx".into()]);
-        // A crash has no exit status; a panic has 101. A limit of the check gives a warning, because a
-        // run has no such limit.
+        // A crash has no exit status; a panic has 101. A limit of the check gives a warning,
+        // because a run has no such limit.
         assert!(matches!(output.status.code(), Some(0 | 1)), "{name}: {:?}", output.status);
         assert!(!output.stderr.is_empty(), "{name}");
     }

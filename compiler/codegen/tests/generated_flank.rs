@@ -54,8 +54,8 @@ fn the_flank_of_a_hypoid_pinion_is_an_envelope() {
         let millimetres: Vec<f64> = found[..3].iter().map(|x| x * 1e3).collect();
         assert_close(&millimetres, &row[2..5], 1e-9, "point, mm");
         assert_close(&found[3..6], &row[5..8], 1e-10, "normal");
-        // The derivative at a fixed radius and height, along the normal, is that at a fixed point of
-        // the cutter.
+        // The derivative at a fixed radius and height, along the normal, is that at a fixed point
+        // of the cutter.
         let along = |at: usize| (0..3).map(|i| found[at + i] * found[3 + i]).sum::<f64>();
         let deviations = [along(6), along(9), along(12) * 1e3 * PI / 180.0];
         for (found, expected) in deviations.iter().zip(&row[8..]) {

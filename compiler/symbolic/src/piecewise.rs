@@ -1,7 +1,7 @@
 //! Interpolation tables: piecewise cubic polynomials of one expression.
 //!
-//! The derivative of a table is a table, with the coefficients of the derivative; it is created when
-//! it is first needed. See [`calyx_abi::piecewise`] for the form of a table.
+//! The derivative of a table is a table, with the coefficients of the derivative; it is created
+//! when it is first needed. See [`calyx_abi::piecewise`] for the form of a table.
 
 use crate::graph::{Graph, Node, NodeId};
 use calyx_abi::piecewise::{derivative, piecewise};

@@ -84,8 +84,8 @@ impl Checker<'_> {
         false
     }
 
-    /// Returns the error for the sum of a vector and a variable that starts with `0`, if the operands
-    /// are these.
+    /// Returns the error for the sum of a vector and a variable that starts with `0`, if the
+    /// operands are these.
     fn vector_and_zero(&self, a: &Expr, b: &Expr, message: &str) -> Option<Diagnostic> {
         let started = |e: &Expr| match e.kind {
             Kind::Var(id) | Kind::Updated(id) => Some((id, *self.zero_starts.get(&id)?)),

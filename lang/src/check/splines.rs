@@ -48,8 +48,8 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Returns `true` for literals and operations on them. The dimension of a literal, and therefore its
-/// value, may not be known yet.
+/// Returns `true` for literals and operations on them. The dimension of a literal, and therefore
+/// its value, may not be known yet.
 fn is_constant(e: &Expr) -> bool {
     let operation = matches!(
         e.kind,
@@ -65,8 +65,8 @@ fn is_constant(e: &Expr) -> bool {
     operation && e.children().into_iter().all(is_constant)
 }
 
-/// Returns the table of a spline, or the reason why there is none. `None` stands for points that are
-/// not constant, which is reported.
+/// Returns the table of a spline, or the reason why there is none. `None` stands for points that
+/// are not constant, which is reported.
 pub fn table(xs: &Expr, ys: &Expr, store: &Store) -> Option<Result<Vec<f64>, String>> {
     let numbers = |e: &Expr| match &e.kind {
         Kind::Array(all) => {

@@ -157,8 +157,8 @@ impl<'a> Lowering<'a> {
         Ok(value)
     }
 
-    /// Lowers `solve(f, guess, ...)`: the unknown for which a symbolic function is zero. `given` are
-    /// the guess and the other arguments of the function.
+    /// Lowers `solve(f, guess, ...)`: the unknown for which a symbolic function is zero. `given`
+    /// are the guess and the other arguments of the function.
     pub(super) fn solution(
         &mut self,
         id: SymbolicFunctionId,

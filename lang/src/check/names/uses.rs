@@ -187,7 +187,8 @@ impl<'a> Resolver<'a> {
         values.expressions().into_iter().for_each(|e| self.expr(e));
     }
 
-    /// Declares the variable of a loop over values. It may be unused, as in a loop that only counts.
+    /// Declares the variable of a loop over values. It may be unused, as in a loop that only
+    /// counts.
     pub(super) fn element(&mut self, name: &Ident) {
         let id = self.variable(name, VarKind::Value);
         self.names.variables[id.0 as usize].reads = 1;
