@@ -1,13 +1,10 @@
 //! Tests editor queries over the examples and the library: names are found, their declarations are
 //! correct, and they are visible.
 
-#[path = "support/library.rs"]
-mod library;
-
+use crate::library::{Library, folder, improper};
 use calyx_lang::analysis::{Name, NameKind, SourceRange};
 use calyx_lang::db::Database;
 use calyx_lang::lexer::Kind;
-use library::{Library, folder, improper};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,11 +1,7 @@
 //! Tests automatic fixes: the changed text, and cases where no fix may be offered.
 
-#[allow(dead_code)]
-#[path = "support/library.rs"]
-mod library;
-
+use crate::library::Library;
 use calyx_lang::check_program;
-use library::Library;
 
 /// Applies the first automatic fix; returns `None` if there is none.
 fn fixed(text: &str, library: &Library) -> Option<String> {

@@ -5,11 +5,8 @@
 //! `cx` block without one has errors and is not formatted. `CALYX_BLESS=1` rewrites the expected
 //! outputs.
 
-#[path = "support/formatting.rs"]
-mod formatting;
-
+use crate::formatting::judge;
 use calyx_lang::format::{FormatContext, FormatError, WIDTH, format, format_part, format_range};
-use formatting::judge;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -2,24 +2,17 @@
 //! may panic or overflow the stack, diagnostics must be within the text, and formatting must
 //! preserve valid programs.
 //!
-//! `CALYX_FUZZ=100000 cargo test -p calyx-lang --test fuzz` makes that many of each kind;
+//! `CALYX_FUZZ=100000 cargo test -p calyx-lang --test all fuzz` makes that many of each kind;
 //! `CALYX_FUZZ_SEED` changes the random seed.
 
-#[path = "support/formatting.rs"]
-mod formatting;
-#[path = "support/grammar.rs"]
-mod grammar;
-#[path = "support/library.rs"]
-mod library;
-
+use crate::formatting::judge;
+use crate::grammar::{Grammar, Piece, Random, written};
+use crate::library::{Library, folder, improper};
 use calyx_lang::check_program;
 use calyx_lang::diagnostic::Severity;
 use calyx_lang::lexer::lex;
 use calyx_lang::parser::parse;
 use calyx_lang::span::FileId;
-use formatting::judge;
-use grammar::{Grammar, Piece, Random, written};
-use library::{Library, folder, improper};
 use std::collections::BTreeSet;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -1,15 +1,9 @@
 //! Tests that the size of the typed program grows linearly with the length of generated models.
 //! `cargo bench -p calyx` measures the time.
 
-#[path = "support/generator.rs"]
-mod generator;
-#[allow(dead_code)]
-#[path = "support/library.rs"]
-mod library;
-
+use crate::library::Library;
 use calyx_lang::check_program;
 use calyx_lang::ir::Program;
-use library::Library;
 
 fn program(text: &str) -> Program {
     let checked = check_program("model.cx", text, &Library::read());
@@ -27,7 +21,8 @@ fn sizes(program: &Program) -> [usize; 4] {
 
 #[test]
 fn a_longer_model_gives_a_program_in_proportion() {
-    let [one, two, three] = [1, 2, 3].map(|sections| sizes(&program(&generator::model(20 + 48 * sections))));
+    let [one, two, three] =
+        [1, 2, 3].map(|sections| sizes(&program(&crate::generator::model(20 + 48 * sections))));
     for at in 0..one.len() {
         assert!(two[at] > one[at], "each section adds something");
         assert_eq!(three[at] - two[at], two[at] - one[at], "each section adds the same");
@@ -40,7 +35,7 @@ fn a_longer_model_gives_a_program_in_proportion() {
 #[test]
 fn chains_are_in_proportion_to_their_factors() {
     let [one, two, three] = [10, 20, 30].map(|factors| {
-        let program = program(&generator::chain(factors));
+        let program = program(&crate::generator::chain(factors));
         program.sites.iter().map(|site| site.shared.len()).sum::<usize>()
     });
     assert_eq!(three - two, two - one);

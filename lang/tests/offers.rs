@@ -4,12 +4,9 @@
 //! `fix` marks automatic fixes of `calyx check --fix`, `offer` additional suggestions in editors.
 //! `CALYX_BLESS=1` writes the actual changes into the file.
 
-#[path = "support/library.rs"]
-mod library;
-
+use crate::library::{Library, improper};
 use calyx_lang::check_program;
 use calyx_lang::diagnostic::{Diagnostic, Fix};
-use library::{Library, improper};
 use std::fs;
 use std::path::Path;
 

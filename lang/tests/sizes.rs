@@ -2,12 +2,9 @@
 //! letters pass through all stages without a panic or stack overflow. `CALYX_SIZE=1000000` sets the
 //! size of all texts; the times are printed.
 
-#[path = "support/library.rs"]
-mod library;
-
+use crate::library::{Library, improper};
 use calyx_lang::check_program;
 use calyx_lang::format::format;
-use library::{Library, improper};
 use std::sync::Mutex;
 use std::time::Instant;
 

@@ -1,12 +1,10 @@
 //! Quick fixes and rewrites: the actions offered at a cursor, and the lines that each changes.
 
-mod support;
-
+use crate::support::{Case, changed, run, snapshot};
 use calyx_lang::diagnostic::Severity;
 use calyx_lsp::ide::Edit;
 use calyx_lsp::ide::actions::{Action, ActionKind, actions, fix_all};
 use std::fmt::Write;
-use support::{Case, changed, run, snapshot};
 
 /// Returns the diagnostics of the model of these files: code, whether it is an error, and position.
 fn codes(files: &[(String, String)]) -> Vec<(String, bool, u32)> {

@@ -1,8 +1,7 @@
 //! Hover, definitions, references, highlights and renames from fixtures; renames of all names in
 //! the examples.
 
-mod support;
-
+use crate::support::{Case, changed, elaborated, run, snapshot};
 use calyx_lang::analysis::Name;
 use calyx_lang::lexer::Kind;
 use calyx_lsp::ide::definition::{Definition, definition, type_definition};
@@ -13,7 +12,6 @@ use calyx_lsp::ide::{Position, Snapshot};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use support::{Case, changed, elaborated, run, snapshot};
 
 #[test]
 fn hover_shows_what_is_known() {

@@ -35,7 +35,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
-#[path = "whole_equations/rotating.rs"]
 mod rotating;
 
 const TEETH: u32 = 5;

@@ -1,13 +1,10 @@
 //! Batch kernels give the bits of kernels for one point, whatever varies and however many points
 //! there are, and take no more operations than the same formulas written by hand.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod workloads;
-
+use crate::workloads::{Random, WORKLOADS};
 use calyx_codegen::{BatchError, BatchKernel, compile_batch};
 use calyx_symbolic::batch::BatchTape;
 use calyx_symbolic::{Instruction, Tape};
-use workloads::{Random, WORKLOADS};
 
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()

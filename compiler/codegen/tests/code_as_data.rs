@@ -1,14 +1,11 @@
 //! Tests code that is stored as bytes: loading returns the same code, and malformed bytes do not
 //! panic. Every test of the evaluators compares its results.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-
+use crate::common::text::check;
+use crate::common::*;
 use calyx_abi::Purity;
 use calyx_codegen::{LoadError, Machine, ModuleCode, TargetCpu, compile_code, load_code};
 use calyx_lang::ir::Program;
-use common::text::check;
-use common::*;
 
 /// A model with functions that call each other and the engine, constants, and symbolic expressions.
 const MODEL: &str = "

@@ -1,16 +1,13 @@
 //! Tests that machine code and the interpreter produce the same correct bits, errors and source
 //! locations.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-#[path = "evaluators/errors.rs"]
 mod errors;
 
+use crate::common::*;
 use calyx_abi::display::{Display, NumberStyle};
 use calyx_abi::{Purity, Repr, Slot};
 use calyx_lang::ir::*;
 use calyx_lang::span::Span;
-use common::*;
 
 /// Returns the result of both evaluators as text.
 fn shown(program: &Program) -> String {

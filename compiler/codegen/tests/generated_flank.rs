@@ -1,15 +1,12 @@
 //! Tests generated flanks, written in Calyx as envelopes by the equation of meshing, against the
 //! reference values of machine-cut gears and of the face-milling workload.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-
+use crate::common::text::{check, defaults, read};
 use calyx_abi::Kernel;
 use calyx_codegen::compile_jit_with_tapes;
 use calyx_lang::ir::{Program, SymbolicFunctionId};
 use calyx_lower::kernels::lower_kernel;
 use calyx_symbolic::TapeKernel;
-use common::text::{check, defaults, read};
 use std::f64::consts::PI;
 
 /// Returns the outputs of an exported function, the same from the interpreted and the compiled

@@ -2,13 +2,10 @@
 //! passed to functions. They have the values and derivatives of the same expression written in
 //! full, in the interpreter and in machine code.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-
+use crate::common::text::{check, defaults};
+use crate::common::{Start, both};
 use calyx_lang::ir::Program;
 use calyx_lower::kernels::lower_sites;
-use common::text::{check, defaults};
-use common::{Start, both};
 
 /// Returns the lines printed by both evaluators.
 #[track_caller]

@@ -2,13 +2,10 @@
 //! code call them with the right values. Their errors are errors of the model, and nothing else in
 //! the model changes.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-
+use crate::common::text::check;
+use crate::common::*;
 use calyx_abi::error::codes;
 use calyx_abi::host::HostFunctions;
-use common::text::check;
-use common::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

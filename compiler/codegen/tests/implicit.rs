@@ -1,15 +1,12 @@
 //! Kernels with implicit functions give the bits of interpreted tapes: for one point, for many
 //! points.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod workloads;
-
+use crate::workloads::Random;
 use calyx_abi::{Kernel, Repr};
 use calyx_codegen::{compile_batch, compile_jit_with_tapes};
 use calyx_lang::ir::{Block, Function, Program, Terminator};
 use calyx_lang::span::Span;
 use calyx_symbolic::{Graph, NodeId, Tape, TapeKernel, Unary};
-use workloads::Random;
 
 const INPUTS: usize = 3;
 /// Symbols of unknowns.

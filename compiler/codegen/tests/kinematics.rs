@@ -1,19 +1,14 @@
 //! Tests that the kinematic workloads in `examples/kinematics` reproduce reference values computed
 //! with fifty digits.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-#[allow(dead_code, reason = "shared by several tests")]
-mod workloads;
-
+use crate::common::text::{check, defaults, read};
+use crate::workloads::WORKLOADS;
 use calyx_abi::Kernel;
 use calyx_codegen::compile_jit_with_tapes;
 use calyx_lang::ir::{Program, SymbolicFunctionId};
 use calyx_lower::kernels::lower_kernel;
 use calyx_symbolic::{Tape, TapeKernel};
-use common::text::{check, defaults, read};
 use std::collections::HashMap;
-use workloads::WORKLOADS;
 
 /// Workload, file, function.
 const WRITTEN: [(&str, &str, &str); 4] = [
@@ -69,7 +64,7 @@ fn the_examples_reproduce_the_reference() {
         let program = check(&read(&format!("examples/kinematics/{file}.cx")));
         let params = defaults(&program);
         let tape = tape(&program, function);
-        let module = compile_jit_with_tapes(&program, std::slice::from_ref(&tape), &common::externs());
+        let module = compile_jit_with_tapes(&program, std::slice::from_ref(&tape), &crate::common::externs());
         assert_reproduces(&*module.unwrap().kernels()[0], &params, &reference[name], name);
         assert_reproduces(&TapeKernel(tape), &params, &reference[name], name);
     }

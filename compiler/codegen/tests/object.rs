@@ -1,15 +1,12 @@
 //! Tests that object files link with a C compiler and produce the same bits as code in memory.
 #![cfg(unix)]
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-
+use crate::common::*;
 use calyx_abi::{Fingerprint, entry, math};
 use calyx_codegen::{ObjectOptions, TargetCpu};
 use calyx_lang::ir::*;
 use calyx_lang::span::Span;
 use calyx_symbolic::{Instruction, Tape};
-use common::*;
 use std::process::Command;
 
 /// A C program that prints the contents of the table: description, bits of each param's default,

@@ -1,13 +1,10 @@
 //! Tests the compiler from text to output: small models print the same lines in both evaluators,
 //! and the example compiles.
 
-#[allow(dead_code, reason = "shared by several tests")]
-mod common;
-
+use crate::common::text::{check, read};
+use crate::common::*;
 use calyx_abi::Fingerprint;
 use calyx_codegen::ObjectOptions;
-use common::text::{check, read};
-use common::*;
 
 /// Models with the lines they print, or the code of their error.
 const MODELS: &[(&str, &[&str])] = &[

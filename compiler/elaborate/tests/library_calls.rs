@@ -2,8 +2,7 @@
 //! arguments is refused or works. `CALYX_FUZZ=10` makes ten times as many calls,
 //! `CALYX_FUZZ_ONLY=mode` only those of functions whose name contains the word.
 
-mod library;
-
+use crate::library::{NOT_IN_SCENE, Random, functions};
 use calyx_elaborate::{Cancel, Interpreted, ModelLoader, Params, check_text, elaborate};
 use calyx_gears::library::{MODULES, PRELUDE};
 use calyx_lang::check_program;
@@ -11,7 +10,6 @@ use calyx_lang::diagnostic::Severity;
 use calyx_lang::ir::Program;
 use calyx_lang::span::FileId;
 use calyx_rt::{Engine, Error, Instance};
-use library::{NOT_IN_SCENE, Random, functions};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -68,7 +66,7 @@ fn samples_of_all_functions_are_accepted() {
     let mut wrong = String::new();
     for function in functions().into_iter().filter(|f| !NOT_IN_SCENE.contains(&f.name.as_str())) {
         let given = function.arguments(|parameter| parameter.sample.clone());
-        let text = library::model(&function, &given);
+        let text = crate::library::model(&function, &given);
         match verdict(&text, false) {
             Verdict::Accepted | Verdict::Solved => {}
             other => wrong += &format!("{}({}): {other:?}\n", function.name, given.join(", ")),
@@ -123,7 +121,7 @@ fn errors_inside_library_functions_are_shown_at_the_argument() {
             true => given.clone(),
             false => parameter.sample.clone().filter(|_| parameter.default.is_none()),
         });
-        library::model(&function, &arguments)
+        crate::library::model(&function, &arguments)
     };
     let torque = |speed: &str| {
         format!("import gears;\nvar still = 0 rpm;\nprint(gears.torque_from_power(3 kW, {speed}));")
@@ -167,7 +165,7 @@ fn a_mode_that_a_lumped_set_does_not_have_is_found_without_solving() {
             "carrier" => Some("housing".into()),
             _ => parameter.sample.clone(),
         });
-        let found = check_text("model.cx", &library::model(&function, &given)).diagnostics;
+        let found = check_text("model.cx", &crate::library::model(&function, &given)).diagnostics;
         let errors = found.into_iter().filter(|d| d.severity == Severity::Error);
         errors.map(|d| format!("{} {}", d.code, d.message)).collect::<Vec<_>>()
     };
@@ -189,11 +187,12 @@ fn extreme_arguments_are_refused_or_work() {
     let calls = 12 * rounds;
     for call in 0..calls {
         for function in &functions {
-            let text = library::model(function, &function.extreme(&mut random));
+            let text = crate::library::model(function, &function.extreme(&mut random));
             let started = Instant::now();
             let verdict = verdict(&text, call % 4 == 0);
             longest = longest.max(started.elapsed());
-            let line = text.lines().find(|line| line.contains(library::MARK)).unwrap_or_default().to_owned();
+            let line =
+                text.lines().find(|line| line.contains(crate::library::MARK)).unwrap_or_default().to_owned();
             let (name, problem) = match &verdict {
                 Verdict::Refused => ("refused", None),
                 Verdict::Accepted => ("accepted", None),

@@ -1,11 +1,9 @@
 //! Checks every derivative rule against the complex-step method, and the conventions where no
 //! derivative exists.
 
-mod support;
-
+use crate::support::complex::complex_step;
+use crate::support::{Random, assert_close, evaluate};
 use calyx_symbolic::{Binary, Graph, NodeId, Unary};
-use support::complex::complex_step;
-use support::{Random, assert_close, evaluate};
 
 /// An expression of two symbols and the square of values on which the expression is smooth.
 struct Case {

@@ -1,10 +1,8 @@
 //! Checks the sign convention of frames, and rigid-body kinematics against entry-by-entry
 //! differentiation and finite differences.
 
-mod support;
-
+use crate::support::{Random, assert_close, difference, evaluate};
 use calyx_symbolic::{Binary, Frame, Graph, Instruction, Matrix3, NodeId, Pose, Vector3};
-use support::{Random, assert_close, difference, evaluate};
 
 const TIME: u32 = 0;
 

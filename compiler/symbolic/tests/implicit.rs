@@ -1,10 +1,8 @@
 //! Checks implicit functions: solutions and derivatives of several orders against values computed
 //! with 50 digits, substitution, sharing, and failures.
 
-mod support;
-
+use crate::support::{assert_close, evaluate};
 use calyx_symbolic::{Graph, Node, NodeId, Unary};
-use support::{assert_close, evaluate};
 
 /// Symbols of the unknowns; those of the two arguments are 0 and 1.
 const UNKNOWNS: [u32; 4] = [100, 101, 102, 103];

@@ -2,10 +2,8 @@
 //! cost. The reference values come from numerical differentiation with 110 digits (workload W4 of
 //! the kinematic reference data), rounded to the nearest double.
 
-mod support;
-
+use crate::support::{Random, evaluate};
 use calyx_symbolic::{Frame, Graph, Instruction, NodeId};
-use support::{Random, evaluate};
 
 const TIMES: [f64; 4] = [0.773536091967868, 1.5046140316764478, 0.4654183313549236, 0.19867882265320502];
 

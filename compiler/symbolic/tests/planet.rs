@@ -3,10 +3,8 @@
 //! differentiation with 110 digits (workload W1 of the kinematic reference data), rounded to the
 //! nearest double.
 
-mod support;
-
+use crate::support::evaluate;
 use calyx_symbolic::{Frame, Graph, NodeId};
-use support::evaluate;
 
 /// Inputs: time, centre distance, runout (x, y), pin position error (x, y), phase, speed of the
 /// planet, speed of the carrier.

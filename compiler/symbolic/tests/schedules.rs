@@ -1,12 +1,10 @@
 //! Checks that tapes contain each needed operation once, with operands first, and keep few values
 //! alive.
 
-mod support;
-
+use crate::support::{Random, evaluate};
 use calyx_abi::Kernel;
 use calyx_symbolic::{Binary, Frame, Graph, Instruction, NodeId, Tape, TapeKernel, Unary};
 use std::cell::RefCell;
-use support::{Random, evaluate};
 
 /// Returns the operands of an instruction.
 fn operands(instruction: Instruction) -> Vec<u32> {

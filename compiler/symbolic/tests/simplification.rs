@@ -1,10 +1,8 @@
 //! Checks that every rule of `simplify` shortens its expressions and preserves their values. A case
 //! has the name of its rule, or of a variant of the rule.
 
-mod support;
-
+use crate::support::{Random, assert_close, evaluate};
 use calyx_symbolic::{Binary, Graph, Instruction, NodeId, Unary};
-use support::{Random, assert_close, evaluate};
 
 struct Rule {
     name: &'static str,

@@ -1,6 +1,6 @@
 //! Cancelled and failing requests.
 
-use crate::client::Client;
+use crate::protocol::client::Client;
 use calyx_lsp::server::handlers::router;
 use calyx_lsp::server::router::Router;
 use calyx_lsp::server::view::View;
@@ -81,7 +81,7 @@ fn an_edit_supersedes_what_was_asked_about_the_text_before() {
 #[test]
 fn an_edit_elsewhere_has_the_question_asked_again() {
     let (mut client, begun) = client();
-    let folder = crate::client::Folder::new();
+    let folder = crate::protocol::client::Folder::new();
     let (one, other) = (folder.uri("one.cx"), folder.uri("other.cx"));
     client.open(&one, "var a = 1;\n");
     client.open(&other, "var a = 1;\n");

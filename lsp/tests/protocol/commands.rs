@@ -1,6 +1,6 @@
 //! Commands without a run of a model; runs require the real command and are tested with it.
 
-use crate::client::{Client, Folder};
+use crate::protocol::client::{Client, Folder};
 use serde_json::{Value, json};
 
 fn command(client: &mut Client, name: &str, arguments: Value) -> Result<Value, String> {

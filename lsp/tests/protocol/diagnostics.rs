@@ -1,6 +1,6 @@
 //! Published diagnostics.
 
-use crate::client::{Client, codes};
+use crate::protocol::client::{Client, codes};
 use serde_json::json;
 
 const MODEL: &str = "untitled:model";

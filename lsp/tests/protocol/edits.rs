@@ -1,6 +1,6 @@
 //! Edits, in both encodings.
 
-use crate::client::Client;
+use crate::protocol::client::Client;
 use calyx_lang::parser;
 use calyx_lang::span::FileId;
 use calyx_lsp::server::handlers::router;

@@ -1,6 +1,6 @@
 //! Library sources in the editor.
 
-use crate::client::{Client, Folder};
+use crate::protocol::client::{Client, Folder};
 use calyx_lsp::server::handlers::router;
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! Life cycle, from `initialize` to `exit`.
 
-use crate::client::Client;
+use crate::protocol::client::Client;
 use calyx_lsp::server::handlers::router;
 use serde_json::{Value, json};
 

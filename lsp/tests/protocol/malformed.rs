@@ -1,7 +1,7 @@
 //! Malformed messages, and messages at the wrong time: each is answered according to the protocol,
 //! and the server continues.
 
-use crate::client::Client;
+use crate::protocol::client::Client;
 use calyx_lsp::server::handlers::router;
 use calyx_lsp::server::router::Router;
 use calyx_lsp::server::view::View;

@@ -1,6 +1,6 @@
 //! Hover texts, declarations, references, renames and actions as clients receive them.
 
-use crate::client::{Client, Folder};
+use crate::protocol::client::{Client, Folder};
 use serde_json::{Value, json};
 
 const MODULE: &str = "units mm_N_s;\n/// Twice.\nfunction twice(in x) { return 2*x; }\n";

@@ -1,7 +1,7 @@
 //! Outline, folds, selections, semantic tokens, hints, lenses, links, calls and formatting as
 //! clients receive them.
 
-use crate::client::{Client, Folder};
+use crate::protocol::client::{Client, Folder};
 use serde_json::{Value, json};
 
 const MODEL: &str = "\

@@ -1,6 +1,6 @@
 //! Workspaces with several files: open, on disk, created and deleted.
 
-use crate::client::{Client, Folder};
+use crate::protocol::client::{Client, Folder};
 use calyx_lsp::server::handlers::router;
 use serde_json::json;
 

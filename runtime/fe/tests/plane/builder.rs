@@ -1,6 +1,6 @@
 //! Meshes from blocks: what conforms is merged, what does not is refused.
 
-use crate::distance;
+use crate::plane::distance;
 use calyx_fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, Side, graded, uniform};
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,6 +1,6 @@
 //! Exact solutions approached at the rates of theory: energy 2p, displacement p + 1, stress p.
 
-use crate::MATERIAL;
+use crate::plane::MATERIAL;
 use calyx_fe::material::Plane;
 use calyx_fe::{
     Block, Constraints, Curve, ElementOrder, ElementPoint, MeshBuilder, PlaneModel, Side, Solver,

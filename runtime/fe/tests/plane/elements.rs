@@ -1,6 +1,6 @@
 //! Single elements: shape functions, rigid-body motions, mass.
 
-use crate::MATERIAL;
+use crate::plane::MATERIAL;
 use calyx_fe::material::Plane;
 use calyx_fe::{Block, Curve, ElementOrder, MeshBuilder, PlaneMesh, PlaneModel, quadrature::gauss_legendre};
 use nalgebra::DMatrix;

@@ -1,6 +1,6 @@
 //! Loads along chains, places by arc length, and solving.
 
-use crate::{MATERIAL, distance};
+use crate::plane::{MATERIAL, distance};
 use calyx_fe::material::Plane;
 use calyx_fe::{
     Block, Constraints, Curve, ElementOrder, MeshBuilder, PlaneModel, Side, SolveError, Solver, graded,

@@ -1,6 +1,6 @@
 //! The patch test: distorted meshes of any orders reproduce constant strain.
 
-use crate::MATERIAL;
+use crate::plane::MATERIAL;
 use calyx_fe::material::Plane;
 use calyx_fe::{
     Block, Constraints, Curve, ElementOrder, ElementPoint, MeshBuilder, PlaneMesh, PlaneModel, Side, Solver,

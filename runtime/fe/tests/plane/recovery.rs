@@ -1,6 +1,6 @@
 //! Smoothed stress of fields that elements represent.
 
-use crate::MATERIAL;
+use crate::plane::MATERIAL;
 use calyx_fe::material::Plane;
 use calyx_fe::{
     Block, ElementOrder, ElementPoint, MeshBuilder, PlaneModel, StressRecovery, principal_stresses, uniform,

@@ -1,7 +1,7 @@
 //! Exact solutions approached at the rates of theory: energy 2p, displacement p + 1, stress p.
 
-use crate::shapes::{Kind, cube, kinds};
-use crate::{MATERIAL, dot, solve};
+use crate::solid::shapes::{Kind, cube, kinds};
+use crate::solid::{MATERIAL, dot, solve};
 use calyx_fe::Constraints;
 use calyx_fe::material::Material;
 use calyx_fe::solid::{SolidElementPoint, SolidModel};
@@ -48,7 +48,7 @@ pub fn solved(problem: &Problem<'_>, kind: Kind, divisions: [usize; 3]) -> (Soli
         let side = 2 * axis + usize::from(normal[axis] > 0.0);
         if problem.held[side].is_empty() {
             let set = calyx_fe::solid::FaceSet { faces: vec![face], chart: None };
-            let traction = |position, normal| crate::traction((problem.stress)(position), normal);
+            let traction = |position, normal| crate::solid::traction((problem.stress)(position), normal);
             model.face_load(&set, |point| traction(point.position, point.normal)).add_to(1.0, &mut load);
         } else {
             let element = &model.mesh.elements[face.element];

@@ -1,9 +1,9 @@
 //! DOF sets: rigid regions, and meshes that do not conform joined by a series on a surface of
 //! revolution.
 
-use crate::convergence::{Stress, cylinder};
-use crate::shapes::parts as box_parts;
-use crate::{GRADIENT, MATERIAL, dot, linear_field, traction};
+use crate::solid::convergence::{Stress, cylinder};
+use crate::solid::shapes::parts as box_parts;
+use crate::solid::{GRADIENT, MATERIAL, dot, linear_field, traction};
 use calyx_fe::solid::{
     Cell, Component, DofError, DofKind, DofSets, Reduced, RevolutionSurface, Series, SolidMesh, SolidModel,
 };
@@ -377,7 +377,7 @@ fn a_rigid_region_turns_its_nodes() {
             constraints.prescribe(3 * node + axis, shift[axis] + turned[axis]);
         }
     }
-    let exact = crate::solve(&model, constraints, &vec![0.0; model.dof_count()]);
+    let exact = crate::solid::solve(&model, constraints, &vec![0.0; model.dof_count()]);
     for (found, exact) in found.iter().zip(&exact) {
         assert!((found - exact).abs() < 1e-16, "{found} is not {exact}");
     }

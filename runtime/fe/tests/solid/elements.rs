@@ -1,7 +1,7 @@
 //! Each kind of element: shape functions, faces, rigid-body motions, mass, invariance, patch tests.
 
-use crate::shapes::{Kind, cube, kinds};
-use crate::{GRADIENT, MATERIAL, dot, linear_field, residual, solve, traction};
+use crate::solid::shapes::{Kind, cube, kinds};
+use crate::solid::{GRADIENT, MATERIAL, dot, linear_field, residual, solve, traction};
 use calyx_fe::solid::{Cell, Interpolation, SolidElementPoint, SolidModel};
 use calyx_fe::{Constraints, ElementOrder};
 use nalgebra::DMatrix;

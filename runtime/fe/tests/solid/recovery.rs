@@ -1,8 +1,8 @@
 //! Smoothed stresses of whole solutions, and the error estimate made of them.
 
-use crate::convergence::{Problem, cylinder, solved, sphere};
-use crate::shapes::{Kind, cube, kinds};
-use crate::{GRADIENT, MATERIAL, dot, linear_field};
+use crate::solid::convergence::{Problem, cylinder, solved, sphere};
+use crate::solid::shapes::{Kind, cube, kinds};
+use crate::solid::{GRADIENT, MATERIAL, dot, linear_field};
 use calyx_fe::solid::{SolidElementPoint, SolidModel};
 
 /// Energies of the error, relative to that of the solution: of the solution's own stresses, of the

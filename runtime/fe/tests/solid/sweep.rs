@@ -1,8 +1,8 @@
 //! Swept meshes: charts, loads and stresses on them, rigid-body motions under a twist.
 
-use crate::convergence::{cylinder, solved};
-use crate::shapes::Kind;
-use crate::{GRADIENT, MATERIAL, dot, linear_field, residual, traction};
+use crate::solid::convergence::{cylinder, solved};
+use crate::solid::shapes::Kind;
+use crate::solid::{GRADIENT, MATERIAL, dot, linear_field, residual, traction};
 use calyx_fe::material::Plane;
 use calyx_fe::solid::{SolidMesh, SolidModel, SurfaceStressRecovery};
 use calyx_fe::{

@@ -3,5 +3,3 @@
 mod context;
 mod items;
 mod signature;
-#[path = "../support/mod.rs"]
-mod support;

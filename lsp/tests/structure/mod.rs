@@ -1,9 +1,8 @@
 //! Features based on the syntax of a file: outline, folds, selections, formatting, tokens.
 
 mod properties;
-#[path = "../support/mod.rs"]
-mod support;
 
+use crate::support::{Case, run};
 use calyx_lsp::ide::call_hierarchy::{self, Calls, Item};
 use calyx_lsp::ide::code_lenses::{Lens, lenses, uses};
 use calyx_lsp::ide::document_links::links;
@@ -17,7 +16,6 @@ use calyx_lsp::ide::source::Source;
 use calyx_lsp::ide::symbols::{Symbol, find, symbols, types};
 use std::fmt::Write;
 use std::ops::Range;
-use support::{Case, run};
 
 const MODEL: &str = "model.cx";
 

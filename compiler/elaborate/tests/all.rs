@@ -1,0 +1,10 @@
+//! Tests of elaboration, one module per subject. They are one program: it is linked once, and
+//! its tests run in parallel.
+
+mod bindings;
+mod elaboration;
+mod geometry;
+mod library;
+mod library_calls;
+mod plan;
+mod results;

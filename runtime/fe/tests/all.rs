@@ -1,0 +1,5 @@
+//! Tests of finite elements, one module per subject. They are one program: it is linked once, and
+//! its tests run in parallel.
+
+mod plane;
+mod solid;

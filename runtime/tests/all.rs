@@ -1,0 +1,13 @@
+//! Tests of the engine, one module per subject. They are one program: it is linked once, and
+//! its tests run in parallel.
+
+mod discs;
+mod dynamics;
+mod fidelities;
+mod helical;
+mod impacts;
+mod load_path;
+mod ring_on_springs;
+mod solids;
+mod tolerance;
+mod whole_equations;

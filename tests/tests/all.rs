@@ -1,0 +1,13 @@
+//! Tests of several crates together, one module per subject. They are one program: it is linked once, and
+//! its tests run in parallel.
+
+mod architecture;
+mod docs;
+mod examples;
+mod language;
+mod library;
+mod reference;
+mod report;
+mod rust_scene;
+mod same_scene;
+mod theory;
