@@ -72,7 +72,8 @@
 //! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
 //! | [`fidelity`], [`plan`], [`target`] | fidelity levels of bodies; the parts of the scene that are modelled or omitted, with reasons |
-//! | [`validate`] | rules of a valid analysis, shared by check and run |
+//! | [`validate`], [`method`] | rules of a valid analysis, shared by check and run |
+//! | [`analyses`] | the interface of an analysis, implemented by the options of each |
 //! | [`restraint_check`] | check before solving that contacts and supports restrain all free components |
 //! | [`system`], [`step`], [`integration`], [`vibrations`] | the built mechanism; equilibrium of a position; time step; free vibrations |
 //! | [`observables`], [`observed`] | values of a solved position, one [`observables::Observable`] each |
@@ -111,8 +112,8 @@
 #![warn(missing_docs)]
 
 pub use calyx_analysis::{
-    analysis, cost, dynamic_options, dynamics, estimate, observables, options, results, rows, scene,
-    settings_override, signal, summary, tolerance, validate,
+    analyses, analysis, cost, dynamic_options, dynamics, estimate, method, observables, options, results,
+    rows, scene, settings_override, signal, summary, tolerance, validate,
 };
 pub use calyx_contact as contact;
 pub use calyx_fe as fe;

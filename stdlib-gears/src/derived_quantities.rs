@@ -8,7 +8,7 @@ use crate::gear::{Gear, ToothForm};
 use crate::helix::{Hand, Helix};
 use crate::internal::InternalGear;
 use crate::mesh_geometry::MeshGeometry;
-use crate::modification::Modification;
+use crate::modification::ProfilePart;
 use crate::prototype::GearPrototype;
 use calyx_abi::math;
 
@@ -133,7 +133,7 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
         Gear::Internal(gear) => all.extend(of_internal(gear, base_helix)),
     }
     for modification in &prototype.modifications {
-        if let Modification::TipRelief(relief) = modification {
+        if let Some(ProfilePart::TipRelief(relief)) = modification.parts().profile {
             let diameter = 2.0 * form.radius_at_roll(relief.start_roll);
             all.push(Quantity::length("diameter at which the tip relief begins", "d_Ca", diameter).further());
         }

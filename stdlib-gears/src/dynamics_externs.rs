@@ -1,5 +1,6 @@
 //! Time ranges and impulses of dynamic analyses for programs.
 
+use crate::analyses::Arguments;
 use crate::externs::{body, entry, host, refusal};
 use crate::host::{ModelHost, keep};
 use calyx_abi::RuntimeError;
@@ -70,11 +71,9 @@ calyx_abi::externs! {
 /// Dynamic analysis as requested by `analyze`.
 pub(crate) fn motion_in_time(
     host: &ModelHost,
-    over: Handle,
-    newmark: &str,
-    rayleigh: [f64; 2],
-    start: &str,
+    arguments: &Arguments<'_>,
 ) -> Result<DynamicOptions, RuntimeError> {
+    let Arguments { over, newmark, rayleigh, start, .. } = *arguments;
     let Some((from, ranges)) = host.histories.get(&over.0).cloned() else {
         return Err(refusal(
             "E0765",

@@ -1,32 +1,29 @@
 //! Library functions for programs: the Rust side of `gears.cx` and `prelude.cx`.
 
-use crate::assembly::{MeshOptions, Misalignment, Pairing, add_body};
+use crate::analyses::{self, Arguments};
+use crate::assembly::{MeshOptions, Misalignment, Pairing};
 use crate::bearing_externs::GROUND;
-use crate::dynamics_externs::{lumped, motion_in_time};
 use crate::error::Severity;
-use crate::host::{AnalysisKind, AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
+use crate::host::{AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
 use crate::load_plausibility::check_loads;
 use crate::plausibility::{of_material, pitch_line, unequal_planet_spacing};
-use calyx_abi::externs::{Handle, SymbolicNumber, SymbolicTransform};
-use calyx_abi::{Context, RuntimeError, SymbolicValue};
-use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle, quasi_static};
-use calyx_runtime::dynamics::dynamic;
+use calyx_abi::externs::{Handle, SymbolicNumber};
+use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::analyses::{Analysis, without_tolerance};
+use calyx_runtime::analysis::{AnalysisOptions, Observer, Position, mesh_cycle};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::estimate::Estimates;
-use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
-use calyx_runtime::load::{Load, Wrench};
 use calyx_runtime::material::Material;
-use calyx_runtime::motion::{Motion, rotation_speed};
+use calyx_runtime::method::QuasiStatic;
+use calyx_runtime::motion::rotation_speed;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
-use calyx_runtime::rigid::RigidBody;
-use calyx_runtime::scene::{
-    Body, BodyId, DOF_NAMES, Fidelity, PairId, Prototype, StructureOptions, Template,
-};
+use calyx_runtime::scene::{Body, BodyId, DOF_NAMES, Fidelity, PairId, StructureOptions, Template};
 use calyx_runtime::structure::BoreSupport;
-use calyx_runtime::tolerance::{ToleranceOutcome, check_tolerance, quasi_static_within};
+use calyx_runtime::tolerance::{ToleranceOutcome, check_tolerance};
 use calyx_runtime::validate::Request;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -35,25 +32,6 @@ calyx_abi::externs! {
         let (place, host) = (context.place, host(context)?);
         host.findings.extend(of_material(&material, place));
         Ok(keep(&mut host.materials, material))
-    }
-
-    Scene fn calyx_gears_body(
-        context, name: String, blank: Handle, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3],
-        moment: [f64; 3], mass: f64, inertia: f64, host_load: String,
-    ) -> Handle {
-        let prototype = entry(&host(context)?.gears, blank)?.clone();
-        let added = lumped(mass, inertia)?;
-        let frame = BodyPlacement { name, frame, free, load: Wrench { force, moment }, added, host_load };
-        frame.add(context, prototype, Some(blank.0 as usize))
-    }
-
-    Scene fn calyx_gears_rigid_body(
-        context, name: String, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3], moment: [f64; 3],
-        mass: f64, inertia: f64, host_load: String,
-    ) -> Handle {
-        let added = lumped(mass, inertia)?;
-        let frame = BodyPlacement { name, frame, free, load: Wrench { force, moment }, added, host_load };
-        frame.add(context, Arc::new(RigidBody), None)
     }
 
     Scene fn calyx_gears_mesh(
@@ -185,17 +163,10 @@ calyx_abi::externs! {
             AnalysisOptions { fidelity, structure, highest_frequency, error_estimates, ..host.analysis.clone() };
         let positions = overrides.sample(entry(&host.positions, over)?.clone());
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
-        let how = match method.as_str() {
-            "quasi_static" => AnalysisKind::QuasiStatic(positions),
-            "dynamic" => AnalysisKind::Dynamic(motion_in_time(host, over, &newmark, rayleigh, &start)?),
-            _ => return Err(refusal("E0679", "method", &format!("there is no analysis called \"{method}\""),
-                "choose \"quasi_static\" or \"dynamic\"")),
-        };
+        let arguments = Arguments { over, positions, newmark: &newmark, rayleigh, start: &start };
+        let analysis = analyses::create(host, &method, arguments)?;
         crate::signal_externs::check(host)?;
-        let (in_time, problems) = match &how {
-            AnalysisKind::QuasiStatic(positions) => (false, positions.len()),
-            AnalysisKind::Dynamic(dynamic) => (true, dynamic.ranges.iter().map(|range| range.steps).sum()),
-        };
+        let in_time = analysis.has_inertia();
         if in_time && overrides.every.is_some() {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
                 "leave `every` to quasi-static analyses; the model's `output_every` says which steps results have"));
@@ -206,7 +177,7 @@ calyx_abi::externs! {
             fidelity,
             structure,
             in_time,
-            problems,
+            problems: analysis.problems(),
             highest_frequency,
             estimates: error_estimates,
             tolerance: searched,
@@ -214,62 +185,15 @@ calyx_abi::externs! {
         });
         if tolerance != 0.0 {
             check_tolerance(tolerance).map_err(engine)?;
-            if in_time {
-                return Err(refusal("E0791", "tolerance", "a motion in time cannot be analysed to a tolerance",
-                    "leave it out, and take shorter steps and finer meshes; or analyse quasi-statically"));
+            if !analysis.supports_tolerance() {
+                return Err(engine(without_tolerance()));
             }
         }
         if host.checking {
-            host.requested = Some(how);
+            host.requested = Some(analysis);
             return Ok(());
         }
-        analyze(host, &how, searched, (&options, place))
-    }
-}
-
-/// Position of a body in a model: the properties that bodies with and without teeth share.
-struct BodyPlacement {
-    name: String,
-    frame: SymbolicTransform,
-    free: Vec<String>,
-    load: Wrench,
-    added: Inertia,
-    host_load: String,
-}
-
-impl BodyPlacement {
-    /// Adds the body to the scene; `gear` is the number of its gear, if it carries one.
-    fn add(
-        self,
-        context: &mut Context,
-        prototype: Arc<dyn Prototype>,
-        gear: Option<usize>,
-    ) -> Result<Handle, RuntimeError> {
-        let mut free = [false; 6];
-        for freedom in &self.free {
-            let Some(at) = DOF_NAMES.iter().position(|known| known == freedom) else {
-                return Err(refusal(
-                    "E0670",
-                    "free",
-                    &format!("a frame has no degree of freedom called \"{freedom}\""),
-                    "choose from \"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\" and \"theta_z\"",
-                ));
-            };
-            free[at] = true;
-        }
-        let motion = Arc::new(FrameMotion { value: self.frame.0, params: context.params.clone() });
-        let name = context.name_in_instance(self.name);
-        let (place, host) = (context.place, host(context)?);
-        let load = load(host, self.load, &self.host_load, place);
-        let body =
-            Body { name, prototype, motion, phase: 0.0, free, load, impulses: Vec::new(), added: self.added };
-        let id = add_body(&mut host.scene, body).map_err(|refusal| host.rejected(refusal, place))?;
-        if !self.host_load.is_empty() {
-            host.host_loaded.insert(id.0);
-        }
-        host.body_gears.push(gear);
-        host.body_places.push(place);
-        Ok(Handle(id.0 as u64))
+        analyze(host, analysis.as_ref(), searched, (&options, place))
     }
 }
 
@@ -279,25 +203,22 @@ const MOST_TIMES: f64 = 1e6;
 /// Plans and runs an analysis of the scene, and stores its result.
 fn analyze(
     host: &mut ModelHost,
-    how: &AnalysisKind,
+    analysis: &dyn Analysis,
     tolerance: Option<f64>,
     (options, place): (&AnalysisOptions, (u32, u32, u32)),
 ) -> Result<(), RuntimeError> {
     check_unrestrained(host);
-    check_loads(host, how, options.fidelity)?;
-    let request = Request::new(&host.scene, &host.outputs, how.method(), options);
+    check_loads(host, analysis, options.fidelity)?;
+    let request = Request::new(&host.scene, &host.outputs, analysis, options);
     host.findings.extend(without_value(host, &request));
     let mut observer = host.observer.take();
     let mut unobserved = ();
     let watching =
         observer.as_mut().map_or(&mut unobserved as &mut dyn Observer, |observer| observer.as_mut());
     let (scene, outputs) = (&host.scene, &host.outputs);
-    let result = match how {
-        AnalysisKind::QuasiStatic(positions) => match tolerance {
-            Some(part) => quasi_static_within(part, scene, positions, outputs, options, watching),
-            None => quasi_static(scene, positions, outputs, options, watching),
-        },
-        AnalysisKind::Dynamic(dynamics) => dynamic(scene, outputs, options, dynamics, watching),
+    let result = match tolerance {
+        Some(tolerance) => analysis.run_within(tolerance, scene, outputs, options, watching),
+        None => analysis.run(scene, outputs, options, watching),
     };
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
@@ -339,19 +260,20 @@ fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, Runtime
 /// The errors that end a run before it builds a structure, and the interrupt's.
 pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, RuntimeError> {
     // A model without an analysis is checked at the start of its mesh cycle.
-    let how = host.requested.take().unwrap_or_else(|| {
+    let analysis = host.requested.take().unwrap_or_else(|| {
         let starts = host.scene.pairs.iter().filter_map(|pair| Some(pair.mesh.as_ref()?.start));
         let start = starts.fold(f64::INFINITY, f64::min);
-        AnalysisKind::QuasiStatic(vec![Position::at(if start.is_finite() { start } else { 0.0 })])
+        let start = Position::at(if start.is_finite() { start } else { 0.0 });
+        Arc::new(QuasiStatic { positions: Cow::Owned(vec![start]) })
     });
     if let Some(asked) = host.asked {
-        check_loads(host, &how, asked.fidelity)?;
+        check_loads(host, analysis.as_ref(), asked.fidelity)?;
     }
     let unasked = host.overrides.fidelity.unwrap_or(Fidelity::Plane);
     let request = Request {
         scene: &host.scene,
         outputs: &host.outputs,
-        method: how.method(),
+        method: analysis.as_ref(),
         fidelity: host.asked.map_or(unasked, |asked| asked.fidelity),
         structure: host
             .asked
@@ -397,56 +319,6 @@ fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {
         let help = format!("choose one of {}", known.join(", "));
         refusal("E0674", "fidelity", &format!("there is no fidelity called \"{name}\""), &help)
     })
-}
-
-/// Load on a body: the constant part from the model, and the part that the host program provides
-/// under a name, if any.
-fn load(host: &mut ModelHost, constant: Wrench, name: &str, place: (u32, u32, u32)) -> Arc<dyn Load> {
-    if name.is_empty() {
-        return Arc::new(constant);
-    }
-    match host.provided.loads.get(name) {
-        Some(load) => {
-            let load = load.clone();
-            Arc::new(move |time: f64| constant + load.at(time))
-        }
-        None => {
-            host.note_unprovided("host_load", "load", "none is added", name, place);
-            Arc::new(constant)
-        }
-    }
-}
-
-/// Compiled frame as a motion.
-struct FrameMotion {
-    value: Arc<SymbolicValue>,
-    params: Vec<f64>,
-}
-
-impl FrameMotion {
-    /// Frame, velocity and acceleration, 12 numbers each.
-    fn eval(&self, time: f64) -> Vec<f64> {
-        let mut outputs = self.value.evaluate(time, &self.params, &|_| f64::NAN).unwrap_or_default();
-        outputs.resize(outputs.len().max(36), f64::NAN);
-        outputs
-    }
-}
-
-impl Motion for FrameMotion {
-    fn frame(&self, time: f64) -> [f64; 12] {
-        let outputs = self.eval(time);
-        std::array::from_fn(|i| outputs[i])
-    }
-
-    fn rate(&self, time: f64) -> [f64; 12] {
-        let outputs = self.eval(time);
-        std::array::from_fn(|i| outputs[12 + i])
-    }
-
-    fn acceleration(&self, time: f64) -> [f64; 12] {
-        let outputs = self.eval(time);
-        std::array::from_fn(|i| outputs[24 + i])
-    }
 }
 
 pub(crate) fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError> {

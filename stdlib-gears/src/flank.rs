@@ -13,7 +13,7 @@ use crate::deviation::CubicSpline;
 use crate::error::GeometryError;
 use crate::fillet::Side;
 use crate::gear::ToothForm;
-use crate::modification::{Modification, TipRelief};
+use crate::modification::{Modification, ProfilePart, TipRelief};
 use crate::root_finding::solve_bracketed;
 use calyx_abi::math;
 use calyx_runtime::fe::quadrature::gauss_legendre;
@@ -121,25 +121,23 @@ impl Flank {
         let (mut reliefs, mut deviations, mut errors) = (Vec::new(), Vec::new(), Vec::new());
         let mut slope = 0.0;
         for modification in modifications {
-            let at_root = matches!(modification, Modification::RootRelief(_));
-            match modification {
-                Modification::TipRelief(relief) | Modification::RootRelief(relief) if relief.depth != 0.0 => {
+            let mut relieve = |relief: TipRelief, at_root: bool| {
+                if relief.depth != 0.0 {
                     errors.extend(relief.check(&form, at_root).err());
-                    let relief = TipRelief { start_roll: form.sense() * relief.start_roll, ..*relief };
+                    let relief = TipRelief { start_roll: form.sense() * relief.start_roll, ..relief };
                     reliefs.push(Relief { relief: if at_root { relief.turned() } else { relief }, at_root });
                 }
-                Modification::ProfileSlope(deviation) => {
+            };
+            match modification.parts().profile {
+                Some(ProfilePart::TipRelief(relief)) => relieve(relief, false),
+                Some(ProfilePart::RootRelief(relief)) => relieve(relief, true),
+                Some(ProfilePart::Slope(deviation)) => {
                     slope -= deviation / (form.tip_roll - form.form_roll);
                 }
-                _ => {}
-            }
-            let deviation = match modification {
-                Modification::Deviation(deviation) => Some(deviation.clone()),
-                _ => modification.at_mid_face(),
-            };
-            match deviation.map(|deviation| deviation.sampled(&form)) {
-                Some(Ok(sampled)) => deviations.extend(sampled.map(Arc::new)),
-                Some(Err(error)) => errors.push(error),
+                Some(ProfilePart::Deviation(deviation)) => match deviation.sampled(&form) {
+                    Ok(sampled) => deviations.extend(sampled.map(Arc::new)),
+                    Err(error) => errors.push(error),
+                },
                 None => {}
             }
         }

@@ -15,7 +15,7 @@
 
 use crate::fillet::Side;
 use crate::flank::Flank;
-use crate::modification::{LeadModification, Topography};
+use crate::modification::LeadModification;
 use calyx_abi::math;
 use calyx_runtime::profile::{Profile, ProfilePoint};
 use calyx_runtime::surface::{Surface, SurfacePoint};
@@ -35,7 +35,6 @@ pub struct GearSurface {
     /// Counter-clockwise rotation of sections per length along the axis, rad/m.
     twist: f64,
     lead: LeadModification,
-    topographies: Vec<Arc<Topography>>,
     breaks: Vec<f64>,
 }
 
@@ -57,26 +56,18 @@ impl GearSurface {
         twist: f64,
         lead: LeadModification,
     ) -> GearSurface {
-        let (topographies, breaks) = (Vec::new(), Vec::new());
         // A helix slope deviation changes the twist.
         let twist = twist + lead.helix_slope / (face_width * plain.base_radius());
-        let mut surface = GearSurface { plain, modified, face_width, twist, lead, topographies, breaks };
+        let mut surface = GearSurface { plain, modified, face_width, twist, lead, breaks: Vec::new() };
         surface.breaks = surface.modified.breaks().iter().map(|&s| surface.plain_length(s)).collect();
         surface
     }
 
-    /// Returns the surface minus the part of the topographies that exceeds their mid-face profile.
-    /// The modified profile already contains the mid-face part.
-    #[must_use]
-    pub fn with_topographies(self, topographies: Vec<Arc<Topography>>) -> GearSurface {
-        GearSurface { topographies, ..self }
-    }
-
-    /// Amount that the topographies remove at a point, m, and its derivatives by `u` and `v`. On
-    /// the tip edge and below the form circle the roll angle is extrapolated in proportion to the
-    /// length.
+    /// Amount that the topographies remove at a point beyond their profile at mid-face, m, and its
+    /// derivatives by `u` and `v`. The modified profile contains the profile at mid-face. On the
+    /// tip edge and below the form circle the roll angle is extrapolated in proportion to the length.
     fn off(&self, u: f64, v: f64) -> [f64; 3] {
-        if self.topographies.is_empty() {
+        if self.lead.topographies.is_empty() {
             return [0.0; 3];
         }
         let on_flank = u.clamp(0.0, self.plain.edge_range()[0]);
@@ -84,7 +75,7 @@ impl GearSurface {
         let per_length = 1.0 / self.plain.at_roll(plain_roll).1;
         let roll = plain_roll + (u - on_flank) * per_length;
         let sense = plain_roll.signum();
-        self.topographies.iter().fold([0.0; 3], |[amount, by_u, by_v], topography| {
+        self.lead.topographies.iter().fold([0.0; 3], |[amount, by_u, by_v], topography| {
             let [off, by_roll, along] = topography.beyond_mid_face(roll.abs(), v);
             [amount + off, by_u + sense * per_length * by_roll, by_v + along]
         })

@@ -4,6 +4,7 @@
 use crate::blank::Rim;
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, Refusal, Severity};
+use crate::files::ModelFile;
 use crate::lumped_planetary::{LumpedMember, Mode};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
@@ -13,8 +14,9 @@ use crate::shaper::Shaper;
 use crate::tables::Table;
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
+use calyx_runtime::analyses::Analysis;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
-use calyx_runtime::dynamics::{DynamicOptions, TimeRange};
+use calyx_runtime::dynamics::TimeRange;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Load;
@@ -24,7 +26,6 @@ use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions};
 use calyx_runtime::settings_override::Override;
 use calyx_runtime::signal::{Signal, SignalRequest};
-use calyx_runtime::validate::Method;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -95,6 +96,8 @@ pub struct ModelHost {
     pub output_places: Vec<(u32, u32, u32)>,
     /// Requested gear meshes, including rejected ones.
     pub mesh_records: Vec<MeshRecord>,
+    /// Files that have been read.
+    pub files: Vec<ModelFile>,
     /// Tables that have been read.
     pub tables: Vec<Table>,
     /// Lists of positions to analyse.
@@ -130,8 +133,8 @@ pub struct ModelHost {
     pub checking: bool,
     /// Model of the scene that the program requests, if it has requested an analysis.
     pub asked: Option<AnalysisRequest>,
-    /// Positions or ranges of time of that analysis, while the model is checked.
-    pub requested: Option<AnalysisKind>,
+    /// That analysis, while the model is checked.
+    pub requested: Option<Arc<dyn Analysis>>,
     /// Result of the last analysis.
     pub result: Option<AnalysisResult>,
     /// Number of analyses that ended with an error, which the program may have caught.
@@ -154,7 +157,7 @@ impl ModelHost {
             let name = self.scene.bodies.get(body.0).map_or("", |body| &body.name);
             RuntimeError::new(
                 "E0659",
-                format!("\"{name}\" is a rigid body, and carries no gear"),
+                format!("\"{name}\" carries no gear"),
                 "ask this of a body that `gears.body` made with a gear",
             )
             .of_argument(argument)
@@ -284,25 +287,6 @@ pub struct AnalysisRequest {
     pub tolerance: Option<f64>,
     /// Source location of the call.
     pub place: (u32, u32, u32),
-}
-
-/// Method of an analysis, with its positions or ranges of time.
-#[derive(Clone, Debug, PartialEq)]
-pub enum AnalysisKind {
-    /// Quasi-static equilibrium at these positions.
-    QuasiStatic(Vec<Position>),
-    /// Motion in time.
-    Dynamic(DynamicOptions),
-}
-
-impl AnalysisKind {
-    /// Converts it to the engine's method.
-    pub fn method(&self) -> Method<'_> {
-        match self {
-            AnalysisKind::QuasiStatic(positions) => Method::QuasiStatic(positions),
-            AnalysisKind::Dynamic(dynamics) => Method::Dynamic(dynamics),
-        }
-    }
 }
 
 /// Two bodies whose gears mesh.

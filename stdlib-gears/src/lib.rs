@@ -107,11 +107,13 @@
 
 #![warn(missing_docs)]
 
+pub mod analyses;
 mod analytic;
 pub mod assembly;
 mod axes;
 pub mod bearing_externs;
 pub mod blank;
+pub mod body_externs;
 pub mod cutting_externs;
 pub mod derived_quantities;
 pub mod deviation;
@@ -120,6 +122,7 @@ pub mod dynamics_externs;
 pub mod error;
 pub mod external;
 pub mod externs;
+pub mod files;
 pub mod fillet;
 pub mod flank;
 pub mod gauge_externs;

@@ -26,6 +26,7 @@ pub const MODULES: &[LibraryModule] =
 const TABLES: &[&[Extern]] = &[
     crate::externs::EXTERNS,
     crate::bearing_externs::EXTERNS,
+    crate::body_externs::EXTERNS,
     crate::cutting_externs::EXTERNS,
     crate::gauge_externs::EXTERNS,
     crate::lumped_externs::EXTERNS,

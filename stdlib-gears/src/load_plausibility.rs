@@ -2,13 +2,14 @@
 //! carry them. Checks and runs report it before they solve anything.
 
 use crate::error::Severity;
-use crate::host::{AnalysisKind, Finding, ModelHost};
+use crate::host::{Finding, ModelHost};
 use calyx_abi::RuntimeError;
+use calyx_runtime::analyses::Analysis;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::observables::Needs;
 use calyx_runtime::scene::{BodyId, DOF_NAMES, Fidelity, Scene};
 
-/// Times at which variable loads are sampled.
+/// Number of times at which variable loads are sampled.
 const SAMPLES: usize = 8;
 /// Mesh stiffness of a tooth pair divided by face width and Young's modulus: 14 N/(mm um) for steel
 /// teeth (ISO 6336-1) over 206 GPa.
@@ -25,14 +26,14 @@ const CRUSHED: f64 = 1.0;
 /// load would deflect the teeth out of mesh.
 pub(crate) fn check_loads(
     host: &mut ModelHost,
-    how: &AnalysisKind,
+    analysis: &dyn Analysis,
     fidelity: Fidelity,
 ) -> Result<(), RuntimeError> {
     let mut found = unmeshed(host)?;
-    let times = times(how);
+    let times = analysis.sample_times(SAMPLES);
     for group in groups(&host.scene) {
-        let loads = LoadGroups::on(host, &group, &times, how);
-        found.extend(loads.finding(host, &group, how)?);
+        let loads = LoadGroups::on(host, &group, &times, analysis);
+        found.extend(loads.finding(host, &group, analysis)?);
     }
     if fidelity != Fidelity::Rigid {
         found.extend(overloaded(host, &times)?);
@@ -47,21 +48,6 @@ pub(crate) fn check_loads(
 
 fn warning(host: &ModelHost, error: EngineError) -> Finding {
     Finding { severity: Severity::Warning, error: host.engine_error(error) }
-}
-
-/// Sample of the times of an analysis, s.
-fn times(how: &AnalysisKind) -> Vec<f64> {
-    match how {
-        AnalysisKind::QuasiStatic(positions) => {
-            let step = positions.len().div_ceil(SAMPLES).max(1);
-            let last = positions.last();
-            positions.iter().step_by(step).chain(last).map(|position| position.time).collect()
-        }
-        AnalysisKind::Dynamic(dynamics) => {
-            let whole: f64 = dynamics.ranges.iter().map(|range| range.duration).sum();
-            (0..=SAMPLES).map(|k| dynamics.from + whole * k as f64 / SAMPLES as f64).collect()
-        }
-    }
 }
 
 /// Bodies that meshes and bearings connect: one list for each connected component with a mesh.
@@ -101,7 +87,7 @@ struct LoadGroups {
 }
 
 impl LoadGroups {
-    fn on(host: &ModelHost, group: &[usize], times: &[f64], how: &AnalysisKind) -> LoadGroups {
+    fn on(host: &ModelHost, group: &[usize], times: &[f64], analysis: &dyn Analysis) -> LoadGroups {
         let scene = &host.scene;
         let bearings = scene.bearings.iter().filter(|b| b.bodies().any(|other| group.contains(&other.0)));
         let mut loads = LoadGroups {
@@ -130,7 +116,7 @@ impl LoadGroups {
             }
         }
         // In a dynamic analysis inertia loads the teeth too if anything moves.
-        loads.on_free |= matches!(how, AnalysisKind::Dynamic(_)) && loads.free;
+        loads.on_free |= analysis.has_inertia() && loads.free;
         loads
     }
 
@@ -138,7 +124,7 @@ impl LoadGroups {
         &self,
         host: &ModelHost,
         group: &[usize],
-        how: &AnalysisKind,
+        analysis: &dyn Analysis,
     ) -> Result<Option<Finding>, RuntimeError> {
         let scene = &host.scene;
         let name = |index: usize| &scene.bodies[index].name;
@@ -159,7 +145,7 @@ impl LoadGroups {
             None => {
                 let forces = scene.observables.iter().any(|observable| observable.needs() > Needs::Motions);
                 let first = group.first().copied().unwrap_or_default();
-                if !forces || !self.free || matches!(how, AnalysisKind::Dynamic(_)) {
+                if !forces || !self.free || analysis.has_inertia() {
                     return Ok(None);
                 }
                 let names: Vec<String> = group.iter().map(|&index| format!("\"{}\"", name(index))).collect();

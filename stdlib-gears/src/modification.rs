@@ -126,42 +126,25 @@ impl Modification {
         Ok(Modification::Topography(Arc::new(Topography { amounts })))
     }
 
-    /// Profile at mid-face as a function of the roll angle, if the modification depends on both
-    /// coordinates.
-    pub(crate) fn at_mid_face(&self) -> Option<Deviation> {
+    /// Splits the modification into its profile part and its part along the face.
+    ///
+    /// Flanks, keys of structures and reports use the parts alone. So this is the only place that
+    /// distinguishes the modifications.
+    pub(crate) fn parts(&self) -> Parts {
+        let profile = |profile: ProfilePart| Parts { profile: Some(profile), lead: None };
+        let lead = |function, lead| Parts { profile: None, lead: Some((function, lead)) };
         match self {
-            Modification::Topography(topography) => Some(topography.at_mid_face()),
-            _ => None,
-        }
-    }
-
-    /// Returns whether a plane model, which has no face-width direction, ignores all or part of the
-    /// modification.
-    pub(crate) fn varies_along_face(&self) -> Option<&'static str> {
-        match self {
-            Modification::LeadCrown { depth } if *depth > 0.0 => Some("lead_crown"),
-            Modification::HelixSlope(deviation) if *deviation != 0.0 => Some("helix_slope"),
-            Modification::LeadTable(_) => Some("lead_table"),
-            Modification::Topography(_) => Some("topography"),
-            _ => None,
-        }
-    }
-
-    /// All values on which a structure of these teeth may depend.
-    pub(crate) fn numbers(&self, form: &ToothForm) -> Vec<f64> {
-        match self {
-            Modification::TipRelief(relief) | Modification::RootRelief(relief) => {
-                let linear = f64::from(u8::from(relief.shape == ReliefShape::Linear));
-                let root = f64::from(u8::from(matches!(self, Modification::RootRelief(_))));
-                vec![relief.depth, relief.start_roll, linear, root]
-            }
-            Modification::Deviation(deviation) => deviation.samples(form),
-            Modification::ProfileSlope(slope) => vec![*slope],
-            Modification::Topography(topography) => topography.at_mid_face().samples(form),
-            // These vary along the face, which a plane structure does not represent.
-            Modification::LeadCrown { .. } | Modification::HelixSlope(_) | Modification::LeadTable(_) => {
-                Vec::new()
-            }
+            Modification::TipRelief(relief) => profile(ProfilePart::TipRelief(*relief)),
+            Modification::RootRelief(relief) => profile(ProfilePart::RootRelief(*relief)),
+            Modification::Deviation(deviation) => profile(ProfilePart::Deviation(deviation.clone())),
+            Modification::ProfileSlope(slope) => profile(ProfilePart::Slope(*slope)),
+            Modification::HelixSlope(deviation) => lead("helix_slope", LeadPart::HelixSlope(*deviation)),
+            Modification::LeadTable(table) => lead("lead_table", LeadPart::Table(table.clone())),
+            Modification::LeadCrown { depth } => lead("lead_crown", LeadPart::Crown(*depth)),
+            Modification::Topography(topography) => Parts {
+                profile: Some(ProfilePart::Deviation(topography.at_mid_face())),
+                lead: Some(("topography", LeadPart::Topography(topography.clone()))),
+            },
         }
     }
 
@@ -169,6 +152,72 @@ impl Modification {
     /// (rad) and its shape. Whether it lies on the flank is checked with the gear.
     pub fn tip_relief(depth: f64, start_roll: f64, shape: ReliefShape) -> Modification {
         Modification::TipRelief(TipRelief { depth, start_roll, shape })
+    }
+}
+
+/// Returns the library functions of the modifications with a part along the face, which a plane
+/// model ignores.
+pub(crate) fn along_face(modifications: &[Modification]) -> impl Iterator<Item = &'static str> {
+    let leads = modifications.iter().filter_map(|modification| modification.parts().lead);
+    leads.filter(|(_, part)| !part.vanishes()).map(|(function, _)| function)
+}
+
+/// Parts of a modification by the coordinate on which they depend.
+pub(crate) struct Parts {
+    /// Part over the roll angle, equal in all transverse sections.
+    pub profile: Option<ProfilePart>,
+    /// Part that vanishes at mid-face, and the library function that creates it. Plane models
+    /// ignore it.
+    pub lead: Option<(&'static str, LeadPart)>,
+}
+
+/// Modification of the profile.
+pub(crate) enum ProfilePart {
+    /// Tip relief.
+    TipRelief(TipRelief),
+    /// Root relief.
+    RootRelief(TipRelief),
+    /// [`Modification::ProfileSlope`], m.
+    Slope(f64),
+    /// Amount given by a function of the roll angle.
+    Deviation(Deviation),
+}
+
+impl ProfilePart {
+    /// Returns all values on which a structure of these teeth may depend.
+    pub fn numbers(&self, form: &ToothForm) -> Vec<f64> {
+        let of_relief = |relief: &TipRelief, at_root: bool| {
+            let linear = relief.shape == ReliefShape::Linear;
+            vec![relief.depth, relief.start_roll, f64::from(u8::from(linear)), f64::from(u8::from(at_root))]
+        };
+        match self {
+            ProfilePart::TipRelief(relief) => of_relief(relief, false),
+            ProfilePart::RootRelief(relief) => of_relief(relief, true),
+            ProfilePart::Slope(slope) => vec![*slope],
+            ProfilePart::Deviation(deviation) => deviation.samples(form),
+        }
+    }
+}
+
+/// Modification along the face.
+pub(crate) enum LeadPart {
+    /// Amount of a crowning at both ends of the face, m.
+    Crown(f64),
+    /// [`Modification::HelixSlope`], m.
+    HelixSlope(f64),
+    /// Amounts over the distance from mid-face.
+    Table(Arc<NaturalSpline>),
+    /// Amounts over both coordinates, minus those at mid-face.
+    Topography(Arc<Topography>),
+}
+
+impl LeadPart {
+    /// Returns whether the part removes nothing.
+    pub fn vanishes(&self) -> bool {
+        match self {
+            LeadPart::Crown(amount) | LeadPart::HelixSlope(amount) => *amount == 0.0,
+            LeadPart::Table(_) | LeadPart::Topography(_) => false,
+        }
     }
 }
 
@@ -193,7 +242,7 @@ impl Topography {
     }
 }
 
-/// Modification along the face that is constant along the profile.
+/// Sum of the parts of modifications along the face.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LeadModification {
     /// Crowning: parabola that is zero at mid-face; its amount at both ends of the face, m.
@@ -202,6 +251,8 @@ pub struct LeadModification {
     pub helix_slope: f64,
     /// Tables of amounts over the distance from mid-face.
     pub tables: Vec<Arc<NaturalSpline>>,
+    /// Amounts that depend on the roll angle too.
+    pub topographies: Vec<Arc<Topography>>,
 }
 
 impl LeadModification {
@@ -209,18 +260,20 @@ impl LeadModification {
     pub fn of(modifications: &[Modification]) -> LeadModification {
         let mut lead = LeadModification::default();
         for modification in modifications {
-            match modification {
-                Modification::LeadCrown { depth } => lead.crown += depth,
-                Modification::HelixSlope(deviation) => lead.helix_slope += deviation,
-                Modification::LeadTable(table) => lead.tables.push(table.clone()),
-                _ => {}
+            match modification.parts().lead.map(|(_, part)| part) {
+                Some(LeadPart::Crown(depth)) => lead.crown += depth,
+                Some(LeadPart::HelixSlope(deviation)) => lead.helix_slope += deviation,
+                Some(LeadPart::Table(table)) => lead.tables.push(table),
+                Some(LeadPart::Topography(topography)) => lead.topographies.push(topography),
+                None => {}
             }
         }
         lead
     }
 
     /// Amount (m) on both flanks at a distance from mid-face (m), and its derivative; `face_width`
-    /// in m. It excludes the helix slope deviation, whose sense is opposite on the two flanks.
+    /// in m. It excludes the helix slope deviation, whose sense is opposite on the two flanks, and
+    /// topographies, which depend on the roll angle.
     pub fn amount(&self, z: f64, face_width: f64) -> [f64; 2] {
         let part = 2.0 * z / face_width;
         let crown = [self.crown * part * part, 4.0 * self.crown * part / face_width];

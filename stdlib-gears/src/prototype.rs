@@ -7,7 +7,7 @@ use crate::fillet::Side;
 use crate::flank::Flank;
 use crate::gear::{Gear, ToothForm};
 use crate::helix::Helix;
-use crate::modification::Modification;
+use crate::modification::{Modification, ProfilePart, along_face};
 use crate::modified_structure::modified_structure;
 use crate::sector_mesh::{Refinement, sector_mesh};
 use crate::solid_prototype::SolidSector;
@@ -277,9 +277,8 @@ impl GearPrototype {
             .flag(options.stresses)
             .flag(options.sharp_edges)
             .flag(self.is_modified());
-        let with_modification =
-            |key: KeyWriter, modification: &Modification| key.numbers(&modification.numbers(&self.form()));
-        self.meshed_modifications().iter().fold(key, with_modification)
+        let profiles = self.meshed_modifications().iter().filter_map(|one| one.parts().profile);
+        profiles.fold(key, |key: KeyWriter, part: ProfilePart| key.numbers(&part.numbers(&self.form())))
     }
 
     /// Flank curves of the contact problem for [`Prototype::build`].
@@ -561,7 +560,7 @@ impl Prototype for GearPrototype {
     }
 
     fn needs_space(&self) -> bool {
-        !self.helix.is_spur() || self.modifications.iter().any(|one| one.varies_along_face().is_some())
+        !self.helix.is_spur() || along_face(&self.modifications).next().is_some()
     }
 
     fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
@@ -575,7 +574,7 @@ impl Prototype for GearPrototype {
                 ),
             },
             Fidelity::Plane => {
-                let unseen = self.modifications.iter().filter_map(Modification::varies_along_face);
+                let unseen = along_face(&self.modifications);
                 let along_face = |input: &str| Ignored {
                     input: input.into(),
                     reason: "a plane model has no direction along the face".into(),

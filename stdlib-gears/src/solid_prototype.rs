@@ -7,7 +7,7 @@
 
 use crate::blank::Rim;
 use crate::gear_surface::GearSurface;
-use crate::modification::{LeadModification, Modification, Topography};
+use crate::modification::{LeadModification, Modification};
 use crate::prototype::{GearPrototype, unmeshable};
 use crate::sector_mesh::webbed_sector_mesh;
 use crate::template::{along_face, section};
@@ -71,20 +71,10 @@ impl GearPrototype {
         let plain = self.flanks_with(tip, &[])?;
         let modified = self.flanks_with(tip, modifications)?;
         let lead = LeadModification::of(modifications);
-        let topographies: Vec<Arc<Topography>> = modifications
-            .iter()
-            .filter_map(|modification| match modification {
-                Modification::Topography(topography) => Some(topography.clone()),
-                _ => None,
-            })
-            .collect();
         let twist = self.twist_per_length();
         let surface = |side: usize| {
             let (plain, modified) = (plain[side].clone(), modified[side].clone());
-            Arc::new(
-                GearSurface::new(plain, modified, self.face_width, twist, lead.clone())
-                    .with_topographies(topographies.clone()),
-            )
+            Arc::new(GearSurface::new(plain, modified, self.face_width, twist, lead.clone()))
         };
         Ok([surface(0), surface(1)])
     }

@@ -1,9 +1,10 @@
-//! Tables from CSV files. Each file is read once, from below the model's directory or a location
-//! that the user allows. Columns are converted to SI in the requested dimension.
+//! Tables from CSV files. Each file is parsed once. Columns are converted to SI in the requested
+//! dimension.
 //!
 //! The prelude (`calyx/prelude.cx`) wraps these functions for programs. It contains the dimensions,
 //! which are erased here.
 
+use crate::files;
 use crate::host::ModelHost;
 use calyx_abi::description::{Exponents, UnitDescription};
 use calyx_abi::externs::Handle;
@@ -11,20 +12,12 @@ use calyx_abi::limits::request_memory;
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::to_si;
 use calyx_abi::{Context, RuntimeError};
-use std::fs::File;
-use std::io::{self, Read};
-use std::path::{Component, Path, PathBuf};
-
-/// Size limit of a file, bytes. The limit suits tables, not hours of measured data.
-const LARGEST: u64 = 100 << 20;
 
 /// Parsed table of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Path as the model gives it.
     pub name: String,
-    /// Text of the whole file.
-    pub text: String,
     columns: Vec<Column>,
     /// Line number of each row in the file.
     lines: Vec<u64>,
@@ -58,11 +51,11 @@ impl Cells {
     }
 }
 
-/// Upper bound of the memory that reading a table of this text takes, bytes: the text, the texts of
-/// its cells, and the end offset of each cell. Growing vectors take twice their length.
+/// Upper bound of the memory that parsing a table of this text takes, bytes: the texts of its cells
+/// and the end offset of each cell. Growing vectors take twice their length.
 fn memory_of(text: &str) -> u64 {
     let cells = text.bytes().filter(|byte| matches!(byte, b',' | b'\n')).count() as u64 + 1;
-    3 * text.len() as u64 + 2 * size_of::<usize>() as u64 * 2 * cells
+    2 * text.len() as u64 + 2 * size_of::<usize>() as u64 * 2 * cells
 }
 
 calyx_abi::externs! {
@@ -70,10 +63,10 @@ calyx_abi::externs! {
         if let Some(known) = host(context)?.tables.iter().position(|known| known.name == path) {
             return Ok(Handle(known as u64));
         }
-        let text = text_of(context, &path)?;
+        let text = files::read(context, &path, "a table is a text file in UTF-8")?;
         let bytes = memory_of(&text);
         request_memory(context, bytes)?;
-        let table = parse(&path, text)?;
+        let table = parse(&path, &text)?;
         context.kept_tables = context.kept_tables.saturating_add(bytes);
         let tables = &mut host(context)?.tables;
         tables.push(table);
@@ -110,109 +103,14 @@ fn table_of(context: &mut Context, handle: Handle) -> Result<&Table, RuntimeErro
     })
 }
 
-fn unreadable(path: &str, message: &str, help: &str) -> RuntimeError {
-    RuntimeError::new("E0730", format!("`{path}` cannot be read: {message}"), help).of_argument("path")
-}
-
-/// Reason why a file cannot be read, with the help text.
-pub type Unreadable = (String, &'static str);
-
-/// Text of a table, either embedded in the program or read from a file. Its memory is reserved
-/// before it is read.
-fn text_of(context: &Context, path: &str) -> Result<String, RuntimeError> {
-    if let Some(table) = context.tables.iter().flat_map(|all| all.iter()).find(|table| table.name == path) {
-        request_memory(context, table.text.len() as u64)?;
-        return Ok(table.text.clone());
-    }
-    let refused = |(message, help): Unreadable| match context.tables {
-        Some(_) => unreadable(path, &format!("it does not travel with the program, and {message}"), help),
-        None => unreadable(path, &message, help),
-    };
-    let (file, size) = locate(context.directory.as_deref(), &context.allowed, path).map_err(refused)?;
-    request_memory(context, size)?;
-    read(&file, size, "a table is a text file in UTF-8").map_err(refused)
-}
-
-/// Reads the text of a file that a model names, such as a module that it imports. `allowed` are
-/// files and directories outside of `directory`, as absolute paths without links. `text` is the
-/// help if the file is not valid text.
-///
-/// # Errors
-/// The file is not a regular file below `directory` or `allowed` after all links are resolved, or
-/// it cannot be read.
-pub fn read_below(
-    directory: Option<&Path>,
-    allowed: &[PathBuf],
-    path: &str,
-    text: &'static str,
-) -> Result<String, Unreadable> {
-    let (file, size) = locate(directory, allowed, path)?;
-    read(&file, size, text)
-}
-
-/// Reads at most this number of bytes plus one, because a file may grow after its size was
-/// determined.
-fn read(file: &Path, size: u64, text: &'static str) -> Result<String, Unreadable> {
-    let mut content = Vec::new();
-    let taken = File::open(file).and_then(|file| file.take(size.saturating_add(1)).read_to_end(&mut content));
-    match taken {
-        Err(error) => Err((error.to_string(), text)),
-        Ok(read) if read as u64 > size => Err(("it grows while it is read".into(), "read a copy of it")),
-        Ok(_) => String::from_utf8(content).map_err(|error| (error.to_string(), text)),
-    }
-}
-
-/// Resolves a path to its file and the size in bytes. After all links are resolved, the file must
-/// lie below the directory or below one of the allowed paths.
-fn locate(directory: Option<&Path>, allowed: &[PathBuf], path: &str) -> Result<(PathBuf, u64), Unreadable> {
-    let below = "files are read from the model's directory and those in it; give a path relative to the model, or \
-                 allow others with `--allow-path PATH`";
-    let leads_out = || ("it leads out of the model's directory".to_owned(), below);
-    let directory =
-        directory.ok_or_else(|| ("there is no model file that determines its directory".into(), below))?;
-    let (relative, named) = (Path::new(path), directory.join(path));
-    let is_allowed = |path: &Path| allowed.iter().any(|place| path.starts_with(place));
-    if !relative.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
-        // The error does not reveal which files exist elsewhere.
-        let parent = named.parent().and_then(|parent| parent.canonicalize().ok());
-        let file = named.canonicalize().ok();
-        if !parent.as_deref().is_some_and(is_allowed) && !file.as_deref().is_some_and(is_allowed) {
-            return Err(leads_out());
-        }
-    }
-    let whole = |path: &Path| path.canonicalize().map_err(|error| (not_in(directory, &error), below));
-    let (root, file) = (whole(directory)?, whole(&named)?);
-    if !file.starts_with(&root) && !is_allowed(&file) {
-        return Err(leads_out());
-    }
-    let about = file.metadata().map_err(|error| (not_in(directory, &error), below))?;
-    if !about.is_file() {
-        return Err(("it is not a file".into(), below));
-    }
-    if about.len() > LARGEST {
-        return Err((format!("it is larger than {} MB", LARGEST >> 20), "split it, or keep every tenth row"));
-    }
-    Ok((file, about.len()))
-}
-
-fn not_in(directory: &Path, error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound if directory == Path::new(".") => {
-            "there is no such file in this directory".into()
-        }
-        io::ErrorKind::NotFound => format!("there is no such file in {}", directory.display()),
-        _ => error.to_string(),
-    }
-}
-
 /// Parses a table: a line of names, then rows with the same number of cells. `#` begins a comment
 /// line.
-fn parse(name: &str, whole: String) -> Result<Table, RuntimeError> {
+fn parse(name: &str, whole: &str) -> Result<Table, RuntimeError> {
     let malformed = |line: Option<u64>, message: String, help: &str| {
         let place = line.map(|line| format!(", line {line}")).unwrap_or_default();
         RuntimeError::new("E0731", format!("{name}{place}: {message}"), help).of_argument("path")
     };
-    let text = whole.strip_prefix('\u{feff}').unwrap_or(&whole);
+    let text = whole.strip_prefix('\u{feff}').unwrap_or(whole);
     let mut reader =
         csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let help = "the first line names the columns, separated by commas; every other line has as many cells";
@@ -259,8 +157,7 @@ fn parse(name: &str, whole: String) -> Result<Table, RuntimeError> {
             column.cells.push(cell);
         }
     }
-    drop(reader);
-    Ok(Table { name: name.into(), text: whole, columns, lines })
+    Ok(Table { name: name.into(), columns, lines })
 }
 
 /// Numbers of a column in SI. `wanted` is a sample value of the column: its dimension, and the unit
@@ -338,7 +235,7 @@ mod tests {
     #[test]
     fn columns_come_in_the_dimension_asked_for() {
         let text = "\u{feff}# measured\nroll, depth [mm], note\n0.5, 10, a\n# between\n1, 2.5e1,\"b, c\"\n";
-        let table = parse("t.csv", text.into()).unwrap();
+        let table = parse("t.csv", text).unwrap();
         let metre = quantity::parse("1 m", &units()).ok();
         assert_eq!(column(&table, "depth", metre, &units()).unwrap(), [0.01, 0.025]);
         assert_eq!(column(&table, "roll", None, &units()).unwrap(), [0.5, 1.0]);
@@ -350,6 +247,34 @@ mod tests {
     }
 
     #[test]
+    fn no_text_makes_the_parser_panic() {
+        // A linear congruential generator (Knuth, MMIX) chooses characters that tables consist of.
+        let characters: Vec<char> = "a1.-e,[]\"'#\n\r \t\u{feff}µm".chars().collect();
+        let mut state = 1_u64;
+        let (mut tables, mut refused) = (0, 0);
+        for length in (0..4000).map(|case| case % 40) {
+            let mut next = || {
+                state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+                characters[(state >> 33) as usize % characters.len()]
+            };
+            let text: String = (0..length).map(|_| next()).collect();
+            match parse("t.csv", &text) {
+                Ok(table) => {
+                    tables += 1;
+                    for of in &table.columns {
+                        drop(column(&table, &of.name, None, &units()));
+                    }
+                }
+                Err(error) => {
+                    refused += 1;
+                    assert_eq!(error.code, "E0731", "{text:?}");
+                }
+            }
+        }
+        assert!(tables > 100 && refused > 100, "{tables} tables, {refused} errors");
+    }
+
+    #[test]
     fn malformed_tables_are_refused_with_their_line() {
         for (text, reason) in [
             ("a, b\n1, 2\n3\n", "t.csv, line 3: 1 cells, where the first line names 2 columns"),
@@ -357,50 +282,10 @@ mod tests {
             ("a [mm, b\n", "does not end"),
             (", b\n", "has no name"),
         ] {
-            let error = parse("t.csv", text.into()).unwrap_err();
+            let error = parse("t.csv", text).unwrap_err();
             assert!(error.message.contains(reason), "{text:?}: {}", error.message);
         }
-        let odd = parse("t.csv", "a [ell]\n1\n".into()).unwrap();
+        let odd = parse("t.csv", "a [ell]\n1\n").unwrap();
         assert!(column(&odd, "a", None, &units()).unwrap_err().message.contains("no unit called `ell`"));
-    }
-
-    #[test]
-    fn files_outside_of_the_models_directory_are_refused() {
-        let root = std::env::temp_dir().join(format!("calyx-tables-{}", std::process::id()));
-        let model = root.join("model");
-        std::fs::create_dir_all(model.join("data")).unwrap();
-        std::fs::write(model.join("data/inside.csv"), "a\n1\n").unwrap();
-        std::fs::write(root.join("outside.csv"), "a\n1\n").unwrap();
-        #[cfg(unix)]
-        std::os::unix::fs::symlink(root.join("outside.csv"), model.join("link.csv")).unwrap();
-        let tried_with = |allowed: &[PathBuf], path: &str| {
-            locate(Some(&model), allowed, path).map_err(|(message, _)| message)
-        };
-        let tried = |path: &str| tried_with(&[], path);
-        assert!(tried("data/inside.csv").is_ok() && tried("./data/inside.csv").is_ok());
-        let absolute = root.join("outside.csv");
-        for path in ["../outside.csv", "data/../../outside.csv", absolute.to_str().unwrap()] {
-            assert!(tried(path).unwrap_err().contains("leads out"), "{path}");
-        }
-        #[cfg(unix)]
-        assert!(tried("link.csv").unwrap_err().contains("leads out"));
-        assert!(tried("data").unwrap_err().contains("not a file") && tried("none.csv").is_err());
-        assert!(locate(None, &[], "data/inside.csv").is_err());
-        // An allowed directory or file is accepted, whichever path leads there.
-        let real = root.canonicalize().unwrap();
-        for allowed in [real.join("outside.csv"), real.clone()] {
-            let allowed = [allowed];
-            for path in ["../outside.csv", absolute.to_str().unwrap(), "data/inside.csv"] {
-                assert!(tried_with(&allowed, path).is_ok(), "{path}");
-            }
-            #[cfg(unix)]
-            assert!(tried_with(&allowed, "link.csv").is_ok());
-            assert!(tried_with(&allowed, "../../etc/passwd").unwrap_err().contains("leads out"));
-        }
-        let elsewhere = [real.join("model/data")];
-        assert!(tried_with(&elsewhere, "../outside.csv").unwrap_err().contains("leads out"));
-        assert!(tried_with(std::slice::from_ref(&real), "../none.csv").unwrap_err().contains("no such file"));
-        assert!(tried_with(std::slice::from_ref(&real), "../model/data").unwrap_err().contains("not a file"));
-        std::fs::remove_dir_all(&root).unwrap();
     }
 }

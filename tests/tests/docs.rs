@@ -189,6 +189,40 @@ fn paths_on_the_pages_for_contributors_exist() {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
+/// Returns all identifiers in the sources of a folder.
+fn identifiers(folder: &Path, words: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("readable").path()) {
+        if entry.is_dir() {
+            identifiers(&entry, words);
+        } else if entry.extension().is_some_and(|extension| extension == "rs" || extension == "cx") {
+            let text = fs::read_to_string(&entry).expect("readable");
+            let split = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+            words.extend(split.map(str::to_owned));
+        }
+    }
+}
+
+/// Checks identifiers between backquotes, so that a recipe does not name an item that has been
+/// renamed.
+#[test]
+fn items_on_the_page_of_recipes_exist() {
+    let mut words = BTreeSet::new();
+    for folder in ["compiler", "lsp", "runtime", "stdlib-gears"] {
+        identifiers(&home().join(folder), &mut words);
+    }
+    let text = fs::read_to_string(home().join("docs/contributing.md")).expect("readable");
+    let spans: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
+    let is_path = |span: &&&str| span.chars().all(|c| c.is_alphanumeric() || c == '_' || c == ':');
+    let unknown: Vec<&str> = spans
+        .iter()
+        .filter(is_path)
+        .filter(|span| span.split("::").any(|segment| !words.contains(segment)))
+        .copied()
+        .collect();
+    assert!(unknown.is_empty(), "docs/contributing.md names unknown items: {unknown:?}");
+    assert!(spans.iter().filter(is_path).count() > 80, "the page has few items");
+}
+
 /// The reference has its own test. Pages without a model may have other blocks of text.
 #[test]
 fn every_model_on_a_page_passes_check() {

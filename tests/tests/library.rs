@@ -2,8 +2,9 @@
 //! provides in Rust.
 
 use calyx_abi::{Purity, Repr};
+use calyx_gears::analyses;
 use calyx_gears::library::{MODULES, PRELUDE, externs};
-use calyx_lang::ast::{FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
+use calyx_lang::ast::{Domain, Expr, FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::parser::parse;
 use calyx_lang::span::FileId;
@@ -71,6 +72,20 @@ fn repr(ty: &TypeExpr) -> Repr {
         // Combined dimensions.
         _ => Repr::Number,
     }
+}
+
+#[test]
+fn every_analysis_is_a_choice_of_analyze() {
+    let analyze = declared().into_iter().find(|(symbol, ..)| symbol == "calyx_std_analyze");
+    let (_, analyze, _) = analyze.expect("the prelude declares `analyze`");
+    let method = analyze.parameters.iter().find(|parameter| parameter.name.name == "method");
+    let Some(Domain::Choices { values, .. }) = method.and_then(|method| method.domain.as_ref()) else {
+        panic!("`method` has no choices");
+    };
+    let text = |value: &Expr| PRELUDE.text[value.span.start as usize..value.span.end as usize].to_owned();
+    let choices: Vec<String> = values.iter().map(text).collect();
+    let known: Vec<String> = analyses::names().map(|name| format!("\"{name}\"")).collect();
+    assert_eq!(choices, known);
 }
 
 #[test]

@@ -191,9 +191,9 @@ fn elaborate_with(
                 }
             }
         }
-        let tables = host.tables.iter();
-        read = tables
-            .map(|table| FileDescription { name: table.name.clone(), text: table.text.clone() })
+        let files = host.files.iter();
+        read = files
+            .map(|file| FileDescription { name: file.name.clone(), text: file.text.to_string() })
             .collect();
         geometry = Geometry::of(host);
         found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));

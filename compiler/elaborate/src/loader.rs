@@ -1,8 +1,8 @@
 //! Loaders of imported modules: from the library and the model's folder, or from the sources stored
 //! in a compiled model.
 
+use calyx_gears::files::read_below;
 use calyx_gears::library::{MODULES, PRELUDE};
-use calyx_gears::tables::read_below;
 use calyx_lang::check::Loader;
 use calyx_lang::ir::SourceFile;
 use std::path::{Path, PathBuf};

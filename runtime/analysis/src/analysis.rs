@@ -4,6 +4,7 @@
 //! observer.
 
 use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
+use crate::method::QuasiStatic;
 use crate::observables::Observe;
 use crate::observables::{Equilibrium, Fields, MeshedBodies, ModesTable};
 pub use crate::options::AnalysisOptions;
@@ -12,7 +13,7 @@ use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
 use crate::scene::Scene;
 use crate::summary::summarize;
-use crate::validate::{Method, Request};
+use crate::validate::Request;
 use calyx_contact::problem::Certificate;
 use calyx_model::fidelity::StructureOptions;
 use calyx_model::observed::{Observed, OutputRequest};
@@ -25,6 +26,7 @@ use calyx_solve::system::System;
 use calyx_solve::vibration::check_vibrations;
 
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::iter::FusedIterator;
 use std::time::{Duration, Instant};
@@ -59,7 +61,8 @@ impl<'s> PlannedAnalysis<'s> {
         check_solved(&options.solved, positions, outputs)?;
         let highest_frequency = options.highest_frequency;
         // Check this first: structures are expensive, and the check does not need them.
-        let request = Request::new(scene, outputs, Method::QuasiStatic(positions), options);
+        let method = QuasiStatic { positions: Cow::Borrowed(positions) };
+        let request = Request::new(scene, outputs, &method, options);
         let plan = timing.stage("plan", || request.plan(&options.resources.interrupt))?;
         Ok(PlannedAnalysis {
             scene,

@@ -2,11 +2,13 @@
 
 #![warn(missing_docs)]
 
+pub mod analyses;
 pub mod analysis;
 pub mod cost;
 pub mod dynamic_options;
 pub mod dynamics;
 pub mod estimate;
+pub mod method;
 pub mod observables;
 pub mod options;
 pub mod results;

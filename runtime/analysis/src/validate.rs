@@ -5,7 +5,7 @@
 //! same messages. Where a message suggests another fidelity or method, this function has accepted
 //! the scene with it, so that no advice leads to a refusal that advises back.
 
-use crate::dynamic_options::{DynamicOptions, Start};
+use crate::method::{Method, QuasiStatic};
 use crate::options::AnalysisOptions;
 use crate::scene::Scene;
 use calyx_fe::inertia::Inertia;
@@ -14,22 +14,13 @@ use calyx_model::frames::number_dofs;
 use calyx_model::motion::axle;
 use calyx_model::observed::OutputRequest;
 use calyx_model::plan::{Plan, UnsupportedOutput};
-use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_solve::integration::{check_in_section, check_inertia, check_section};
+use calyx_solve::integration::{check_in_section, check_inertia};
 use calyx_solve::modal::check_modes;
 use calyx_solve::restraint_check;
 use calyx_solve::vibration::check_mode_count;
-
-/// Method of an analysis.
-#[derive(Clone, Copy, Debug)]
-pub enum Method<'a> {
-    /// Equilibrium at every position; inertia is left out.
-    QuasiStatic(&'a [Position]),
-    /// Motion in time.
-    Dynamic(&'a DynamicOptions),
-}
+use std::borrow::Cow;
 
 /// An analysis as requested, before anything is known about whether it is possible.
 #[derive(Clone, Copy)]
@@ -38,8 +29,8 @@ pub struct Request<'a> {
     pub scene: &'a Scene,
     /// Outputs to record.
     pub outputs: &'a [OutputRequest],
-    /// Quasi-static or dynamic.
-    pub method: Method<'a>,
+    /// Method with its options.
+    pub method: &'a dyn Method,
     /// Fidelity level of the bodies.
     pub fidelity: Fidelity,
     /// Discretization of the structures.
@@ -59,7 +50,7 @@ impl<'a> Request<'a> {
     pub fn new(
         scene: &'a Scene,
         outputs: &'a [OutputRequest],
-        method: Method<'a>,
+        method: &'a dyn Method,
         options: &AnalysisOptions,
     ) -> Request<'a> {
         let AnalysisOptions { fidelity, structure, highest_frequency, .. } = *options;
@@ -74,12 +65,7 @@ impl<'a> Request<'a> {
     /// E0783. Also those of the interrupt.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
-        let first = match self.method {
-            Method::QuasiStatic(positions) => Some(positions.first().map_or(0.0, |position| position.time)),
-            // A motion that starts at the prescribed position needs no equilibrium.
-            Method::Dynamic(dynamics) => (dynamics.start == Start::Equilibrium).then_some(dynamics.from),
-        };
-        if let Some(time) = first {
+        if let Some(time) = self.method.first_equilibrium() {
             restraint_check::check(self.scene, &plan, time, interrupt)?;
         }
         Ok(plan)
@@ -102,23 +88,18 @@ impl<'a> Request<'a> {
 
     /// Applies all rules but the restraint check, which depends on neither fidelity nor method.
     fn decide(&self) -> Result<Plan, EngineError> {
-        let Request { scene, fidelity, structure, highest_frequency, .. } = *self;
+        let Request { scene, method, fidelity, structure, highest_frequency, .. } = *self;
         structure.check()?;
-        if let Method::Dynamic(dynamics) = self.method {
-            check_section(fidelity)?;
-            dynamics.check()?;
-        }
+        method.check_options(fidelity)?;
         check_modes(fidelity, highest_frequency)?;
-        let plan = match self.method {
-            Method::QuasiStatic(_) => Plan::new(scene, fidelity, structure)?,
-            Method::Dynamic(_) => Plan::in_time(scene, fidelity, structure)?,
-        };
+        let planned = if method.has_inertia() { Plan::in_time } else { Plan::new };
+        let plan = planned(scene, fidelity, structure)?;
         let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
-        if matches!(self.method, Method::Dynamic(_)) {
+        if method.has_inertia() {
             check_in_section(&plan)?;
         }
-        if matches!(self.method, Method::Dynamic(_)) || modes || scene.modes_table.is_some() {
+        if method.has_inertia() || modes || scene.modes_table.is_some() {
             self.check_vibrations(&plan)?;
         }
         Ok(plan)
@@ -183,7 +164,8 @@ impl<'a> Request<'a> {
             return Some(format!("choose the fidelity {}", choice(&named)));
         }
         let without_modes = Request { highest_frequency: 0.0, ..*self };
-        let at_rest = Request { method: Method::QuasiStatic(&[]), ..*self };
+        let quasi_static = QuasiStatic { positions: Cow::Borrowed(&[]) };
+        let at_rest = Request { method: &quasi_static, ..*self };
         let both = Request { highest_frequency: 0.0, ..at_rest };
         const NO_MODES: &str = "leave `highest_frequency` at 0";
         const STATICS: &str =

@@ -12,7 +12,7 @@ use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
 use crate::scene::Scene;
 use crate::summary::summarize;
-use crate::validate::{Method, Request};
+use crate::validate::Request;
 use calyx_contact::problem::Certificate;
 use calyx_fe::inertia::Inertia;
 use calyx_model::load::Wrench;
@@ -84,7 +84,7 @@ impl<'s> History<'s> {
             analysis.resources.cache.get_or_insert_with(|| Arc::new(OperatorCache::new(KEPT)));
         }
         let highest = options.highest_frequency;
-        let request = Request::new(scene, outputs, Method::Dynamic(dynamics), options);
+        let request = Request::new(scene, outputs, dynamics, options);
         let plan = timing.stage("plan", || request.plan(&options.resources.interrupt))?;
         let positions = kept_positions(dynamics.from, &dynamics.ranges);
         check_solved(&options.solved, &positions, outputs)?;

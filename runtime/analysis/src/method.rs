@@ -1,0 +1,59 @@
+//! Interface of an analysis method for validation: the properties that decide whether a scene and a
+//! fidelity level support it. [`crate::analyses::Analysis`] adds the driver.
+
+use crate::dynamic_options::{DynamicOptions, Start};
+use calyx_model::fidelity::Fidelity;
+use calyx_model::position::Position;
+use calyx_numerics::error::EngineError;
+use calyx_solve::integration::check_section;
+use std::borrow::Cow;
+
+/// Properties of an analysis method with its own options.
+pub trait Method: Send + Sync {
+    /// Checks the options of the method, and whether it supports a fidelity level.
+    ///
+    /// # Errors
+    /// Those of the method.
+    fn check_options(&self, _fidelity: Fidelity) -> Result<(), EngineError> {
+        Ok(())
+    }
+
+    /// Returns whether the analysis includes inertia and damping. Then it requires a
+    /// two-dimensional model, and free bodies with mass.
+    fn has_inertia(&self) -> bool {
+        false
+    }
+
+    /// Returns the time of the first equilibrium, s; `None` if the analysis starts without one. The
+    /// contacts and supports must restrain all free components at this time.
+    fn first_equilibrium(&self) -> Option<f64>;
+}
+
+/// Quasi-static analysis: the equilibrium at every position, without inertia.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuasiStatic<'p> {
+    /// Positions, in order.
+    pub positions: Cow<'p, [Position]>,
+}
+
+impl Method for QuasiStatic<'_> {
+    fn first_equilibrium(&self) -> Option<f64> {
+        Some(self.positions.first().map_or(0.0, |position| position.time))
+    }
+}
+
+impl Method for DynamicOptions {
+    fn check_options(&self, fidelity: Fidelity) -> Result<(), EngineError> {
+        check_section(fidelity)?;
+        self.check()
+    }
+
+    fn has_inertia(&self) -> bool {
+        true
+    }
+
+    fn first_equilibrium(&self) -> Option<f64> {
+        // A motion that starts at the prescribed position needs no equilibrium.
+        (self.start == Start::Equilibrium).then_some(self.from)
+    }
+}
