@@ -62,18 +62,7 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
             ident(name, visit);
             expr(value, visit);
         }
-        StmtKind::Record(decl) => {
-            declared(&mut decl.name, &mut decl.former, visit);
-            for field in &mut decl.fields {
-                declared(&mut field.name, &mut field.former, visit);
-                if let Some(annotation) = &mut field.annotation {
-                    type_expr(annotation, visit);
-                }
-                if let Some(default) = &mut field.default {
-                    expr(default, visit);
-                }
-            }
-        }
+        StmtKind::Record(decl) => record(decl, visit),
         StmtKind::Enum(decl) => {
             ident(&mut decl.name, visit);
             decl.choices.iter_mut().for_each(|choice| ident(&mut choice.name, visit));
@@ -84,13 +73,7 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
                 type_expr(value, visit);
             }
         }
-        StmtKind::Unit(decl) => {
-            ident(&mut decl.name, visit);
-            match &mut decl.meaning {
-                UnitMeaning::Coherent(dimension) => type_expr(dimension, visit),
-                UnitMeaning::Equal(value) => expr(value, visit),
-            }
-        }
+        StmtKind::Unit(decl) => unit(decl, visit),
         StmtKind::Var(decls) => {
             for decl in decls {
                 ident(&mut decl.name, visit);
@@ -159,6 +142,27 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
             }
             statement(handler, visit);
         }
+    }
+}
+
+fn record(decl: &mut RecordDecl, visit: &mut Visit<'_>) {
+    declared(&mut decl.name, &mut decl.former, visit);
+    for field in &mut decl.fields {
+        declared(&mut field.name, &mut field.former, visit);
+        if let Some(annotation) = &mut field.annotation {
+            type_expr(annotation, visit);
+        }
+        if let Some(default) = &mut field.default {
+            expr(default, visit);
+        }
+    }
+}
+
+fn unit(decl: &mut UnitDecl, visit: &mut Visit<'_>) {
+    ident(&mut decl.name, visit);
+    match &mut decl.meaning {
+        UnitMeaning::Coherent(dimension) => type_expr(dimension, visit),
+        UnitMeaning::Equal(value) => expr(value, visit),
     }
 }
 

@@ -33,8 +33,18 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
         out.push_str("(private)");
         open_line(depth, out);
     }
-    let mut children: Vec<&Stmt> = Vec::new();
-    let head = match &s.kind {
+    let mut children = Vec::new();
+    let head = statement_head(&s.kind, &mut children);
+    out.push_str(head.trim_end());
+    for child in children {
+        statement(child, depth + 1, out);
+    }
+    out.push(')');
+}
+
+/// Returns the first line of a statement, and adds the statements within it to `children`.
+fn statement_head<'s>(kind: &'s StmtKind, children: &mut Vec<&'s Stmt>) -> String {
+    match kind {
         StmtKind::Empty => "(empty".into(),
         StmtKind::Error => "(error".into(),
         StmtKind::Import(import) => {
@@ -124,12 +134,7 @@ fn statement(s: &Stmt, depth: usize, out: &mut String) {
             children.extend([&**body, handler]);
             format!("(try catch={}", error.as_ref().map_or("", |e| &e.name))
         }
-    };
-    out.push_str(head.trim_end());
-    for child in children {
-        statement(child, depth + 1, out);
     }
-    out.push(')');
 }
 
 fn record(decl: &RecordDecl) -> String {

@@ -133,11 +133,7 @@ fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
             }
         }
         StmtKind::Var(variables) => variables.iter().for_each(|variable| visit(Node::Variable(variable))),
-        StmtKind::Assign { place, value, .. } => {
-            visit(Node::Expression(place));
-            visit(Node::Expression(value));
-        }
-        StmtKind::Update { place, value, .. } => {
+        StmtKind::Assign { place, value, .. } | StmtKind::Update { place, value, .. } => {
             visit(Node::Expression(place));
             visit(Node::Expression(value));
         }
@@ -179,13 +175,9 @@ fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
             values.expressions().into_iter().for_each(|e| visit(Node::Expression(e)));
             visit(Node::Statement(body));
         }
-        StmtKind::Switch { value, body } => {
+        StmtKind::Switch { value, body } | StmtKind::Case { value, statement: body } => {
             visit(Node::Expression(value));
             visit(Node::Statement(body));
-        }
-        StmtKind::Case { value, statement } => {
-            visit(Node::Expression(value));
-            visit(Node::Statement(statement));
         }
         StmtKind::Default(statement) => visit(Node::Statement(statement)),
         StmtKind::Label { label, statement } => {

@@ -36,7 +36,7 @@ pub const FUEL: u64 = 20_000_000;
 pub const MEMORY: u64 = 256_000_000;
 
 /// Returns an error if the elaboration was cancelled.
-fn go_on(cancel: &Cancel) -> Result<(), Cancelled> {
+fn ensure_running(cancel: &Cancel) -> Result<(), Cancelled> {
     if cancel.is_cancelled() { Err(Cancelled) } else { Ok(()) }
 }
 
@@ -45,7 +45,8 @@ fn interrupt(cancel: &Cancel) -> Interrupt {
     let cancel = cancel.clone();
     // The message is never shown: a cancelled elaboration has no result.
     Interrupt::new(move || {
-        go_on(&cancel).map_err(|Cancelled| EngineError::new(codes::CANCELLED, Cancelled.to_string(), ""))
+        ensure_running(&cancel)
+            .map_err(|Cancelled| EngineError::new(codes::CANCELLED, Cancelled.to_string(), ""))
     })
 }
 
@@ -133,7 +134,7 @@ fn elaborate_with(
 ) -> Result<Elaboration, Cancelled> {
     let mut tapes = Vec::with_capacity(program.sites.len());
     for site in (0..program.sites.len() as u32).map(SiteId) {
-        go_on(cancel)?;
+        ensure_running(cancel)?;
         match lower_site(program, site) {
             Ok(tape) => tapes.push(tape),
             Err(error) => return Ok(unrunnable(no_kernel(&error))),
@@ -143,7 +144,7 @@ fn elaborate_with(
         Ok(interpreted) => interpreted.recovering(),
         Err(found) => return Ok(unrunnable(found)),
     };
-    go_on(cancel)?;
+    ensure_running(cancel)?;
     let mut context = checking_context(&interpreted, params, cancel);
     (context.print, context.keeps_output) = (print, keeps_output);
     let seen = NanLog::new(cancel.clone(), context.limits);
@@ -156,7 +157,7 @@ fn elaborate_with(
     };
     let ran = applied.and_then(|()| interpreted.main_to_values(&mut context).map_err(Error::Model));
     let values = ran.as_ref().map(|slots| values::of_top_level(program, slots, &context)).unwrap_or_default();
-    go_on(cancel)?;
+    ensure_running(cancel)?;
     let survived = interpreted.failures();
     let sites = CallSites::new(program);
     let at_place = |error: &RuntimeError| {
@@ -170,26 +171,15 @@ fn elaborate_with(
     let mut read = Vec::new();
     let mut outputs = None;
     if let Some(host) = context.host::<ModelHost>() {
-        if !interpreted.description().declared_outputs.is_empty() && ran.is_ok() {
+        let description = interpreted.description();
+        if !description.declared_outputs.is_empty() && ran.is_ok() {
             outputs = Some(host.outputs.iter().map(|output| output.name.clone()).collect::<Vec<_>>());
         }
         // An incomplete scene has no meaningful analysis.
         if ran.is_ok() && survived.is_empty() {
-            check_unrestrained(host);
-            if !host.scene.pairs.is_empty() || host.asked.is_some() {
-                match check_plan(host, &interrupt(cancel)) {
-                    Ok(plan) => planned = Some(Planned::of(host, &plan, interpreted.description())),
-                    Err(error) => found.push(at_place(&error)),
-                }
-            }
-            // An analysis checks this itself, but the model may not have one yet.
-            if host.asked.is_none() {
-                found.extend(check_signals(host).err().iter().map(at_place));
-                let description = interpreted.description();
-                if !description.outputs.is_empty() {
-                    found.push(at_place(&no_analysis(description, false)));
-                }
-            }
+            let (plan, errors) = check_analysis(host, description, cancel);
+            planned = plan;
+            found.extend(errors.iter().map(at_place));
         }
         let files = host.files.iter();
         read = files
@@ -217,7 +207,7 @@ fn elaborate_with(
     found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
     // A loop repeats the same diagnostic in every iteration.
     found.dedup();
-    go_on(cancel)?;
+    ensure_running(cancel)?;
     let description = interpreted.into_description();
     let description = match outputs {
         Some(names) => description.with_outputs(names.iter().map(String::as_str)),
@@ -233,6 +223,31 @@ fn elaborate_with(
         geometry,
         printed: Vec::new(),
     })
+}
+
+/// Plans the analysis of a complete scene. Returns the plan, if there is an analysis that can be
+/// planned, and the errors of the analysis.
+fn check_analysis(
+    host: &mut ModelHost,
+    description: &ModelDescription,
+    cancel: &Cancel,
+) -> (Option<Planned>, Vec<RuntimeError>) {
+    check_unrestrained(host);
+    let (mut planned, mut errors) = (None, Vec::new());
+    if !host.scene.pairs.is_empty() || host.asked.is_some() {
+        match check_plan(host, &interrupt(cancel)) {
+            Ok(plan) => planned = Some(Planned::of(host, &plan, description)),
+            Err(error) => errors.push(error),
+        }
+    }
+    // An analysis checks this itself, but the model may not have one yet.
+    if host.asked.is_none() {
+        errors.extend(check_signals(host).err());
+        if !description.outputs.is_empty() {
+            errors.push(no_analysis(description, false));
+        }
+    }
+    (planned, errors)
 }
 
 /// Returns the context of a run that builds the scene and solves nothing, without kernels.
@@ -259,7 +274,7 @@ fn unfinished(error: Diagnostic) -> Diagnostic {
     Diagnostic {
         severity: Severity::Warning,
         code: error.code.replacen('E', "W", 1),
-        message: format!("the check ends at its limit of {limit}; a run goes on"),
+        message: format!("the check ends at its limit of {limit}; a run has no such limit"),
         help: Some("look for a loop that does not end; the statements after it are not checked".into()),
         ..error
     }

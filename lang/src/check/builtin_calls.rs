@@ -21,47 +21,8 @@ impl<'a> Checker<'a> {
     ) -> Expr {
         match builtin {
             Builtin::Operation(signature) => self.operation(signature, arguments, span),
-            Builtin::Extreme(op) => {
-                self.refuse_names(&name.name, arguments);
-                if let [array] = arguments {
-                    let array = self.as_value(|c| c.expr(&array.value));
-                    if matches!(self.store.shallow(&array.ty), Type::Number(_)) {
-                        return self.wrong_count(&name.name, span);
-                    }
-                    let function = if op == Op::Min { Standard::Smallest } else { Standard::Largest };
-                    return self.of_numbers(function, &name.name, array, span);
-                }
-                if arguments.is_empty() {
-                    return self.wrong_count(&name.name, span);
-                }
-                let ty = self.fresh_number();
-                let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
-                let mut observes = false;
-                for value in &values {
-                    let cause =
-                        Some((values[0].span, format!("this is a {}", self.store.show(&values[0].ty))));
-                    let (number, is_observable) = self.number_of(value);
-                    observes |= is_observable;
-                    self.expect(&ty, &number, &format!("an argument of `{}`", name.name), cause);
-                }
-                let ty = self.observable_if(ty, observes);
-                let mut values = values.into_iter();
-                let first = values.next().unwrap_or_else(|| Expr::error(span));
-                values.fold(first, |a, b| Expr { kind: Kind::Op(op, vec![a, b]), ty: ty.clone(), span })
-            }
-            Builtin::Sqrt => {
-                let Some([x]) = self.plain(&name.name, arguments, span, ["x"]) else {
-                    return Expr::error(span);
-                };
-                let x = self.expr(x);
-                let dim = self.store.fresh_dim();
-                let (number, observes) = self.number_of(&x);
-                self.expect(&Type::Number(dim.clone()), &number, "the argument of `sqrt`", None);
-                let half = Rational::new(1, 2).unwrap_or(Rational::ONE);
-                let root = self.store.dim(&dim).power(half).unwrap_or_else(Dim::none);
-                let ty = self.observable_if(Type::Number(root), observes);
-                Expr { kind: Kind::Op(Op::Sqrt, vec![x]), ty, span }
-            }
+            Builtin::Extreme(op) => self.extreme(op, &name.name, arguments, span),
+            Builtin::Sqrt => self.square_root(&name.name, arguments, span),
             Builtin::Derivative => self.derivative(arguments, span),
             Builtin::Gradient => self.gradient(arguments, span),
             Builtin::Solve => self.solution(arguments, span),
@@ -71,33 +32,7 @@ impl<'a> Checker<'a> {
                 let values: Vec<Expr> = arguments.iter().map(|a| self.printable(&a.value)).collect();
                 Expr { kind: Kind::Print(values, self.shown_system()), ty: Type::Unit, span }
             }
-            Builtin::Assert => {
-                let parameters = [("condition", false), ("message", true)];
-                let given = self.match_arguments("assert", &parameters, arguments, span).unwrap_or_default();
-                let [Some(written), message] = given[..] else { return Expr::error(span) };
-                let condition = self.as_value(|c| c.expr(&written.value));
-                self.expect(&Type::Bool, &condition, "the condition of `assert`", None);
-                let message = match message {
-                    Some(message) => {
-                        let message = self.as_value(|c| c.expr(&message.value));
-                        self.expect(&Type::String, &message, "the message", None);
-                        message
-                    }
-                    None => Expr {
-                        kind: Kind::Text(self.text(written.value.span).to_string()),
-                        ty: Type::String,
-                        span,
-                    },
-                };
-                let sides = match &condition.kind {
-                    Kind::Binary(op, a, b) if op.compares() => {
-                        Some([a, b].map(|side| self.text(side.span).into()))
-                    }
-                    _ => None,
-                };
-                let assertion = Assertion { condition, message, sides, system: self.shown_system() };
-                Expr { kind: Kind::Assert(Box::new(assertion)), ty: Type::Unit, span }
-            }
+            Builtin::Assert => self.assertion(arguments, span),
             Builtin::Len => {
                 let Some([array]) = self.plain("len", arguments, span, ["array"]) else {
                     return Expr::error(span);
@@ -124,6 +59,73 @@ impl<'a> Checker<'a> {
                 Expr::error(span)
             }
         }
+    }
+
+    /// Checks `min` or `max`, of numbers or of an array.
+    fn extreme(&mut self, op: Op, name: &str, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        self.refuse_names(name, arguments);
+        if let [array] = arguments {
+            let array = self.as_value(|c| c.expr(&array.value));
+            if matches!(self.store.shallow(&array.ty), Type::Number(_)) {
+                return self.wrong_count(name, span);
+            }
+            let function = if op == Op::Min { Standard::Smallest } else { Standard::Largest };
+            return self.of_numbers(function, name, array, span);
+        }
+        if arguments.is_empty() {
+            return self.wrong_count(name, span);
+        }
+        let ty = self.fresh_number();
+        let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
+        let mut observes = false;
+        for value in &values {
+            let cause = Some((values[0].span, format!("this is a {}", self.store.show(&values[0].ty))));
+            let (number, is_observable) = self.number_of(value);
+            observes |= is_observable;
+            self.expect(&ty, &number, &format!("an argument of `{}`", name), cause);
+        }
+        let ty = self.observable_if(ty, observes);
+        let mut values = values.into_iter();
+        let first = values.next().unwrap_or_else(|| Expr::error(span));
+        values.fold(first, |a, b| Expr { kind: Kind::Op(op, vec![a, b]), ty: ty.clone(), span })
+    }
+
+    fn square_root(&mut self, name: &str, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        let Some([x]) = self.plain(name, arguments, span, ["x"]) else {
+            return Expr::error(span);
+        };
+        let x = self.expr(x);
+        let dim = self.store.fresh_dim();
+        let (number, observes) = self.number_of(&x);
+        self.expect(&Type::Number(dim.clone()), &number, "the argument of `sqrt`", None);
+        let half = Rational::new(1, 2).unwrap_or(Rational::ONE);
+        let root = self.store.dim(&dim).power(half).unwrap_or_else(Dim::none);
+        let ty = self.observable_if(Type::Number(root), observes);
+        Expr { kind: Kind::Op(Op::Sqrt, vec![x]), ty, span }
+    }
+
+    fn assertion(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        let parameters = [("condition", false), ("message", true)];
+        let given = self.match_arguments("assert", &parameters, arguments, span).unwrap_or_default();
+        let [Some(written), message] = given[..] else { return Expr::error(span) };
+        let condition = self.as_value(|c| c.expr(&written.value));
+        self.expect(&Type::Bool, &condition, "the condition of `assert`", None);
+        let message = match message {
+            Some(message) => {
+                let message = self.as_value(|c| c.expr(&message.value));
+                self.expect(&Type::String, &message, "the message", None);
+                message
+            }
+            None => {
+                Expr { kind: Kind::Text(self.text(written.value.span).to_string()), ty: Type::String, span }
+            }
+        };
+        let sides = match &condition.kind {
+            Kind::Binary(op, a, b) if op.compares() => Some([a, b].map(|side| self.text(side.span).into())),
+            _ => None,
+        };
+        let assertion = Assertion { condition, message, sides, system: self.shown_system() };
+        Expr { kind: Kind::Assert(Box::new(assertion)), ty: Type::Unit, span }
     }
 
     /// Rejects named arguments: the parameters of a variadic function have no names.

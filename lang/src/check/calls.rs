@@ -257,6 +257,18 @@ impl<'a> Checker<'a> {
             let call = self.as_symbolic(|c| c.symbolic_call(id, name, arguments, span));
             return if self.symbolic { call } else { self.as_observable(call) };
         }
+        self.value_call(id, (decl, file), name, arguments, span)
+    }
+
+    /// Checks a call whose arguments are evaluated.
+    fn value_call(
+        &mut self,
+        id: FuncId,
+        (decl, file): (&'a ast::FunctionDecl, FileId),
+        name: &ast::Ident,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Expr {
         let given = self.given(&name.name, decl, arguments, span);
         let (types, result, instance) = self.instantiate(id, span);
         let Some((given, mut fields)) = given else {
@@ -299,18 +311,7 @@ impl<'a> Checker<'a> {
                     copy_back.push(place);
                     value
                 }
-                (_, None) => {
-                    self.report(
-                        Diagnostic::error(
-                            "E0310",
-                            format!("`{}` needs a variable", parameter.name.name),
-                            span,
-                            "missing",
-                        )
-                        .help("an `out` or `inout` parameter has no default"),
-                    );
-                    Expr::error(span)
-                }
+                (_, None) => self.missing_place(&parameter.name.name, span),
             };
             let is_static = self.static_parameters.contains(&variable);
             if is_static {
@@ -349,6 +350,15 @@ impl<'a> Checker<'a> {
             }
             None => call,
         })
+    }
+
+    /// Reports a call without a variable for an `out` or `inout` parameter.
+    fn missing_place(&mut self, parameter: &str, span: Span) -> Expr {
+        self.report(
+            Diagnostic::error("E0310", format!("`{parameter}` needs a variable"), span, "missing")
+                .help("an `out` or `inout` parameter has no default"),
+        );
+        Expr::error(span)
     }
 
     /// Returns `true` if the default of a parameter without an argument uses other parameters.

@@ -1,11 +1,13 @@
 //! Type constraints of operators, which are solved as soon as the types of the operands are known.
 
-use super::angles::turn_in_format;
+mod properties;
+
 use super::dim::Dim;
-use super::infer::{Checker, too_large};
+use super::expected_type::too_large;
+use super::infer::Checker;
 use super::rules::{self, Rule};
 use super::symbols::with_article;
-use super::tree::{Constraint, ConstraintKind, RecordId};
+use super::tree::{Constraint, ConstraintKind};
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
@@ -310,108 +312,6 @@ impl Checker<'_> {
         self.fit(constraint, c, &quotient)
     }
 
-    /// Solves the constraint that values of a type can be added.
-    fn solve_additive(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
-        match self.store.shallow(a) {
-            Type::Unknown(_) => Outcome::Open,
-            Type::Number(_) | Type::Vector(_) | Type::Observable(_) | Type::Error => Outcome::Solved,
-            Type::Array(element) => {
-                self.try_solve(&Constraint { kind: Additive(*element), span: constraint.span })
-            }
-            other => {
-                let shown = with_article(&self.store.show(&other));
-                let help = match other {
-                    Type::String => "join strings by interpolation: `\"{a}{b}\"`",
-                    Type::Transform => "combine frames with `*`",
-                    _ => "only numbers, vectors and arrays of them can be added",
-                };
-                Outcome::failed(
-                    Diagnostic::error(
-                        "E0304",
-                        format!("{shown} cannot be added or subtracted"),
-                        constraint.span,
-                        format!("this is {shown}"),
-                    )
-                    .help(help),
-                )
-            }
-        }
-    }
-
-    /// Solves the constraint that values of a type can be compared.
-    fn solve_comparable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
-        match self.store.shallow(a) {
-            Type::Unknown(_) => Outcome::Open,
-            Type::Array(part) | Type::Optional(part) => {
-                self.try_solve(&Constraint { kind: Comparable(*part), span: constraint.span })
-            }
-            Type::Tuple(parts) => {
-                for part in parts {
-                    match self.try_solve(&Constraint { kind: Comparable(part), span: constraint.span }) {
-                        Outcome::Solved => {}
-                        other => return other,
-                    }
-                }
-                Outcome::Solved
-            }
-            Type::Record(id) => {
-                let parts = self.field_types(id);
-                self.every_part(parts, Comparable, constraint)
-            }
-            Type::Number(_) | Type::Bool | Type::String | Type::Enum(_) | Type::Vector(_) | Type::Error => {
-                Outcome::Solved
-            }
-            Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
-            other => {
-                let shown = with_article(&self.store.show(&other));
-                Outcome::failed(
-                    Diagnostic::error(
-                        "E0304",
-                        format!("{shown} cannot be compared"),
-                        constraint.span,
-                        format!("this is {shown}"),
-                    )
-                    .help("numbers, truth values, strings, vectors, and arrays and tuples of them can"),
-                )
-            }
-        }
-    }
-
-    /// Solves the constraint that values of a type can be converted to text.
-    fn solve_printable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
-        match self.store.shallow(a) {
-            Type::Unknown(_) => Outcome::Open,
-            Type::Number(_)
-            | Type::Bool
-            | Type::String
-            | Type::Enum(_)
-            | Type::Vector(_)
-            | Type::Transform
-            | Type::Error => Outcome::Solved,
-            Type::Array(element) => {
-                self.try_solve(&Constraint { kind: Printable(*element), span: constraint.span })
-            }
-            Type::Tuple(parts) => self.every_part(parts, Printable, constraint),
-            Type::Record(id) => {
-                let parts = self.field_types(id);
-                self.every_part(parts, Printable, constraint)
-            }
-            Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),
-            other => {
-                let shown = with_article(&self.store.show(&other));
-                Outcome::failed(
-                    Diagnostic::error(
-                        "E0304",
-                        format!("{shown} cannot be converted to text"),
-                        constraint.span,
-                        format!("this is {shown}"),
-                    )
-                    .help("numbers, truth values, strings, vectors, frames, and arrays, tuples and records of them can"),
-                )
-            }
-        }
-    }
-
     /// Solves `base.name = result`.
     fn solve_field(&mut self, base: &Type, name: &str, result: &Type, constraint: &Constraint) -> Outcome {
         match self.store.shallow(base) {
@@ -425,27 +325,6 @@ impl Checker<'_> {
                 None => Outcome::failed(self.no_field(&Type::Record(id), name, constraint.span)),
             },
             other => Outcome::failed(self.no_field(&other, name, constraint.span)),
-        }
-    }
-
-    /// Solves the constraint that values of a type can be thrown.
-    fn solve_throwable(&mut self, a: &Type, constraint: &Constraint) -> Outcome {
-        match self.store.shallow(a) {
-            Type::Unknown(_) => Outcome::Open,
-            Type::String | Type::Error => Outcome::Solved,
-            other if other == self.error_type() => Outcome::Solved,
-            other => {
-                let shown = with_article(&self.store.show(&other));
-                Outcome::failed(
-                    Diagnostic::error(
-                        "E0304",
-                        format!("{shown} cannot be thrown"),
-                        constraint.span,
-                        format!("this is {shown}"),
-                    )
-                    .help("throw a text: `throw \"...\";`, or an `Error(message = \"...\")`"),
-                )
-            }
         }
     }
 
@@ -482,106 +361,30 @@ impl Checker<'_> {
                 )
                 .help("make the elements the same type to get an array"),
             ),
-            (other, _) => {
-                let shown = with_article(&self.store.show(&other));
-                Outcome::failed(
-                    Diagnostic::error(
-                        "E0305",
-                        format!("{shown} cannot be indexed"),
-                        constraint.span,
-                        format!("this is {shown}"),
-                    )
-                    .help("only arrays and tuples can be indexed"),
-                )
-            }
+            (other, _) => self.unsupported(
+                "E0305",
+                &other,
+                "cannot be indexed",
+                "only arrays and tuples can be indexed",
+                constraint,
+            ),
         }
     }
 
-    fn field_types(&self, id: RecordId) -> Vec<Type> {
-        let fields = self.store.record(id).into_iter().flat_map(|record| &record.fields);
-        fields.map(|(_, ty)| ty.clone()).collect()
-    }
-
-    /// Applies the same constraint to all elements of a tuple or record.
-    fn every_part(
-        &mut self,
-        parts: Vec<Type>,
-        demand: impl Fn(Type) -> ConstraintKind,
+    /// Returns the error for an operation that values of a type do not support. `problem` follows
+    /// the type in the message.
+    fn unsupported(
+        &self,
+        code: &str,
+        ty: &Type,
+        problem: &str,
+        help: &str,
         constraint: &Constraint,
     ) -> Outcome {
-        let mut open = false;
-        for ty in parts {
-            match self.try_solve(&Constraint { kind: demand(ty), span: constraint.span }) {
-                Outcome::Solved => {}
-                Outcome::Open => open = true,
-                failed => return failed,
-            }
-        }
-        if open { Outcome::Open } else { Outcome::Solved }
-    }
-
-    /// Checks that values of a type can be formatted with a unit or a number of digits.
-    fn styled(
-        &mut self,
-        ty: Type,
-        unit: Option<Dimension>,
-        digits: bool,
-        constraint: &Constraint,
-    ) -> Outcome {
-        match (self.store.shallow(&ty), unit) {
-            (Type::Unknown(_), _) => Outcome::Open,
-            (Type::Number(dim) | Type::Vector(dim), Some(unit)) => {
-                let shown = with_article(&self.store.show_dim(&dim));
-                if self.store.dim(&dim).as_known().is_some_and(|known| known.lacks_turn(unit)) {
-                    return Outcome::failed(turn_in_format(constraint.span));
-                }
-                match self.store.unify_dims(&dim, &Dim::known(unit)) {
-                    Ok(()) => Outcome::Solved,
-                    Err(_) => {
-                        let unit = with_article(&self.store.vocabulary.show(unit));
-                        Outcome::failed(
-                            Diagnostic::error(
-                                "E0401",
-                                format!("{shown} cannot be shown in a unit of {unit}"),
-                                constraint.span,
-                                format!("this is {shown}"),
-                            )
-                            .help("use a unit of its dimension, or omit the unit"),
-                        )
-                    }
-                }
-            }
-            (Type::Transform, Some(unit)) if unit != Dimension::of(crate::dimension::Base::Length) => {
-                Outcome::failed(
-                    Diagnostic::error(
-                        "E0401",
-                        "a frame is shown in a unit of length",
-                        constraint.span,
-                        "this is a Transform",
-                    )
-                    .help("choose a unit such as `mm`"),
-                )
-            }
-            (Type::Array(element), _) => self.styled(*element, unit, digits, constraint),
-            (Type::Number(_) | Type::Vector(_) | Type::Transform | Type::Error, _) => Outcome::Solved,
-            (Type::Bool | Type::String | Type::Enum(_), None) if !digits => Outcome::Solved,
-            // Elements without numbers ignore the format; all numbers must have the dimension of
-            // the unit.
-            (Type::Tuple(parts), _) => self.every_part(parts, |ty| Styled(ty, unit, digits), constraint),
-            (Type::Record(_), None) => Outcome::Solved,
-            (other, _) => {
-                let shown = with_article(&self.store.show(&other));
-                Outcome::failed(
-                    Diagnostic::error(
-                        "E0408",
-                        format!("{shown} has neither digits nor a unit"),
-                        constraint.span,
-                        format!("this is {shown}"),
-                    )
-                    .help("digits and units apply to numbers; texts can have a width: `{name : 12}`"),
-                )
-            }
-        }
+        let shown = with_article(&self.store.show(ty));
+        let message = format!("{shown} {problem}");
+        let label = format!("this is {shown}");
+        Outcome::failed(Diagnostic::error(code, message, constraint.span, label).help(help))
     }
 
     fn bad_operands(

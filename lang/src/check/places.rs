@@ -1,7 +1,8 @@
 //! Places: expressions that can be assigned to, and the detection of aliases among them.
 
 use super::constant;
-use super::infer::{Checker, too_large};
+use super::expected_type::too_large;
+use super::infer::Checker;
 use super::symbols::{Resolution, VarKind, with_article};
 use super::tree::*;
 use super::types::Type;

@@ -9,11 +9,10 @@ use super::axes::has_symbols;
 use super::dependence::Question;
 use super::dim::Dim;
 use super::infer::{Checker, Reaching};
-use super::symbols::{Resolution, with_article};
+use super::symbols::with_article;
 use super::tree::*;
 use super::types::Type;
-use crate::ast::{self, BinaryOp, Bind, ExprKind};
-use crate::declared::children;
+use crate::ast::{self, BinaryOp, ExprKind};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use std::collections::{BTreeSet, HashMap};
@@ -300,17 +299,7 @@ impl<'a> Checker<'a> {
             }
             Kind::Var(id) if to.function == Some(self.variable(id).owner) => kind,
             Kind::Def(def) => {
-                let found = &self.defs[def.0 as usize];
-                to.on_time |= found.on_time;
-                to.observes |= found.observes;
-                to.closed &= found.closed;
-                to.chosen.extend(&found.chosen);
-                if to.function.is_some() && !found.closed {
-                    let diagnostic = self
-                        .outside_argument(&found.name, span)
-                        .label(found.span, "a symbolic function cannot capture values");
-                    self.report(diagnostic);
-                }
+                self.use_definition(def, span, to);
                 kind
             }
             Kind::SymbolicCall(mut call) => {
@@ -339,12 +328,7 @@ impl<'a> Checker<'a> {
             }
             Kind::Unary(op, a) => Kind::Unary(op, self.split_box(a, to)),
             Kind::Binary(op, a, b) => {
-                let comparison = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
-                let of_values = matches!(
-                    self.store.shallow(&a.ty),
-                    Type::String | Type::Enum(_) | Type::Array(_) | Type::Tuple(_) | Type::Record(_)
-                );
-                if comparison && of_values {
+                if self.compares_values(op, &a) {
                     // Strings and arrays never depend on time, so their comparison is a captured
                     // truth value.
                     return self.capture(Expr { kind: Kind::Binary(op, a, b), ty, span }, to);
@@ -386,6 +370,30 @@ impl<'a> Checker<'a> {
             value => return self.capture(Expr { kind: value, ty, span }, to),
         };
         Expr { kind, ty, span }
+    }
+
+    /// Records the properties of a definition that the built one uses.
+    fn use_definition(&mut self, def: DefId, span: Span, to: &mut Builder) {
+        let found = &self.defs[def.0 as usize];
+        to.on_time |= found.on_time;
+        to.observes |= found.observes;
+        to.closed &= found.closed;
+        to.chosen.extend(&found.chosen);
+        if to.function.is_some() && !found.closed {
+            let diagnostic = self
+                .outside_argument(&found.name, span)
+                .label(found.span, "a symbolic function cannot capture values");
+            self.report(diagnostic);
+        }
+    }
+
+    /// Returns `true` if an operator compares values that have no numeric representation.
+    fn compares_values(&self, op: BinaryOp, operand: &Expr) -> bool {
+        matches!(op, BinaryOp::Equal | BinaryOp::NotEqual)
+            && matches!(
+                self.store.shallow(&operand.ty),
+                Type::String | Type::Enum(_) | Type::Array(_) | Type::Tuple(_) | Type::Record(_)
+            )
     }
 
     /// Splits a differentiated expression, and records its symbols.
@@ -499,92 +507,5 @@ impl<'a> Checker<'a> {
             let diagnostic = self.blind(question, param, blind, span);
             self.report(diagnostic);
         }
-    }
-
-    // Reaching definitions.
-
-    /// Finds the `:=` names that statements bind again after their declaration.
-    pub(super) fn find_rebound(&mut self, statements: &'a [ast::Stmt]) {
-        let mut bound = BTreeSet::new();
-        statements.iter().for_each(|s| self.bound_in(s, &mut bound));
-        self.rebound.extend(bound);
-    }
-
-    /// Collects the `:=` names assigned in a statement, without declarations.
-    pub(super) fn bound_in(&self, statement: &ast::Stmt, bound: &mut BTreeSet<VarId>) {
-        if let ast::StmtKind::Assign { place, bind: Bind::Symbolic, .. } = &statement.kind
-            && let ExprKind::Name(name) = &place.kind
-            && let Some(Resolution::Var(id)) = self.names.uses.get(&name.span)
-        {
-            bound.insert(*id);
-        }
-        children(statement).into_iter().for_each(|inner| self.bound_in(inner, bound));
-    }
-
-    /// Checks code that may run repeatedly or be entered in the middle: names bound in it have
-    /// several reaching definitions at its start and after it.
-    pub(super) fn repeated<T>(
-        &mut self,
-        statements: &[&'a ast::Stmt],
-        work: impl FnOnce(&mut Self) -> T,
-    ) -> T {
-        let mut bound = BTreeSet::new();
-        statements.iter().for_each(|s| self.bound_in(s, &mut bound));
-        self.forget(&bound);
-        self.forget_present();
-        let present = self.present.clone();
-        let result = work(self);
-        self.present = present;
-        self.forget(&bound);
-        result
-    }
-
-    /// Checks statements that may follow any statement within another one.
-    pub(super) fn after_part_of<T>(
-        &mut self,
-        statement: &'a ast::Stmt,
-        work: impl FnOnce(&mut Self) -> T,
-    ) -> T {
-        let mut bound = BTreeSet::new();
-        self.bound_in(statement, &mut bound);
-        self.forget(&bound);
-        self.forget_present();
-        work(self)
-    }
-
-    /// Marks all rebound names at a target of jumps, where several definitions may reach.
-    pub(super) fn forget_rebound(&mut self) {
-        let rebound: BTreeSet<VarId> = self.rebound.iter().copied().collect();
-        self.forget(&rebound);
-        self.forget_present();
-    }
-
-    fn forget(&mut self, bound: &BTreeSet<VarId>) {
-        for id in bound {
-            if self.reaching.contains_key(id) {
-                self.reaching.insert(*id, Reaching::Several);
-            }
-        }
-    }
-
-    /// Checks two alternative branches.
-    pub(super) fn either<A, B>(
-        &mut self,
-        first: impl FnOnce(&mut Self) -> A,
-        second: impl FnOnce(&mut Self) -> B,
-    ) -> (A, B) {
-        let before = self.reaching.clone();
-        let present = self.present.clone();
-        let a = first(self);
-        let after_first = std::mem::replace(&mut self.reaching, before);
-        let present_after_first = std::mem::replace(&mut self.present, present);
-        let b = second(self);
-        self.present.retain(|path| present_after_first.contains(path));
-        for (id, reaching) in after_first {
-            if *self.reaching.entry(id).or_insert(reaching) != reaching {
-                self.reaching.insert(id, Reaching::Several);
-            }
-        }
-        (a, b)
     }
 }

@@ -21,7 +21,7 @@ mod symbolic_functions;
 mod symbolic_parts;
 mod values;
 
-use super::infer::too_large;
+use super::expected_type::too_large;
 use super::tree::{self, FuncId, UseId};
 use super::typed::Typed;
 use super::types::{Substitution, Type};

@@ -4,7 +4,7 @@ use super::body::Body;
 use super::elementwise::{absent, declaration};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
-use crate::check::tree::{DefId, Expr, Kind, Style, TextPart};
+use crate::check::tree::{DefId, Expr, Kind, Standard, Stmt, Style, TextPart};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
 use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, Op};
@@ -46,20 +46,15 @@ impl Body<'_, '_> {
                 let argument = self.lowering.static_argument(*id).unwrap_or_default();
                 make(ExprKind::Call(argument, Vec::new()), self.repr(&e.ty))
             }
-            Kind::Var(id) => {
+            Kind::Var(id) | Kind::Chosen(id) => {
                 let local = self.local(*id);
-                let repr = self.local_repr(local);
-                make(ExprKind::Local(local), repr)
+                make(ExprKind::Local(local), self.local_repr(local))
             }
             Kind::Param(id) => {
                 let number = self.lowering.param_number(*id);
                 make(ExprKind::Param(number), self.repr(&e.ty))
             }
             Kind::Def(def) | Kind::MakeSymbolic(def) => self.make_symbolic(*def, span),
-            Kind::Chosen(id) => {
-                let local = self.local(*id);
-                make(ExprKind::Local(local), self.local_repr(local))
-            }
             Kind::Eval(def, time) => self.evaluation(*def, time.as_deref(), &e.ty, span),
             Kind::Observe(inner) => self.value(inner),
             Kind::Updated(_) => match &self.updated {
@@ -72,27 +67,12 @@ impl Body<'_, '_> {
                 let repr = self.repr(&e.ty);
                 absent(&repr, span)
             }
-            Kind::Some(value) => {
-                let value = self.owned(value);
-                let repr = Repr::Tuple(vec![Repr::Bool, value.repr.clone()]);
-                make(ExprKind::Tuple(vec![make(ExprKind::Bool(true), Repr::Bool), value]), repr)
-            }
-            Kind::IsNone(value) => {
-                let value = self.value(value);
-                let present = make(ExprKind::TupleElement(Box::new(value), 0), Repr::Bool);
-                make(ExprKind::Op(Op::Not, vec![present]), Repr::Bool)
-            }
-            Kind::Sequence(statements, value) => {
-                let around = self.span;
-                statements.iter().for_each(|s| self.statement(s));
-                self.span = around;
-                self.value(value)
-            }
+            Kind::Some(value) => self.present_value(value, span),
+            Kind::IsNone(value) => self.absence(value, span),
+            Kind::Sequence(statements, value) => self.sequence_value(statements, value),
             Kind::Standard(function, all) => {
                 let all = self.values(all, span);
-                let (name, parameters, result) = declaration(*function);
-                let id = self.lowering.standard(name, Purity::Pure, &parameters, result.clone());
-                make(ExprKind::CallExtern(id, all), result)
+                self.standard_call(*function, all, span)
             }
             Kind::Unary(op, a) => {
                 let a = self.value(a);
@@ -121,22 +101,8 @@ impl Body<'_, '_> {
                 let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
                 make(ExprKind::Tuple(all), repr)
             }
-            Kind::Index(base, index) => {
-                let (base, index) = self.pair(base, index);
-                let repr = match &base.repr {
-                    Repr::Array(element) => (**element).clone(),
-                    _ => self.repr(&e.ty),
-                };
-                make(ExprKind::Index(Box::new(base), Box::new(index)), repr)
-            }
-            Kind::TupleElement(base, at) => {
-                let base = self.value(base);
-                let repr = match &base.repr {
-                    Repr::Tuple(parts) => parts.get(*at).cloned().unwrap_or(Repr::Number),
-                    _ => self.repr(&e.ty),
-                };
-                make(ExprKind::TupleElement(Box::new(base), *at), repr)
-            }
+            Kind::Index(base, index) => self.array_element(base, index, &e.ty, span),
+            Kind::TupleElement(base, at) => self.tuple_element(base, *at, &e.ty, span),
             Kind::Field(base, name) => self.field_value(base, name, span),
             Kind::UnitAxis(axis) => {
                 let axis = self.value(axis);
@@ -149,6 +115,54 @@ impl Body<'_, '_> {
             }
             Kind::Format(pieces, system) => self.formatted(pieces, *system, span),
         }
+    }
+
+    /// Lowers statements, and the value after them.
+    fn sequence_value(&mut self, statements: &[Stmt], value: &Expr) -> ir::Expr {
+        let around = self.span;
+        statements.iter().for_each(|s| self.statement(s));
+        self.span = around;
+        self.value(value)
+    }
+
+    /// Lowers an optional value that is present.
+    fn present_value(&mut self, value: &Expr, span: Span) -> ir::Expr {
+        let value = self.owned(value);
+        let repr = Repr::Tuple(vec![Repr::Bool, value.repr.clone()]);
+        let present = ir::Expr { kind: ExprKind::Bool(true), repr: Repr::Bool, span };
+        ir::Expr { kind: ExprKind::Tuple(vec![present, value]), repr, span }
+    }
+
+    /// Lowers the test that an optional value is absent.
+    fn absence(&mut self, value: &Expr, span: Span) -> ir::Expr {
+        let make = |kind| ir::Expr { kind, repr: Repr::Bool, span };
+        let value = self.value(value);
+        let present = make(ExprKind::TupleElement(Box::new(value), 0));
+        make(ExprKind::Op(Op::Not, vec![present]))
+    }
+
+    fn standard_call(&mut self, function: Standard, arguments: Vec<ir::Expr>, span: Span) -> ir::Expr {
+        let (name, parameters, result) = declaration(function);
+        let id = self.lowering.standard(name, Purity::Pure, &parameters, result.clone());
+        ir::Expr { kind: ExprKind::CallExtern(id, arguments), repr: result, span }
+    }
+
+    fn array_element(&mut self, base: &Expr, index: &Expr, ty: &Type, span: Span) -> ir::Expr {
+        let (base, index) = self.pair(base, index);
+        let repr = match &base.repr {
+            Repr::Array(element) => (**element).clone(),
+            _ => self.repr(ty),
+        };
+        ir::Expr { kind: ExprKind::Index(Box::new(base), Box::new(index)), repr, span }
+    }
+
+    fn tuple_element(&mut self, base: &Expr, at: usize, ty: &Type, span: Span) -> ir::Expr {
+        let base = self.value(base);
+        let repr = match &base.repr {
+            Repr::Tuple(parts) => parts.get(at).cloned().unwrap_or(Repr::Number),
+            _ => self.repr(ty),
+        };
+        ir::Expr { kind: ExprKind::TupleElement(Box::new(base), at), repr, span }
     }
 
     /// Lowers the evaluation of a definition at a time, by default 0.
