@@ -37,37 +37,43 @@ pub struct PatchCells<'a> {
 /// # Errors
 /// Those of the interrupt.
 pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
-    let starts: Vec<usize> = patches
-        .iter()
-        .scan(0, |next, patch| {
-            let start = *next;
-            *next += patch.cells.len();
-            Some(start)
-        })
-        .collect();
-    let n: usize = patches.iter().map(|patch| patch.cells.len()).sum();
+    let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
+    symmetric_of_blocks(&sizes, |p, q| {
+        let block = block(&patches[p], &patches[q], p == q, interrupt)?;
+        debug_assert!(p != q || is_symmetric(&block, sizes[q]), "a structure's compliance is not symmetric");
+        Ok(block)
+    })
+}
+
+/// Assembles a symmetric matrix, row-major. `block(p, q)` returns the block, row-major, of the
+/// `sizes[p]` rows of patch `p` and the `sizes[q]` columns of patch `q`. It is called for `p <= q`.
+pub(crate) fn symmetric_of_blocks(
+    sizes: &[usize],
+    mut block: impl FnMut(usize, usize) -> Result<Vec<f64>, EngineError>,
+) -> Result<Vec<f64>, EngineError> {
+    let n: usize = sizes.iter().sum();
     let mut matrix = vec![0.0; n * n];
-    for (p, observing) in patches.iter().enumerate() {
-        for (q, loaded) in patches.iter().enumerate().skip(p) {
-            let block = block(observing, loaded, p == q, interrupt)?;
-            let columns = loaded.cells.len();
-            debug_assert!(
-                p != q || is_symmetric(&block, columns),
-                "a structure's compliance is not symmetric"
-            );
-            for i in 0..observing.cells.len() {
+    let mut row = 0;
+    for (p, &rows) in sizes.iter().enumerate() {
+        let mut column = row;
+        for (q, &columns) in sizes.iter().enumerate().skip(p) {
+            let block = block(p, q)?;
+            for i in 0..rows {
                 for j in 0..columns {
                     let value = block[i * columns + j];
-                    matrix[(starts[p] + i) * n + starts[q] + j] = value;
-                    matrix[(starts[q] + j) * n + starts[p] + i] = value;
+                    matrix[(row + i) * n + column + j] = value;
+                    matrix[(column + j) * n + row + i] = value;
                 }
             }
+            column += columns;
         }
+        row += rows;
     }
     Ok(matrix)
 }
 
-fn is_symmetric(block: &[f64], n: usize) -> bool {
+/// Returns `true` if a block of `n` rows and columns is symmetric, bit for bit.
+pub(crate) fn is_symmetric(block: &[f64], n: usize) -> bool {
     (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
 }
 

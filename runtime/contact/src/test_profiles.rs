@@ -1,5 +1,7 @@
 //! Profiles and bodies whose contact is known in closed form.
 
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::profile::{Profile, ProfilePoint};
 use calyx_structure::{Chart, StressPoint, Structure, SurfaceLoad};
 use std::sync::Arc;
@@ -105,7 +107,17 @@ impl Structure for HalfPlaneBody {
         1.0
     }
 
-    fn add_compliance(&self, _: Chart, _: &[f64], _: Chart, _: &[f64], _block: &mut [f64]) {}
+    fn add_compliance_until(
+        &self,
+        _: Chart,
+        _: &[f64],
+        _: Chart,
+        _: &[f64],
+        _: &mut [f64],
+        _: &Interrupt,
+    ) -> Result<(), EngineError> {
+        Ok(())
+    }
 
     fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPoint, f64)> {
         Vec::new()

@@ -74,19 +74,9 @@ pub trait Structure: Send + Sync {
     /// normal displacement at `observe_s` on `observe` per unit inward normal force at `load_s` on
     /// `load`, m/(N/m). The result is symmetric: exchanging loads and observers transposes it, bit
     /// for bit.
-    fn add_compliance(
-        &self,
-        observe: Chart,
-        observe_s: &[f64],
-        load: Chart,
-        load_s: &[f64],
-        block: &mut [f64],
-    );
-
-    /// [`Structure::add_compliance`] with checkpoints, as many cells take long.
     ///
     /// # Errors
-    /// The interrupt's.
+    /// The interrupt's. Many cells take long, so implementations check it.
     fn add_compliance_until(
         &self,
         observe: Chart,
@@ -95,10 +85,19 @@ pub trait Structure: Send + Sync {
         load_s: &[f64],
         block: &mut [f64],
         interrupt: &Interrupt,
-    ) -> Result<(), EngineError> {
-        interrupt.check()?;
-        self.add_compliance(observe, observe_s, load, load_s, block);
-        Ok(())
+    ) -> Result<(), EngineError>;
+
+    /// [`Structure::add_compliance_until`] without an interrupt.
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observe_s: &[f64],
+        load: Chart,
+        load_s: &[f64],
+        block: &mut [f64],
+    ) {
+        // An interrupt that is never asked ends nothing.
+        let _ = self.add_compliance_until(observe, observe_s, load, load_s, block, &Interrupt::never());
     }
 
     /// Returns the first principal stress (the largest tension, Pa) under the given loads at each

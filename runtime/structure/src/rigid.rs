@@ -2,6 +2,8 @@
 
 use super::{Chart, StressPoint, Structure, SurfaceLoad};
 use crate::profile::Profile;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use std::sync::Arc;
 
 /// Surfaces without compliance, repeated around a circle like those of a gear.
@@ -34,7 +36,17 @@ impl Structure for RigidStructure {
         self.surfaces.first().map_or(1.0, |profile| profile.length())
     }
 
-    fn add_compliance(&self, _: Chart, _: &[f64], _: Chart, _: &[f64], _: &mut [f64]) {}
+    fn add_compliance_until(
+        &self,
+        _: Chart,
+        _: &[f64],
+        _: Chart,
+        _: &[f64],
+        _: &mut [f64],
+        _: &Interrupt,
+    ) -> Result<(), EngineError> {
+        Ok(())
+    }
 
     fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPoint, f64)> {
         Vec::new()

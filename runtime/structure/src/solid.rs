@@ -131,19 +131,9 @@ pub trait SolidStructure: Send + Sync {
     /// Adds `R` to `block`, row-major, `observers.len()` rows by `loads.len()` columns: inward
     /// normal displacement at spots of `observe` per unit inward normal force at spots of `load`,
     /// m/N. The result is symmetric: exchanging loads and observers transposes it, bit for bit.
-    fn add_compliance(
-        &self,
-        observe: Chart,
-        observers: &[SurfaceSegment],
-        load: Chart,
-        loads: &[SurfaceSegment],
-        block: &mut [f64],
-    );
-
-    /// [`SolidStructure::add_compliance`] with checkpoints, as many cells take long.
     ///
     /// # Errors
-    /// The interrupt's.
+    /// The interrupt's. Many cells take long, so implementations check it.
     fn add_compliance_until(
         &self,
         observe: Chart,
@@ -152,10 +142,19 @@ pub trait SolidStructure: Send + Sync {
         loads: &[SurfaceSegment],
         block: &mut [f64],
         interrupt: &Interrupt,
-    ) -> Result<(), EngineError> {
-        interrupt.check()?;
-        self.add_compliance(observe, observers, load, loads, block);
-        Ok(())
+    ) -> Result<(), EngineError>;
+
+    /// [`SolidStructure::add_compliance_until`] without an interrupt.
+    fn add_compliance(
+        &self,
+        observe: Chart,
+        observers: &[SurfaceSegment],
+        load: Chart,
+        loads: &[SurfaceSegment],
+        block: &mut [f64],
+    ) {
+        // An interrupt that is never asked ends nothing.
+        let _ = self.add_compliance_until(observe, observers, load, loads, block, &Interrupt::never());
     }
 
     /// Returns the stresses under the given loads at each stress recovery point next to a surface
@@ -211,17 +210,6 @@ impl SolidStructure for ModifiedStructure {
 
     fn mirrors(&self) -> &[Mirror] {
         self.shared.mirrors()
-    }
-
-    fn add_compliance(
-        &self,
-        observe: Chart,
-        observers: &[SurfaceSegment],
-        load: Chart,
-        loads: &[SurfaceSegment],
-        block: &mut [f64],
-    ) {
-        self.shared.add_compliance(observe, observers, load, loads, block);
     }
 
     fn add_compliance_until(

@@ -9,6 +9,7 @@ use super::half_space::mean_inverse_distance;
 use super::image::{Images, PlacedMirror};
 use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
+use crate::assembly::{is_symmetric, symmetric_of_blocks};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Chart;
@@ -46,41 +47,15 @@ pub struct PatchCells<'a> {
 /// # Errors
 /// Those of the interrupt.
 pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
-    let starts: Vec<usize> = patches
-        .iter()
-        .scan(0, |next, patch| {
-            let start = *next;
-            *next += patch.cells.len();
-            Some(start)
-        })
-        .collect();
-    let n: usize = patches.iter().map(|patch| patch.cells.len()).sum();
-    let mut matrix = vec![0.0; n * n];
-    for (p, observing) in patches.iter().enumerate() {
-        for (q, loaded) in patches.iter().enumerate().skip(p) {
-            let mut block = structural(observing, loaded, interrupt)?;
-            let columns = loaded.cells.len();
-            debug_assert!(
-                p != q || is_symmetric(&block, columns),
-                "a structure's compliance is not symmetric"
-            );
-            if p == q {
-                add_half_spaces(observing, &mut block, interrupt)?;
-            }
-            for i in 0..observing.cells.len() {
-                for j in 0..columns {
-                    let value = block[i * columns + j];
-                    matrix[(starts[p] + i) * n + starts[q] + j] = value;
-                    matrix[(starts[q] + j) * n + starts[p] + i] = value;
-                }
-            }
+    let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
+    symmetric_of_blocks(&sizes, |p, q| {
+        let mut block = structural(&patches[p], &patches[q], interrupt)?;
+        debug_assert!(p != q || is_symmetric(&block, sizes[q]), "a structure's compliance is not symmetric");
+        if p == q {
+            add_half_spaces(&patches[p], &mut block, interrupt)?;
         }
-    }
-    Ok(matrix)
-}
-
-fn is_symmetric(block: &[f64], n: usize) -> bool {
-    (0..n * n).all(|e| block[e].to_bits() == block[e % n * n + e / n].to_bits())
+        Ok(block)
+    })
 }
 
 /// Computes the influence coefficients between the cells of two patches, or of one, by the

@@ -222,18 +222,6 @@ impl SolidStructure for AnalyticSolid {
         &self.mirrors
     }
 
-    fn add_compliance(
-        &self,
-        observe: Chart,
-        observers: &[SurfaceSegment],
-        load: Chart,
-        loads: &[SurfaceSegment],
-        block: &mut [f64],
-    ) {
-        // An interrupt that is never asked ends nothing.
-        let _ = self.add_compliance_until(observe, observers, load, loads, block, &Interrupt::never());
-    }
-
     fn add_compliance_until(
         &self,
         observe: Chart,

@@ -32,7 +32,17 @@ impl Structure for Sized {
         1.0
     }
 
-    fn add_compliance(&self, _: Chart, _: &[f64], _: Chart, _: &[f64], _: &mut [f64]) {}
+    fn add_compliance_until(
+        &self,
+        _: Chart,
+        _: &[f64],
+        _: Chart,
+        _: &[f64],
+        _: &mut [f64],
+        _: &Interrupt,
+    ) -> Result<(), EngineError> {
+        Ok(())
+    }
 
     fn stresses(&self, _: u32, _: u32, _: &[SurfaceLoad]) -> Vec<(StressPoint, f64)> {
         Vec::new()

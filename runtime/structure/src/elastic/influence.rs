@@ -276,18 +276,6 @@ impl Structure for ElasticStructure {
         self.reference_length
     }
 
-    fn add_compliance(
-        &self,
-        observe: Chart,
-        observe_s: &[f64],
-        load: Chart,
-        load_s: &[f64],
-        block: &mut [f64],
-    ) {
-        // An interrupt that is never asked ends nothing.
-        let _ = self.add_compliance_until(observe, observe_s, load, load_s, block, &Interrupt::never());
-    }
-
     fn add_compliance_until(
         &self,
         observe: Chart,

@@ -3,6 +3,8 @@
 use super::{Mirror, SegmentLoad, SolidStructure, SurfaceSegment, SurfaceStress};
 use crate::Chart;
 use crate::surface::Surface;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use std::sync::Arc;
 
 /// Body with independent surfaces, each with the compliance of its tangent half-space: `R` is zero.
@@ -53,7 +55,17 @@ impl SolidStructure for HalfSpaceBody {
         &self.mirrors
     }
 
-    fn add_compliance(&self, _: Chart, _: &[SurfaceSegment], _: Chart, _: &[SurfaceSegment], _: &mut [f64]) {}
+    fn add_compliance_until(
+        &self,
+        _: Chart,
+        _: &[SurfaceSegment],
+        _: Chart,
+        _: &[SurfaceSegment],
+        _: &mut [f64],
+        _: &Interrupt,
+    ) -> Result<(), EngineError> {
+        Ok(())
+    }
 
     fn stresses(&self, _: u32, _: u32, _: &[SegmentLoad]) -> Vec<SurfaceStress> {
         Vec::new()

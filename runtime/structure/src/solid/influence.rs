@@ -14,6 +14,8 @@ use crate::dense::{mirror_lower, product};
 use crate::elastic::NormalAngle;
 use crate::surface::Surface;
 use crate::{Chart, SplineToothForce};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use faer::Mat;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -108,21 +110,23 @@ impl SolidStructure for ElasticSolid {
         &self.mirrors
     }
 
-    fn add_compliance(
+    fn add_compliance_until(
         &self,
         observe: Chart,
         observers: &[SurfaceSegment],
         load: Chart,
         loads: &[SurfaceSegment],
         block: &mut [f64],
-    ) {
-        let (Some(observed), Some(loaded)) = (self.known(observe), self.known(load)) else { return };
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
+        interrupt.check()?;
+        let (Some(observed), Some(loaded)) = (self.known(observe), self.known(load)) else { return Ok(()) };
         let ahead = self.sectors_ahead(load.tooth, observe.tooth);
         let behind = self.sectors_ahead(observe.tooth, load.tooth);
         let tables = self.offsets.get(ahead.min(behind) as usize);
         let bore = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables());
         if tables.is_none() && bore.is_none() {
-            return;
+            return Ok(());
         }
         // Use the stored one of the two orientations: the observer ahead, or on the higher surface
         // of the same tooth, or the greater list of the same surface. Halfway round a ring with an
@@ -162,7 +166,7 @@ impl SolidStructure for ElasticSolid {
                 Some(self.points(known, points).columns(table.as_ref()))
             };
             let felt = felt(known[0], first, first_points).zip(felt(known[1], second, second_points));
-            let Some((by_first, by_second)) = felt else { return };
+            let Some((by_first, by_second)) = felt else { return Ok(()) };
             values += bore.compliance((first.tooth, &by_first), (second.tooth, &by_second)).transpose();
         }
         if same && order.is_eq() {
@@ -173,6 +177,7 @@ impl SolidStructure for ElasticSolid {
                 *target += if forward { values[(column, row)] } else { values[(row, column)] };
             }
         }
+        Ok(())
     }
 
     fn stresses(&self, tooth: u32, surface: u32, loads: &[SegmentLoad]) -> Vec<SurfaceStress> {
