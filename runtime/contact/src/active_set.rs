@@ -11,12 +11,13 @@
 //! final equations are always those of the cells in ascending order with one step of iterative
 //! refinement, so the bits of the solution do not depend on the start.
 
-use super::dense::{ActiveEquations, Matrix, Singular, dot, null_motion};
+use super::dense::{ActiveEquations, Singular, dot, null_motion, row_product};
 use super::feasibility::{Balance, balance};
 use super::interior_point;
 use super::problem::{ContactError, ContactProblem, FreeMotion, Method, Solution};
 use super::scaled::Scaled;
 use calyx_numerics::interrupt::Interrupt;
+use nalgebra::DMatrix;
 
 /// Number of block exchanges without a smaller number of wrong signs before single exchanges take
 /// over.
@@ -120,7 +121,7 @@ impl Scaled<'_> {
 
     /// Computes `K + C_S' C_S`, which is singular on the motions that neither the cells S nor the
     /// springs resist.
-    fn resistance(&self, cells: impl Iterator<Item = usize>) -> Matrix {
+    fn resistance(&self, cells: impl Iterator<Item = usize>) -> DMatrix<f64> {
         let mut sum = self.stiffness.clone();
         for i in cells {
             let row = self.arms.row(i);
@@ -151,7 +152,7 @@ impl Scaled<'_> {
         let load_residual: Vec<f64> = (0..m)
             .map(|k| {
                 let contact: f64 = active.iter().zip(&forces).map(|(&i, q)| self.arms[(i, k)] * q).sum();
-                dot(self.stiffness.row(k), &motion) - contact - self.load[k]
+                row_product(&self.stiffness, k, &motion) - contact - self.load[k]
             })
             .collect();
         let (more_forces, more_motion) = equations.solve(&gap_residual, &load_residual);
@@ -166,7 +167,7 @@ impl Scaled<'_> {
 
     fn gap(&self, i: usize, active: &[usize], forces: &[f64], motion: &[f64]) -> f64 {
         let elastic: f64 = active.iter().zip(forces).map(|(&j, q)| self.compliance(i, j) * q).sum();
-        elastic + dot(self.arms.row(i), motion) + self.gaps[i]
+        elastic + row_product(&self.arms, i, motion) + self.gaps[i]
     }
 
     /// Returns the largest sum of magnitudes of the terms of an active cell's gap: the scale of
@@ -346,7 +347,7 @@ fn single_pivoting(
     };
     // The active cells must determine every DOF; exchanges preserve this property.
     while let Some(motion) = null_motion(&scaled.resistance(active.iter().copied()), 1e-12) {
-        let seen = |i: usize| dot(scaled.arms.row(i), &motion).abs();
+        let seen = |i: usize| row_product(&scaled.arms, i, &motion).abs();
         let Some(cell) = (0..n)
             .filter(|i| !active.contains(i))
             .max_by(|&i, &j| seen(i).total_cmp(&seen(j)).then(j.cmp(&i)))

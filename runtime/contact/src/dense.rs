@@ -7,41 +7,15 @@ use calyx_numerics::interrupt::Interrupt;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
 use faer::{Mat, MatMut, Par};
-
-/// Dense row-major matrix for the few DOFs of a contact problem.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Matrix {
-    pub rows: usize,
-    pub columns: usize,
-    pub data: Vec<f64>,
-}
-
-impl Matrix {
-    pub fn zeros(rows: usize, columns: usize) -> Self {
-        Self { rows, columns, data: vec![0.0; rows * columns] }
-    }
-
-    pub fn row(&self, i: usize) -> &[f64] {
-        &self.data[i * self.columns..(i + 1) * self.columns]
-    }
-}
-
-impl std::ops::Index<(usize, usize)> for Matrix {
-    type Output = f64;
-
-    fn index(&self, (i, j): (usize, usize)) -> &f64 {
-        &self.data[i * self.columns + j]
-    }
-}
-
-impl std::ops::IndexMut<(usize, usize)> for Matrix {
-    fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut f64 {
-        &mut self.data[i * self.columns + j]
-    }
-}
+use nalgebra::DMatrix;
 
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// Returns the product of row `i` of a matrix with a vector.
+pub(super) fn row_product(matrix: &DMatrix<f64>, i: usize, vector: &[f64]) -> f64 {
+    matrix.row(i).iter().zip(vector).map(|(x, y)| x * y).sum()
 }
 
 /// Reason why the equations of an active set have no unique solution.
@@ -153,12 +127,12 @@ impl ActiveEquations {
     /// the ascending `active` cells and the `stiffness` of the DOFs.
     pub fn new(
         compliance: impl Fn(usize, usize) -> f64,
-        arms: &Matrix,
-        stiffness: &Matrix,
+        arms: &DMatrix<f64>,
+        stiffness: &DMatrix<f64>,
         active: &[usize],
         interrupt: &Interrupt,
     ) -> Result<Self, Singular> {
-        let (n, m) = (active.len(), arms.columns);
+        let (n, m) = (active.len(), arms.ncols());
         let mut factor = Mat::from_fn(n, n, |i, j| compliance(active[i], active[j]));
         cholesky(&mut factor, interrupt).map_err(|broken| match broken {
             Broken::Dependent(row) => Singular::Compliance(row),
@@ -170,7 +144,7 @@ impl ActiveEquations {
         let mut schur = Mat::from_fn(m, m, |k, l| {
             stiffness[(k, l)] + (0..n).map(|i| active_arms[(i, k)] * solved_arms[(i, l)]).sum::<f64>()
         });
-        let whole = Matrix { rows: m, columns: m, data: (0..m * m).map(|e| schur[(e / m, e % m)]).collect() };
+        let whole = DMatrix::from_fn(m, m, |k, l| schur[(k, l)]);
         if let Some(motion) = null_motion(&whole, RANK_TOLERANCE) {
             return Err(Singular::Dofs(motion));
         }
@@ -208,14 +182,14 @@ impl ActiveEquations {
 /// Returns a null vector of a positive semidefinite matrix with largest component 1; `None` if the
 /// matrix is definite. Uses diagonal pivoting after scaling to unit diagonal, so units of the DOFs
 /// do not matter.
-pub(super) fn null_motion(matrix: &Matrix, tolerance: f64) -> Option<Vec<f64>> {
-    let m = matrix.rows;
+pub(super) fn null_motion(matrix: &DMatrix<f64>, tolerance: f64) -> Option<Vec<f64>> {
+    let m = matrix.nrows();
     let scale: Vec<f64> =
         (0..m).map(|k| if matrix[(k, k)] > 0.0 { matrix[(k, k)].sqrt().recip() } else { 0.0 }).collect();
     if let Some(k) = scale.iter().position(|&s| s == 0.0) {
         return Some((0..m).map(|l| if l == k { 1.0 } else { 0.0 }).collect());
     }
-    let mut a = Matrix::zeros(m, m);
+    let mut a = DMatrix::zeros(m, m);
     for k in 0..m {
         for l in 0..m {
             a[(k, l)] = scale[k] * matrix[(k, l)] * scale[l];

@@ -3,7 +3,7 @@
 //! A nonzero residual is, by the optimality conditions, a motion along which the load is unbalanced
 //! (Farkas' lemma).
 
-use super::dense::{Matrix, dot};
+use super::dense::dot;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -22,12 +22,18 @@ pub(super) enum Balance {
 }
 
 /// Finds `p >= 0` and any x with `C'p - K x = -f`. The columns of C must be scaled to order one.
-pub(super) fn balance(arms: &Matrix, stiffness: &Matrix, load: &[f64], interrupt: &Interrupt) -> Balance {
-    let (n, m) = (arms.rows, arms.columns);
+pub(super) fn balance(
+    arms: &DMatrix<f64>,
+    stiffness: &DMatrix<f64>,
+    load: &[f64],
+    interrupt: &Interrupt,
+) -> Balance {
+    let (n, m) = arms.shape();
     // Springs balance any force in the range of K; equilibrium remains on its null space.
     let unsprung = null_space(stiffness);
     let project = |v: &[f64]| -> Vec<f64> { unsprung.iter().map(|basis| dot(basis, v)).collect() };
-    let columns: Vec<Vec<f64>> = (0..n).map(|i| project(arms.row(i))).collect();
+    let columns: Vec<Vec<f64>> =
+        arms.row_iter().map(|row| project(&row.iter().copied().collect::<Vec<_>>())).collect();
     let size: Vec<f64> = columns.iter().map(|c| dot(c, c).sqrt()).collect();
     let target: Vec<f64> = project(load).iter().map(|f| -f).collect();
     let wanted = dot(&target, &target).sqrt();
@@ -115,13 +121,13 @@ fn least_squares(columns: &[Vec<f64>], passive: &[usize], target: &[f64]) -> Vec
 }
 
 /// Returns an orthonormal basis of the motions that strain no spring.
-fn null_space(stiffness: &Matrix) -> Vec<Vec<f64>> {
-    let m = stiffness.rows;
+fn null_space(stiffness: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    let m = stiffness.nrows();
     let unit = |k: usize| (0..m).map(|l| if l == k { 1.0 } else { 0.0 }).collect();
-    if stiffness.data.iter().all(|&k| k == 0.0) {
+    if stiffness.iter().all(|&k| k == 0.0) {
         return (0..m).map(unit).collect();
     }
-    let eigen = SymmetricEigen::new(DMatrix::from_row_slice(m, m, &stiffness.data));
+    let eigen = SymmetricEigen::new(stiffness.clone());
     let cut = 1e-12 * eigen.eigenvalues.amax();
     (0..m)
         .filter(|&k| eigen.eigenvalues[k] <= cut)

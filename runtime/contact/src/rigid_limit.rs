@@ -8,7 +8,7 @@
 //! See `docs/theory/contact.md`.
 
 use super::active_set::free_motion;
-use super::dense::{Matrix, dot};
+use super::dense::row_product;
 use super::feasibility::{Balance, balance};
 use super::problem::ContactError;
 use calyx_numerics::interrupt::Interrupt;
@@ -48,14 +48,14 @@ pub fn rigid_limit(
         .map(|k| (0..n).fold(0.0f64, |a, i| a.max(arms[i * m + k].abs())))
         .map(|largest| if largest > 0.0 { largest.recip() } else { 1.0 })
         .collect();
-    let mut scaled_arms = Matrix::zeros(n, m);
+    let mut scaled_arms = DMatrix::zeros(n, m);
     for i in 0..n {
         for k in 0..m {
             scaled_arms[(i, k)] = arms[i * m + k] * scale[k];
         }
     }
     let load: Vec<f64> = direction.iter().zip(&scale).map(|(g, s)| g * s).collect();
-    let basis = match balance(&scaled_arms, &Matrix::zeros(m, m), &load, interrupt) {
+    let basis = match balance(&scaled_arms, &DMatrix::zeros(m, m), &load, interrupt) {
         Balance::Found { cells, .. } => cells,
         Balance::RunsAway(motion) => return Err(ContactError::Infeasible(free_motion(&motion, &scale))),
         Balance::Interrupted(error) => return Err(ContactError::Interrupted(error)),
@@ -70,16 +70,16 @@ pub fn rigid_limit(
 
 /// Adds contacts until the basis determines every DOF; the error is a motion that no contact
 /// resists.
-fn complete(arms: &Matrix, mut basis: Vec<usize>) -> Result<Vec<usize>, Vec<f64>> {
-    let m = arms.columns;
+fn complete(arms: &DMatrix<f64>, mut basis: Vec<usize>) -> Result<Vec<usize>, Vec<f64>> {
+    let m = arms.ncols();
     while basis.len() < m {
         // Find a motion that the basis does not resist: the last right singular vector of its rows
         // of C, padded to a square matrix.
         let square = DMatrix::from_fn(m, m, |r, k| basis.get(r).map_or(0.0, |&i| arms[(i, k)]));
         let Some(right) = square.svd(false, true).v_t else { return Err(vec![1.0; m]) };
         let motion: Vec<f64> = right.row(m - 1).iter().copied().collect();
-        let seen = |i: usize| dot(arms.row(i), &motion).abs();
-        let best = (0..arms.rows)
+        let seen = |i: usize| row_product(arms, i, &motion).abs();
+        let best = (0..arms.nrows())
             .filter(|i| !basis.contains(i))
             .max_by(|&i, &j| seen(i).total_cmp(&seen(j)).then(j.cmp(&i)));
         match best {
@@ -92,11 +92,11 @@ fn complete(arms: &Matrix, mut basis: Vec<usize>) -> Result<Vec<usize>, Vec<f64>
 
 fn simplex(
     gaps: &[f64],
-    arms: &Matrix,
+    arms: &DMatrix<f64>,
     load: &[f64],
     mut basis: Vec<usize>,
 ) -> Result<(Vec<f64>, Vec<usize>), ContactError> {
-    let (n, m) = (arms.rows, arms.columns);
+    let (n, m) = arms.shape();
     let limit = 50 * (n + m);
     for iteration in 0..limit {
         let matrix = DMatrix::from_fn(m, m, |r, k| arms[(basis[r], k)]);
@@ -106,7 +106,7 @@ fn simplex(
         let motion = motion.as_slice().to_vec();
         let violation = |i: usize| {
             let rigid: f64 = arms.row(i).iter().zip(&motion).map(|(c, y)| (c * y).abs()).sum();
-            let gap = dot(arms.row(i), &motion) + gaps[i];
+            let gap = row_product(arms, i, &motion) + gaps[i];
             if gap < -1e-14 * (rigid + gaps[i].abs()) { -gap } else { 0.0 }
         };
         let candidates = (0..n).filter(|i| !basis.contains(i) && violation(*i) > 0.0);

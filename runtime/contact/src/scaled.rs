@@ -1,15 +1,15 @@
 //! Contact problem in variables of order one.
 
-use super::dense::Matrix;
 use super::problem::ContactProblem;
+use nalgebra::DMatrix;
 
 /// Contact problem in the variables `p = cell_scale * q`, `x = dof_scale * y`. The compliance
 /// matrix is large, so it is not copied but scaled entry by entry.
 pub(super) struct Scaled<'a> {
     compliance: &'a [f64],
-    pub arms: Matrix,
+    pub arms: DMatrix<f64>,
     pub gaps: Vec<f64>,
-    pub stiffness: Matrix,
+    pub stiffness: DMatrix<f64>,
     pub load: Vec<f64>,
     pub cell_scale: Vec<f64>,
     pub dof_scale: Vec<f64>,
@@ -41,13 +41,13 @@ impl<'a> Scaled<'a> {
                 if size > 0.0 { power_of_two(size.recip()) } else { 1.0 }
             })
             .collect();
-        let mut arms = Matrix::zeros(n, m);
+        let mut arms = DMatrix::zeros(n, m);
         for i in 0..n {
             for k in (0..m).filter(|&k| seen[k]) {
                 arms[(i, k)] = cell_scale[i] * problem.arms[i * m + k] * dof_scale[k];
             }
         }
-        let mut stiffness = Matrix::zeros(m, m);
+        let mut stiffness = DMatrix::zeros(m, m);
         for k in 0..m {
             for l in 0..m {
                 stiffness[(k, l)] = dof_scale[k] * problem.stiffness[k * m + l] * dof_scale[l];
