@@ -15,7 +15,7 @@ fn model_text() -> String {
 }
 
 /// Fidelity levels without meshes, which are solved quickly.
-const GRIDS: [&str; 4] = ["--levels", "rigid,analytic", "--knobs", "cells,every"];
+const GRIDS: [&str; 4] = ["--levels", "rigid,analytic", "--settings", "cells,every"];
 
 fn tradeoff(directory: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
@@ -134,8 +134,10 @@ fn levels_that_a_model_cannot_be_analysed_at_are_listed_with_the_reason() {
     let directory = tempfile::tempdir().unwrap();
     let directory = directory.path();
     fs::write(directory.join("pair.cx"), model_text()).unwrap();
-    let (status, out, err) =
-        said(tradeoff(directory, &["--levels", "plane,medium", "--knobs", "none", "--longest", "0.001ms"]));
+    let (status, out, err) = said(tradeoff(
+        directory,
+        &["--levels", "plane,medium", "--settings", "none", "--longest", "0.001ms"],
+    ));
     assert_eq!((status, out.as_str()), (Some(1), ""), "{err}");
     assert!(err.contains("no setting can be run: ") && err.contains("--longest is 1 us"), "{err}");
     let (status, _, err) = said(tradeoff(directory, &["--levels", "plane", "--reference", "exact"]));

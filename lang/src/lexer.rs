@@ -39,8 +39,9 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let word = &text[token.span.start as usize..token.span.end as usize];
         let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
-        // In `param at Time = 0 s` and `param is none`, `param` is a variable, and in `in unit was
-        // length: Length`, `unit` is a parameter. In `record at was place {`, `record` is a keyword.
+        // In `param at Time = 0 s` and `param is none`, `param` is a variable. In `in unit was
+        // length: Length`, `unit` is a parameter. In `record at was place {`, `record` is a
+        // keyword.
         let word_at = |at: usize| {
             let token = tokens.get(at).filter(|t| t.kind == Kind::Identifier)?;
             Some(&text[token.span.start as usize..token.span.end as usize])

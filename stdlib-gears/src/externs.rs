@@ -358,16 +358,16 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
 }
 
 /// Checks the number of a spline tooth of a body's rim.
-pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, lug: f64) -> Result<u32, RuntimeError> {
-    let lugs = match host.gear_on("body", body)?.rim.hold {
-        BoreSupport::SplineTeeth(lugs) | BoreSupport::SplineWithClearance { spline_teeth: lugs, .. } => {
-            u32::from(lugs.count)
+pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result<u32, RuntimeError> {
+    let teeth = match host.gear_on("body", body)?.rim.hold {
+        BoreSupport::SplineTeeth(teeth) | BoreSupport::SplineWithClearance { spline_teeth: teeth, .. } => {
+            u32::from(teeth.count)
         }
         BoreSupport::Rigid | BoreSupport::Means { .. } => 0,
     };
-    match lug.fract() == 0.0 && (0.0..f64::from(lugs)).contains(&lug) {
-        true => Ok(lug as u32),
-        false if lugs == 0 => Err(refusal(
+    match tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth) {
+        true => Ok(tooth as u32),
+        false if teeth == 0 => Err(refusal(
             "E0657",
             "body",
             "the rim of this body has no spline teeth",
@@ -376,8 +376,8 @@ pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, lug: f64) -> R
         false => Err(refusal(
             "E0657",
             "tooth",
-            &format!("there is no spline tooth {lug}"),
-            &format!("spline teeth are numbered counter-clockwise from 0 to {}", lugs - 1),
+            &format!("there is no spline tooth {tooth}"),
+            &format!("spline teeth are numbered counter-clockwise from 0 to {}", teeth - 1),
         )),
     }
 }

@@ -5,10 +5,10 @@ use crate::allow::AllowPath;
 use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::elaborate::Planned;
+use calyx::rt::campaign::{Campaign, Outcome};
 use calyx::rt::options::given_of;
 use calyx::rt::progress::{CampaignProgress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
-use calyx::rt::tradeoff::campaign::{Campaign, Outcome};
 use calyx::rt::tradeoff::text::{OmittedSetting, left_out, recommendations, seconds, table};
 use calyx::rt::tradeoff::{Comparison, Measurement, Setting, files, plot, references, settings};
 use calyx::rt::{Error, Override, ParamAssignment, RunError, budget, interrupt};
@@ -59,8 +59,14 @@ pub struct Tradeoff {
     /// Settings to vary within the levels, separated by commas: mesh refinement, cells and
     /// cells_along of contact grids, every n-th position; "none" measures only the levels [default:
     /// all]
-    #[arg(long, value_name = "KNOBS", value_delimiter = ',', value_parser = ["refinement", "cells", "cells_along", "every", "none"])]
-    knobs: Vec<String>,
+    #[arg(
+        long = "settings",
+        alias = "knobs",
+        value_name = "SETTINGS",
+        value_delimiter = ',',
+        value_parser = ["refinement", "cells", "cells_along", "every", "none"]
+    )]
+    varied: Vec<String>,
     /// Reference for errors: a level, or a setting as the table names it [default: the finest level
     /// within --longest, with contact grids twice as fine and a finer mesh]
     #[arg(long, value_name = "SETTING")]
@@ -94,9 +100,9 @@ pub struct Tradeoff {
 }
 
 fn level(name: &str) -> Result<Fidelity, String> {
-    let mut knobs = Override::default();
-    knobs.set("fidelity", name).map_err(|error| error.help)?;
-    knobs.fidelity.ok_or_else(|| name.to_owned())
+    let mut overrides = Override::default();
+    overrides.set("fidelity", name).map_err(|error| error.help)?;
+    overrides.fidelity.ok_or_else(|| name.to_owned())
 }
 
 /// Setting to run, and its predicted time, s.
@@ -215,8 +221,9 @@ impl Tradeoff {
             let grid = own.grid().unwrap_or(Grid { half_cells: 0, half_slices: None });
             let finest = references(level, grid);
             let mut of_level = settings(level, grid, own.is_sampled());
-            let turned = |knob: &str| self.knobs.is_empty() || self.knobs.iter().any(|known| known == knob);
-            of_level.retain(|setting| setting.overridden().iter().all(|(knob, _)| turned(knob)));
+            let is_varied =
+                |name: &str| self.varied.is_empty() || self.varied.iter().any(|varied| varied == name);
+            of_level.retain(|setting| setting.overridden().iter().all(|(name, _)| is_varied(name)));
             for finest in &finest {
                 if !of_level.contains(finest) {
                     // Settings of one mesh are adjacent; a separate mesh comes last.

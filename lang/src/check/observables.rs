@@ -1,10 +1,10 @@
 //! Observables as values. An observable is a number at every step of an analysis; the program
 //! computes with it as with a number, and the result is an observable.
 //!
-//! Where numbers and observables meet in a sum, an array, a choice or an assignment, the number
-//! becomes a constant observable. A variable that starts as a number and later receives an
-//! observable, as in a sum over a loop, has an observable from its start: the first such assignment
-//! requests this, and the unit is checked again.
+//! In a sum, an array, a choice or an assignment of numbers and observables, each number becomes a
+//! constant observable. A variable that starts as a number and later receives an observable, as in
+//! a sum over a loop, has an observable from its start: the first such assignment requests this,
+//! and the unit is checked again.
 
 use super::dim::Dim;
 use super::infer::Checker;

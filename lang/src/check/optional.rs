@@ -1,7 +1,7 @@
 //! Optional values: parameters and fields whose default is `none`, the test `e is none`, and the
 //! analysis that finds where a value is present.
 //!
-//! Whether a value is present is known per path, a variable with fields. The analysis follows the
+//! The analysis determines the presence of a value per path, a variable with fields. It follows the
 //! statements in order and joins alternatives. At targets of jumps it keeps only the paths that no
 //! statement can change: variables that nothing assigns.
 

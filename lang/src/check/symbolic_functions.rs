@@ -114,8 +114,8 @@ impl<'a> Checker<'a> {
         if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
     }
 
-    /// Checks the arguments of parameters of the symbolic function `id`, which is declared in `file`
-    /// and called at `span`.
+    /// Checks the arguments of parameters of the symbolic function `id`, which is declared in
+    /// `file` and called at `span`.
     pub(super) fn symbolic_arguments(
         &mut self,
         parameters: &'a [ast::Parameter],

@@ -374,7 +374,7 @@ impl Store {
             Type::Transform => Repr::Transform,
             Type::Array(element) => Repr::Array(Box::new(self.repr(&element))),
             Type::Tuple(parts) => Repr::Tuple(parts.iter().map(|part| self.repr(part)).collect()),
-            // Whether there is a value, and the value.
+            // The presence of a value, and the value.
             Type::Optional(inner) => Repr::Tuple(vec![Repr::Bool, self.repr(&inner)]),
             Type::Observable(_) => Repr::Symbolic(Box::new(Repr::Number)),
             Type::Symbolic(inner) => Repr::Symbolic(Box::new(self.repr(&inner))),

@@ -38,8 +38,8 @@ pub(super) fn definition<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rul
     constant.or(outside).boxed()
 }
 
-/// Reports the next token if it starts a record, enumeration, dimension or unit inside a block, function or
-/// other statement.
+/// Reports the next token if it starts a record, enumeration, dimension or unit inside a block,
+/// function or other statement.
 fn outside_blocks<'a>(source: &'a Source<'a>) -> Rule<'a, ()> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);

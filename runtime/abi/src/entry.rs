@@ -192,8 +192,8 @@ entry_points! {
         Ok(())
     }
 
-    /// Stores the address of an element for a change in `result`; it is valid until the next call of
-    /// any function.
+    /// Stores the address of an element for a change in `result`; it is valid until the next call
+    /// of any function.
     fn calyx_array_slot(ctx, array, index, result) {
         let element = helpers::element_mut(ctx, array, f64::from_bits(index))?;
         slots_mut(result, 1)[0] = element.as_mut_ptr() as u64;
