@@ -202,7 +202,7 @@ impl Module {
     /// is a terminal.
     pub fn render(&self, error: &Error) -> String {
         match error {
-            Error::Given(refused) => calyx_rt::report::refused(refused),
+            Error::Given(refused) => calyx_rt::messages::refused(refused),
             Error::Model(error) => render(&[self.error(error)], self.files()),
         }
     }

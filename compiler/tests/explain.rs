@@ -57,6 +57,7 @@ fn every_code_of_library_and_engine_has_a_page() {
         "runtime/fe/src",
         "runtime/numerics/src",
         "runtime/abi/src",
+        "runtime/report/src",
         "runtime/rt/src",
         "compiler/src",
         "compiler/lower/src",

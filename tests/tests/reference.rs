@@ -170,6 +170,7 @@ fn every_code_of_library_and_engine_is_there() {
         "runtime/model/src",
         "runtime/solve/src",
         "runtime/analysis/src",
+        "runtime/report/src",
         "runtime/rt/src",
         "stdlib-gears/src",
     ] {

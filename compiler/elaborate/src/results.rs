@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
-pub use calyx_rt::directory::default_directory;
+pub use calyx_report::directory::default_directory;
 
 /// A run, as described in its `run.json`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -163,6 +163,6 @@ impl RunSummary {
 
     /// Returns `true` if the run used the current text of the model.
     pub fn is_of(&self, model: &str) -> bool {
-        self.source.sha256 == calyx_rt::directory::text_hash(model)
+        self.source.sha256 == calyx_report::directory::text_hash(model)
     }
 }

@@ -1,7 +1,7 @@
 //! Messages of the command: text for users, or one JSON object per line for programs. Both go to
 //! standard error, so that standard output contains only what the model prints.
 
-use calyx::rt::{InvalidParam, report};
+use calyx::rt::{InvalidParam, messages};
 use calyx::{Checked, render};
 use calyx_abi::visible::visible;
 use calyx_lang::diagnostic::Diagnostic;
@@ -69,10 +69,10 @@ impl MessageFormat {
     /// Prints the reason why a value given for a param is invalid.
     pub fn refused(self, refused: &InvalidParam) {
         match self {
-            MessageFormat::Human => eprint!("{}", report::refused(refused)),
+            MessageFormat::Human => eprint!("{}", messages::refused(refused)),
             MessageFormat::Json => {
                 let mut said = without_place("error", &refused.message, &refused.help);
-                said["primary"] = refused.origin.as_ref().map_or(json!(null), report::place_json);
+                said["primary"] = refused.origin.as_ref().map_or(json!(null), messages::place_json);
                 eprintln!("{said}");
             }
         }

@@ -63,5 +63,5 @@ fn write(directory: &Path) -> Result<PathBuf, DirectoryError> {
         return Err(unreadable(ErrorKind::NotFound.into()));
     }
     let locked = RunDirectory::lock(directory, Kind::Run, false)?;
-    page::write_locked(&locked).map_err(unreadable)
+    locked.write_page().map_err(unreadable)
 }

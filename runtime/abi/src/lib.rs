@@ -35,6 +35,7 @@ pub mod piecewise;
 pub mod quantity;
 pub mod repr_code;
 pub mod shape;
+pub mod shell;
 pub mod stack;
 pub mod standard;
 pub mod text;

@@ -28,6 +28,17 @@ fn divisor(factor: f64) -> Option<f64> {
     (whole && 1.0 / inverse == factor).then_some(inverse)
 }
 
+/// Formats a number for people, without the rounding error that a unit conversion adds in the
+/// sixteenth digit.
+pub fn shortest(value: f64) -> String {
+    let rounded: f64 = format!("{value:.12e}").parse().unwrap_or(value);
+    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,6 @@
 //! A run as a command: the part that `calyx run` and executables share once there is a program.
 
 use crate::budget;
-use crate::directory::{self, StageTimes};
 use crate::engine::{Engine, EngineConfig};
 use crate::error::Error;
 use crate::interrupt;
@@ -13,6 +12,7 @@ use crate::run::{RunError, RunOptions, RunReport, run};
 use crate::run_directory::DirectoryError;
 use calyx_abi::RuntimeError;
 use calyx_gears::host::Finding;
+use calyx_report::directory::{self, StageTimes};
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};

@@ -1,19 +1,18 @@
 //! Command line of a model compiled to an executable: its help is generated from the model's docs,
 //! and its options are those of `calyx run`.
 
+use crate::adapted::AdaptedProgram;
 use crate::command::{MODEL_ERROR, Messages, RunCommand, USAGE, print_json};
 use crate::help;
 use crate::linked::LinkedProgram;
-use crate::nan_log::NanLog;
+use crate::messages::{problem, refused};
 use crate::options::RunArguments;
-use crate::param_assignment::ParamAssignment;
 use crate::params::InvalidParam;
-use crate::program::{ParamFunction, Program};
-use crate::report::{problem, refused};
+use crate::program::Program;
 use crate::schema::schema;
-use calyx_abi::description::{FileDescription, ModelDescription, ModuleTable};
+use calyx_abi::RuntimeError;
+use calyx_abi::description::{ModelDescription, ModuleTable};
 use calyx_abi::visible::visible;
-use calyx_abi::{Context, Kernel, RuntimeError, Slot};
 use calyx_gears::error::Severity;
 use calyx_gears::host::Finding;
 use clap::{Args, Command, CommandFactory, FromArgMatches, Parser};
@@ -86,7 +85,7 @@ pub fn main(program: Arc<dyn Program>, arguments: &[OsString]) -> u8 {
     let mut directory = name.map_or_else(|| "model".into(), OsString::from);
     directory.push(".run");
     let messages = StandaloneMessages { description };
-    let program = Arc::new(Standalone { program: program.clone(), tables: tables.tables });
+    let program = Arc::new(AdaptedProgram::standalone(program.clone(), tables.tables));
     let command = RunCommand {
         program,
         arguments: &arguments_of_run,
@@ -122,48 +121,6 @@ fn command(description: &ModelDescription) -> Command {
         .after_help(visible(&help::short(description)).into_owned())
         .after_long_help(visible(&help::long(description)).into_owned())
         .help_template("{about-with-newline}\n{usage-heading} {usage}{after-help}\n\n{all-args}")
-}
-
-/// A program without the directory of its model: its tables are embedded or in a directory given by
-/// the user.
-struct Standalone {
-    program: Arc<dyn Program>,
-    tables: Option<PathBuf>,
-}
-
-impl Program for Standalone {
-    fn description(&self) -> &ModelDescription {
-        self.program.description()
-    }
-
-    fn kernels(&self) -> Vec<Arc<dyn Kernel>> {
-        self.program.kernels()
-    }
-
-    fn param_function(
-        &self,
-        param: usize,
-        which: ParamFunction,
-        context: &mut Context,
-    ) -> Result<Option<Slot>, RuntimeError> {
-        self.program.param_function(param, which, context)
-    }
-
-    fn tables(&self) -> Option<Arc<[FileDescription]>> {
-        self.tables.is_none().then(|| self.description().tables.clone())
-    }
-
-    fn directory(&self) -> Option<PathBuf> {
-        Some(self.tables.clone().unwrap_or_else(|| ".".into()))
-    }
-
-    fn main(&self, context: &mut Context) -> Result<(), RuntimeError> {
-        self.program.main(context)
-    }
-
-    fn explain(&self, error: &mut RuntimeError, given: &[ParamAssignment], seen: &NanLog) {
-        self.program.explain(error, given, seen);
-    }
 }
 
 /// Messages of an executable, on standard error.

@@ -1,9 +1,9 @@
 //! `--help` of an executable: the docs of the model, its params and its outputs.
 
-use crate::params::{domain, shortest, shown, shown_list};
+use crate::params::{domain, shown, shown_list};
 use calyx_abi::Repr;
 use calyx_abi::description::{ModelDescription, OutputDescription, ParamDescription, ParamValue};
-use calyx_abi::units::from_si;
+use calyx_abi::units::{from_si, shortest};
 use clap::builder::styling::{AnsiColor, Style};
 use std::fmt::Write;
 

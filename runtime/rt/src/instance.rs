@@ -1,6 +1,6 @@
 //! A model instance: a program with values of its params, which can be run repeatedly.
 
-use crate::described::Described;
+use crate::adapted::AdaptedProgram;
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::host::{Host, ResolvedHost};
@@ -47,6 +47,15 @@ type PrintSink = Arc<Mutex<dyn FnMut(&str) + Send>>;
 /// instances, on any threads. Each run takes the values at its start; later changes do not affect
 /// it.
 pub struct Instance {
+    setup: Setup,
+    time_limit: Option<Duration>,
+    memory_limit: Option<u64>,
+    cancel: Cancel,
+}
+
+/// Inputs of a run. Each run has a copy.
+#[derive(Clone)]
+struct Setup {
     engine: Engine,
     program: Arc<dyn Program>,
     shape: u64,
@@ -54,9 +63,6 @@ pub struct Instance {
     settings: Vec<Option<Setting>>,
     /// Functions that the embedding program provides.
     host: ResolvedHost,
-    time_limit: Option<Duration>,
-    memory_limit: Option<u64>,
-    cancel: Cancel,
     print: Option<PrintSink>,
     progress: Option<ProgressSink>,
     record: Option<RecordSink>,
@@ -72,15 +78,12 @@ impl Instance {
     pub fn new(engine: &Engine, program: Arc<dyn Program>) -> Instance {
         let description = program.description();
         let (shape, settings) = (shape(description), vec![None; description.params.len()]);
-        Instance {
+        let setup = Setup {
             engine: engine.clone(),
             program,
             shape,
             settings,
             host: ResolvedHost::default(),
-            time_limit: None,
-            memory_limit: None,
-            cancel: Cancel::default(),
             print: None,
             progress: None,
             record: None,
@@ -89,16 +92,17 @@ impl Instance {
             fields: 0,
             bodies: false,
             overrides: Override::default(),
-        }
+        };
+        Instance { setup, time_limit: None, memory_limit: None, cancel: Cancel::default() }
     }
 
     pub fn engine(&self) -> &Engine {
-        &self.engine
+        &self.setup.engine
     }
 
     /// Returns names, units, ranges and docs of the params and outputs.
     pub fn description(&self) -> &ModelDescription {
-        self.program.description()
+        self.setup.program.description()
     }
 
     /// Determines the outputs of the current params. If some outputs are arrays, this builds the
@@ -109,19 +113,19 @@ impl Instance {
     pub(crate) fn fix_outputs(&mut self) -> Result<(), Error> {
         let job = self.job();
         let program = stack::with_stack(|| job.described())??;
-        self.shape = shape(program.description());
-        self.program = program;
+        self.setup.shape = shape(program.description());
+        self.setup.program = program;
         Ok(())
     }
 
     /// Returns the program, with the outputs of the current params after
     /// [`Instance::fix_outputs`].
     pub(crate) fn program(&self) -> &Arc<dyn Program> {
-        &self.program
+        &self.setup.program
     }
 
     fn names(&self) -> Names<'_> {
-        Names { description: self.program.description(), shape: self.shape }
+        Names { description: self.setup.program.description(), shape: self.setup.shape }
     }
 
     /// Returns the handle of a param.
@@ -147,8 +151,8 @@ impl Instance {
     /// There is no such param, or it does not accept the value.
     pub fn set(&mut self, param: impl ParamName, value: impl Into<AssignedValue>) -> Result<(), Error> {
         let index = param.index_in(self.names())?;
-        let setting = Setting::new(self.program.description(), index, &value.into(), None)?;
-        self.settings[index] = Some(setting);
+        let setting = Setting::new(self.setup.program.description(), index, &value.into(), None)?;
+        self.setup.settings[index] = Some(setting);
         Ok(())
     }
 
@@ -160,8 +164,8 @@ impl Instance {
     pub fn give(&mut self, given: &ParamAssignment) -> Result<(), Error> {
         let (name, origin) = (given.name.as_str(), given.origin.as_ref());
         let index = name.index_in(self.names()).map_err(|error| error.placed(given.name_origin.as_ref()))?;
-        let setting = Setting::new(self.program.description(), index, &given.value, origin)?;
-        self.settings[index] = Some(setting);
+        let setting = Setting::new(self.setup.program.description(), index, &given.value, origin)?;
+        self.setup.settings[index] = Some(setting);
         Ok(())
     }
 
@@ -179,7 +183,7 @@ impl Instance {
     /// There is no such param.
     pub fn reset(&mut self, param: impl ParamName) -> Result<(), Error> {
         let index = param.index_in(self.names())?;
-        self.settings[index] = None;
+        self.setup.settings[index] = None;
         Ok(())
     }
 
@@ -190,7 +194,7 @@ impl Instance {
     pub fn get(&self, param: impl ParamName) -> Result<ParamValue, Error> {
         let index = param.index_in(self.names())?;
         let param = &self.description().params[index];
-        match (&self.settings[index], &param.default) {
+        match (&self.setup.settings[index], &param.default) {
             (Some(setting), _) => Ok(setting.value.clone()),
             (None, Some(default)) if param.independent => Ok(default.clone()),
             (None, _) => Ok(self.params()?.swap_remove(index)),
@@ -204,7 +208,7 @@ impl Instance {
     /// A set value is out of its param's range, or a default or range cannot be computed.
     pub fn params(&self) -> Result<Vec<ParamValue>, Error> {
         let mut context = self.job().context();
-        params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
+        params::resolve(self.setup.program.as_ref(), &self.setup.settings, &mut context)?;
         Ok(params::values(self.description(), &context))
     }
 
@@ -213,7 +217,7 @@ impl Instance {
     /// # Errors
     /// The model declares no function of that name, or one with other arguments or another result.
     pub fn set_host(&mut self, host: &Host) -> Result<(), Error> {
-        self.host = host.fitted(self.description())?;
+        self.setup.host = host.fitted(self.description())?;
         Ok(())
     }
 
@@ -242,19 +246,19 @@ impl Instance {
     /// Sets the function that receives the lines that the model prints. Without it they are
     /// discarded.
     pub fn on_print(&mut self, sink: impl FnMut(&str) + Send + 'static) {
-        self.print = Some(Arc::new(Mutex::new(sink)));
+        self.setup.print = Some(Arc::new(Mutex::new(sink)));
     }
 
     /// Sets the function that receives the progress at the start of a stage and after each
     /// position, on the thread of the run.
     pub fn on_progress(&mut self, sink: impl FnMut(Progress) + Send + 'static) {
-        self.progress = Some(Arc::new(Mutex::new(sink)));
+        self.setup.progress = Some(Arc::new(Mutex::new(sink)));
     }
 
     /// Sets the function that receives each setting before the tolerance search tries it. It is
     /// called on the thread of the run.
     pub fn on_choosing(&mut self, sink: impl FnMut(&SearchProgress) + Send + 'static) {
-        self.choosing = Some(Arc::new(Mutex::new(sink)));
+        self.setup.choosing = Some(Arc::new(Mutex::new(sink)));
     }
 
     /// Sets the function that receives each solved position with its index, its certificate and, if
@@ -265,29 +269,29 @@ impl Instance {
         &mut self,
         sink: impl FnMut(usize, &Solved, Option<&Fields>) -> Result<(), EngineError> + Send + 'static,
     ) {
-        self.record = Some(Arc::new(Mutex::new(sink)));
+        self.setup.record = Some(Arc::new(Mutex::new(sink)));
     }
 
     /// Sets the first positions as solved by an earlier run with the same values. Runs start after
     /// them; their results equal those of a run that solves all positions.
     pub fn resume_after(&mut self, solved: Vec<Solved>) {
-        self.solved = solved;
+        self.setup.solved = solved;
     }
 
     /// Requests the fields of at most this many positions for [`Instance::on_solved`], evenly
     /// spaced from the first one. Each takes a little time.
     pub fn request_fields(&mut self, positions: usize) {
-        self.fields = positions;
+        self.setup.fields = positions;
     }
 
     /// Requests the meshes of elastic bodies with their displacements as part of the fields.
     pub fn request_bodies(&mut self, bodies: bool) {
-        self.bodies = bodies;
+        self.setup.bodies = bodies;
     }
 
     /// Sets the overrides of the model's analysis settings for future runs.
     pub fn override_analysis(&mut self, overrides: Override) {
-        self.overrides = overrides;
+        self.setup.overrides = overrides;
     }
 
     /// Runs the model on its own thread, position by position: the next position starts when the
@@ -312,85 +316,61 @@ impl Instance {
 
     fn job(&self) -> Job {
         Job {
-            engine: self.engine.clone(),
-            program: self.program.clone(),
-            shape: self.shape,
-            settings: self.settings.clone(),
-            host: self.host.clone(),
+            setup: self.setup.clone(),
             limits: Limits::from_now(self.time_limit, self.memory_limit),
             cancel: self.cancel.child(),
-            print: self.print.clone(),
-            progress: self.progress.clone(),
-            record: self.record.clone(),
-            choosing: self.choosing.clone(),
-            solved: self.solved.clone(),
-            fields: self.fields,
-            bodies: self.bodies,
-            overrides: self.overrides,
         }
     }
 }
 
 /// One run, independent of later changes of its instance.
 struct Job {
-    engine: Engine,
-    program: Arc<dyn Program>,
-    shape: u64,
-    settings: Vec<Option<Setting>>,
-    host: ResolvedHost,
+    setup: Setup,
     limits: Limits,
     cancel: Cancel,
-    print: Option<PrintSink>,
-    progress: Option<ProgressSink>,
-    record: Option<RecordSink>,
-    choosing: Option<SearchProgressSink>,
-    solved: Vec<Solved>,
-    fields: usize,
-    bodies: bool,
-    overrides: Override,
 }
 
 impl Job {
     fn context(&self) -> Context {
-        let mut context = Context::new(Box::new(ModelHost::new(&self.program.description().units)));
+        let mut context = Context::new(Box::new(ModelHost::new(&self.setup.program.description().units)));
         context.limits = self.limits;
         context.cancel = self.cancel.clone();
-        let print = self.print.clone();
+        let print = self.setup.print.clone();
         context.print = Box::new(move |line| {
             if let Some(print) = &print {
                 print.lock().unwrap_or_else(PoisonError::into_inner)(line);
             }
         });
-        self.host.provide(&mut context);
+        self.setup.host.provide(&mut context);
         context
     }
 
     /// Returns the program with the outputs of the params. If some outputs are arrays, this builds
     /// the model, without solving it.
     fn described(&self) -> Result<Arc<dyn Program>, Error> {
-        if self.program.description().declared_outputs.is_empty() {
-            return Ok(self.program.clone());
+        if self.setup.program.description().declared_outputs.is_empty() {
+            return Ok(self.setup.program.clone());
         }
         let mut context = self.context();
         context.print = Box::new(|_| {});
-        context.kernels = self.program.kernels();
-        params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
+        context.kernels = self.setup.program.kernels();
+        params::resolve(self.setup.program.as_ref(), &self.setup.settings, &mut context)?;
         if let Some(host) = context.host::<ModelHost>() {
-            (host.checking, host.overrides) = (true, self.overrides);
+            (host.checking, host.overrides) = (true, self.setup.overrides);
         }
         // The run reports an error of the model.
-        let _ = self.program.main(&mut context);
+        let _ = self.setup.program.main(&mut context);
         let host = context.host::<ModelHost>();
         let names = host.iter().flat_map(|host| &host.outputs).map(|output| output.name.as_str());
-        Ok(Arc::new(Described::new(self.program.clone(), names)))
+        Ok(Arc::new(AdaptedProgram::with_outputs(self.setup.program.clone(), names)))
     }
 
     /// Runs the program and sends its positions to `hand_over`.
     fn execute(mut self, hand_over: Option<Steps>) -> Result<Results, Error> {
-        self.program = self.described()?;
-        self.shape = shape(self.program.description());
+        self.setup.program = self.described()?;
+        self.setup.shape = shape(self.setup.program.description());
         let seen = NanLog::new(self.cancel.clone(), self.limits);
-        let (program, settings) = (self.program.clone(), self.settings.clone());
+        let (program, settings) = (self.setup.program.clone(), self.setup.settings.clone());
         self.watched(hand_over, &seen).map_err(|error| match error {
             Error::Model(mut error) => {
                 let params = program.description().params.iter().zip(settings);
@@ -406,27 +386,27 @@ impl Job {
 
     fn watched(self, hand_over: Option<Steps>, seen: &NanLog) -> Result<Results, Error> {
         let mut context = self.context();
-        context.kernels = seen.watched(self.program.kernels());
-        params::resolve(self.program.as_ref(), &self.settings, &mut context)?;
-        let params = params::values(self.program.description(), &context);
+        context.kernels = seen.watched(self.setup.program.kernels());
+        params::resolve(self.setup.program.as_ref(), &self.setup.settings, &mut context)?;
+        let params = params::values(self.setup.program.description(), &context);
         if let Some(host) = context.host::<ModelHost>() {
             host.observer = Some(Box::new(Watcher {
-                program: self.program.clone(),
-                shape: self.shape,
+                program: self.setup.program.clone(),
+                shape: self.setup.shape,
                 hand_over,
-                progress: self.progress,
-                record: self.record,
-                choosing: self.choosing,
+                progress: self.setup.progress,
+                record: self.setup.record,
+                choosing: self.setup.choosing,
             }));
             let interrupt = interrupt(self.cancel, self.limits);
-            host.analysis.resources = self.engine.resources(interrupt)?;
-            host.analysis.solved = self.solved;
-            host.analysis.fields = self.fields;
-            host.analysis.bodies = self.bodies;
-            host.overrides = self.overrides;
+            host.analysis.resources = self.setup.engine.resources(interrupt)?;
+            host.analysis.solved = self.setup.solved;
+            host.analysis.fields = self.setup.fields;
+            host.analysis.bodies = self.setup.bodies;
+            host.overrides = self.setup.overrides;
         }
         let started = Instant::now();
-        let outcome = self.program.main(&mut context);
+        let outcome = self.setup.program.main(&mut context);
         // An interrupt that ends the tolerance search also stops the program, but the results are
         // available.
         let chosen = |host: &mut ModelHost| host.result.as_ref()?.chosen.as_ref()?.ended.clone();
@@ -437,6 +417,6 @@ impl Job {
             }
         }
         let time = started.elapsed();
-        Results::of(self.program, self.shape, params, &mut context, time)
+        Results::of(self.setup.program, self.setup.shape, params, &mut context, time)
     }
 }

@@ -1,35 +1,33 @@
 //! Runtime of compiled models: sets the params, runs the program, returns the solved positions,
-//! reports progress and writes the run directory.
+//! reports progress, locks the run directory and resumes interrupted runs. The files in the
+//! directory are those of `calyx-report`.
 //!
 //! The same code serves programs that embed models ([`Instance`]), `calyx run`, which compiles in
 //! memory, and executables linked from object files.
 
+pub mod adapted;
 pub mod budget;
 pub mod c_api;
 #[cfg(feature = "command")]
+pub mod campaign;
+#[cfg(feature = "command")]
 pub mod command;
-mod described;
-pub mod directory;
 pub mod engine;
 pub mod error;
 #[cfg(feature = "command")]
 pub mod executable;
-pub mod field_tables;
 #[cfg(feature = "command")]
 pub mod help;
 pub mod host;
 pub mod instance;
 #[cfg(feature = "command")]
 pub mod interrupt;
-pub mod journal;
 pub mod linked;
-pub mod modes_table;
+pub mod messages;
 mod names;
 pub mod nan_log;
 #[cfg(feature = "command")]
 pub mod options;
-#[cfg(feature = "command")]
-pub mod page;
 pub mod param_assignment;
 pub mod params;
 #[cfg(feature = "command")]
@@ -37,8 +35,8 @@ pub mod params_file;
 pub mod program;
 #[cfg(feature = "command")]
 pub mod progress;
-pub mod report;
 pub mod results;
+#[cfg(feature = "command")]
 pub mod resume;
 #[cfg(feature = "command")]
 pub mod run;
@@ -48,19 +46,14 @@ pub mod run_directory;
 pub mod schema;
 #[cfg(feature = "command")]
 pub mod settings_override;
-pub mod shell;
-#[cfg(feature = "command")]
-pub mod signals;
 pub mod stepping;
-pub mod stress_range;
-pub mod table;
-#[cfg(feature = "command")]
-pub mod tradeoff;
-pub mod vtu;
 mod watcher;
 
 pub use calyx_abi::Cancel;
 pub use calyx_abi::description::{ModelDescription, ParamValue};
+pub use calyx_abi::shell;
+#[cfg(feature = "command")]
+pub use calyx_report::{directory, page, tradeoff};
 pub use calyx_runtime::settings_override::Override;
 pub use engine::{Engine, EngineConfig};
 pub use error::{Error, ErrorKind};

@@ -7,7 +7,7 @@ use calyx_abi::description::{
     DimensionDescription, Exponents, ModelDescription, ParamDescription, ParamValue,
 };
 use calyx_abi::quantity::{self, Quantity};
-use calyx_abi::units::{from_si, to_si};
+use calyx_abi::units::{from_si, shortest, to_si};
 use calyx_abi::{Context, Repr, Slot, helpers, stack};
 
 /// Reason why an assigned value is invalid.
@@ -404,15 +404,4 @@ pub fn shown(param: &ParamDescription, si: f64) -> String {
 pub fn shown_list(param: &ParamDescription, si: &[f64]) -> String {
     let all: Vec<String> = si.iter().map(|si| shortest(from_si(*si, param.unit.factor))).collect();
     format!("[{}] {}", all.join(", "), param.unit.name).trim_end().to_owned()
-}
-
-/// Formats a number for people, without the rounding error that a unit conversion adds in the
-/// sixteenth digit.
-pub fn shortest(value: f64) -> String {
-    let rounded: f64 = format!("{value:.12e}").parse().unwrap_or(value);
-    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {
-        format!("{rounded:e}")
-    } else {
-        format!("{rounded}")
-    }
 }

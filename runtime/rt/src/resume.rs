@@ -1,9 +1,9 @@
 //! Resuming an earlier run: finds its state in the directory, and checks that model and params are
 //! the same.
 
-use crate::directory::read_run;
-use crate::journal::{self, FoundJournal};
 use crate::params::InvalidParam;
+use calyx_report::directory::read_run;
+use calyx_report::journal::{self, FoundJournal};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::io;
@@ -32,7 +32,7 @@ impl From<io::Error> for ResumeError {
 }
 
 /// Searches a directory for an earlier run with the subject `head` (see
-/// [`crate::directory::head`]).
+/// [`calyx_report::directory::head`]).
 ///
 /// # Errors
 /// The directory has a run of another model, of other params, or by another version of Calyx; or it

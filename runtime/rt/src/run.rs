@@ -1,22 +1,22 @@
 //! A complete run: an instance, its progress display, and its run directory.
 
-use crate::directory::{
-    Details, REPORT, Record, SIGNALS, StageTimes, Stages, head, write_run, write_unfinished,
-};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::instance::Instance;
-use crate::journal::FoundJournal;
 use crate::param_assignment::ParamAssignment;
 use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
 use crate::resume::{self, EarlierRun};
 use crate::run_directory::{DirectoryError, Kind, RunDirectory};
-use crate::{field_tables, journal, modes_table, page, signals, stress_range, table, vtu};
 use calyx_abi::description::{ModelDescription, OutputDescription};
 use calyx_abi::{Cancel, RuntimeError, Status};
 use calyx_gears::host::Finding;
+use calyx_report::directory::{
+    Details, REPORT, Record, SIGNALS, StageTimes, Stages, head, write_run, write_unfinished,
+};
+use calyx_report::journal::FoundJournal;
+use calyx_report::{field_tables, journal, modes_table, page, signals, stress_range, summary_table, vtu};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
 use calyx_runtime::results::Solved;
@@ -136,7 +136,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
             progress.finish();
             // The earlier run may have been ended before it wrote its last file.
             if !path.join(REPORT).exists() {
-                page::write_locked(&directory).map_err(unwritable)?;
+                directory.write_page().map_err(unwritable)?;
             }
             return Ok(RunReport {
                 finished_before: true,
@@ -174,7 +174,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
         // The positions solved before a cancellation are kept, with the description of their run.
         Err(RunError::Run(Error::Model(error))) if error.status() == Status::Cancelled && solved > 0 => {
             let written = write_unfinished(path, head, solved, &error);
-            written.and_then(|()| page::write_locked(&directory)).map_err(unwritable)?;
+            written.and_then(|()| directory.write_page()).map_err(unwritable)?;
             return Err(RunError::Ended { error: Box::new(error), positions: solved });
         }
         outcome => outcome?,
@@ -195,7 +195,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
 fn begin(directory: &RunDirectory, details: Details) -> io::Result<()> {
     directory.clear()?;
     directory.claim_all(["run.json", "run.json.part", "timing.json", "timing.json.part", "steps.csv"])?;
-    directory.claim_all(["journal.jsonl", REPORT, "report.html.part"])?;
+    directory.claim_all(["journal.jsonl"].iter().chain(&page::FILES))?;
     directory.claim_all([stress_range::NAME, "root_stress_range.csv.part"])?;
     let asked_for = if details.tables { &field_tables::NAMES[..] } else { &[field_tables::LINE_LOAD] };
     directory.claim_all(asked_for)
@@ -225,7 +225,8 @@ fn write_results(
     let listed = signals::list(description, results.signals());
     write_run(path, head, description, result, listed, &warnings, stages)?;
     journal::remove(path)?;
-    page::write_with_advice(directory)
+    directory.claim_all(page::FILES)?;
+    page::write_with_advice(path)
 }
 
 /// Builds the report of a finished run.
@@ -236,7 +237,7 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
     let ignored =
         ignored.map(|ignored| format!("`{}` is not used as given: {}", ignored.input, ignored.reason));
     RunReport {
-        summary: result.map(|result| table::summary(description, result)).unwrap_or_default()
+        summary: result.map(|result| summary_table::summary(description, result)).unwrap_or_default()
             + &modes.map(modes_table::summary).unwrap_or_default()
             + &signals::summary(description, results.signals()),
         warnings: ignored.chain(results.warnings()).collect(),

@@ -7,8 +7,8 @@
 //! kill at any moment the marker is readable: lines are appended, and an incomplete last line is
 //! ignored.
 
-use crate::directory::REPORT;
-use crate::journal;
+use calyx_report::directory::{REPORT, SIGNALS};
+use calyx_report::{journal, page, vtu};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -63,7 +63,7 @@ impl Kind {
     /// Returns the folders whose file names depend on the model.
     fn folders(self) -> &'static [&'static str] {
         match self {
-            Kind::Run => &[crate::directory::SIGNALS, crate::vtu::FOLDER],
+            Kind::Run => &[SIGNALS, vtu::FOLDER],
             Kind::Tradeoff => &[],
         }
     }
@@ -92,7 +92,7 @@ impl Kind {
                 let of_signal = |signal: &Value| ["table", "picture"].map(|key| signal[key].clone());
                 let listed = signals.flat_map(of_signal);
                 names.extend(listed.filter_map(|name| name.as_str().map(str::to_owned)));
-                names.extend(crate::vtu::files_in(directory));
+                names.extend(vtu::files_in(directory));
             }
             Kind::Tradeoff => {
                 read("tradeoff.json").filter(|all| has(all, &["model", "settings", "reference"]))?;
@@ -269,6 +269,15 @@ impl RunDirectory {
 
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Generates the report page, lists it as a file of the run, and returns its path.
+    ///
+    /// # Errors
+    /// The page cannot be generated, see [`page::write()`], or there is a page that no run wrote.
+    pub fn write_page(&self) -> io::Result<PathBuf> {
+        self.claim_all(page::FILES)?;
+        page::write(&self.path)
     }
 
     /// Removes the files that an earlier run wrote.

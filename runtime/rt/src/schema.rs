@@ -1,11 +1,10 @@
 //! JSON Schema of a model's params, for editors of `--params` files and for programs that write
 //! them.
 
-use crate::params::shortest;
 use crate::params_file::SCHEMA_KEY;
 use calyx_abi::Repr;
 use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue};
-use calyx_abi::units::{from_si, to_si};
+use calyx_abi::units::{from_si, shortest, to_si};
 use serde_json::{Map, Value, json};
 
 /// Pattern of a number and a unit; the pattern does not check the unit.

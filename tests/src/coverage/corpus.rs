@@ -187,6 +187,7 @@ fn other_tests() -> Vec<PathBuf> {
         "runtime/structure/src",
         "runtime/fe/src",
         "runtime/numerics/src",
+        "runtime/report/src",
         "runtime/rt/src",
         "tests/tests",
     ];

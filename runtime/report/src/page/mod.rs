@@ -8,13 +8,14 @@
 mod about;
 mod accuracy;
 mod chart;
+mod command_line;
 mod contact;
 mod fillets;
 mod read;
 mod units;
 
 use crate::directory::REPORT;
-use crate::run_directory::RunDirectory;
+use calyx_abi::units::shortest;
 use chart::{Axis, Curve, NARROW, Plot, WIDE};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use read::{End, Output, Run};
@@ -22,6 +23,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use units::Units;
+
+/// Names of the finished page and of the one that is being written, in a run directory.
+pub const FILES: [&str; 2] = [REPORT, "report.html.part"];
 
 /// Generates the page of the run in a directory, replaces an earlier page, and returns its path.
 ///
@@ -33,31 +37,20 @@ pub fn write(directory: &Path) -> io::Result<PathBuf> {
 
 fn write_run(directory: &Path, run: &Run) -> io::Result<PathBuf> {
     let page = page(run).into_string();
-    let (path, unfinished) = (directory.join(REPORT), directory.join(format!("{REPORT}.part")));
+    let (path, unfinished) = (directory.join(REPORT), directory.join(FILES[1]));
     fs::write(&unfinished, page)?;
     fs::rename(unfinished, &path)?;
     Ok(path)
 }
 
-/// Generates the page of the run in a locked directory, lists it as a file of the run, and returns
-/// its path.
+/// Generates the page as [`write()`] does. Returns the settings that reduce large estimated errors,
+/// in one line; `None` if no error is large.
 ///
 /// # Errors
-/// Fails as [`write()`] does, and if there is a page that no run wrote.
-pub fn write_locked(directory: &RunDirectory) -> io::Result<PathBuf> {
-    directory.claim_all([REPORT, "report.html.part"])?;
-    write(directory.path())
-}
-
-/// Generates the page as [`write_locked()`] does. Returns the settings that reduce large estimated
-/// errors, in one line; `None` if no error is large.
-///
-/// # Errors
-/// Fails as [`write_locked()`] does.
-pub(crate) fn write_with_advice(directory: &RunDirectory) -> io::Result<Option<String>> {
-    directory.claim_all([REPORT, "report.html.part"])?;
-    let run = Run::read(directory.path())?;
-    write_run(directory.path(), &run)?;
+/// Fails as [`write()`] does.
+pub fn write_with_advice(directory: &Path) -> io::Result<Option<String>> {
+    let run = Run::read(directory)?;
+    write_run(directory, &run)?;
     Ok(accuracy::advice(&run.outputs))
 }
 
@@ -67,7 +60,7 @@ pub fn is_run(directory: &Path) -> bool {
 }
 
 /// Returns the heading of the output plots, which names their abscissa.
-fn course(run: &Run) -> &'static str {
+fn plots_heading(run: &Run) -> &'static str {
     match run.positions.len() {
         0 | 1 => "Positions",
         _ if by_time(run) => "Over time",
@@ -83,7 +76,7 @@ fn page(run: &Run) -> Markup {
     let sections: Vec<Section> = [
         ("outputs", "Outputs", summary(run)),
         ("accuracy", "Error estimates", accuracy::section(run)),
-        ("cycle", course(run), plots(run)),
+        ("cycle", plots_heading(run), plots(run)),
         ("contact", "Contact", contact_section(run, units)),
         ("stress", "Root stress", stress_section(run, units)),
         ("signals", "Spectra", signals(run)),
@@ -184,12 +177,12 @@ fn number(value: f64) -> String {
         return if value.is_nan() { "–".into() } else { format!("{value}") };
     }
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    crate::params::shortest(rounded)
+    shortest(rounded)
 }
 
 /// Formats an error with two digits, and never as zero.
 fn error(value: f64) -> String {
-    format!("± {}", crate::params::shortest(format!("{value:.1e}").parse().unwrap_or(value)))
+    format!("± {}", shortest(format!("{value:.1e}").parse().unwrap_or(value)))
 }
 
 /// Formats a fraction in per cent.
@@ -198,7 +191,7 @@ fn percent(part: f64) -> String {
     match percent {
         _ if !percent.is_finite() => "–".into(),
         _ if percent != 0.0 && percent.abs() < 1e-3 => format!("{percent:.0e} %"),
-        _ => format!("{} %", crate::params::shortest(format!("{percent:.1e}").parse().unwrap_or(percent))),
+        _ => format!("{} %", shortest(format!("{percent:.1e}").parse().unwrap_or(percent))),
     }
 }
 
@@ -315,7 +308,7 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
     let is_rounding = output.error.as_ref().is_some_and(|error| error.is_rounding);
     // A single position or a constant has no variation to plot.
     let constant = output.statistics.peak_to_peak == 0.0;
-    let course = match is_rounding || constant {
+    let variation = match is_rounding || constant {
         true => Plot::default(),
         false => chart::curves(WIDE, x, &y, &[curve], marks),
     };
@@ -337,10 +330,10 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
             @if constant {
                 p { b { (number(output.statistics.max)) " " (output.unit) } @if places.len() > 1 { " at all positions." } }
             }
-            @if !course.is_empty() {
-                @if course.band_is_cut { p.note { "The band is wider than the plot: the variation of the curve is smaller than its estimated error." } }
+            @if !variation.is_empty() {
+                @if variation.band_is_cut { p.note { "The band is wider than the plot: the variation of the curve is smaller than its estimated error." } }
                 div.side {
-                    div.wide { (described(&course.svg, &name)) }
+                    div.wide { (described(&variation.svg, &name)) }
                     @if !harmonics.is_empty() { div.narrow { (described(&harmonics.svg, &format!("harmonics of {}", output.name))) } }
                 }
             }

@@ -1,13 +1,10 @@
-//! Runs the settings of a model one after the other, each in its own directory. Finished runs are
-//! reused, interrupted ones resume.
+//! Runs the settings that a trade-off compares, one after the other, each in its own directory.
+//! Finished runs are reused, interrupted ones resume.
 //!
 //! Times are those of a first analysis: structures are condensed here, without the user's structure
 //! cache. Settings that differ only in contact grids or positions share the structures of their
 //! mesh, and the time to condense them.
 
-use super::measurement::Measurement;
-use super::settings::Setting;
-use crate::directory::head;
 use crate::engine::{Engine, EngineConfig};
 use crate::error::Error;
 use crate::instance::Instance;
@@ -17,6 +14,8 @@ use crate::progress::ProgressFormat;
 use crate::resume::{self, EarlierRun};
 use crate::run::{RunError, RunOptions, run};
 use calyx_abi::{Cancel, Status};
+use calyx_report::directory::head;
+use calyx_report::tradeoff::{Measurement, Setting};
 use calyx_runtime::cache::Store;
 use std::io;
 use std::path::{Path, PathBuf};

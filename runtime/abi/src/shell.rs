@@ -5,7 +5,7 @@ use std::path::Path;
 /// Formats a text as one word of a POSIX shell: quoted if the shell would parse it differently.
 ///
 /// ```
-/// use calyx_rt::shell::word;
+/// use calyx_abi::shell::word;
 /// assert_eq!(word("pair.cx"), "pair.cx");
 /// assert_eq!(word("torque=5 N*m"), "'torque=5 N*m'");
 /// assert_eq!(word("it's; rm -rf ~"), r"'it'\''s; rm -rf ~'");

@@ -76,12 +76,12 @@ pub fn table(comparison: &Comparison) -> String {
         text += &format!("[{number}] {}\n", output.name);
     }
     text += "\
-errors are the largest deviation at any position over the largest magnitude in the reference run; * is what no cheaper setting beats;
-what the reference run itself is off is not in them\n";
+errors are the largest deviation at any position over the largest magnitude in the reference run; * marks settings that no cheaper one beats;
+the error of the reference run itself is not included\n";
     let unseen = |index: usize| index != comparison.reference && !comparison.mesh_seen[index];
     if (0..comparison.settings.len()).any(unseen) {
         text += "\
-~ leaves out the error of the mesh, and of the level: the mesh of the reference is no finer; such settings are not recommended\n";
+~ excludes the error of the mesh and of the level, because the mesh of the reference is no finer; such settings are not recommended\n";
     }
     text
 }

@@ -1,7 +1,7 @@
 //! Estimated error of each output by source, and the estimated cost of halving it.
 
 use super::read::{Estimate, Output, Run, Statistics};
-use super::{DIGITS, about, error, number, part_of_value, percent};
+use super::{DIGITS, command_line, error, number, part_of_value, percent};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
@@ -324,7 +324,7 @@ pub fn section(run: &Run) -> Markup {
     html! {
         @if estimated.is_empty() {
             p { "This run has no error estimates. Request them in the model with " code { "analyze(..., error_estimates = \"cheap\")" } ", or run" }
-            pre { code { (about::turned(run, Some(("error_estimates", "cheap")))) } }
+            pre { code { (command_line::with_setting(run, Some(("error_estimates", "cheap")))) } }
         } @else {
             (table(run, &estimated))
             (without_level(run))
@@ -334,7 +334,7 @@ pub fn section(run: &Run) -> Markup {
         (tradeoff(run))
         @if run.tradeoff.is_none() {
             p { "To measure accuracy against computing time, run" }
-            pre { code { (about::asked("tradeoff", run)) } }
+            pre { code { (command_line::subcommand("tradeoff", run)) } }
             p.note { "This command runs " code { (model) } " with every fidelity level and setting. Then " code { "calyx report" } " includes the result here." }
         }
     }
@@ -436,7 +436,7 @@ fn not_estimated(run: &Run, outputs: &[&Output]) -> Markup {
         }
         @if missing.iter().any(|(source, _)| source.name == LEVEL) {
             p.note { "To estimate the model error of the fidelity level with the next level, run" }
-            pre { code { (about::turned(run, Some(("error_estimates", "full")))) } }
+            pre { code { (command_line::with_setting(run, Some(("error_estimates", "full")))) } }
         }
     }
 }

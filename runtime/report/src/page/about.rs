@@ -1,14 +1,10 @@
 //! Sections of the report about the run itself: inputs, model, solver residuals and timing.
 
-use super::read::{End, Run};
+use super::command_line::{changed, command, options, param_value, shown};
+use super::read::{End, Run, objects};
 use super::{accuracy, number, paragraphs, prose};
-use crate::shell::word;
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
-
-fn objects(value: &Value) -> impl Iterator<Item = (&String, &Value)> {
-    value.as_object().into_iter().flatten()
-}
 
 fn texts(value: &Value) -> impl Iterator<Item = &str> {
     value.as_array().into_iter().flatten().filter_map(Value::as_str)
@@ -134,7 +130,7 @@ pub fn params(run: &Run) -> Markup {
             tbody { @for (name, param) in params {
                 tr {
                     th scope="row" { code { (name) } }
-                    td.number { @if changed(param) { b { (value(param)) } } @else { (value(param)) } }
+                    td.number { @if changed(param) { b { (param_value(param)) } } @else { (param_value(param)) } }
                     td { (param["display"]["unit"].as_str().unwrap_or_default()) }
                     td.word { (prose(&paragraphs(param["doc"].as_str().unwrap_or_default()).join(" "))) }
                 }
@@ -144,21 +140,6 @@ pub fn params(run: &Run) -> Markup {
             "Bold values differ from the model's defaults."
             @if !options(run).is_empty() { " Command-line options that override the model: " code { (options(run)) } "." }
         }
-    }
-}
-
-fn changed(param: &Value) -> bool {
-    param["at_default"].as_bool() == Some(false)
-}
-
-/// Formats a param as on a command line, without its unit.
-fn value(param: &Value) -> String {
-    let value = if param["display"].is_null() { &param["value"] } else { &param["display"]["value"] };
-    match value {
-        Value::Bool(truth) => (if *truth { "TRUE" } else { "FALSE" }).into(),
-        Value::String(text) => text.clone(),
-        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), |n| n.to_string()),
-        _ => String::new(),
     }
 }
 
@@ -259,44 +240,4 @@ pub fn origin(run: &Run) -> Markup {
         }
         p { "Files in this directory: " @for (index, name) in run.files.iter().enumerate() { @if index > 0 { ", " } code { (name) } } "." }
     }
-}
-
-fn shown(value: &Value) -> String {
-    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
-}
-
-/// Returns the command that reproduces the results.
-pub fn command(run: &Run) -> String {
-    turned(run, None)
-}
-
-/// Returns the same command with one analysis setting changed.
-pub fn turned(run: &Run, overridden_setting: Option<(&str, &str)>) -> String {
-    let others = objects(&run.head["overrides"]).filter(|(name, _)| {
-        overridden_setting.is_none_or(|overridden_setting| overridden_setting.0 != *name)
-    });
-    let overrides = others.map(|(name, value)| option(name, &shown(value)));
-    let turned = overridden_setting.map(|(name, value)| option(name, value));
-    [asked("run", run)].into_iter().chain(overrides).chain(turned).collect::<Vec<_>>().join(" ")
-}
-
-/// Formats an analysis setting as a command-line option.
-fn option(name: &str, value: &str) -> String {
-    format!("--{} {}", name.replace('_', "-"), word(value))
-}
-
-/// Formats the overridden analysis settings.
-fn options(run: &Run) -> String {
-    let turned = objects(&run.head["overrides"]).map(|(name, value)| option(name, &shown(value)));
-    turned.collect::<Vec<_>>().join(" ")
-}
-
-/// Formats a `calyx` subcommand with the model and the params that are not at their defaults.
-pub fn asked(of: &str, run: &Run) -> String {
-    let mut words = vec![format!("calyx {of}"), word(run.text("model"))];
-    for (name, param) in objects(&run.head["params"]).filter(|(_, param)| changed(param)) {
-        let unit = param["display"]["unit"].as_str().unwrap_or_default();
-        words.push(format!("--set {}", word(format!("{name}={} {unit}", value(param)).trim_end())));
-    }
-    words.join(" ")
 }

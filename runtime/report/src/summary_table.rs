@@ -1,8 +1,7 @@
 //! Summary table after a run.
 
-use crate::params::shortest;
 use calyx_abi::description::ModelDescription;
-use calyx_abi::units::from_si;
+use calyx_abi::units::{from_si, shortest};
 use calyx_runtime::estimate::Part;
 use calyx_runtime::results::{AnalysisResult, Location, OutputSummary};
 

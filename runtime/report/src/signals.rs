@@ -6,9 +6,8 @@ mod plot;
 pub(crate) use plot::{label, tick};
 
 use crate::directory::SIGNALS;
-use crate::params::shortest;
 use calyx_abi::description::{ModelDescription, OutputDescription};
-use calyx_abi::units::from_si;
+use calyx_abi::units::{from_si, shortest};
 use calyx_runtime::signal::{Scaling, Signal, SignalKind, SignalTable, Window};
 use serde_json::{Value, json};
 use std::fs;

@@ -368,3 +368,8 @@ fn files(directory: &Path) -> io::Result<Vec<String>> {
     names.sort();
     Ok(names)
 }
+
+/// Returns the entries of a JSON object; none for another value.
+pub fn objects(value: &Value) -> impl Iterator<Item = (&String, &Value)> {
+    value.as_object().into_iter().flatten()
+}

@@ -3,11 +3,11 @@
 
 use crate::param_assignment::Origin;
 use crate::params::InvalidParam;
-use crate::shell;
 use calyx_abi::RuntimeError;
 use calyx_abi::attribution::attribute;
 use calyx_abi::description::{FileDescription, LIBRARY, ModelDescription};
 use calyx_abi::error::{Place, call_lines, codes};
+use calyx_abi::shell;
 use calyx_abi::visible::visible;
 use calyx_gears::error::Severity;
 use serde_json::json;

@@ -1,0 +1,19 @@
+//! From results to files: the tables, VTU files and plots of a run, its summary `run.json`, its
+//! report page, and the comparison of runs.
+//!
+//! This crate does not run models. It writes results into the directory that a run has locked, and
+//! reads them from there: [`page`] and [`tradeoff`] depend on the files of a run alone.
+
+pub mod directory;
+pub mod field_tables;
+pub mod journal;
+pub mod modes_table;
+#[cfg(feature = "pages")]
+pub mod page;
+#[cfg(feature = "pages")]
+pub mod signals;
+pub mod stress_range;
+pub mod summary_table;
+#[cfg(feature = "pages")]
+pub mod tradeoff;
+pub mod vtu;
