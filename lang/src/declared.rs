@@ -2,7 +2,7 @@
 
 use crate::ast::{
     Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Module, Parameter, RecordDecl, RecordField,
-    Stmt, StmtKind, StringPart, VarDecl,
+    Stmt, StmtKind, StringPart, Values, VarDecl,
 };
 use crate::span::Span;
 use crate::walk::Node;
@@ -17,6 +17,8 @@ pub enum Declared<'t> {
     Field(&'t RecordDecl, &'t RecordField),
     /// The variable of a `catch` clause.
     Caught(&'t Stmt),
+    /// The variable of a comprehension or of a loop over values, with the statement around it.
+    Element(&'t Stmt, &'t Ident, &'t Values),
 }
 
 /// Returns the declaration whose name starts at an offset, and the top-level statement that
@@ -33,6 +35,28 @@ pub(crate) fn find_in(statements: &[Stmt], offset: u32) -> Option<(&Stmt, Declar
 }
 
 fn within(statement: &Stmt, offset: u32) -> Option<Declared<'_>> {
+    named(statement, offset).or_else(|| comprehended(statement, Node::Statement(statement), offset))
+}
+
+/// Returns the comprehension in a node whose variable starts at an offset.
+fn comprehended<'t>(statement: &'t Stmt, node: Node<'t>, offset: u32) -> Option<Declared<'t>> {
+    if let Node::Expression(Expr { kind: ExprKind::Comprehension(parts), .. }) = node
+        && parts.variable.span.start == offset
+    {
+        return Some(Declared::Element(statement, &parts.variable, &parts.values));
+    }
+    let mut found = None;
+    node.children(&mut |child| {
+        let (start, end) = child.range();
+        if found.is_none() && start <= offset && offset < end {
+            found = comprehended(statement, child, offset);
+        }
+    });
+    found
+}
+
+/// As [`within`], without the variables of comprehensions.
+fn named(statement: &Stmt, offset: u32) -> Option<Declared<'_>> {
     let here = |name: &Ident| name.span.start == offset;
     match &statement.kind {
         StmtKind::Function(decl) => {
@@ -55,6 +79,9 @@ fn within(statement: &Stmt, offset: u32) -> Option<Declared<'_>> {
             Some(Declared::Variable(statement, decl))
         }
         StmtKind::Try { error: Some(error), .. } if here(error) => Some(Declared::Caught(statement)),
+        StmtKind::ForEach { variable, values, .. } if here(variable) => {
+            Some(Declared::Element(statement, variable, values))
+        }
         _ if name_of(statement).is_some_and(here) => Some(Declared::Statement(statement)),
         _ => {
             let inner = children(statement).into_iter();
@@ -157,6 +184,9 @@ pub fn header(declared: Declared<'_>, text: &str) -> String {
             format!("{}.{}", record.name.name, slice(field.name.span.start, end))
         }
         Declared::Caught(_) => "catch (Error)".into(),
+        Declared::Element(_, variable, values) => {
+            format!("for {}", slice(variable.span.start, values.span().end))
+        }
     }
 }
 
@@ -167,7 +197,7 @@ pub fn former(declared: Declared<'_>) -> Option<&Ident> {
         Declared::Statement(Stmt { kind: StmtKind::Record(decl), .. }) => decl.former.as_ref(),
         Declared::Parameter(_, parameter) => parameter.former.as_ref(),
         Declared::Field(_, field) => field.former.as_ref(),
-        Declared::Statement(_) | Declared::Variable(..) | Declared::Caught(_) => None,
+        Declared::Statement(_) | Declared::Variable(..) | Declared::Caught(_) | Declared::Element(..) => None,
     }
 }
 
@@ -177,7 +207,7 @@ pub fn doc(declared: Declared<'_>) -> Option<&str> {
         Declared::Statement(statement) | Declared::Variable(statement, _) => statement.doc.as_deref(),
         Declared::Parameter(_, parameter) => parameter.doc.as_deref(),
         Declared::Field(_, field) => field.doc.as_deref(),
-        Declared::Caught(_) => None,
+        Declared::Caught(_) | Declared::Element(..) => None,
     }
 }
 

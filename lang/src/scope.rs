@@ -1,8 +1,8 @@
 //! Finds the names of a file that are visible at a position. It uses only tokens, so it also works
 //! if the text cannot be parsed.
 //!
-//! Functions, constants and records are visible in their whole block, all other names after their
-//! declaration.
+//! Functions, constants and records are visible in their whole block, the variable of a
+//! comprehension in its element and its condition, all other names after their declaration.
 
 use crate::analysis::NameKind;
 use crate::lexer::{Kind, Token};
@@ -35,7 +35,7 @@ pub fn visible(tokens: &[Token], offset: u32) -> Vec<Local> {
     scan.pending.clear();
     let seen = scan.hoisted(split);
     let innermost = scan.scopes.len() - 1;
-    let mut found = Vec::new();
+    let mut found = comprehended(tokens, split);
     for (at, scope) in scan.scopes.iter().enumerate().rev() {
         let level = (innermost - at) as u32;
         let later = seen.iter().filter(|(scope, ..)| *scope == at).map(|(_, span, kind)| (*span, *kind));
@@ -45,6 +45,52 @@ pub fn visible(tokens: &[Token], offset: u32) -> Vec<Local> {
         found.extend(own);
     }
     found
+}
+
+/// Returns the variables of the comprehensions around a token, innermost first.
+fn comprehended(tokens: &[Token], split: usize) -> Vec<Local> {
+    let mut found = Vec::new();
+    let mut closed = 0_u32;
+    for index in (0..split).rev() {
+        match tokens.get(index).map(|token| token.kind) {
+            Some(Kind::CloseBracket | Kind::CloseParen) => closed += 1,
+            Some(Kind::OpenBracket | Kind::OpenParen) if closed > 0 => closed -= 1,
+            Some(Kind::OpenBracket) => found.extend(comprehension_variable(tokens, index, split)),
+            Some(Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace) => break,
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Returns the variable of the comprehension that starts at a bracket, if the token `split` is in
+/// its element or in its condition.
+fn comprehension_variable(tokens: &[Token], bracket: usize, split: usize) -> Option<Local> {
+    let kind = |index: usize| tokens.get(index).map(|token| token.kind);
+    let mut open = 0_u32;
+    let mut variable = None;
+    let mut sees = false;
+    for index in bracket + 1..tokens.len() {
+        // The values may refer to a name that the variable shadows.
+        if index == split {
+            sees = variable.is_none() || sees;
+        }
+        match kind(index) {
+            Some(Kind::OpenBracket | Kind::OpenParen) => open += 1,
+            Some(Kind::CloseBracket | Kind::CloseParen) if open > 0 => open -= 1,
+            Some(Kind::CloseBracket | Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace) | None => break,
+            Some(Kind::For) if open == 0 && variable.is_none() && kind(index + 2) == Some(Kind::In) => {
+                variable = tokens.get(index + 1).filter(|name| name.kind == Kind::Identifier);
+            }
+            // A conditional expression starts the values; the condition follows them.
+            Some(Kind::If) if open == 0 && variable.is_some() && kind(index - 1) != Some(Kind::In) => {
+                sees |= index < split;
+            }
+            _ => {}
+        }
+    }
+    let span = variable.filter(|_| sees)?.span;
+    Some(Local { span, kind: NameKind::Variable, level: 0 })
 }
 
 #[derive(Default)]
@@ -169,7 +215,10 @@ impl Scan<'_> {
                 self.open();
                 return self.parameters(self.after_name(index + 1), end);
             }
-            Kind::For if !self.is_comprehension(index) => self.open(),
+            Kind::For if !self.is_comprehension(index) => {
+                self.open();
+                self.loop_variable(index, end);
+            }
             Kind::Catch => {
                 self.open();
                 if self.kind(index + 1) == Some(Kind::OpenParen)
@@ -181,6 +230,28 @@ impl Scan<'_> {
             _ => {}
         }
         index + 1
+    }
+
+    /// Declares the variable of the loop `for (x in xs)` for its body.
+    fn loop_variable(&mut self, index: usize, end: usize) {
+        if self.kind(index + 1) != Some(Kind::OpenParen) || self.kind(index + 3) != Some(Kind::In) {
+            return;
+        }
+        let mut open = 0_u32;
+        for at in index + 1..end {
+            match self.kind(at) {
+                Some(Kind::OpenParen) => open += 1,
+                Some(Kind::CloseParen) => open -= 1,
+                Some(Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace) | None => return,
+                _ => {}
+            }
+            if open == 0 {
+                if let Some(span) = self.name(index + 2) {
+                    self.declare(span, NameKind::Variable);
+                }
+                return;
+            }
+        }
     }
 
     /// Closes the heads whose body was a single statement.

@@ -8,11 +8,8 @@ mod format;
 #[path = "support/formatting.rs"]
 mod formatting;
 mod fuzz;
-#[path = "support/generator.rs"]
-mod generator;
 #[path = "support/grammar.rs"]
 mod grammar;
-mod growth;
 #[path = "support/library.rs"]
 mod library;
 mod offers;

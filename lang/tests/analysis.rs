@@ -89,24 +89,33 @@ fn names_are_declared_where_they_say_and_found_from_there() {
             }
             assert_eq!(&target[place.start as usize..place.end as usize], &*name.text, "{name:?}");
             let itself = database.name_at(&place.file, place.start).expect("a name");
-            // A member of a component is a name of its body, and a field of its instances.
-            let member = name.kind == NameKind::Field && !name.declares;
-            assert!(itself.declares && (member || itself.kind == name.kind), "{name:?} {itself:?}");
-            // An output of a component is a number in its body, and an observable of its instances.
-            let observed = member
-                && itself
-                    .ty
-                    .as_ref()
-                    .is_some_and(|ty| name.ty.as_deref() == Some(&*format!("Observable({ty})")));
-            assert!(observed || itself.ty == name.ty, "{name:?} {itself:?}");
+            assert!(itself.declares, "{itself:?}");
+            // A component declares its members as params, outputs and variables of its body. Its
+            // instances are values, so that in `stage.torque` the member is a field.
+            let member = name.kind == NameKind::Field && itself.kind != NameKind::Field;
+            if member {
+                const MEMBERS: [NameKind; 5] = [
+                    NameKind::Parameter,
+                    NameKind::Param,
+                    NameKind::Output,
+                    NameKind::Variable,
+                    NameKind::Symbolic,
+                ];
+                assert!(MEMBERS.contains(&itself.kind), "{name:?} {itself:?}");
+            } else {
+                assert_eq!(itself.kind, name.kind, "{name:?}");
+            }
+            // Within its component, the value of an output is an expression of a number. A field of
+            // an instance has a value that programs can store and pass on: an observable.
+            let ty = match (member, itself.kind, &itself.ty) {
+                (true, NameKind::Output, Some(ty)) => Some(format!("Observable({ty})").into()),
+                (.., ty) => ty.clone(),
+            };
+            assert_eq!(name.ty, ty, "{name:?}");
             let found = database.references(place);
             assert!(found.iter().any(|(of, found)| **of == *file && *found == name), "{name:?}");
             assert!(found.iter().any(|(_, found)| found.declares), "{name:?}");
-            // The variable of a comprehension has no statement of its own.
-            let Some(declaration) = database.declaration(place) else {
-                assert_eq!(itself.kind, NameKind::Variable, "{itself:?}");
-                continue;
-            };
+            let declaration = database.declaration(place).unwrap_or_else(|| panic!("{name:?}"));
             assert_eq!(declaration.kind, itself.kind);
             assert!(declaration.header.contains(&*name.text), "{declaration:?}");
         }
@@ -128,13 +137,7 @@ fn every_name_is_seen_where_it_is_used() {
                     let rest = text[name.end as usize..].trim_start();
                     rest.starts_with('=') || rest.starts_with(":=")
                 });
-            // The element of a comprehension precedes its variable.
-            let comprehended = name.kind == NameKind::Variable
-                && name
-                    .declared
-                    .as_ref()
-                    .is_some_and(|place| *place.file == *file && place.start > name.start);
-            if part || elsewhere || argument || comprehended || name.declares {
+            if part || elsewhere || argument || name.declares {
                 continue;
             }
             let seen = database.visible(&file, name.start);
@@ -218,6 +221,36 @@ print(sum(p.thickness), p.label);
     let bare = database.expression_at("a.cx", at(text, "5;")).expect("a number");
     assert!(bare.bare && bare.ty == "Length");
     assert_eq!(database.declaration(&sum).expect("declared").header, "function sum(in a, in b = 2 mm)");
+}
+
+/// The variable of a comprehension is visible in its element and its condition, that of a loop in
+/// its body, and neither in the values.
+#[test]
+fn variables_of_elements_have_scopes() {
+    let text = "var xs = [1, 2]; var x = 3;
+var doubled = [first + 2*x for x in [here for y in xs] if x > 1 + second];
+for (z in [third]) { print(fourth); }
+print(fifth);";
+    let database = of(text);
+    let seen = |mark: &str| {
+        let visible = database.visible("a.cx", at(text, mark)).into_iter();
+        let own = visible.filter(|name| ["x", "y", "z"].contains(&&*name.name));
+        own.map(|name| (name.name.to_string(), name.declared.expect("a place").start)).collect::<Vec<_>>()
+    };
+    let [outer, x, y, z] =
+        ["x = 3", "x in", "y in", "z in"].map(|mark| (mark[..1].to_owned(), at(text, mark)));
+    assert_eq!(seen("first"), [x.clone()]);
+    assert_eq!(seen("here"), [y, outer.clone()]);
+    assert_eq!(seen("second"), [x]);
+    assert_eq!(seen("third"), [outer.clone()]);
+    assert_eq!(seen("fourth"), [z, outer.clone()]);
+    assert_eq!(seen("fifth"), [outer]);
+    for mark in ["x in", "z in"] {
+        let place = at(text, mark);
+        let place = SourceRange { file: "a.cx".into(), start: place, end: place + 1 };
+        let declared = database.declaration(&place).expect("declared");
+        assert!(declared.header.starts_with(&format!("for {mark} [")), "{declared:?}");
+    }
 }
 
 #[test]

@@ -92,7 +92,7 @@ fn programs_of_the_grammar_are_read_and_formatted() {
     let grammar = Grammar::of_the_reference();
     let mut random = random(1);
     let mut kinds = BTreeSet::new();
-    for round in 0..count(2500) {
+    for round in 0..count(1500) {
         let pieces = grammar.program(&mut random, 4 + round % 24);
         let text = written(&pieces, &mut random);
         let (module, diagnostics) = parse(FileId(0), &text);

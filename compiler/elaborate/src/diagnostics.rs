@@ -1,6 +1,7 @@
 //! Converts errors of the engine and the library to diagnostics at the responsible source location.
 
 use calyx_abi::RuntimeError;
+use calyx_abi::attribution::cause;
 use calyx_gears::error::Severity as FindingSeverity;
 use calyx_gears::host::Finding;
 use calyx_lang::diagnostic::{Diagnostic, Severity};
@@ -20,7 +21,7 @@ pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
     let label = match (instance, argument) {
         (Some(path), _) => format!("`{path}` cannot be built"),
         (None, Some(argument)) => format!("caused by `{argument}`"),
-        (None, None) => "the error occurs here".into(),
+        (None, None) => cause(error),
     };
     let mut diagnostic = Diagnostic::error(&error.code, &error.message, place(error.place), label);
     diagnostic.calls = error.details.calls.clone();

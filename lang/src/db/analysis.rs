@@ -495,7 +495,7 @@ fn written_kind(found: Declared<'_>) -> NameKind {
         },
         Declared::Parameter(..) => NameKind::Parameter,
         Declared::Field(..) => NameKind::Field,
-        Declared::Caught(_) => NameKind::Variable,
+        Declared::Caught(_) | Declared::Element(..) => NameKind::Variable,
         Declared::Statement(statement) => match &statement.kind {
             StmtKind::Function(decl) => match decl.body {
                 FunctionBody::Statement(_) if decl.is_component => NameKind::Component,

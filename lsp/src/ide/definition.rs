@@ -80,9 +80,10 @@ fn item(snapshot: &Snapshot, place: &SourceRange) -> Option<Range<u32>> {
     let tree = snapshot.database.around(&place.file, place.start)?;
     let (top, found) = find(&tree.module, place.start)?;
     let span = match found {
-        Declared::Statement(statement) | Declared::Variable(statement, _) | Declared::Caught(statement) => {
-            statement.span
-        }
+        Declared::Statement(statement)
+        | Declared::Variable(statement, _)
+        | Declared::Caught(statement)
+        | Declared::Element(statement, ..) => statement.span,
         Declared::Parameter(..) | Declared::Field(..) => {
             let around = EnclosingNodes::new(&tree.module, place.start..place.end);
             around.statements().next_back().map_or(top.span, |inner| inner.span)

@@ -3,7 +3,7 @@
 
 use crate::RuntimeError;
 use crate::description::CallDescription;
-use crate::error::{Call, Place};
+use crate::error::{Call, Place, codes};
 
 /// Moves an error to the argument at fault.
 ///
@@ -21,8 +21,19 @@ pub fn attribute<'c>(
     calls: impl Iterator<Item = &'c CallDescription> + Clone,
     is_library: impl Fn(u32) -> bool,
 ) {
-    attribute_argument(error, calls, is_library);
+    attribute_argument(error, calls.clone(), is_library);
+    let call = calls.clone().find(|call| Some(call.place) == error.place);
+    error.details.function = call.map_or_else(String::new, |call| call.function.clone());
     attribute_instance(error);
+}
+
+/// Returns what is wrong at the location of an error that concerns no single argument.
+pub fn cause(error: &RuntimeError) -> String {
+    match error.details.function.as_str() {
+        _ if error.code == codes::ASSERTION => "this assertion fails".into(),
+        "" => "the error occurs here".into(),
+        function => format!("this call of `{function}` fails"),
+    }
 }
 
 /// Moves an error from the body of a component to the declaration of the instance.
@@ -34,7 +45,10 @@ fn attribute_instance(error: &mut RuntimeError) {
     if place == outermost.place {
         return;
     }
-    let cause = if error.argument.is_some() { "caused by this argument" } else { "the error occurs here" };
+    let cause = match error.argument {
+        Some(_) => "caused by this argument".into(),
+        None => cause(error),
+    };
     let note = format!("{cause}, in `{path}`");
     error.place = Some(outermost.place);
     error.argument = None;
@@ -130,6 +144,7 @@ mod tests {
             place,
             arguments: arguments.iter().map(|(name, at)| (name.to_string(), *at)).collect(),
             carried: carried.iter().map(|(name, all)| (name.to_string(), texts(all))).collect(),
+            function: String::new(),
         }
     }
 
@@ -138,6 +153,7 @@ mod tests {
     #[test]
     fn an_error_in_the_library_moves_to_the_argument_that_led_to_it() {
         let user = described((0, 0, 30), &[("cells", (0, 4, 5)), ("more", (0, 8, 9))], &[]);
+        let user = CallDescription { function: "gears.set".into(), ..user };
         let outer = described((LIBRARY, 50, 60), &[("n", (LIBRARY, 55, 59))], &[("n", &["cells"])]);
         let inner = described((LIBRARY, 20, 30), &[("cells", (LIBRARY, 25, 26))], &[("cells", &["n"])]);
         let calls = [&user, &outer, &inner];
@@ -160,6 +176,7 @@ mod tests {
         assert_eq!(blamed(Some("cells"), (LIBRARY, 25, 26)), error);
         // The cause is unknown.
         let error = blamed(None, (LIBRARY, 22, 23));
-        assert_eq!((error.place, error.argument), (Some(user.place), None));
+        assert_eq!((error.place, &error.argument), (Some(user.place), &None));
+        assert_eq!(cause(&error), "this call of `gears.set` fails");
     }
 }

@@ -98,6 +98,9 @@ pub struct CallDescription {
     /// computed from.
     #[serde(default)]
     pub carried: Vec<(String, Vec<String>)>,
+    /// Name of the called function, such as `gears.mesh`; empty for a `throw`.
+    #[serde(default)]
+    pub function: String,
 }
 
 /// Param: an input of the model.

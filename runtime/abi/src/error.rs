@@ -30,6 +30,8 @@ pub struct Details {
     pub value: Option<f64>,
     /// Origin of the error as stated by the program that threw it; empty if not stated.
     pub origin: String,
+    /// Name of the function whose call at the location failed; empty if it is unknown.
+    pub function: String,
     /// Additional causes with their own locations.
     pub notes: Vec<(Place, String)>,
 }

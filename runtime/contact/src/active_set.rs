@@ -77,6 +77,7 @@ fn pivot(
             continue;
         }
         if let Some(found) = block_pivoting(&scaled, start, &mut iterations, interrupt)? {
+            interrupt.check().map_err(ContactError::Interrupted)?;
             return Ok(scaled.solution(problem, found, Method::BlockPivoting, iterations));
         }
     }
@@ -145,9 +146,11 @@ impl Scaled<'_> {
             active,
             interrupt,
         )?;
+        let checkpoint = || interrupt.check().map_err(Singular::Interrupted);
         let right_gaps: Vec<f64> = active.iter().map(|&i| -self.gaps[i]).collect();
         let right_loads: Vec<f64> = self.load.iter().map(|f| -f).collect();
         let (mut forces, mut motion) = equations.solve(&right_gaps, &right_loads);
+        checkpoint()?;
         let gap_residual: Vec<f64> = active.iter().map(|&i| -self.gap(i, active, &forces, &motion)).collect();
         let load_residual: Vec<f64> = (0..m)
             .map(|k| {
@@ -155,6 +158,7 @@ impl Scaled<'_> {
                 row_product(&self.stiffness, k, &motion) - contact - self.load[k]
             })
             .collect();
+        checkpoint()?;
         let (more_forces, more_motion) = equations.solve(&gap_residual, &load_residual);
         for (q, dq) in forces.iter_mut().zip(&more_forces) {
             *q += dq;
@@ -273,6 +277,7 @@ fn block_pivoting(
             Err(Singular::Dofs(_)) => return Ok(None),
             Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
+        interrupt.check().map_err(ContactError::Interrupted)?;
         let tolerance = force_tolerance(scaled, &forces);
         let pulled: Vec<usize> =
             active.iter().zip(&forces).filter(|&(_, &q)| q < -tolerance).map(|(&i, _)| i).collect();

@@ -4,6 +4,7 @@
 //! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit
 //! for bit without averaging.
 
+use super::dense::tiles;
 use super::grid::Cell;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -38,7 +39,7 @@ pub struct PatchCells<'a> {
 /// Those of the interrupt.
 pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
-    symmetric_of_blocks(&sizes, |p, q| {
+    symmetric_of_blocks(&sizes, interrupt, |p, q| {
         let block = block(&patches[p], &patches[q], p == q, interrupt)?;
         debug_assert!(p != q || is_symmetric(&block, sizes[q]), "a structure's compliance is not symmetric");
         Ok(block)
@@ -49,6 +50,7 @@ pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f
 /// `sizes[p]` rows of patch `p` and the `sizes[q]` columns of patch `q`. It is called for `p <= q`.
 pub(crate) fn symmetric_of_blocks(
     sizes: &[usize],
+    interrupt: &Interrupt,
     mut block: impl FnMut(usize, usize) -> Result<Vec<f64>, EngineError>,
 ) -> Result<Vec<f64>, EngineError> {
     let n: usize = sizes.iter().sum();
@@ -58,18 +60,37 @@ pub(crate) fn symmetric_of_blocks(
         let mut column = row;
         for (q, &columns) in sizes.iter().enumerate().skip(p) {
             let block = block(p, q)?;
-            for i in 0..rows {
-                for j in 0..columns {
-                    let value = block[i * columns + j];
-                    matrix[(row + i) * n + column + j] = value;
-                    matrix[(column + j) * n + row + i] = value;
-                }
-            }
+            insert(&mut matrix, n, &block, [rows, columns], [row, column], interrupt)?;
             column += columns;
         }
         row += rows;
     }
     Ok(matrix)
+}
+
+/// Inserts a block and its transpose into a row-major matrix of size `n`. `first` is the row and
+/// the column of the block's first entry. Tiles of the block are checkpoints.
+fn insert(
+    matrix: &mut [f64],
+    n: usize,
+    block: &[f64],
+    [rows, columns]: [usize; 2],
+    first: [usize; 2],
+    interrupt: &Interrupt,
+) -> Result<(), EngineError> {
+    for tile_rows in tiles(rows) {
+        interrupt.check()?;
+        for tile_columns in tiles(columns) {
+            for i in tile_rows.clone() {
+                for j in tile_columns.clone() {
+                    let value = block[i * columns + j];
+                    matrix[(first[0] + i) * n + first[1] + j] = value;
+                    matrix[(first[1] + j) * n + first[0] + i] = value;
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Returns `true` if a block of `n` rows and columns is symmetric, bit for bit.

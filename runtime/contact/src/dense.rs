@@ -8,6 +8,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
 use faer::{Mat, MatMut, Par};
 use nalgebra::DMatrix;
+use std::ops::Range;
 
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
@@ -37,10 +38,18 @@ enum Broken {
     Interrupted(EngineError),
 }
 
-/// Size of a matrix that is factorized in one piece, in less than half a second.
-const WHOLE: usize = 1536;
-/// Number of multiplications between two checkpoints: less than a second.
-const PIECE: usize = 1 << 32;
+/// Size of a matrix that is factorized in one piece, in less than a tenth of a second.
+const WHOLE: usize = 1024;
+/// Number of multiplications between two checkpoints: about a tenth of a second.
+const PIECE: usize = 1 << 29;
+/// Size of a tile in which a matrix is copied. Rows of one matrix and columns of another, which are
+/// far apart in memory, stay in the cache for a tile.
+const TILE: usize = 64;
+
+/// Returns the ranges of rows or columns of the tiles of a matrix of size `n`.
+pub(super) fn tiles(n: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..n).step_by(TILE).map(move |start| start..(start + TILE).min(n))
+}
 
 /// A pivot below this fraction of its diagonal entry is rounding: the row depends on the rows
 /// before it.
@@ -133,11 +142,24 @@ impl ActiveEquations {
         interrupt: &Interrupt,
     ) -> Result<Self, Singular> {
         let (n, m) = (active.len(), arms.ncols());
-        let mut factor = Mat::from_fn(n, n, |i, j| compliance(active[i], active[j]));
+        let checkpoint = || interrupt.check().map_err(Singular::Interrupted);
+        let mut factor = Mat::zeros(n, n);
+        for columns in tiles(n) {
+            checkpoint()?;
+            // Only the lower triangle is read.
+            for rows in tiles(n).filter(|rows| rows.end > columns.start) {
+                for i in rows {
+                    for j in columns.clone() {
+                        factor[(i, j)] = compliance(active[i], active[j]);
+                    }
+                }
+            }
+        }
         cholesky(&mut factor, interrupt).map_err(|broken| match broken {
             Broken::Dependent(row) => Singular::Compliance(row),
             Broken::Interrupted(error) => Singular::Interrupted(error),
         })?;
+        checkpoint()?;
         let active_arms = Mat::from_fn(n, m, |i, k| arms[(active[i], k)]);
         let mut solved_arms = active_arms.clone();
         solve_in_place(&factor, &mut solved_arms);

@@ -308,6 +308,8 @@ pub fn angular_velocity(motion: &dyn Motion, time: f64) -> [f64; 3] {
 
 /// Fractions of a revolution after which the axis is computed again, to test whether it is fixed.
 const LATER: [f64; 2] = [0.13, 0.38];
+/// Times, s, at which a body that is at rest at time 0 may move.
+const MOVING: [f64; 4] = [0.0, 1e-3, 1.0, 1e3];
 /// Tolerances of the position of an axis for rounding: absolute, m, and relative to the positions
 /// of frames.
 const NOWHERE: [f64; 2] = [1e-12, 1e-9];
@@ -315,7 +317,7 @@ const NOWHERE: [f64; 2] = [1e-12, 1e-9];
 /// Returns the position of the axis of rotation in the coordinates of the body, m: for an eccentric
 /// gear, the point of the shaft's axis next to the origin of its frame; otherwise the origin. An
 /// axis counts if it is fixed in the body and on ground, or if it is a planet's pin, which is fixed
-/// in the body and moves on a circle.
+/// in the body and moves on a circle. If the body is at rest at time 0, its later motion decides.
 pub fn axle(motion: &dyn Motion) -> [f64; 3] {
     // Axis in body and in ground coordinates, at a time.
     let axis = |time: f64| -> Option<([f64; 3], [f64; 3])> {
@@ -333,13 +335,17 @@ pub fn axle(motion: &dyn Motion) -> [f64; 3] {
         let own = [0, 1, 2].map(|k: usize| (0..3).map(|row| pose.rotation[row][k] * p[row]).sum());
         Some((own, [0, 1, 2].map(|k: usize| pose.origin[k] + p[k])))
     };
-    let found = axis(0.0).filter(|(own, ground)| {
-        let [x, y, z] = angular_velocity(motion, 0.0);
-        let turn = TAU / x.hypot(y).hypot(z);
+    let speed = |time: f64| {
+        let [x, y, z] = angular_velocity(motion, time);
+        x.hypot(y).hypot(z)
+    };
+    let start = MOVING.into_iter().find(|&time| speed(time) > 0.0).unwrap_or_default();
+    let found = axis(start).filter(|(own, ground)| {
+        let turn = TAU / speed(start);
         let size = own.iter().fold(0.0, |size: f64, part| size.hypot(*part));
         let near = |one: &[f64; 3], other: &[f64; 3]| (0..3).all(|k| (one[k] - other[k]).abs() < 1e-6 * size);
         LATER.iter().all(|part| {
-            axis(part * turn).is_some_and(|(later, there)| near(own, &later) && near(ground, &there))
+            axis(start + part * turn).is_some_and(|(later, there)| near(own, &later) && near(ground, &there))
         })
     });
     found.map(|(own, _)| own).or_else(|| pin(motion)).unwrap_or_default()

@@ -141,6 +141,7 @@ mod tests {
             place: (0, 13, 24),
             arguments: vec![("x".into(), (0, 22, 23))],
             carried: Vec::new(),
+            function: String::new(),
         }];
         let blamed = RuntimeError { place: Some((0, 13, 24)), ..error.clone().of_argument("x") };
         let description = ModelDescription { calls, ..description };

@@ -36,7 +36,8 @@ impl CallSites {
                 ExprKind::CallExtern(id, arguments) => {
                     let Some(declaration) = program.externs.get(id.0 as usize) else { return };
                     let names = declaration.parameters.iter().map(|(name, _)| name.as_str());
-                    sites.add(expr.span, names.zip(arguments), &carried, function.span);
+                    let (called, within) = (&declaration.name, function.span);
+                    sites.add(called, expr.span, names.zip(arguments), &carried, within);
                 }
                 ExprKind::Call(callee, arguments) => {
                     sites.add_call(program, *callee, arguments, expr.span, &carried, function.span);
@@ -53,7 +54,7 @@ impl CallSites {
                     && sites.is_library(*span)
                     && !sites.calls.contains_key(&place(*span))
                 {
-                    sites.add(*span, std::iter::once(("", error)), &carried, function.span);
+                    sites.add("", *span, std::iter::once(("", error)), &carried, function.span);
                 }
             }
         }
@@ -83,18 +84,24 @@ impl CallSites {
         callers.1.insert(place(span));
         let passed = callee.parameters.iter().filter(|(_, mode)| *mode != Mode::Out);
         let names = passed.map(|(local, _)| callee.locals.get(local.0 as usize).map_or("", |l| &l.name));
-        self.add(span, names.zip(arguments), carried, around);
+        self.add(&callee.name, span, names.zip(arguments), carried, around);
     }
 
     fn add<'e>(
         &mut self,
+        function: &str,
         span: Span,
         arguments: impl Iterator<Item = (&'e str, &'e Expr)>,
         carried: &TracedParameters,
         around: Span,
     ) {
         let call = place(span);
-        let mut described = CallDescription { place: call, arguments: Vec::new(), carried: Vec::new() };
+        let mut described = CallDescription {
+            place: call,
+            arguments: Vec::new(),
+            carried: Vec::new(),
+            function: function.into(),
+        };
         for (name, argument) in arguments {
             let at = place(argument.span);
             // A default argument has no location in the call: its text is in the declaration. A

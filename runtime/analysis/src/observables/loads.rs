@@ -141,9 +141,12 @@ impl Observable for MaxLineLoad {
     }
 }
 
-/// Face load factor `K_Hbeta`: the largest line load divided by the mean along the contact line of
-/// the most loaded pair; 1 without load and in a plane model, where the load is uniform along the
-/// face.
+/// The largest line load divided by the mean along the contact line of the most loaded pair; 1
+/// without load and in a plane model, where the load is uniform along the face.
+///
+/// On spur gears this is the face load factor `K_Hbeta` of ISO 6336-1. On helical gears the contact
+/// line crosses the profile, so the ratio includes the variation along the profile, which `K_Hbeta`
+/// does not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceLoadFactor(pub PairId);
 

@@ -48,7 +48,7 @@ pub struct PatchCells<'a> {
 /// Those of the interrupt.
 pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
-    symmetric_of_blocks(&sizes, |p, q| {
+    symmetric_of_blocks(&sizes, interrupt, |p, q| {
         let mut block = structural(&patches[p], &patches[q], interrupt)?;
         debug_assert!(p != q || is_symmetric(&block, sizes[q]), "a structure's compliance is not symmetric");
         if p == q {
