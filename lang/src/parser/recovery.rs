@@ -111,12 +111,19 @@ pub(super) fn assigns_on_new_line(source: &Source<'_>, at: usize) -> bool {
         && source.begins_line(at)
 }
 
-/// Returns `true` if a `=`, `:=`, `+=`, `return` or `throw` precedes a token in its statement.
+/// Returns `true` if a `=`, `:=`, `+=`, `return` or `throw` precedes a token in its statement,
+/// outside of brackets that are closed before the token.
 pub(super) fn in_value(source: &Source<'_>, at: usize) -> bool {
     let before = (0..at).rev().map_while(|i| source.kind(i));
-    before
-        .take_while(|k| !matches!(k, Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace))
-        .any(|k| k.assigns() || matches!(k, Kind::Return | Kind::Throw))
+    let mut closed = 0_usize;
+    before.take_while(|k| !matches!(k, Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace)).any(|k| {
+        match k {
+            Kind::CloseParen | Kind::CloseBracket => closed += 1,
+            Kind::OpenParen | Kind::OpenBracket => closed = closed.saturating_sub(1),
+            _ => {}
+        }
+        closed == 0 && (k.assigns() || matches!(k, Kind::Return | Kind::Throw))
+    })
 }
 
 /// Parses the `;` at the end of a statement. If it is missing, it is reported and the next
