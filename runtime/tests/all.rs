@@ -3,6 +3,7 @@
 
 mod discs;
 mod dynamics;
+mod extensions;
 mod fidelities;
 mod helical;
 mod impacts;

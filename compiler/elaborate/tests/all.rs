@@ -7,4 +7,5 @@ mod geometry;
 mod library;
 mod library_calls;
 mod plan;
+mod random_params;
 mod results;

@@ -4,16 +4,13 @@
 //! `CALYX_FUZZ=10` tries ten times as many values, `CALYX_FUZZ_SEED` changes the random seed, and
 //! `CALYX_FUZZ_ONLY=planetary` selects the examples whose path contains the word.
 
-#[allow(dead_code)]
-mod library;
-
+use crate::library::Random;
 use calyx_abi::Repr;
 use calyx_abi::description::ParamDescription;
 use calyx_elaborate::{Cancel, Interpreted, ModelLoader, Override, Params, check_file, elaborate};
 use calyx_lang::diagnostic::Severity;
 use calyx_lang::ir::Program;
 use calyx_rt::{AssignedValue, Engine, Error, ErrorKind, Instance, ParamAssignment};
-use library::Random;
 use std::collections::BTreeMap;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
