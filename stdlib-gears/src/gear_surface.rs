@@ -64,8 +64,8 @@ impl GearSurface {
     }
 
     /// Amount that the topographies remove at a point beyond their profile at mid-face, m, and its
-    /// derivatives by `u` and `v`. The modified profile contains the profile at mid-face. On the
-    /// tip edge and below the form circle the roll angle is extrapolated in proportion to the length.
+    /// derivatives by `u` and `v`. The modified profile contains the profile at mid-face. The roll
+    /// angle is extrapolated in proportion to the length on the tip edge and below the form circle.
     fn off(&self, u: f64, v: f64) -> [f64; 3] {
         if self.lead.topographies.is_empty() {
             return [0.0; 3];
