@@ -112,6 +112,8 @@ pub use calyx_rt::{
     AssignedValue, Cancel, Engine, EngineConfig, Error, ErrorKind, Host, Instance, ModelDescription, Output,
     Override, Param, ParamAssignment, ParamValue, Progress, Results, Run, Step,
 };
+#[expect(deprecated, reason = "former names work for one version")]
+pub use calyx_rt::{Given, GivenValue};
 pub use error::{CompileError, Diagnostics};
 pub use kernel::{Kernel, KernelError, Quantity};
 pub use module::Module;

@@ -295,7 +295,7 @@ fn the_run_directory_of_the_example_is_complete() {
         assert!((min..=max).contains(&number(&output["mean"])), "{name}");
         let at = output["max_at"]["step"].as_u64().unwrap() as usize;
         assert_eq!(values[at], max, "{name}");
-        let place = &output["max_at"]["place"];
+        let place = &output["max_at"]["location"];
         if name.contains("stress") || name == "max_contact_pressure" {
             let body = if name.ends_with("gear") { "gear" } else { "pinion" };
             assert_eq!(place["body"], body, "{name}");
@@ -306,7 +306,7 @@ fn the_run_directory_of_the_example_is_complete() {
     let psi = 4.4482216152605 / (0.0254 * 0.0254);
     let shown = number(&pressure["display"]["max"]) * psi;
     assert!((shown - number(&pressure["max"])).abs() < 1e-12 * shown);
-    assert!(number(&pressure["max_at"]["place"]["roll_angle"]) > 0.0);
+    assert!(number(&pressure["max_at"]["location"]["roll_angle"]) > 0.0);
 
     for residual in ["complementarity", "penetration", "tension", "equilibrium"] {
         assert!(number(&run["certificate"][residual]) <= 1e-12, "{residual}");

@@ -27,7 +27,7 @@ function blank(in teeth) {
 const PAIR: &str = "
 var one = gears.body(\"one\", blank(24), free = [\"theta_z\"], moment = 50 N*m*e3, frame := Rotate(600 rpm*Time, e3));
 var two = gears.body(\"two\", blank(24), frame := Rotate(-600 rpm*Time, e3)*Translate(48.1 mm*e1));
-var mesh = gears.mesh(one, two, cells = 6, tip_corner_contact = TRUE);
+var mesh = gears.mesh(one, two, contact_cells = 6, tip_corner_contact = TRUE);
 output te := gears.transmission_error(mesh);
 output pressure := gears.max_contact_pressure(mesh);
 output stress := gears.max_root_stress(one);
@@ -45,7 +45,7 @@ const IN_SPACE: &str =
 const PLANETARY: &str = "
 var ring = gears.internal(teeth = 72, shaper = gears.shaper(25, module = 2 mm, tip_radius = 0.4 mm), tooth_thickness = 3.08 mm,
     face_width = 20 mm, minor_diameter = 140.8 mm, root_diameter = 149 mm, material = steel, rim = gears.outer_rim(151 mm, 159 mm));
-var set = gears.planetary(sun = blank(24), planet = blank(24), ring = ring, center_distance = 48 mm, cells = 6,
+var set = gears.planetary(sun = blank(24), planet = blank(24), ring = ring, center_distance = 48 mm, contact_cells = 6,
     tip_corner_contact = FALSE, planets = 3, sun_speed = 100 rpm, sun_torque = 100 N*m);
 output one := gears.mesh_force(set.sun_meshes[0]);
 output turn := gears.rotation(set.sun, \"z\");

@@ -146,7 +146,7 @@ fn results_come_in_the_units_one_asks_for() {
         (results.summary(foreign).map(|_| ()), "another model"),
     ] {
         let error = refused.unwrap_err();
-        assert_eq!(error.kind(), ErrorKind::Given);
+        assert_eq!(error.kind(), ErrorKind::InvalidInput);
         assert!(error.to_string().contains(says), "{error}");
     }
 }
@@ -258,7 +258,7 @@ fn params_take_what_fits_them() {
     let foreign = PAIR.param("torque").unwrap();
     let refuse = |refused: Result<(), Error>, says: &[&str]| {
         let error = refused.unwrap_err();
-        assert_eq!((error.kind(), error.code()), (ErrorKind::Given, None));
+        assert_eq!((error.kind(), error.code()), (ErrorKind::InvalidInput, None));
         for part in says {
             assert!(error.to_string().contains(part), "`{part}` is not in: {error}");
         }
@@ -282,7 +282,7 @@ fn params_take_what_fits_them() {
     refuse(instance.solve().map(|_| ()), &["`twice` = 1 m is outside its range, 0.0025 m .. 0.01 m"]);
     assert_eq!(
         instance.run().unwrap().next().unwrap().err().map(|error| error.kind()),
-        Some(ErrorKind::Given)
+        Some(ErrorKind::InvalidInput)
     );
     // A rejected value changes nothing.
     assert_eq!(instance.get("length").unwrap(), ParamValue::Number(0.0025));

@@ -66,7 +66,7 @@ fn run(model: &str) -> BTreeMap<String, Vec<f64>> {
 
 fn set(arguments: &str, outputs: &str, analysis: &str) -> BTreeMap<String, Vec<f64>> {
     run(&format!(
-        "var set = gears.planetary(sun = blank(24), planet = blank(24), ring = ring, center_distance = 48 mm, cells = 6,
+        "var set = gears.planetary(sun = blank(24), planet = blank(24), ring = ring, center_distance = 48 mm, contact_cells = 6,
             tip_corner_contact = FALSE, {arguments});{outputs}{analysis}"
     ))
 }
@@ -218,8 +218,8 @@ for (var i = 0; i < 3; i = i + 1) {
     var small = planet(\"small {i}\", blank(18), i*120 deg);
     gears.bearing(\"pin {i}\", large, to = carrier, radial_stiffness = 3e8 N/m);
     gears.bearing(\"step {i}\", small, to = large, radial_stiffness = 3e9 N/m, torsional_stiffness = 1e7 N*m/rad);
-    push(with_sun, gears.mesh(sun, large, cells = 6, tip_corner_contact = FALSE));
-    push(with_ring, gears.mesh(small, annulus, cells = 6, tip_corner_contact = FALSE));
+    push(with_sun, gears.mesh(sun, large, contact_cells = 6, tip_corner_contact = FALSE));
+    push(with_ring, gears.mesh(small, annulus, contact_cells = 6, tip_corner_contact = FALSE));
 }
 output on_sun := gears.mesh_force(with_sun[1]);
 output on_ring := gears.mesh_force(with_ring[1]);

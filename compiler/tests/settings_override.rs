@@ -13,10 +13,10 @@ fn instance(text: &str) -> Instance {
     Module::from_text(&Engine::default(), "model.cx", text).expect("it compiles").instantiate()
 }
 
-fn knobs(all: &[(&str, &str)]) -> Override {
-    let mut knobs = Override::default();
-    all.iter().for_each(|(name, text)| knobs.set(name, text).expect("it can be turned"));
-    knobs
+fn overrides(all: &[(&str, &str)]) -> Override {
+    let mut overrides = Override::default();
+    all.iter().for_each(|(name, text)| overrides.set(name, text).expect("a setting in its range"));
+    overrides
 }
 
 /// Returns the bits of all values of all rows.
@@ -32,15 +32,15 @@ fn bits(results: &Results) -> Vec<Vec<u64>> {
 }
 
 #[test]
-fn what_is_given_from_outside_is_as_if_the_model_said_it() {
+fn overrides_give_the_results_of_a_model_with_the_same_settings() {
     let text = model("spur_pair.cx");
     // The model requests a 3-D mesh; the override replaces it by a plane one.
     let mut given = instance(&text);
     given.set("steps", 3).unwrap();
-    given.override_analysis(knobs(&[("fidelity", "plane"), ("cells", "7")]));
+    given.override_analysis(overrides(&[("fidelity", "plane"), ("contact_cells", "7")]));
     let said = text.replace(
         "tip_corner_contact = tip_corner_contact",
-        "tip_corner_contact = tip_corner_contact, cells = 7",
+        "tip_corner_contact = tip_corner_contact, contact_cells = 7",
     );
     assert_ne!(said, text);
     let mut said = instance(&said);
@@ -62,8 +62,8 @@ fn meshes_follow_what_is_given() {
         let analysis = results.analysis().unwrap();
         (analysis.plan.bodies[0].options, analysis.rows.len())
     };
-    let all = [("fidelity", "plane"), ("refinement", "0.5"), ("order", "2")];
-    let (options, rows) = options(knobs(&all));
+    let all = [("fidelity", "plane"), ("refinement", "0.5"), ("element_order", "2")];
+    let (options, rows) = options(overrides(&all));
     assert_eq!((options.refinement, options.order, options.face_elements), (0.5, 2, None));
     // Two of three uniform positions, since the first one coincides with the start of contact, and
     // the four characteristic points.
@@ -73,11 +73,11 @@ fn meshes_follow_what_is_given() {
 #[test]
 fn what_cannot_be_is_refused_with_what_was_given() {
     let mut helical = instance(&model("helical_pair.cx"));
-    helical.override_analysis(knobs(&[("fidelity", "plane")]));
+    helical.override_analysis(overrides(&[("fidelity", "plane")]));
     let error = helical.solve().err().expect("helical teeth have no section").to_string();
     assert!(error.contains("helical"), "{error}");
     let mut dynamic = instance(&model("spur_dynamics.cx"));
-    dynamic.override_analysis(knobs(&[("every", "2")]));
+    dynamic.override_analysis(overrides(&[("position_stride", "2")]));
     let error = dynamic.solve().err().expect("steps follow each other").to_string();
     assert!(error.starts_with("[E0795]") && error.contains("no step can be left out"), "{error}");
 }

@@ -12,7 +12,7 @@ var blank = gears.external(teeth = 20, rack = rack, face_width = 20 mm, outer_di
     material = gears.material(206 GPa, 0.3), rim = gears.simple_rim(45 mm, 30 mm));
 var one = gears.body(\"one\", blank, free = [\"theta_z\"], moment = 50 N*m*e3, frame := Rotate(60 rpm*Time, e3));
 var two = gears.body(\"two\", blank, frame := Rotate(-60 rpm*Time, e3)*Translate(60.3 mm*e1));
-var mesh = gears.mesh(one, two, cells = 6, tip_corner_contact = FALSE);
+var mesh = gears.mesh(one, two, contact_cells = 6, tip_corner_contact = FALSE);
 output te := gears.transmission_error(mesh);
 output still := 0*gears.rotation(one, \"z\");
 SIGNALS
@@ -110,7 +110,7 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     assert_eq!(kinds, ["spectrum", "spectral_density", "spectrogram"]);
     assert_eq!(listed[1]["unit"], "rad^2/Hz");
     for signal in listed {
-        for file in ["table", "picture"] {
+        for file in ["table", "plot"] {
             assert!(directory.path().join("run").join(signal[file].as_str().unwrap()).exists(), "{signal}");
         }
     }
@@ -134,7 +134,7 @@ var one = gears.body(\"one\", blank, free = [\"theta_z\"], moment = 50 N*m*e3, i
 var two = gears.body(\"two\", blank, free = [\"theta_z\"], inertia = 2e-3 kg*m^2,
     frame := Rotate(-1e-3 rpm*Time, e3)*Translate(60.3 mm*e1));
 var _spring = gears.bearing(\"spring\", two, torsional_stiffness = 1e5 N*m/rad);
-var _mesh = gears.mesh(one, two, cells = 4, tip_corner_contact = FALSE);
+var _mesh = gears.mesh(one, two, contact_cells = 4, tip_corner_contact = FALSE);
 // So small that the loaded cells stay the same.
 gears.impulse(one, at = 0.1 ms, duration = 0.04 ms, angular_momentum = 1e-4 N*m*s*e3);
 ";

@@ -15,7 +15,7 @@ fn model_text() -> String {
 }
 
 /// Fidelity levels without meshes, which are solved quickly.
-const GRIDS: [&str; 4] = ["--levels", "rigid,analytic", "--settings", "cells,every"];
+const GRIDS: [&str; 4] = ["--fidelities", "rigid,analytic", "--settings", "contact_cells,position_stride"];
 
 fn tradeoff(directory: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
@@ -69,7 +69,7 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
     for part in [
         "[1] transmission_error",
         "[2] max_contact_pressure",
-        "analytic cells=48",
+        "analytic contact_cells=48",
         "all outputs within",
         "reference",
     ] {
@@ -84,16 +84,18 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
     assert_eq!(table[&("rigid".to_owned(), "max_contact_pressure".to_owned())], vec![""; 6]);
     let document: Value =
         serde_json::from_str(&fs::read_to_string(whole.join("tradeoff.json")).unwrap()).unwrap();
-    assert_eq!(document["reference"], "analytic cells=48");
+    assert_eq!(document["reference"], "analytic contact_cells=48");
     let number = |setting: &str, output: &str| {
         table[&(setting.to_owned(), output.to_owned())][0].parse::<f64>().expect("a number")
     };
     // Errors of pressures grow with coarser grids.
-    assert_eq!(number("analytic cells=48", "transmission_error"), 0.0);
+    assert_eq!(number("analytic contact_cells=48", "transmission_error"), 0.0);
     let [fine, coarse] =
-        ["analytic", "analytic cells=12"].map(|setting| number(setting, "max_contact_pressure"));
+        ["analytic", "analytic contact_cells=12"].map(|setting| number(setting, "max_contact_pressure"));
     assert!(0.0 < fine && fine < coarse && coarse < 0.2, "{fine} {coarse}");
-    assert!(number("analytic every=4", "transmission_error") > number("analytic", "transmission_error"));
+    assert!(
+        number("analytic position_stride=4", "transmission_error") > number("analytic", "transmission_error")
+    );
     assert!(fs::read_to_string(whole.join("tradeoff.svg")).unwrap().contains("max_contact_pressure"));
     assert!(!whole.join("structures").exists());
 
@@ -122,7 +124,7 @@ fn a_killed_comparison_goes_on_to_the_same_files() {
     // Another torque requires another comparison.
     let (status, _, err) = said(tradeoff(
         directory,
-        &["--levels", "analytic", "--knobs", "none", "--out", "whole", "--set", "torque=40"],
+        &["--fidelities", "analytic", "--settings", "none", "--out", "whole", "--set", "torque=40"],
     ));
     assert_eq!(status, Some(0), "{err}");
     let steps = |runs: &BTreeMap<String, String>| runs["runs/analytic/steps.csv"].clone();
@@ -136,13 +138,13 @@ fn levels_that_a_model_cannot_be_analysed_at_are_listed_with_the_reason() {
     fs::write(directory.join("pair.cx"), model_text()).unwrap();
     let (status, out, err) = said(tradeoff(
         directory,
-        &["--levels", "plane,medium", "--settings", "none", "--longest", "0.001ms"],
+        &["--fidelities", "plane,medium", "--settings", "none", "--longest", "0.001ms"],
     ));
     assert_eq!((status, out.as_str()), (Some(1), ""), "{err}");
     assert!(err.contains("no setting can be run: ") && err.contains("--longest is 1 us"), "{err}");
-    let (status, _, err) = said(tradeoff(directory, &["--levels", "plane", "--reference", "exact"]));
+    let (status, _, err) = said(tradeoff(directory, &["--fidelities", "plane", "--reference", "exact"]));
     assert_eq!(status, Some(1));
-    assert!(err.contains("`exact` is no setting that is run; there are plane, "), "{err}");
+    assert!(err.contains("unknown setting `exact`; the settings of this model are plane, "), "{err}");
     let (status, _, err) = said(tradeoff(directory, &["--set", "torque=1000"]));
     assert_eq!(status, Some(2));
     assert!(err.contains("`torque` = 1000 N*m is outside its range"), "{err}");

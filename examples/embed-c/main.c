@@ -33,7 +33,7 @@ int main(int argc, char **argv)
     check(pair, calyx_create(&spur_pair_model, &pair));
 
     /* A length is not a torque: nothing is set, and the error describes the valid values. */
-    if (calyx_set_in(pair, "torque", 5, "mm") == CALYX_GIVEN && calyx_error(pair, &problem) == CALYX_OK)
+    if (calyx_set_in(pair, "torque", 5, "mm") == CALYX_INVALID_INPUT && calyx_error(pair, &problem) == CALYX_OK)
         printf("refused: %s\n         %s\n\n", problem.message, problem.help);
 
     check(pair, calyx_set_in(pair, "torque", 100, "N*m"));
@@ -46,7 +46,7 @@ int main(int argc, char **argv)
     while ((status = calyx_step(pair)) == CALYX_OK) {
         double share, lag, stress;
 
-        check(pair, calyx_where(pair, &at));
+        check(pair, calyx_last_position(pair, &at));
         check(pair, calyx_output(pair, spur_pair_output_load_share, &share));
         check(pair, calyx_output_in(pair, spur_pair_output_transmission_error_length, "um", &lag));
         check(pair, calyx_output_in(pair, spur_pair_output_max_root_stress_pinion, "MPa", &stress));

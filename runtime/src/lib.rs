@@ -111,6 +111,8 @@
 
 #![warn(missing_docs)]
 
+mod former_names;
+
 pub use calyx_analysis::{
     analyses, analysis, cost, dynamic_options, dynamics, estimate, method, observables, options, results,
     rows, scene, settings_override, signal, summary, tolerance, validate,
@@ -126,3 +128,5 @@ pub use calyx_numerics::{error, interrupt, vec3};
 pub use calyx_solve::{integration, restraint_check, step, system, vibrations};
 pub use calyx_structure as structure;
 pub use calyx_structure::{cache, profile, surface};
+#[expect(deprecated, reason = "former names work for one version")]
+pub use former_names::{freedom, holding, lug_contact, observe, overriding};

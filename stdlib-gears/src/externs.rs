@@ -35,11 +35,11 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_mesh(
-        context, first: Handle, second: Handle, tip_corner_contact: bool, cells: f64, grid_width: f64,
-        cells_along: f64, friction: f64, misalignment: f64, misalignment_out_of_plane: f64,
-        coast_side_contact: bool,
+        context, first: Handle, second: Handle, tip_corner_contact: bool, contact_cells: f64,
+        grid_width: f64, contact_slices: f64, friction: f64, misalignment: f64,
+        misalignment_out_of_plane: f64, coast_side_contact: bool,
     ) -> Handle {
-        for (argument, count) in [("cells", cells), ("cells_along", cells_along)] {
+        for (argument, count) in [("contact_cells", contact_cells), ("contact_slices", contact_slices)] {
             if count.fract() != 0.0 {
                 return Err(refusal("E0672", argument, "the number of cells must be whole",
                     "a grid has twice as many cells plus one; 24 across are usual in two dimensions, 10 across and 8 along in three"));
@@ -55,8 +55,8 @@ calyx_abi::externs! {
         host.gear_on("second", ids[1])?;
         let options = MeshOptions {
             tip_corner_contact,
-            half_cells: (cells > 0.0).then_some(cells as usize),
-            half_slices: cells_along as usize,
+            half_cells: (contact_cells > 0.0).then_some(contact_cells as usize),
+            half_slices: contact_slices as usize,
             grid_width: (grid_width != 0.0).then_some(grid_width),
             friction,
             misalignment: Misalignment { in_action: misalignment, off_action: misalignment_out_of_plane },

@@ -83,13 +83,14 @@ fn examples_run_at_the_levels_without_meshes() {
             let fidelity = params.iter().find(|param| param.name == "fidelity");
             let offers = fidelity.is_some_and(|param| param.choices.iter().any(|choice| choice == level));
             let mut overrides = Override::default();
-            for (knob, value) in [("cells", "3"), ("cells_along", "2"), ("error_estimates", "none")] {
-                overrides.set(knob, value).expect("a knob");
+            let settings = [("contact_cells", "3"), ("contact_slices", "2"), ("error_estimates", "none")];
+            for (name, value) in settings {
+                overrides.set(name, value).expect("a setting");
             }
             let mut given = Vec::new();
             match offers {
                 true => given.push(ParamAssignment::text("fidelity", level)),
-                false => overrides.set("fidelity", level).expect("a knob"),
+                false => overrides.set("fidelity", level).expect("a fidelity level"),
             }
             if params.iter().any(|param| param.name == "steps") {
                 given.push(ParamAssignment::text("steps", "2"));

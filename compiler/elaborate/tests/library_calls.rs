@@ -128,8 +128,8 @@ fn errors_inside_library_functions_are_shown_at_the_argument() {
     };
     // Model, code, text at which the error is reported.
     let cases = [
-        (planetary("cells = 2.5"), "E0672", "2.5"),
-        (planetary("cells = same(1e12)"), "E0314", "same(1e12)"),
+        (planetary("contact_cells = 2.5"), "E0672", "2.5"),
+        (planetary("contact_cells = same(1e12)"), "E0314", "same(1e12)"),
         (planetary("planets = same(2.5)"), "E0823", "same(2.5)"),
         (planetary("pin_stiffness = -1 N/m"), "E0314", "-1 N/m"),
         (planetary("ring_free = [\"u_q\"]"), "E0670", "[\"u_q\"]"),

@@ -19,7 +19,10 @@ mod run;
 mod test;
 mod tradeoff;
 
-use clap::{Parser, Subcommand};
+use calyx::rt::former_options;
+use clap::{CommandFactory, Parser, Subcommand};
+use messages::MessageFormat;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Design gear systems: write a model as text, check it, run it.
@@ -121,11 +124,35 @@ enum Command {
     Dump(dump::Dump),
 }
 
+impl Command {
+    /// Returns the format of warnings of the command; `None` if it prints only errors.
+    fn warnings(&self) -> Option<MessageFormat> {
+        match self {
+            Command::Run(command) => command.warnings(),
+            Command::Tradeoff(command) => command.warnings(),
+            _ => Some(MessageFormat::Human),
+        }
+    }
+}
+
+/// Returns warnings about options that were called by their former names.
+fn former_names() -> Vec<String> {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    let mut command = Arguments::command();
+    command.build();
+    let named = arguments.get(1).and_then(|name| command.find_subcommand(name));
+    named.map_or_else(Vec::new, |command| former_options::warnings(command, &arguments[2..]))
+}
+
 fn main() -> ExitCode {
     if let Some(status) = bundled::run() {
         return status;
     }
-    match Arguments::parse().command {
+    let command = Arguments::parse().command;
+    if let Some(format) = command.warnings() {
+        former_names().iter().for_each(|warning| format.warning(warning));
+    }
+    match command {
         Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),

@@ -24,7 +24,7 @@ Examples:
   calyx run pair.cx --print-params > params.schema.json schema of a params file
   calyx run pair.cx --json --quiet | jq .outputs.max_contact_pressure.max
   calyx run pair.cx --resume                            after an interrupted run
-  calyx run pair.cx --fidelity plane --cells 12         overrides settings of the model
+  calyx run pair.cx --fidelity plane --contact-cells 12 overrides settings of the model
 
 A params file, case.toml:
   torque = 500              # in the unit of the param's default
@@ -46,6 +46,11 @@ pub struct Run {
 }
 
 impl Run {
+    /// Returns the format of warnings; `None` if only errors are printed.
+    pub fn warnings(&self) -> Option<MessageFormat> {
+        (!self.run.quiet).then_some(self.message_format)
+    }
+
     pub fn run(self) -> ExitCode {
         let Run { file, run: arguments, allow, message_format: format } = self;
         let allowed = allow.paths();

@@ -9,14 +9,17 @@ use calyx::rt::campaign::{Campaign, Outcome};
 use calyx::rt::options::given_of;
 use calyx::rt::progress::{CampaignProgress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
-use calyx::rt::tradeoff::text::{OmittedSetting, left_out, recommendations, seconds, table};
-use calyx::rt::tradeoff::{Comparison, Measurement, Setting, files, plot, references, settings};
+use calyx::rt::tradeoff::text::{OmittedSetting, omitted, recommendations, seconds, table};
+use calyx::rt::tradeoff::{
+    Comparison, Measurement, Setting, current_setting_name, files, plot, references, settings,
+};
 use calyx::rt::{Error, Override, ParamAssignment, RunError, budget, interrupt};
 use calyx::{Severity, check_run_within};
 use calyx_runtime::cost::Rates;
 use calyx_runtime::scene::Fidelity;
-use calyx_runtime::settings_override::Grid;
+use calyx_runtime::settings_override::{FORMER_NAMES, Grid, current_name};
 use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -33,11 +36,11 @@ reference itself: a model that agrees with it to 1 % has an error of up to 1 % p
 
 Examples:
   calyx tradeoff pair.cx                                results go to pair.cx.tradeoff
-  calyx tradeoff pair.cx --set steps=8 --levels plane,medium
+  calyx tradeoff pair.cx --set steps=8 --fidelities plane,medium
   calyx tradeoff pair.cx --longest 1h --reference finest
   calyx tradeoff pair.cx                                continues after an interruption
 
-Then run with the recommended settings, e.g. calyx run pair.cx --fidelity plane --cells 12.
+Then run with the recommended settings, e.g. calyx run pair.cx --fidelity plane --contact-cells 12.
 
 Exit status: 0 if the comparison was written, 1 if the model or all levels failed, 2 for wrong usage of the command.";
 
@@ -54,19 +57,13 @@ pub struct Tradeoff {
     #[command(flatten)]
     allow: AllowPath,
     /// Fidelity levels to measure, separated by commas [default: all that support the model]
-    #[arg(long, value_name = "LEVELS", value_delimiter = ',', value_parser = level)]
-    levels: Vec<Fidelity>,
-    /// Settings to vary within the levels, separated by commas: mesh refinement, cells and
-    /// cells_along of contact grids, every n-th position; "none" measures only the levels [default:
+    #[arg(long, alias = "levels", value_name = "LEVELS", value_delimiter = ',', value_parser = level)]
+    fidelities: Vec<Fidelity>,
+    /// Settings to vary within the levels, separated by commas: refinement (of the mesh),
+    /// contact_cells, contact_slices, position_stride; "none" measures only the levels [default:
     /// all]
-    #[arg(
-        long = "settings",
-        alias = "knobs",
-        value_name = "SETTINGS",
-        value_delimiter = ',',
-        value_parser = ["refinement", "cells", "cells_along", "every", "none"]
-    )]
-    varied: Vec<String>,
+    #[arg(long, alias = "knobs", value_name = "SETTINGS", value_delimiter = ',', value_parser = setting_names())]
+    settings: Vec<String>,
     /// Reference for errors: a level, or a setting as the table names it [default: the finest level
     /// within --longest, with contact grids twice as fine and a finer mesh]
     #[arg(long, value_name = "SETTING")]
@@ -105,10 +102,26 @@ fn level(name: &str) -> Result<Fidelity, String> {
     overrides.fidelity.ok_or_else(|| name.to_owned())
 }
 
+/// Returns the settings that can be varied; former names are hidden.
+fn setting_names() -> PossibleValuesParser {
+    let name = |name: &'static str| {
+        let former = FORMER_NAMES.iter().filter(|(current, _)| *current == name).map(|(_, former)| *former);
+        PossibleValue::new(name).aliases(former)
+    };
+    PossibleValuesParser::new(
+        ["refinement", "contact_cells", "contact_slices", "position_stride", "none"].map(name),
+    )
+}
+
 /// Setting to run, and its predicted time, s.
 type Expected = (Setting, Option<f64>);
 
 impl Tradeoff {
+    /// Returns the format of warnings; `None` if only errors are printed.
+    pub fn warnings(&self) -> Option<MessageFormat> {
+        (!self.quiet).then_some(MessageFormat::Human)
+    }
+
     pub fn run(self) -> ExitCode {
         let format = MessageFormat::Human;
         let given = match given_of(self.params.as_deref(), &self.set) {
@@ -173,10 +186,10 @@ impl Tradeoff {
         });
         let reference = chosen.filter(|name| known(name)).or_else(|| Some(finest?.setting.name.clone()));
         let Some(comparison) = reference.and_then(|reference| Comparison::new(measured, &reference)) else {
-            format.note(&left_out(&left));
+            format.note(&omitted(&left));
             format.failure(
                 "the model cannot be analysed at any of these levels",
-                "see what each was left out for",
+                "remove the reason that is given for a level",
             );
             return ExitCode::from(MODEL_ERROR);
         };
@@ -192,7 +205,7 @@ impl Tradeoff {
         given: &[ParamAssignment],
         left: &mut Vec<OmittedSetting>,
     ) -> Result<(Vec<Expected>, Option<String>), String> {
-        let wanted = |level: &Fidelity| self.levels.is_empty() || self.levels.contains(level);
+        let wanted = |level: &Fidelity| self.fidelities.is_empty() || self.fidelities.contains(level);
         let levels = Fidelity::ALL.into_iter().filter(wanted);
         let rates = Rates::of_this_machine(calyx::rt::options::rates_file().as_deref(), false);
         let planned = |overrides: Override| -> Result<Planned, String> {
@@ -221,9 +234,10 @@ impl Tradeoff {
             let grid = own.grid().unwrap_or(Grid { half_cells: 0, half_slices: None });
             let finest = references(level, grid);
             let mut of_level = settings(level, grid, own.is_sampled());
-            let is_varied =
-                |name: &str| self.varied.is_empty() || self.varied.iter().any(|varied| varied == name);
-            of_level.retain(|setting| setting.overridden().iter().all(|(name, _)| is_varied(name)));
+            let varied = |name: &str| {
+                self.settings.is_empty() || self.settings.iter().any(|known| current_name(known) == name)
+            };
+            of_level.retain(|setting| setting.overridden().iter().all(|(name, _)| varied(name)));
             for finest in &finest {
                 if !of_level.contains(finest) {
                     // Settings of one mesh are adjacent; a separate mesh comes last.
@@ -271,12 +285,15 @@ impl Tradeoff {
                 left.iter().map(|left| format!("{}: {}", left.name, left.reason)).collect();
             return Err(format!("no setting can be run: {}", why.join("; ")));
         }
-        let chosen = match &self.reference {
-            Some(name) if !expected.iter().any(|(setting, _)| setting.name == *name) => {
+        let chosen = match self.reference.as_deref().map(current_setting_name) {
+            Some(name) if !expected.iter().any(|(setting, _)| setting.name == name) => {
                 let known: Vec<&str> = expected.iter().map(|(setting, _)| setting.name.as_str()).collect();
-                return Err(format!("`{name}` is no setting that is run; there are {}", known.join(", ")));
+                return Err(format!(
+                    "unknown setting `{name}`; the settings of this model are {}",
+                    known.join(", ")
+                ));
             }
-            Some(name) => Some(name.clone()),
+            Some(name) => Some(name),
             None => best_of_levels.pop(),
         };
         // Keep only the selected one of the settings that were added as references of the levels.
@@ -344,9 +361,9 @@ impl Tradeoff {
         print!("{}", table(comparison));
         println!();
         print!("{}", recommendations(comparison));
-        print!("{}", left_out(left));
+        print!("{}", omitted(left));
         if !self.quiet {
-            format.note(&format!("table, picture and runs are in {}\n", directory.display()));
+            format.note(&format!("table, plot and runs are in {}\n", directory.display()));
         }
         ExitCode::SUCCESS
     }

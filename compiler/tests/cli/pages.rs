@@ -24,6 +24,8 @@ struct Expected {
     out: Vec<String>,
     /// Parts of standard output.
     out_has: Vec<String>,
+    /// Texts that standard output must not contain.
+    out_lacks: Vec<String>,
     /// Parts of standard error, in this order.
     err: Vec<String>,
     err_lacks: Vec<String>,
@@ -90,6 +92,7 @@ fn expectation(commands: &mut Vec<Expected>, line: &str) {
     match kind {
         "out" => command.out.push(text.into()),
         "has out" => command.out_has.push(text.into()),
+        "no out" => command.out_lacks.push(text.into()),
         "err" => command.err.push(text.into()),
         "no err" => command.err_lacks.push(text.into()),
         "err none" => command.silent = true,
@@ -113,6 +116,9 @@ fn difference(expected: &Expected, output: &Output, directory: &Path) -> Option<
     }
     if let Some(missing) = expected.out_has.iter().find(|part| !out.contains(part.as_str())) {
         return Some(format!("standard output lacks `{missing}`"));
+    }
+    if let Some(extra) = expected.out_lacks.iter().find(|part| out.contains(part.as_str())) {
+        return Some(format!("standard output has `{extra}`"));
     }
     let mut rest = &err[..];
     for part in &expected.err {

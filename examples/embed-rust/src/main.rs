@@ -62,7 +62,9 @@ impl CostFunction for &Pair {
         match self.peak_to_peak(relief) {
             Ok(errors) => Ok(errors.iter().sum::<f64>() / errors.len() as f64),
             // Infeasible values, out of range or without a valid gear: the search avoids them.
-            Err(error) if matches!(error.kind(), ErrorKind::Given | ErrorKind::Model) => Ok(f64::INFINITY),
+            Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::Model) => {
+                Ok(f64::INFINITY)
+            }
             Err(error) => Err(error.into()),
         }
     }

@@ -57,23 +57,37 @@ impl Grid {
 
 /// Ranges of the settings.
 const RANGES: [(&str, [usize; 2]); 6] = [
-    ("order", [1, 3]),
+    ("element_order", [1, 3]),
     ("face_elements", [1, 64]),
     ("displacement_order", [1, 8]),
-    ("cells", [1, 400]),
-    ("cells_along", [1, 200]),
-    ("every", [1, 10_000]),
+    ("contact_cells", [1, 400]),
+    ("contact_slices", [1, 200]),
+    ("position_stride", [1, 10_000]),
 ];
+
+/// Names of settings and their former names. The former names work until version 0.2.
+pub const FORMER_NAMES: [(&str, &str); 4] = [
+    ("element_order", "order"),
+    ("contact_cells", "cells"),
+    ("contact_slices", "cells_along"),
+    ("position_stride", "every"),
+];
+
+/// Returns the name of the setting that was called `former`; any other name is returned unchanged.
+pub fn current_name(former: &str) -> &str {
+    FORMER_NAMES.iter().find(|(_, known)| *known == former).map_or(former, |(name, _)| name)
+}
 
 /// Range of refinements, which catches a typing error before it exhausts the memory.
 const REFINEMENTS: [f64; 2] = [0.1, 10.0];
 
 impl Override {
-    /// Sets a setting by its name, from the text of an option.
+    /// Sets a setting by its name or former name, from the text of an option.
     ///
     /// # Errors
     /// E0795: there is no such setting, or the value is out of range.
     pub fn set(&mut self, name: &str, text: &str) -> Result<(), EngineError> {
+        let name = current_name(name);
         let refuse = |help: String| {
             Err(EngineError::new("E0795", format!("`{name}` of an analysis cannot be `{text}`"), help))
         };
@@ -127,27 +141,27 @@ impl Override {
 
     fn count(&mut self, name: &str) -> &mut Option<usize> {
         match name {
-            "order" => &mut self.order,
+            "element_order" => &mut self.order,
             "face_elements" => &mut self.face_elements,
             "displacement_order" => &mut self.displacement_order,
-            "cells" => &mut self.cells,
-            "cells_along" => &mut self.cells_along,
+            "contact_cells" => &mut self.cells,
+            "contact_slices" => &mut self.cells_along,
             _ => &mut self.every,
         }
     }
 
     /// Returns the names and values of the overridden settings, in a fixed order.
-    pub fn turned(&self) -> Vec<(&'static str, String)> {
+    pub fn overridden(&self) -> Vec<(&'static str, String)> {
         let count = |number: Option<usize>| number.map(|number| number.to_string());
         let all = [
             ("fidelity", self.fidelity.map(|fidelity| fidelity.name().to_owned())),
             ("refinement", self.refinement.map(|number| number.to_string())),
-            ("order", count(self.order)),
+            ("element_order", count(self.order)),
             ("face_elements", count(self.face_elements)),
             ("displacement_order", count(self.displacement_order)),
-            ("cells", count(self.cells)),
-            ("cells_along", count(self.cells_along)),
-            ("every", count(self.every)),
+            ("contact_cells", count(self.cells)),
+            ("contact_slices", count(self.cells_along)),
+            ("position_stride", count(self.every)),
             ("error_estimates", self.error_estimates.map(|estimates| estimates.name().to_owned())),
         ];
         all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
@@ -202,7 +216,7 @@ impl Override {
             return error;
         }
         let given: Vec<String> =
-            self.turned().iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            self.overridden().iter().map(|(name, value)| format!("{name} = {value}")).collect();
         let help = format!("{}; the run overrides settings of the model: {}", error.help, given.join(", "));
         EngineError { help, ..error }
     }
@@ -217,62 +231,74 @@ mod tests {
     use std::borrow::Cow;
 
     #[test]
-    fn settings_are_turned_by_name_and_told_by_name() {
-        let mut knobs = Override::default();
-        assert!(knobs.is_none() && knobs.turned().is_empty());
+    fn settings_are_set_and_listed_by_name() {
+        let mut overrides = Override::default();
+        assert!(overrides.is_none() && overrides.overridden().is_empty());
         let all = [
             ("fidelity", "fineroot"),
             ("refinement", "0.5"),
-            ("order", "2"),
+            ("element_order", "2"),
             ("face_elements", "4"),
             ("displacement_order", "5"),
-            ("cells", "6"),
-            ("cells_along", "7"),
-            ("every", "3"),
+            ("contact_cells", "6"),
+            ("contact_slices", "7"),
+            ("position_stride", "3"),
             ("error_estimates", "full"),
         ];
-        all.iter().for_each(|(name, text)| knobs.set(name, text).unwrap());
-        assert_eq!(knobs.turned(), all.map(|(name, text)| (name, text.to_owned())));
-        assert_eq!(knobs.fidelity, Some(Fidelity::Solid(Template::FineRoot)));
+        all.iter().for_each(|(name, text)| overrides.set(name, text).unwrap());
+        assert_eq!(overrides.overridden(), all.map(|(name, text)| (name, text.to_owned())));
+        assert_eq!(overrides.fidelity, Some(Fidelity::Solid(Template::FineRoot)));
         let own = StructureOptions { matching_depth: 2.0, ..StructureOptions::default() };
-        let turned = knobs.structure(own);
-        assert_eq!((turned.refinement, turned.order, turned.matching_depth), (0.5, 2, 2.0));
-        assert_eq!((turned.face_elements, turned.axial_order), (Some(4), Some(5)));
-        assert_eq!(Override::default().structure(turned), turned);
+        let overridden = overrides.structure(own);
+        assert_eq!((overridden.refinement, overridden.order, overridden.matching_depth), (0.5, 2, 2.0));
+        assert_eq!((overridden.face_elements, overridden.axial_order), (Some(4), Some(5)));
+        assert_eq!(Override::default().structure(overridden), overridden);
         let mut scene = Scene::default();
         scene.add_pair(SurfacePair::new([BodyId(0), BodyId(1)], [0, 0]));
-        knobs.override_grids(&mut scene);
+        overrides.override_grids(&mut scene);
         assert_eq!((scene.pairs[0].grid.half_cells, scene.pairs[0].grid.half_slices), (Some(6), 7));
         Override::default().override_grids(&mut scene);
         assert_eq!((scene.pairs[0].grid.half_cells, scene.pairs[0].grid.half_slices), (Some(6), 7));
     }
 
     #[test]
-    fn what_cannot_be_is_refused() {
-        let mut knobs = Override::default();
+    fn former_names_set_the_same_settings() {
+        for (name, former) in FORMER_NAMES {
+            let [mut one, mut other] = [Override::default(); 2];
+            one.set(name, "2").unwrap();
+            other.set(former, "2").unwrap();
+            assert_eq!((one, one.overridden()), (other, vec![(name, "2".to_owned())]));
+            let error = other.set(former, "0").expect_err(former);
+            assert!(error.message.contains(&format!("`{name}`")), "{error:?}");
+        }
+    }
+
+    #[test]
+    fn invalid_values_are_rejected() {
+        let mut overrides = Override::default();
         for (name, text) in [
             ("fidelity", "exact"),
             ("refinement", "0"),
             ("refinement", "NaN"),
-            ("order", "4"),
-            ("cells", "0"),
-            ("cells", "2.5"),
-            ("cells_along", "-1"),
-            ("every", "x"),
+            ("element_order", "4"),
+            ("contact_cells", "0"),
+            ("contact_cells", "2.5"),
+            ("contact_slices", "-1"),
+            ("position_stride", "x"),
             ("error_estimates", "some"),
             ("torque", "1"),
         ] {
-            let error = knobs.set(name, text).expect_err(name);
+            let error = overrides.set(name, text).expect_err(name);
             assert!(
                 error.code == "E0795" && error.message.contains(name) && !error.help.is_empty(),
                 "{error:?}"
             );
         }
-        assert!(knobs.is_none());
+        assert!(overrides.is_none());
     }
 
     #[test]
-    fn named_positions_stay() {
+    fn sampling_keeps_named_positions() {
         let position =
             |time: f64, name: &'static str| Position { name: Cow::Borrowed(name), ..Position::at(time) };
         let all = vec![
@@ -284,8 +310,8 @@ mod tests {
             position(3.0, ""),
         ];
         let times = |every| {
-            let knobs = Override { every, ..Override::default() };
-            knobs.sample(all.clone()).iter().map(|position| position.time).collect::<Vec<_>>()
+            let overrides = Override { every, ..Override::default() };
+            overrides.sample(all.clone()).iter().map(|position| position.time).collect::<Vec<_>>()
         };
         assert_eq!(times(None).len(), 6);
         assert_eq!(times(Some(1)).len(), 6);
@@ -294,16 +320,16 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_the_run_was_given() {
+    fn errors_list_the_overridden_settings() {
         let error = EngineError::new("E0623", "no model in section", "choose another");
         assert_eq!(Override::default().list(error.clone()), error);
-        let knobs = Override { fidelity: Some(Fidelity::Plane), cells: Some(6), ..Override::default() };
-        let told = knobs.list(error).help;
+        let overrides = Override { fidelity: Some(Fidelity::Plane), cells: Some(6), ..Override::default() };
+        let help = overrides.list(error).help;
         assert_eq!(
-            told,
-            "choose another; the run overrides settings of the model: fidelity = plane, cells = 6"
+            help,
+            "choose another; the run overrides settings of the model: fidelity = plane, contact_cells = 6"
         );
         let ended = EngineError::new("E0704", "the run was cancelled", "");
-        assert_eq!(knobs.list(ended.clone()), ended);
+        assert_eq!(overrides.list(ended.clone()), ended);
     }
 }

@@ -2,6 +2,7 @@
 //! the next one starts.
 
 use crate::field_tables::{self, FieldTables};
+use crate::former_keys::{self, ResultFile};
 use crate::journal::{FoundJournal, Journal};
 use crate::stress_range::StressRange;
 use crate::vtu::{self, VtuFiles};
@@ -39,10 +40,10 @@ pub fn default_directory(model: &Path) -> PathBuf {
     model.with_file_name(name)
 }
 
-/// Reads `run.json` of a directory; `None` if there is none.
+/// Reads `run.json` of a directory, with current names of keys; `None` if there is none.
 pub fn read_run(directory: &Path) -> io::Result<Option<Value>> {
     match fs::read(directory.join("run.json")) {
-        Ok(text) => Ok(Some(serde_json::from_slice(&text)?)),
+        Ok(text) => Ok(Some(former_keys::current(ResultFile::Run, serde_json::from_slice(&text)?))),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(error) => Err(error),
     }
@@ -51,7 +52,8 @@ pub fn read_run(directory: &Path) -> io::Result<Option<Value>> {
 /// Reads the results in a directory as one document: the contents of `run.json`, and `steps` with
 /// the rows of `steps.csv` by column.
 pub fn document(directory: &Path) -> io::Result<Value> {
-    let mut document = read_run(directory)?.ok_or(io::ErrorKind::NotFound)?;
+    let run = read_run(directory)?.ok_or(io::ErrorKind::NotFound)?;
+    let mut document = former_keys::with_former(ResultFile::Run, run);
     let table = directory.join("steps.csv");
     if table.exists() {
         let mut reader = csv::Reader::from_path(table)?;
@@ -212,7 +214,7 @@ pub fn write_unfinished(
 ) -> io::Result<()> {
     run["incomplete"] = json!({ "code": ended_by.code, "message": ended_by.message });
     run["positions"] = json!(solved);
-    write_json(directory.join("run.json"), &run)
+    write_json(directory, ResultFile::Run, run)
 }
 
 /// Returns the subject of a run and the columns of outputs in its table of positions. For an
@@ -237,10 +239,10 @@ fn subject(description: &ModelDescription, params: &[ParamValue], overrides: &Ov
         "params": params_json(description, params),
     });
     if !overrides.is_none() {
-        let turned = overrides.turned().into_iter();
+        let overridden = overrides.overridden().into_iter();
         // Numbers stay numbers.
         let value = |text: String| serde_json::from_str(&text).unwrap_or(json!(text));
-        head["overrides"] = turned.map(|(name, text)| (name.to_owned(), value(text))).collect();
+        head["overrides"] = overridden.map(|(name, text)| (name.to_owned(), value(text))).collect();
     }
     head
 }
@@ -286,7 +288,7 @@ pub fn write_run(
             "equilibrium": result.certificate.equilibrium,
         });
         if let Some(chosen) = &result.chosen {
-            run["chosen"] = chosen_json(chosen);
+            run["tolerance_search"] = tolerance_json(chosen);
         }
         run["ignored_inputs"] = json!(ignored.collect::<Map<_, _>>());
         let refused =
@@ -295,8 +297,9 @@ pub fn write_run(
         run["signals"] = signals;
     }
     run["warnings"] = json!(warnings);
-    write_json(directory.join("run.json"), &run)?;
-    write_json(directory.join("timing.json"), &timing_json(result.map(|result| &result.timing), stages))
+    write_json(directory, ResultFile::Run, run)?;
+    let timing = timing_json(result.map(|result| &result.timing), stages);
+    write_json(directory, ResultFile::Timing, timing)
 }
 
 /// Durations of the stages around the analysis.
@@ -310,11 +313,14 @@ pub struct Stages {
     pub solved_before: usize,
 }
 
-fn write_json(path: PathBuf, value: &Value) -> io::Result<()> {
+/// Writes a result file, with the former names of its keys.
+fn write_json(directory: &Path, file: ResultFile, document: Value) -> io::Result<()> {
+    let path = directory.join(file.name());
+    let document = former_keys::with_former(file, document);
     // Written to a temporary file and renamed, so that a reader never sees a partial file.
     let unfinished = path.with_extension("json.part");
     let mut file = File::create(&unfinished)?;
-    serde_json::to_writer_pretty(&mut file, value)?;
+    serde_json::to_writer_pretty(&mut file, &document)?;
     file.write_all(b"\n")?;
     file.sync_all()?;
     fs::rename(unfinished, path)
@@ -359,7 +365,7 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
             "time": row.time,
             "roll_angle": row.roll,
             "point": row.name,
-            "place": summary.place,
+            "location": summary.place,
         },
     });
     if let Some(error) = &summary.error {
@@ -369,21 +375,21 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
 }
 
 /// Returns the result of the tolerance search and its earlier trials.
-fn chosen_json(chosen: &ToleranceOutcome) -> Value {
-    let setting = |Setting { fidelity, refinement, cells, positions }: &Setting| json!({ "fidelity": fidelity.name(), "refinement": refinement, "cells": cells, "positions": positions });
+fn tolerance_json(chosen: &ToleranceOutcome) -> Value {
+    let setting = |Setting { fidelity, refinement, cells, positions }: &Setting| json!({ "fidelity": fidelity.name(), "refinement": refinement, "contact_cells": cells, "positions": positions });
     let tried = chosen.tried.iter().map(|Attempt { setting: own, whole, worst: (output, error) }| {
         json!({ "setting": setting(own), "all_positions": whole, "output": output, "relative": error })
     });
     let taken = chosen.tried.get(chosen.taken);
     json!({
         "tolerance": chosen.tolerance,
-        "met": chosen.ended.is_none(),
+        "satisfied": chosen.ended.is_none(),
         "ended_by": chosen.ended,
         "relative": taken.map(|tried| tried.worst.1),
         "all_positions": taken.is_none_or(|tried| tried.whole),
         "setting": setting(&chosen.setting),
         "reason": chosen.describe(),
-        "tried": tried.collect::<Vec<_>>(),
+        "attempts": tried.collect::<Vec<_>>(),
     })
 }
 
@@ -477,7 +483,7 @@ fn timing_json(analysis: Option<&Timing>, around: &Stages) -> Value {
     if let Some(Timing { structures: StructureCounts { built, reused }, memory, .. }) = analysis {
         timing["structures"] = json!({ "built": built, "reused": reused });
         timing["solved_before"] = json!(around.solved_before);
-        timing["memory"] = json!({ "unit": "byte", "asked": memory });
+        timing["memory"] = json!({ "unit": "byte", "requested": memory });
     }
     timing
 }

@@ -13,40 +13,48 @@ use std::path::{Path, PathBuf};
 
 const PRESSURE: &str = "pressure.csv";
 const ROOT_STRESS: &str = "root_stress.csv";
+const MAX_LOCATIONS: &str = "max_locations.csv";
+/// Former name of [`MAX_LOCATIONS`], with the same rows; written until version 0.2.
 const PLACES: &str = "places.csv";
 
 /// Table of line loads along the contact lines. It is small and the report needs it, so every run
 /// writes it.
 pub const LINE_LOAD: &str = "line_load.csv";
 /// File names of the optional tables in a run directory.
-const ASKED_FOR: [&str; 3] = [PRESSURE, ROOT_STRESS, PLACES];
+const OPTIONAL: [&str; 4] = [PRESSURE, ROOT_STRESS, MAX_LOCATIONS, PLACES];
 
 /// File names of all tables in a run directory.
-pub const NAMES: [&str; 4] = [LINE_LOAD, PRESSURE, ROOT_STRESS, PLACES];
+pub const NAMES: [&str; 5] = [LINE_LOAD, PRESSURE, ROOT_STRESS, MAX_LOCATIONS, PLACES];
 
 /// Columns that identify the contact patch of a row.
 const PATCH: [&str; 6] = ["step", "first_body", "first_tooth", "second_body", "second_tooth", "side"];
-/// Entry of the column `side` for the driving flank of a tooth.
-pub const DRIVING: &str = "driving";
-/// Entry of the column `side` for the opposite flank.
-pub const BACK: &str = "back";
+/// Last column of the tables of contact patches: [`DRIVE`] or [`COAST`].
+const FLANK: &str = "flank";
+/// Entry of the column `flank` for the drive side of a tooth.
+pub const DRIVE: &str = "drive";
+/// Entry of the column `flank` for the coast side.
+pub const COAST: &str = "coast";
+/// Entries of the column `side`, the former name of `flank`, for [`DRIVE`] and [`COAST`]; written
+/// until version 0.2.
+pub const FORMER_SIDES: [&str; 2] = ["driving", "back"];
 
 /// Writers of the tables of a run.
 pub struct FieldTables {
     line_load: csv::Writer<File>,
-    asked_for: Option<OptionalTables>,
+    optional: Option<OptionalTables>,
 }
 
 /// Writers of the large tables, which are written on request.
 struct OptionalTables {
     pressure: csv::Writer<File>,
     root_stress: csv::Writer<File>,
+    max_locations: csv::Writer<File>,
     places: csv::Writer<File>,
 }
 
 impl FieldTables {
-    /// Creates the tables with their headers; the optional ones if `asked_for`.
-    pub fn create(directory: &Path, asked_for: bool) -> io::Result<FieldTables> {
+    /// Creates the tables with their headers; the optional ones if `optional`.
+    pub fn create(directory: &Path, optional: bool) -> io::Result<FieldTables> {
         let begin = |name: &str, columns: Vec<&str>| -> io::Result<csv::Writer<File>> {
             let mut writer = csv::Writer::from_path(directory.join(name))?;
             writer.write_record(columns)?;
@@ -54,13 +62,14 @@ impl FieldTables {
             Ok(writer)
         };
         let on_flanks = ["first_radius", "first_roll_angle", "second_radius", "second_roll_angle", "axial"];
-        let patch = |columns: &[&'static str]| [&PATCH[..], &on_flanks, columns].concat();
+        let patch = |columns: &[&'static str]| [&PATCH[..], &on_flanks, columns, &[FLANK]].concat();
         let at = ["body", "tooth", "radius", "roll_angle", "axial"];
-        let asked = || -> io::Result<OptionalTables> {
+        let tables = || -> io::Result<OptionalTables> {
             let stresses = ["along_profile", "along_face", "shear", "largest", "smallest"];
             Ok(OptionalTables {
                 pressure: begin(PRESSURE, patch(&["pressure"]))?,
                 root_stress: begin(ROOT_STRESS, [&["step"][..], &at, &stresses].concat())?,
+                max_locations: begin(MAX_LOCATIONS, [&["step", "output"][..], &at].concat())?,
                 places: begin(PLACES, [&["step", "output"][..], &at].concat())?,
             })
         };
@@ -69,26 +78,27 @@ impl FieldTables {
                 LINE_LOAD,
                 patch(&["length", "force", "line_load", "pressure", "edge_pressure"]),
             )?,
-            asked_for: asked_for.then(asked).transpose()?,
+            optional: optional.then(tables).transpose()?,
         })
     }
 
     /// Continues the tables of an earlier run after its first `solved` positions; [`are_in`] must
     /// be true.
-    pub fn resume(directory: &Path, solved: usize, asked_for: bool) -> io::Result<FieldTables> {
+    pub fn resume(directory: &Path, solved: usize, optional: bool) -> io::Result<FieldTables> {
         let append = |name: &str| -> io::Result<csv::Writer<File>> {
             let path = directory.join(name);
             keep_first(&path, solved)?;
             Ok(csv::Writer::from_writer(File::options().append(true).open(path)?))
         };
-        let asked = || -> io::Result<OptionalTables> {
+        let tables = || -> io::Result<OptionalTables> {
             Ok(OptionalTables {
                 pressure: append(PRESSURE)?,
                 root_stress: append(ROOT_STRESS)?,
+                max_locations: append(MAX_LOCATIONS)?,
                 places: append(PLACES)?,
             })
         };
-        Ok(FieldTables { line_load: append(LINE_LOAD)?, asked_for: asked_for.then(asked).transpose()? })
+        Ok(FieldTables { line_load: append(LINE_LOAD)?, optional: optional.then(tables).transpose()? })
     }
 
     /// Appends a position.
@@ -103,7 +113,7 @@ impl FieldTables {
             self.contact(step, contact)?;
         }
         self.line_load.flush()?;
-        self.asked_for.as_mut().map_or(Ok(()), |asked| asked.write(step, row, outputs, fields))
+        self.optional.as_mut().map_or(Ok(()), |tables| tables.write(step, row, outputs, fields))
     }
 
     fn contact(&mut self, step: usize, contact: &ContactField) -> io::Result<()> {
@@ -111,8 +121,8 @@ impl FieldTables {
             let [Some(first), Some(second)] = &slice.places else { continue };
             let numbers = [slice.length, slice.force, slice.line_load(), slice.pressure, slice.edge_pressure];
             let load = numbers.map(|number| number.to_string());
-            self.line_load
-                .write_record(patch(step, contact).into_iter().chain(on_flanks(first, second)).chain(load))?;
+            let record = patch(step, contact).into_iter().chain(on_flanks(first, second)).chain(load);
+            self.line_load.write_record(record.chain([flank(contact)]))?;
         }
         Ok(())
     }
@@ -122,8 +132,13 @@ impl FieldTables {
 fn patch(step: usize, contact: &ContactField) -> [String; 6] {
     let [first, second] = &contact.bodies;
     let [first_tooth, second_tooth] = contact.teeth.map(|tooth| tooth.to_string());
-    let side = if contact.back { BACK } else { DRIVING };
+    let side = FORMER_SIDES[usize::from(contact.back)];
     [step.to_string(), first.clone(), first_tooth, second.clone(), second_tooth, side.into()]
+}
+
+/// Returns the entry of the column [`FLANK`].
+fn flank(contact: &ContactField) -> String {
+    if contact.back { COAST.into() } else { DRIVE.into() }
 }
 
 /// Returns the columns of a location on both flanks.
@@ -145,7 +160,7 @@ impl OptionalTables {
             for cell in contact.cells.iter().filter(|cell| cell.pressure > 0.0) {
                 let [first, second] = &cell.places;
                 let record = patch(step, contact).into_iter().chain(on_flanks(first, second));
-                self.pressure.write_record(record.chain([cell.pressure.to_string()]))?;
+                self.pressure.write_record(record.chain([cell.pressure.to_string(), flank(contact)]))?;
             }
         }
         for fillet in &fields.fillets {
@@ -155,10 +170,12 @@ impl OptionalTables {
             if let Some(place) = &observed.place {
                 let named =
                     [step.to_string(), output.name.clone(), place.body.clone(), place.tooth.to_string()];
-                self.places.write_record(named.into_iter().chain(coordinates(place)))?;
+                let record: Vec<String> = named.into_iter().chain(coordinates(place)).collect();
+                self.max_locations.write_record(&record)?;
+                self.places.write_record(&record)?;
             }
         }
-        [&mut self.pressure, &mut self.root_stress, &mut self.places]
+        [&mut self.pressure, &mut self.root_stress, &mut self.max_locations, &mut self.places]
             .into_iter()
             .try_for_each(csv::Writer::flush)
     }
@@ -176,10 +193,10 @@ impl OptionalTables {
 }
 
 /// Returns true if a run has written its tables into a directory, including the optional ones if
-/// `asked_for`.
-pub fn are_in(directory: &Path, asked_for: bool) -> bool {
-    let wanted = ASKED_FOR.iter().filter(|_| asked_for);
-    wanted.chain([&LINE_LOAD]).all(|name| directory.join(name).exists())
+/// `optional`.
+pub fn are_in(directory: &Path, optional: bool) -> bool {
+    let requested = OPTIONAL.iter().filter(|_| optional);
+    requested.chain([&LINE_LOAD]).all(|name| directory.join(name).exists())
 }
 
 /// Returns radius, roll angle and axial coordinate; a coordinate that the location lacks is empty.

@@ -6,6 +6,7 @@
 //! dropped, and so is everything after a line that cannot be read: those positions are solved
 //! again, to the same bits. A finished run has no journal.
 
+use crate::former_keys::{self, ResultFile};
 use calyx_runtime::analysis::Position;
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::results::{Location, Observed, Solved, StepRow};
@@ -25,7 +26,7 @@ pub fn path(directory: &Path) -> PathBuf {
 /// Contents of a journal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundJournal {
-    /// Subject of the run.
+    /// Subject of the run, with current names of keys.
     pub head: Value,
     /// Completed positions, from the first one on.
     pub solved: Vec<Solved>,
@@ -46,7 +47,8 @@ pub fn find(directory: &Path) -> io::Result<Option<FoundJournal>> {
     let mut lines = text.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
     let first = lines.next().and_then(|line| Some((line.len(), serde_json::from_slice::<Value>(line).ok()?)));
     let Some((bytes, first)) = first.filter(|(_, first)| first["journal"] == FORMAT) else { return Ok(None) };
-    let mut found = FoundJournal { head: first["run"].clone(), solved: Vec::new(), bytes: bytes as u64 };
+    let head = former_keys::current(ResultFile::Run, first["run"].clone());
+    let mut found = FoundJournal { head, solved: Vec::new(), bytes: bytes as u64 };
     for line in lines {
         let entry = serde_json::from_slice::<JournalEntry>(line).ok();
         let Some(entry) = entry.filter(|entry| entry.step == found.solved.len()) else { break };

@@ -6,6 +6,7 @@
 
 pub mod directory;
 pub mod field_tables;
+pub mod former_keys;
 pub mod journal;
 pub mod modes_table;
 #[cfg(feature = "pages")]

@@ -37,12 +37,12 @@ pub fn list(description: &ModelDescription, signals: &[Signal]) -> Value {
         let peak = |[frequency, value]: &[f64; 2]| json!({ "frequency": frequency, "value": value });
         let unit = output(description, signal).map_or("", |output| &output.si);
         json!({
-            "of": signal.request.of,
+            "output": signal.request.of,
             "kind": signal.request.kind.name(),
             "unit": signal_unit(&signal.request.kind, unit),
             "resolution": signal.resolution,
             "table": format!("{SIGNALS}/{name}.csv"),
-            "picture": format!("{SIGNALS}/{name}.svg"),
+            "plot": format!("{SIGNALS}/{name}.svg"),
             "peaks": signal.peaks.iter().map(peak).collect::<Vec<_>>(),
         })
     };

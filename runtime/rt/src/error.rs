@@ -19,8 +19,8 @@ pub enum Error {
 /// Categories of errors by remedy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {
-    /// The given value must be changed.
-    Given,
+    /// An argument must be changed.
+    InvalidInput,
     /// The model cannot be built or solved with these params.
     Model,
     /// The run was cancelled.
@@ -29,6 +29,13 @@ pub enum ErrorKind {
     Limit,
     /// A defect of Calyx, or a resource that the machine refused.
     Internal,
+}
+
+impl ErrorKind {
+    /// Former name of [`ErrorKind::InvalidInput`].
+    #[deprecated(since = "0.1.0", note = "use `ErrorKind::InvalidInput`")]
+    #[expect(non_upper_case_globals, reason = "the name of the former variant")]
+    pub const Given: ErrorKind = ErrorKind::InvalidInput;
 }
 
 impl Error {
@@ -46,7 +53,7 @@ impl Error {
 
     pub fn kind(&self) -> ErrorKind {
         match self.code() {
-            None => ErrorKind::Given,
+            None => ErrorKind::InvalidInput,
             Some(codes::CANCELLED) => ErrorKind::Cancelled,
             Some(codes::EXHAUSTED | codes::LIMIT) => ErrorKind::Limit,
             Some(codes::INTERNAL) => ErrorKind::Internal,

@@ -3,6 +3,7 @@
 
 use crate::adapted::AdaptedProgram;
 use crate::command::{MODEL_ERROR, Messages, RunCommand, USAGE, print_json};
+use crate::former_options;
 use crate::help;
 use crate::linked::LinkedProgram;
 use crate::messages::{problem, refused};
@@ -72,7 +73,9 @@ pub unsafe extern "C" fn calyx_rt_main(
 /// model or its analysis failed, 2 for a usage error. `arguments` begin with the program's name.
 pub fn main(program: Arc<dyn Program>, arguments: &[OsString]) -> u8 {
     let description = program.description();
-    let parsed = command(description).try_get_matches_from(arguments);
+    let options = command(description);
+    let former = former_options::warnings(&options, arguments);
+    let parsed = options.try_get_matches_from(arguments);
     let parsed = parsed.and_then(|mut matches| Arguments::from_arg_matches_mut(&mut matches));
     let Arguments { run: arguments_of_run, tables } = match parsed {
         Ok(arguments) => arguments,
@@ -85,6 +88,9 @@ pub fn main(program: Arc<dyn Program>, arguments: &[OsString]) -> u8 {
     let mut directory = name.map_or_else(|| "model".into(), OsString::from);
     directory.push(".run");
     let messages = StandaloneMessages { description };
+    if !arguments_of_run.quiet {
+        former.iter().for_each(|warning| messages.warning(warning));
+    }
     let program = Arc::new(AdaptedProgram::standalone(program.clone(), tables.tables));
     let command = RunCommand {
         program,

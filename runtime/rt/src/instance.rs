@@ -278,15 +278,33 @@ impl Instance {
         self.setup.solved = solved;
     }
 
+    /// Former name of [`Instance::resume_after`].
+    #[deprecated(since = "0.1.0", note = "use `resume_after`")]
+    pub fn begin_after(&mut self, solved: Vec<Solved>) {
+        self.resume_after(solved);
+    }
+
     /// Requests the fields of at most this many positions for [`Instance::on_solved`], evenly
     /// spaced from the first one. Each takes a little time.
     pub fn request_fields(&mut self, positions: usize) {
         self.setup.fields = positions;
     }
 
+    /// Former name of [`Instance::request_fields`].
+    #[deprecated(since = "0.1.0", note = "use `request_fields`")]
+    pub fn tell_fields(&mut self, positions: usize) {
+        self.request_fields(positions);
+    }
+
     /// Requests the meshes of elastic bodies with their displacements as part of the fields.
     pub fn request_bodies(&mut self, bodies: bool) {
         self.setup.bodies = bodies;
+    }
+
+    /// Former name of [`Instance::request_bodies`].
+    #[deprecated(since = "0.1.0", note = "use `request_bodies`")]
+    pub fn tell_bodies(&mut self, bodies: bool) {
+        self.request_bodies(bodies);
     }
 
     /// Sets the overrides of the model's analysis settings for future runs.

@@ -16,6 +16,9 @@ pub mod engine;
 pub mod error;
 #[cfg(feature = "command")]
 pub mod executable;
+mod former_names;
+#[cfg(feature = "command")]
+pub mod former_options;
 #[cfg(feature = "command")]
 pub mod help;
 pub mod host;
@@ -57,6 +60,11 @@ pub use calyx_report::{directory, page, tradeoff};
 pub use calyx_runtime::settings_override::Override;
 pub use engine::{Engine, EngineConfig};
 pub use error::{Error, ErrorKind};
+#[cfg(feature = "command")]
+#[expect(deprecated, reason = "former names work for one version")]
+pub use former_names::overriding;
+#[expect(deprecated, reason = "former names work for one version")]
+pub use former_names::{Given, GivenValue, Refused, Seen, given, seen};
 pub use host::Host;
 pub use instance::{Instance, Progress};
 pub use names::{Output, OutputName, Param, ParamName};

@@ -58,7 +58,7 @@ pub struct RunArguments {
     /// Write field results for every position
     ///
     /// Writes pressure.csv (contact pressure per cell), root_stress.csv (stress along the fillets,
-    /// if an output requires it) and places.csv (location of each maximum). line_load.csv (load
+    /// if an output requires it) and max_locations.csv (location of each maximum). line_load.csv (load
     /// along the contact lines) is always written, by default for at most 256 positions; with this
     /// option for all.
     #[arg(long, help_heading = RESULTS)]

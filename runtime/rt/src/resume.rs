@@ -51,7 +51,8 @@ pub fn find(directory: &Path, head: &Value) -> Result<EarlierRun, ResumeError> {
         return same(&found.head).map(|()| EarlierRun::Unfinished(found));
     }
     // Results that miss their tolerance belong to a search that was ended.
-    let finished = |run: &Value| run.get("incomplete").is_none() && run["chosen"]["met"] != false;
+    let finished =
+        |run: &Value| run.get("incomplete").is_none() && run["tolerance_search"]["satisfied"] != false;
     match read_run(directory)?.filter(finished) {
         Some(run) => same(&run).map(|()| EarlierRun::Finished),
         None => Ok(EarlierRun::Nothing),
@@ -88,12 +89,13 @@ fn differences(then: &Value, now: &Value) -> Vec<String> {
             all.push(format!("`{name}` was {} and is {} now", shown(then), shown(now)));
         }
     }
-    let turned = |run: &Value| run["overrides"].as_object().cloned().unwrap_or_default();
-    let (then, now) = (turned(then), turned(now));
+    let overridden = |run: &Value| run["overrides"].as_object().cloned().unwrap_or_default();
+    let (then, now) = (overridden(then), overridden(now));
     let names: BTreeSet<&String> = then.keys().chain(now.keys()).collect();
     for name in names {
-        let [then, now] = [&then, &now]
-            .map(|turned| turned.get(name).map_or_else(|| "the model's own".to_owned(), Value::to_string));
+        let [then, now] = [&then, &now].map(|overridden| {
+            overridden.get(name).map_or_else(|| "the model's own".to_owned(), Value::to_string)
+        });
         if then != now {
             all.push(format!("`{name}` of the analysis was {then} and is {now} now"));
         }
@@ -137,12 +139,12 @@ mod tests {
                 "torque": { "value": 113.0, "display": { "unit": "lbf*inch", "value": 1000.0 } },
                 "edges": { "value": true }, "kind": { "value": "plane" },
             },
-            "overrides": { "cells": 6 },
+            "overrides": { "contact_cells": 6 },
         })
     }
 
     #[test]
-    fn what_differs_is_said() {
+    fn differences_name_what_changed() {
         assert_eq!(differences(&head(), &head()), Vec::<String>::new());
         // The same model at another path.
         let mut moved = head();
@@ -160,8 +162,8 @@ mod tests {
             ),
             (&["params", "edges"], json!({ "value": false }), "`edges` was TRUE and is FALSE now"),
             (&["params", "kind"], json!({ "value": "solid" }), "`kind` was \"plane\" and is \"solid\" now"),
-            (&["overrides", "cells"], json!(9), "`cells` of the analysis was 6 and is 9 now"),
-            (&["overrides"], json!({}), "`cells` of the analysis was 6 and is the model's own now"),
+            (&["overrides", "contact_cells"], json!(9), "`contact_cells` of the analysis was 6 and is 9 now"),
+            (&["overrides"], json!({}), "`contact_cells` of the analysis was 6 and is the model's own now"),
         ];
         for (path, value, said) in changes {
             let mut changed = head();

@@ -8,6 +8,7 @@
 //! ignored.
 
 use calyx_report::directory::{REPORT, SIGNALS};
+use calyx_report::former_keys::{self, ResultFile};
 use calyx_report::{journal, page, vtu};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -84,12 +85,13 @@ impl Kind {
         match self {
             Kind::Run => {
                 let summary = read("run.json").filter(of_a_run);
+                let summary = summary.map(|summary| former_keys::current(ResultFile::Run, summary));
                 let begun = || journal::find(directory).ok()?.filter(|found| of_a_run(&found.head));
                 if summary.is_none() {
                     regular(journal::path(directory)).and_then(|_| begun())?;
                 }
                 let signals = summary.iter().flat_map(|summary| summary["signals"].as_array()).flatten();
-                let of_signal = |signal: &Value| ["table", "picture"].map(|key| signal[key].clone());
+                let of_signal = |signal: &Value| ["table", "plot"].map(|key| signal[key].clone());
                 let listed = signals.flat_map(of_signal);
                 names.extend(listed.filter_map(|name| name.as_str().map(str::to_owned)));
                 names.extend(vtu::files_in(directory));
@@ -118,7 +120,7 @@ impl Kind {
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-const FILES_OF_A_RUN: [&str; 15] = [
+const FILES_OF_A_RUN: [&str; 16] = [
     "run.json",
     "journal.jsonl",
     "run.json.part",
@@ -128,6 +130,7 @@ const FILES_OF_A_RUN: [&str; 15] = [
     "line_load.csv",
     "pressure.csv",
     "root_stress.csv",
+    "max_locations.csv",
     "places.csv",
     "root_stress_range.csv",
     "root_stress_range.csv.part",

@@ -328,8 +328,8 @@ impl Argument {
     pub fn is_count(&self) -> bool {
         const COUNTS: [&str; 12] = [
             "teeth",
-            "cells",
-            "cells_along",
+            "contact_cells",
+            "contact_slices",
             "steps",
             "count",
             "planets",

@@ -92,7 +92,7 @@ pub fn plan(run: &Run) -> Markup {
     ];
     html! {
         p { (level(run.text("fidelity"))) }
-        @if let Some(reason) = run.head["chosen"]["reason"].as_str() { p { (reason) } }
+        @if let Some(reason) = run.head["tolerance_search"]["reason"].as_str() { p { (reason) } }
         @if !options(run).is_empty() {
             p { "Settings of the model overridden on the command line: " code { (options(run)) } "." }
         }
@@ -217,7 +217,7 @@ pub fn timing(run: &Run) -> Markup {
             p { (built) " substructures were condensed, " (reused) " were reused." }
         }
         (accuracy::costs(run, |stage| timing["stages"][stage].as_f64()))
-        @if let Some(memory) = timing["memory"]["asked"].as_f64().filter(|bytes| *bytes > 0.0) {
+        @if let Some(memory) = timing["memory"]["requested"].as_f64().filter(|bytes| *bytes > 0.0) {
             p { "Peak memory: " (number(memory * 1e-6)) " MB." }
         }
     }

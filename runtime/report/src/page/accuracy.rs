@@ -45,7 +45,7 @@ const SOURCES: [Source; 6] = [
         shown: "contact grid",
         remedy: "1.5 times the contact cells",
         finer: "a finer contact grid",
-        option: Some("--cells"),
+        option: Some("--contact-cells"),
         cost: Some(("positions", 2.0)),
         in_time: None,
     },

@@ -4,7 +4,6 @@
 use super::chart::{Axis, Curve, MapCell, Plot, TALL, WIDE, curves, map};
 use super::read::Loaded;
 use super::units::Units;
-use crate::field_tables::BACK;
 use std::collections::BTreeMap;
 
 /// Number of meshes shown, those with the largest pressures.
@@ -37,7 +36,7 @@ pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
     let mut by_bodies: BTreeMap<([&str; 2], bool), Vec<&Loaded>> = BTreeMap::new();
     for row in rows {
         let bodies = [&row.first_body[..], &row.second_body];
-        by_bodies.entry((bodies, row.side == BACK)).or_default().push(row);
+        by_bodies.entry((bodies, row.is_coast_side())).or_default().push(row);
     }
     type Side<'r> = (([&'r str; 2], bool), Vec<&'r Loaded>, f64);
     let mut all: Vec<Side<'_>> = by_bodies
@@ -260,6 +259,7 @@ mod tests {
             first_tooth: tooth,
             second_body: "gear".into(),
             second_tooth: tooth,
+            flank: String::new(),
             side: String::new(),
             first_radius: 0.02,
             first_roll_angle: Some(roll),
@@ -307,13 +307,17 @@ mod tests {
     /// Flanks on both sides of teeth have the same roll angles but separate maps.
     #[test]
     fn both_sides_of_teeth_have_maps_of_their_own() {
-        let on = |side: &str, load: f64| -> Vec<Loaded> {
-            (0..9).map(|k| Loaded { side: side.into(), ..row(k, 0, 0.1 * k as f64, None, load) }).collect()
-        };
-        let (meshes, _) = meshes(&[on("back", 2e5), on("driving", 7e5)].concat(), Units::of_system("SI"));
-        let sides: Vec<(bool, f64)> = meshes.iter().map(|mesh| (mesh.back, mesh.largest)).collect();
-        assert_eq!(sides, [(false, 7e5), (true, 2e5)]);
-        assert!(meshes.iter().all(|mesh| mesh.pattern.svg.contains("<polyline")));
+        // Tables of earlier versions have the column `side` only.
+        for [drive, coast] in [[("drive", "driving"), ("coast", "back")], [("", "driving"), ("", "back")]] {
+            let on = |(flank, side): (&str, &str), load: f64| -> Vec<Loaded> {
+                let row = |k| row(k, 0, 0.1 * k as f64, None, load);
+                (0..9).map(|k| Loaded { flank: flank.into(), side: side.into(), ..row(k) }).collect()
+            };
+            let (meshes, _) = meshes(&[on(coast, 2e5), on(drive, 7e5)].concat(), Units::of_system("SI"));
+            let sides: Vec<(bool, f64)> = meshes.iter().map(|mesh| (mesh.back, mesh.largest)).collect();
+            assert_eq!(sides, [(false, 7e5), (true, 2e5)]);
+            assert!(meshes.iter().all(|mesh| mesh.pattern.svg.contains("<polyline")));
+        }
     }
 
     /// Grids of positions have different lengths, and an odd number of slices.

@@ -3,7 +3,8 @@
 
 use super::units::{self, Unit, Units};
 use crate::directory::{SIGNALS, read_run};
-use crate::field_tables::LINE_LOAD;
+use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
+use crate::former_keys::{self, ResultFile};
 use crate::stress_range::{self, StressExtremes};
 use crate::{journal, modes_table};
 use calyx_abi::units::from_si;
@@ -157,8 +158,10 @@ pub struct Loaded {
     pub first_tooth: u32,
     pub second_body: String,
     pub second_tooth: u32,
-    /// [`DRIVING`](crate::field_tables::DRIVING) or [`BACK`](crate::field_tables::BACK); empty for
-    /// runs without the column.
+    /// [`DRIVE`](crate::field_tables::DRIVE) or [`COAST`]; empty for runs without the column.
+    #[serde(default)]
+    pub flank: String,
+    /// One of [`FORMER_SIDES`]; empty for runs without the column.
     #[serde(default)]
     pub side: String,
     pub first_radius: f64,
@@ -174,6 +177,13 @@ pub struct Loaded {
     /// Pressure on and next to edges; zero for runs that did not separate the two.
     #[serde(default)]
     pub edge_pressure: f64,
+}
+
+impl Loaded {
+    /// Returns true for the coast side of a tooth.
+    pub fn is_coast_side(&self) -> bool {
+        self.flank == COAST || (self.flank.is_empty() && self.side == FORMER_SIDES[1])
+    }
 }
 
 /// Plot drawn by the run.
@@ -218,7 +228,9 @@ impl Run {
             }
         };
         let timing = match fs::read(directory.join("timing.json")) {
-            Ok(text) if end == End::Finished => Some(serde_json::from_slice(&text)?),
+            Ok(text) if end == End::Finished => {
+                Some(former_keys::current(ResultFile::Timing, serde_json::from_slice(&text)?))
+            }
             _ => None,
         };
         let (positions, columns) = steps(&directory.join("steps.csv"))?;
@@ -304,13 +316,14 @@ fn place(at: &Value, units: Units, clock: Unit) -> String {
         ),
     }
     words.extend(at["point"].as_str().filter(|point| !point.is_empty()).map(str::to_owned));
-    if let (Some(body), Some(tooth)) = (at["place"]["body"].as_str(), at["place"]["tooth"].as_u64()) {
+    if let (Some(body), Some(tooth)) = (at["location"]["body"].as_str(), at["location"]["tooth"].as_u64()) {
         words.push(format!("{body}, tooth {tooth}"));
     }
     let length = |si: f64| format!("{} {}", super::number(units.length.of(si)), units.length.name);
-    words.extend(at["place"]["radius"].as_f64().map(|radius| format!("radius {}", length(radius))));
+    words.extend(at["location"]["radius"].as_f64().map(|radius| format!("radius {}", length(radius))));
     // A rounding error from mid-face is mid-face.
-    let axial = at["place"]["axial"].as_f64().map(|axial| if axial.abs() < ROUNDING { 0.0 } else { axial });
+    let axial =
+        at["location"]["axial"].as_f64().map(|axial| if axial.abs() < ROUNDING { 0.0 } else { axial });
     words.extend(axial.map(|axial| format!("{} from mid-face", length(axial))));
     words.join(", ")
 }
@@ -336,7 +349,7 @@ fn table(path: &Path) -> io::Result<Vec<Vec<String>>> {
 /// Returns the plots that the run lists, in its order.
 fn pictures(directory: &Path, head: &Value) -> io::Result<Vec<Picture>> {
     let listed = head["signals"].as_array().into_iter().flatten();
-    let named = listed.filter_map(|signal| signal["picture"].as_str());
+    let named = listed.filter_map(|signal| signal["plot"].as_str());
     let names = named.filter_map(|path| path.strip_prefix(SIGNALS)?.strip_prefix('/')?.strip_suffix(".svg"));
     // Excludes paths outside of the directory.
     let names = names.filter(|name| !name.contains(['/', '\\']));
@@ -352,7 +365,7 @@ fn pictures(directory: &Path, head: &Value) -> io::Result<Vec<Picture>> {
 fn tradeoff(directory: &Path) -> Option<Value> {
     let name = directory.file_name()?.to_str()?.strip_suffix(".run")?;
     let text = fs::read(directory.with_file_name(format!("{name}.tradeoff")).join("tradeoff.json")).ok()?;
-    serde_json::from_slice(&text).ok()
+    Some(former_keys::current(ResultFile::Tradeoff, serde_json::from_slice(&text).ok()?))
 }
 
 fn files(directory: &Path) -> io::Result<Vec<String>> {

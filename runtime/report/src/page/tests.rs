@@ -59,7 +59,7 @@ fn run_json() -> Value {
             "doc": "How far it is off.", "unit": "rad", "display": display,
             "min": 1e-6, "max": 3e-6, "mean": 2e-6, "peak_to_peak": 2e-6,
             "harmonics": [{ "order": 1, "amplitude": 1e-6, "phase": 0.0 }, { "order": 2, "amplitude": 1e-7, "phase": 0.0 }],
-            "max_at": { "step": 2, "time": 0.2, "roll_angle": 0.4, "point": "LPSTC", "place": { "body": "pinion", "tooth": 3, "radius": 0.02, "axial": null } },
+            "max_at": { "step": 2, "time": 0.2, "roll_angle": 0.4, "point": "LPSTC", "location": { "body": "pinion", "tooth": 3, "radius": 0.02, "axial": null } },
         } },
         "certificate": { "complementarity": 1e-17, "penetration": 2e-16, "tension": 0.0, "equilibrium": 1e-3 },
         "ignored_inputs": { "damping": "nothing moves" },
@@ -174,7 +174,7 @@ fn settings_are_named_for_large_errors() {
     assert_eq!(advice(0.099), None);
     assert_eq!(
         advice(0.11).as_deref(),
-        Some("to reduce the errors above 10 %: a finer contact grid (--cells), more positions")
+        Some("to reduce the errors above 10 %: a finer contact grid (--contact-cells), more positions")
     );
 }
 

@@ -79,7 +79,7 @@ pub struct Comparison {
     pub reference: usize,
     /// Discretization error by setting: true if the mesh of the reference is finer, so that the
     /// errors include it. Other settings are not recommended.
-    pub mesh_seen: Vec<bool>,
+    pub includes_mesh_error: Vec<bool>,
     pub outputs: Vec<OutputErrors>,
 }
 
@@ -98,7 +98,7 @@ impl Comparison {
             let known = [truth, measured].iter().all(|one| one.setting.overrides.fidelity.is_some());
             !known || truth.setting.is_finer_than(&measured.setting)
         };
-        let mesh_seen: Vec<bool> = settings.iter().map(finer).collect();
+        let includes_mesh_error: Vec<bool> = settings.iter().map(finer).collect();
         let outputs = truth.outputs.iter().map(|output| {
             let errors: Vec<Option<Errors>> = settings
                 .iter()
@@ -106,21 +106,21 @@ impl Comparison {
                     Errors::between(measured.output(&output.name)?, &measured.times, output, &truth.times)
                 })
                 .collect();
-            let frontier = frontier(&errors, reference, &mesh_seen);
+            let frontier = frontier(&errors, reference, &includes_mesh_error);
             OutputErrors { name: output.name.clone(), magnitude: output.magnitude(), errors, frontier }
         });
         let outputs = outputs.collect();
-        Some(Comparison { settings, reference, mesh_seen, outputs })
+        Some(Comparison { settings, reference, includes_mesh_error, outputs })
     }
 }
 
 /// Returns the settings from cheap to expensive, each with a smaller error than all cheaper ones.
 /// Excludes the reference and settings whose errors omit the discretization error.
-fn frontier(errors: &[Option<Errors>], reference: usize, mesh_seen: &[bool]) -> Vec<usize> {
+fn frontier(errors: &[Option<Errors>], reference: usize, includes_mesh_error: &[bool]) -> Vec<usize> {
     let mut least = f64::INFINITY;
     let mut frontier = Vec::new();
     for (index, errors) in errors.iter().enumerate() {
-        let counts = index != reference && mesh_seen[index];
+        let counts = index != reference && includes_mesh_error[index];
         let Some(error) = errors.as_ref().map(Errors::error).filter(|_| counts) else { continue };
         if error < least {
             least = error;
@@ -257,12 +257,12 @@ pub(super) mod tests {
             of(level("finest", Some(0.5)), 1.8, 0.05),
             of(Setting::new(Override { cells: Some(20), ..level("medium", None).overrides }), 4.0, 0.0),
         ];
-        let compared = Comparison::new(all, "medium cells=20").unwrap();
+        let compared = Comparison::new(all, "medium contact_cells=20").unwrap();
         let seen: Vec<(&str, bool)> = compared
             .settings
             .iter()
             .map(|m| m.setting.name.as_str())
-            .zip(compared.mesh_seen.iter().copied())
+            .zip(compared.includes_mesh_error.iter().copied())
             .collect();
         assert_eq!(
             seen,
@@ -271,7 +271,7 @@ pub(super) mod tests {
                 ("medium refinement=0.7", true),
                 ("finest refinement=0.5", false),
                 ("medium", false),
-                ("medium cells=20", false)
+                ("medium contact_cells=20", false)
             ]
         );
         assert_eq!(compared.outputs[0].frontier, [0, 1]);

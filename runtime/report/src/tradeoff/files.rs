@@ -3,20 +3,28 @@
 
 use super::comparison::{Comparison, TOLERANCES};
 use super::text::{OmittedSetting, cheapest_of_all};
+use crate::former_keys::{self, ResultFile, TRADEOFF_COLUMNS};
 use serde_json::{Map, Value, json};
 use std::fs;
 use std::io;
 use std::path::Path;
 
 /// Columns of the settings.
-const SETTING_NAMES: [&str; 7] =
-    ["refinement", "order", "face_elements", "displacement_order", "cells", "cells_along", "every"];
+const SETTING_NAMES: [&str; 7] = [
+    "refinement",
+    "element_order",
+    "face_elements",
+    "displacement_order",
+    "contact_cells",
+    "contact_slices",
+    "position_stride",
+];
 
 /// Writes the table. Times are in seconds, errors are fractions of the output's largest magnitude
 /// in the reference run.
 pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
     let mut writer = csv::Writer::from_path(path)?;
-    let header = ["setting", "level"].into_iter().chain(SETTING_NAMES).chain([
+    let header = ["setting", "fidelity"].into_iter().chain(SETTING_NAMES).chain([
         "time",
         "structures",
         "positions",
@@ -29,9 +37,15 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
         "mean",
         "peak_to_peak",
         "frontier",
-        "mesh_seen",
+        "includes_mesh_error",
     ]);
-    writer.write_record(header)?;
+    let header: Vec<&str> = header.collect();
+    // Columns under their former names, behind all others.
+    let former = TRADEOFF_COLUMNS
+        .iter()
+        .filter_map(|(name, former)| Some((header.iter().position(|column| column == name)?, *former)));
+    let (repeated, former): (Vec<usize>, Vec<&str>) = former.unzip();
+    writer.write_record(header.iter().chain(&former))?;
     for (index, measured) in comparison.settings.iter().enumerate() {
         let overridden = measured.setting.overridden();
         let overridden_setting = |name: &str| {
@@ -55,15 +69,16 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
                 None => Default::default(),
             });
             row.push(output.frontier.contains(&index).to_string());
-            row.push(comparison.mesh_seen[index].to_string());
+            row.push(comparison.includes_mesh_error[index].to_string());
+            row.extend(repeated.iter().map(|column| row[*column].clone()).collect::<Vec<_>>());
             writer.write_record(row)?;
         }
     }
     writer.flush()
 }
 
-/// Returns all data as JSON.
-pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: &[OmittedSetting]) -> Value {
+/// Returns all data as JSON, with the former names of keys.
+pub fn document(model: &str, params: &Value, comparison: &Comparison, omitted: &[OmittedSetting]) -> Value {
     let settings = comparison.settings.iter().enumerate().map(|(index, measured)| {
         let errors = comparison.outputs.iter().map(|output| {
             let told = output.errors[index].map(|e| {
@@ -76,13 +91,13 @@ pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: 
         });
         json!({
             "name": measured.setting.name,
-            "level": measured.setting.level(),
-            "knobs": measured.setting.overridden().into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect::<Map<_, _>>(),
+            "fidelity": measured.setting.level(),
+            "overrides": measured.setting.overridden().into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect::<Map<_, _>>(),
             "directory": format!("runs/{}", measured.setting.folder()),
             "time": { "unit": "s", "structures": measured.structures, "positions": measured.positions, "predicted": measured.predicted },
-            "memory": { "unit": "byte", "asked": measured.memory },
+            "memory": { "unit": "byte", "requested": measured.memory },
             "errors": errors.collect::<Map<_, _>>(),
-            "mesh_seen": comparison.mesh_seen[index],
+            "includes_mesh_error": comparison.includes_mesh_error[index],
         })
     });
     let name = |index: usize| json!(comparison.settings[index].setting.name);
@@ -99,9 +114,9 @@ pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: 
             json!({ "magnitude": output.magnitude, "frontier": frontier, "recommended": recommended }),
         )
     });
-    let left_out: Map<String, Value> =
-        left_out.iter().map(|OmittedSetting { name, reason }| (name.clone(), json!(reason))).collect();
-    json!({
+    let omitted: Map<String, Value> =
+        omitted.iter().map(|OmittedSetting { name, reason }| (name.clone(), json!(reason))).collect();
+    let document = json!({
         "calyx": env!("CARGO_PKG_VERSION"),
         "model": model,
         "params": params,
@@ -110,8 +125,9 @@ pub fn document(model: &str, params: &Value, comparison: &Comparison, left_out: 
         "settings": settings.collect::<Vec<_>>(),
         "outputs": outputs.collect::<Map<_, _>>(),
         "recommended": recommended(&|tolerance| cheapest_of_all(comparison, tolerance)),
-        "left_out": left_out,
-    })
+        "omitted": omitted,
+    });
+    former_keys::with_former(ResultFile::Tradeoff, document)
 }
 
 /// Writes the document.

@@ -2,7 +2,7 @@
 
 use super::Setting;
 use crate::directory::read_run;
-use serde_json::Value;
+use crate::former_keys::{self, ResultFile};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -52,8 +52,8 @@ impl Measurement {
         let Some(run) = read_run(directory)?.filter(|run| run.get("incomplete").is_none()) else {
             return Ok(None);
         };
-        let timing: Value = match fs::read(directory.join("timing.json")) {
-            Ok(text) => serde_json::from_slice(&text)?,
+        let timing = match fs::read(directory.join("timing.json")) {
+            Ok(text) => former_keys::current(ResultFile::Timing, serde_json::from_slice(&text)?),
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
             Err(error) => return Err(error),
         };
@@ -90,7 +90,7 @@ impl Measurement {
             predicted,
             structures: stage("structures") + stage("modes"),
             positions: stage("positions") * rows.len() as f64 / solved_here as f64,
-            memory: timing["memory"]["asked"].as_u64().unwrap_or(0),
+            memory: timing["memory"]["requested"].as_u64().unwrap_or(0),
             built: timing["structures"]["built"].as_u64().unwrap_or(0),
             times: column("time"),
             outputs: names.collect::<Vec<_>>().iter().map(series).collect(),

@@ -14,4 +14,4 @@ pub mod text;
 
 pub use comparison::{Comparison, Errors, OutputErrors};
 pub use measurement::Measurement;
-pub use settings::{Setting, references, settings};
+pub use settings::{Setting, current_setting_name, references, settings};

@@ -63,7 +63,7 @@ fn head(area: &Area<'_>, model: &str, comparison: &Comparison) -> Result<(), Box
     area.draw(&Text::new(title, (16, 10), ("sans-serif", 18)))?;
     let grey = ("sans-serif", 12).into_font().color(&BLACK.mix(0.7));
     let said = format!(
-        "reference: {} ({}); error: largest deviation at any position over the largest magnitude; line: what nothing cheaper beats",
+        "reference: {} ({}); error: largest deviation at any position over the largest magnitude; line: settings that are more accurate than all cheaper ones",
         reference.setting.name,
         seconds(reference.time())
     );

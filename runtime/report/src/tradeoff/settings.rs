@@ -3,12 +3,12 @@
 
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::scene::Fidelity;
-use calyx_runtime::settings_override::{Grid, Override};
+use calyx_runtime::settings_override::{Grid, Override, current_name};
 
 /// A setting of an analysis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// Name: the fidelity level and the changed settings, like `medium`, `medium cells=5`.
+    /// Name: the fidelity level and the changed settings, like `medium`, `medium contact_cells=5`.
     pub name: String,
     /// Overrides that define it, including the fidelity level.
     pub overrides: Override,
@@ -30,13 +30,10 @@ impl Setting {
     pub fn new(overrides: Override) -> Setting {
         // Errors are measured here, so their estimates are disabled.
         let overrides = Override { error_estimates: Some(Estimates::None), ..overrides };
-        let turned = overrides
-            .turned()
-            .into_iter()
-            .filter(|(overridden_setting, _)| *overridden_setting != "error_estimates");
-        let name = turned.map(|(overridden_setting, value)| match overridden_setting {
+        let names = overrides.overridden().into_iter().filter(|(name, _)| *name != "error_estimates");
+        let name = names.map(|(name, value)| match name {
             "fidelity" => value,
-            _ => format!("{overridden_setting}={value}"),
+            _ => format!("{name}={value}"),
         });
         Setting { name: name.collect::<Vec<_>>().join(" "), overrides }
     }
@@ -75,13 +72,18 @@ impl Setting {
 
     /// Returns the overridden settings other than the fidelity level.
     pub fn overridden(&self) -> Vec<(&'static str, String)> {
-        let below = |overridden_setting: &str| !["fidelity", "error_estimates"].contains(&overridden_setting);
-        self.overrides
-            .turned()
-            .into_iter()
-            .filter(|(overridden_setting, _)| below(overridden_setting))
-            .collect()
+        let below = |name: &str| !["fidelity", "error_estimates"].contains(&name);
+        self.overrides.overridden().into_iter().filter(|(name, _)| below(name)).collect()
     }
+}
+
+/// Returns the name of a setting in which settings of the analysis may have former names.
+pub fn current_setting_name(name: &str) -> String {
+    let part = |part: &str| match part.split_once('=') {
+        Some((name, value)) => format!("{}={value}", current_name(name)),
+        None => part.to_owned(),
+    };
+    name.split(' ').map(part).collect::<Vec<_>>().join(" ")
 }
 
 /// Returns the settings of a fidelity level, its default first. Settings that share structures are
@@ -177,7 +179,10 @@ mod tests {
         }
         let named =
             |name: &str| settings(Fidelity::Plane, GRID, true).iter().any(|setting| setting.name == name);
-        assert!(named("plane refinement=0.5 cells=5 cells_along=4") && named("plane every=2"));
+        assert!(
+            named("plane refinement=0.5 contact_cells=5 contact_slices=4")
+                && named("plane position_stride=2")
+        );
         assert!(
             !settings(Fidelity::Plane, GRID, false).iter().any(|setting| setting.overrides.every.is_some())
         );
@@ -198,8 +203,13 @@ mod tests {
         let names: Vec<String> = references(level, GRID).into_iter().map(|setting| setting.name).collect();
         assert_eq!(
             names,
-            ["finest refinement=1.4 cells=20 cells_along=16", "finest cells=20 cells_along=16"]
+            [
+                "finest refinement=1.4 contact_cells=20 contact_slices=16",
+                "finest contact_cells=20 contact_slices=16"
+            ]
         );
+        assert_eq!(current_setting_name("finest cells=20 cells_along=16"), names[1]);
+        assert_eq!(current_setting_name(&names[0]), names[0]);
         let own = &settings(level, GRID, true)[0];
         let [finer, same] = &references(level, GRID)[..] else { panic!("two references") };
         assert!(finer.is_finer_than(own) && !same.is_finer_than(own) && same.mesh() == own.mesh());

@@ -52,7 +52,7 @@ pub fn table(comparison: &Comparison) -> String {
             let Some(errors) = &output.errors[index] else { return String::new() };
             let mark = match output.frontier.contains(&index) {
                 true => "*",
-                false if !comparison.mesh_seen[index] => "~",
+                false if !comparison.includes_mesh_error[index] => "~",
                 false => " ",
             };
             format!("{} %{mark}", percent(errors.error()))
@@ -76,12 +76,13 @@ pub fn table(comparison: &Comparison) -> String {
         text += &format!("[{number}] {}\n", output.name);
     }
     text += "\
-errors are the largest deviation at any position over the largest magnitude in the reference run; * marks settings that no cheaper one beats;
-the error of the reference run itself is not included\n";
-    let unseen = |index: usize| index != comparison.reference && !comparison.mesh_seen[index];
+errors are the largest deviation at any position over the largest magnitude in the reference run; they exclude the error of the
+reference run itself; * marks settings that are more accurate than all cheaper ones\n";
+    let unseen = |index: usize| index != comparison.reference && !comparison.includes_mesh_error[index];
     if (0..comparison.settings.len()).any(unseen) {
         text += "\
-~ excludes the error of the mesh and of the level, because the mesh of the reference is no finer; such settings are not recommended\n";
+~ marks errors that exclude those of the mesh and of the level, because the mesh of the reference is no finer; such settings are not
+recommended\n";
     }
     text
 }
@@ -131,13 +132,13 @@ fn percent_of(tolerance: f64) -> String {
 pub fn cheapest_of_all(comparison: &Comparison, tolerance: f64) -> Option<usize> {
     let within = |errors: &Option<Errors>| errors.as_ref().is_some_and(|errors| errors.error() <= tolerance);
     (0..comparison.settings.len())
-        .filter(|index| *index != comparison.reference && comparison.mesh_seen[*index])
+        .filter(|index| *index != comparison.reference && comparison.includes_mesh_error[*index])
         .find(|index| comparison.outputs.iter().all(|output| within(&output.errors[*index])))
 }
 
 /// Lists the settings that were not run, with the reasons.
-pub fn left_out(all: &[OmittedSetting]) -> String {
-    all.iter().map(|OmittedSetting { name, reason }| format!("{name} left out: {reason}\n")).collect()
+pub fn omitted(all: &[OmittedSetting]) -> String {
+    all.iter().map(|OmittedSetting { name, reason }| format!("{name} omitted: {reason}\n")).collect()
 }
 
 #[cfg(test)]

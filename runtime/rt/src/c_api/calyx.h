@@ -14,9 +14,13 @@
  *     calyx_free(pair);
  *
  * Every function that can fail returns a status, and calyx_error returns the last problem of an
- * instance. No function ends the process, changes its signal handlers, or writes to its results if it
- * fails. Strings are UTF-8. Only one thread at a time may use an instance, except for calyx_cancel.
- * Different instances are independent of each other.
+ * instance. A function that fails does not write to its output arguments. No function ends the process
+ * or changes its signal handlers. Strings are UTF-8. Only one thread at a time may use an instance,
+ * except for calyx_cancel. Different instances are independent of each other.
+ *
+ * Former names, which work until version 0.2:
+ *     CALYX_GIVEN   is now CALYX_INVALID_INPUT
+ *     calyx_where   is now calyx_last_position
  */
 
 #include <stddef.h>
@@ -26,25 +30,34 @@
 extern "C" {
 #endif
 
+/* Marks a former name; GCC and Clang warn where a program uses it. */
+#if defined(__GNUC__) || defined(__clang__)
+#define CALYX_DEPRECATED(message) __attribute__((deprecated(message)))
+#else
+#define CALYX_DEPRECATED(message)
+#endif
+
 /* Compiled model, a constant of the program. */
 typedef struct calyx_model calyx_model;
 
 /* Instance of a model, with its own params and results. */
 typedef struct calyx_instance calyx_instance;
 
+/* Result of a function. */
 typedef enum calyx_status {
+    /* The function succeeded. */
     CALYX_OK = 0,
     /* The run is complete: there is no further position. */
     CALYX_END = 1,
-    /* Invalid argument: an unknown name, a unit of another dimension, a value out of range. */
-    CALYX_GIVEN = 2,
-    /* The model or its analysis failed with these params. */
+    /* An argument is invalid: an unknown name, a unit of another dimension, a value out of range. */
+    CALYX_INVALID_INPUT = 2,
+    /* The model or its analysis reported an error with these params. */
     CALYX_MODEL = 3,
     /* calyx_cancel ended the run. */
     CALYX_CANCELLED = 4,
     /* The run exceeded its limit of time or memory. */
     CALYX_LIMIT = 5,
-    /* Defect of Calyx, or a resource that this machine did not provide. */
+    /* Calyx has a defect, or the machine refused a resource, such as a thread. */
     CALYX_INTERNAL = 6,
     /* A required pointer is NULL. */
     CALYX_NULL = 7,
@@ -52,7 +65,10 @@ typedef enum calyx_status {
     CALYX_VERSION = 8
 } calyx_status;
 
-/* Returns the meaning of a status as a sentence, never NULL. */
+/* Former name of CALYX_INVALID_INPUT. */
+#define CALYX_GIVEN CALYX_INVALID_INPUT
+
+/* Returns the meaning of a status as a text, never NULL. */
 const char *calyx_status_message(calyx_status status);
 
 /* -- Instances --------------------------------------------------------------------------------- */
@@ -64,33 +80,35 @@ calyx_status calyx_create(const calyx_model *model, calyx_instance **instance);
    compiled code and cached structures. */
 calyx_status calyx_create_like(const calyx_instance *instance, calyx_instance **another);
 
-/* Ends the current run and frees the instance. Does nothing if the instance is NULL. */
+/* Stops the current run and frees the instance. Does nothing if the instance is NULL. */
 void calyx_free(calyx_instance *instance);
 
-/* Reason why the last function on this instance failed. */
+/* Problem that the last failed function on an instance reported. */
 typedef struct calyx_problem {
     calyx_status status;
-    /* Code for `calyx explain`, such as "E0603"; empty for invalid arguments. */
+    /* Diagnostic code for `calyx explain`, such as "E0603"; empty for invalid arguments. */
     const char *code;
     /* Problem and remedy; either may be empty. */
     const char *message;
     const char *help;
-    /* Location in the model's source, counted from 1; an empty name and 0 if there is none. */
+    /* Location in the model's source. Lines and columns are counted from 1; an empty name and 0 if the
+       problem has no location. */
     const char *file;
     size_t line;
     size_t column;
-    /* Complete message for a reader, in several lines, with the line of the source. */
+    /* Message, help and the line of the source as text of several lines, to be shown to a user. */
     const char *report;
 } calyx_problem;
 
-/* Returns the last problem; its status is CALYX_OK if there was none. The strings are valid until the
-   next call with this instance. */
+/* Returns the last problem; its status is CALYX_OK if no function failed. The strings are valid until
+   the next call with this instance. */
 calyx_status calyx_error(const calyx_instance *instance, calyx_problem *problem);
 
 /* -- Params ------------------------------------------------------------------------------------ */
 
-/* Sets a param to a number in the unit of its default, for the next run. A value out of range is
-   rejected here, or at the start of that run if the range depends on other params. */
+/* Sets a param to a number in the unit of its default, for the next run. This function rejects a value
+   out of range. If the range depends on other params, calyx_step rejects the value when it starts the
+   run. */
 calyx_status calyx_set(calyx_instance *instance, const char *param, double value);
 
 /* Sets a param to a number in a unit, such as "N*m". */
@@ -114,28 +132,30 @@ calyx_status calyx_get(const calyx_instance *instance, const char *param, double
 /* Limits the time of each run, s; 0 removes the limit. */
 calyx_status calyx_limit_time(calyx_instance *instance, double seconds);
 
-/* Limits the memory of a run's values, and of the process during an analysis, bytes; 0 removes the
-   limit. */
+/* Limits the memory of the values of a run, and the memory of the process during an analysis, bytes; 0
+   removes the limit. */
 calyx_status calyx_limit_memory(calyx_instance *instance, uint64_t bytes);
 
-/* Sets the callback for lines that the model prints, without line ends; NULL, the default, discards
-   them. A thread of the run calls it. It must not call functions on this instance. */
+/* Sets the function that receives each line that the model prints, without its line end. NULL, the
+   default, discards the lines. A thread of the run calls the function, which must not use this
+   instance. */
 calyx_status calyx_on_print(calyx_instance *instance, void (*print)(const char *line, void *user), void *user);
 
 /* -- Running ----------------------------------------------------------------------------------- */
 
-/* Solves the next position. Starts a run with the current params if none is in progress. CALYX_OK: the
-   position is solved, and its outputs are available. CALYX_END: all positions are solved, and summaries
-   are available. */
+/* Solves the next position. Starts a run with the current params if none is in progress. Returns
+   CALYX_OK if the position is solved: its outputs are available. Returns CALYX_END if all positions are
+   solved: summaries are available. */
 calyx_status calyx_step(calyx_instance *instance);
 
-/* Ends the current run; the next step starts another one. */
+/* Stops the current run. The next step starts another run. */
 calyx_status calyx_stop(calyx_instance *instance);
 
-/* Requests the end of the current run, from any thread: its step returns CALYX_CANCELLED. The instance
-   must not be freed meanwhile. */
+/* Cancels the current run, from any thread: its step returns CALYX_CANCELLED. The caller must not free
+   the instance before this function returns. */
 calyx_status calyx_cancel(const calyx_instance *instance);
 
+/* A solved position. */
 typedef struct calyx_position {
     /* Index, from 0. */
     size_t index;
@@ -143,15 +163,20 @@ typedef struct calyx_position {
     size_t count;
     /* Time, s. */
     double time;
-    /* Fraction of the mesh cycle. */
+    /* Fraction of the mesh cycle, 0 to 1. */
     double cycle;
-    /* Roll angle, rad. */
+    /* Roll angle of the entering tooth of the first gear, rad. */
     double roll_angle;
-    /* Name of a characteristic point; empty at other positions. Valid until the next step. */
+    /* Name of the characteristic point of the path of contact, such as "HPSTC"; empty at other
+       positions. The string is valid until the next step. */
     const char *point;
 } calyx_position;
 
 /* Returns the last solved position. */
+calyx_status calyx_last_position(const calyx_instance *instance, calyx_position *position);
+
+/* Former name of calyx_last_position. */
+CALYX_DEPRECATED("use calyx_last_position")
 calyx_status calyx_where(const calyx_instance *instance, calyx_position *position);
 
 /* Returns an output at that position, in the unit in which the model displays it. */
@@ -160,11 +185,13 @@ calyx_status calyx_output(const calyx_instance *instance, size_t output, double 
 /* Returns an output at that position, in a given unit. */
 calyx_status calyx_output_in(const calyx_instance *instance, size_t output, const char *unit, double *value);
 
+/* Statistics of an output over all positions of a run. */
 typedef struct calyx_summary {
     double min;
     double max;
     /* Mean over time. */
     double mean;
+    /* Difference of max and min. */
     double peak_to_peak;
     /* Index of the position of the maximum. */
     size_t max_at;
@@ -180,18 +207,20 @@ calyx_status calyx_summarize_in(
 
 /* -- Description of a model -------------------------------------------------------------------- */
 
+/* Description of a param. */
 typedef struct calyx_param_info {
     const char *name;
     const char *doc;
     /* Unit of the default, of the range and of calyx_set; empty for pure numbers and for params that are
        not numbers. */
     const char *unit;
-    /* NAN for strings, and for limits that the param does not have. */
+    /* Default and range in that unit. NAN for strings, and for limits that the param does not have. */
     double default_value;
     double low;
     double high;
 } calyx_param_info;
 
+/* Description of an output. */
 typedef struct calyx_output_info {
     const char *name;
     const char *doc;
@@ -199,11 +228,12 @@ typedef struct calyx_output_info {
     const char *unit;
 } calyx_output_info;
 
-/* Return the numbers of params and outputs; 0 if the instance is NULL. */
+/* Return the number of params and of outputs; 0 if the instance is NULL. */
 size_t calyx_param_count(const calyx_instance *instance);
 size_t calyx_output_count(const calyx_instance *instance);
 
-/* Return descriptions. The strings are valid as long as the instance. */
+/* Return the description of the param or output with an index. The strings are valid until the instance
+   is freed. */
 calyx_status calyx_param_at(const calyx_instance *instance, size_t param, calyx_param_info *info);
 calyx_status calyx_output_at(const calyx_instance *instance, size_t output, calyx_output_info *info);
 

@@ -104,7 +104,7 @@ pub unsafe extern "C" fn calyx_param_at(
         let [name, doc, unit] = [name, doc, unit].map(|text| text.as_ptr());
         let found = ParamInfo { name, doc, unit, default_value, low, high };
         // SAFETY: guaranteed by the caller.
-        unsafe { store(info, "the place for the param", found) }?;
+        unsafe { store(info, "the output argument for the param", found) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn calyx_output_at(
             outputs.get(output).ok_or_else(|| none_of(output, "output", outputs.len()))?;
         let [name, doc, unit] = [name, doc, unit].map(|text| text.as_ptr());
         // SAFETY: guaranteed by the caller.
-        unsafe { store(info, "the place for the output", OutputInfo { name, doc, unit }) }?;
+        unsafe { store(info, "the output argument for the output", OutputInfo { name, doc, unit }) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.
@@ -149,7 +149,7 @@ pub unsafe extern "C" fn calyx_output_named(
         // SAFETY: guaranteed by the caller.
         let found = state.instance.output(unsafe { text(name, "the name of the output") }?)?;
         // SAFETY: guaranteed by the caller.
-        unsafe { store(output, "the place for the output", found.index()) }?;
+        unsafe { store(output, "the output argument for the output", found.index()) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.

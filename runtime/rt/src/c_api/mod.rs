@@ -18,8 +18,8 @@ pub use params::{
     calyx_set_in, calyx_set_text,
 };
 pub use running::{
-    Position, Summary, calyx_cancel, calyx_output, calyx_output_in, calyx_step, calyx_stop, calyx_summarize,
-    calyx_summarize_in, calyx_where,
+    Position, Summary, calyx_cancel, calyx_last_position, calyx_output, calyx_output_in, calyx_step,
+    calyx_stop, calyx_summarize, calyx_summarize_in, calyx_where,
 };
 pub use status::{CStatus, calyx_status_message};
 
@@ -238,7 +238,7 @@ pub unsafe extern "C" fn calyx_create_like(
 ) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
         if another.is_null() {
-            return Err(null("the place for the instance"));
+            return Err(null("the output argument for the instance"));
         }
         let made = Box::new(instance_of(state.instance.engine(), state.program.clone()));
         // SAFETY: not null, so valid for writing as guaranteed by the caller.

@@ -123,7 +123,7 @@ pub unsafe extern "C" fn calyx_get(
             }
         };
         // SAFETY: guaranteed by the caller.
-        unsafe { store(value, "the place for the value", number) }?;
+        unsafe { store(value, "the output argument for the value", number) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.

@@ -135,12 +135,23 @@ impl State {
     }
 }
 
+/// Returns the last solved position, under the former name of [`calyx_last_position`]. Removed in
+/// version 0.2.
+///
+/// # Safety
+/// As for [`calyx_last_position`].
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_where(instance: *const CInstance, position: *mut Position) -> CStatus {
+    // SAFETY: guaranteed by the caller.
+    unsafe { calyx_last_position(instance, position) }
+}
+
 /// Returns the last solved position.
 ///
 /// # Safety
 /// As for [`calyx_step`], and `position` is NULL or valid for writing.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn calyx_where(instance: *const CInstance, position: *mut Position) -> CStatus {
+pub unsafe extern "C" fn calyx_last_position(instance: *const CInstance, position: *mut Position) -> CStatus {
     let body = |_: &CInstance, state: &mut State| {
         let (step, point) = state.step()?;
         let at = step.position();
@@ -153,7 +164,7 @@ pub unsafe extern "C" fn calyx_where(instance: *const CInstance, position: *mut 
             point: point.as_ptr(),
         };
         // SAFETY: guaranteed by the caller.
-        unsafe { store(position, "the place for the position", found) }?;
+        unsafe { store(position, "the output argument for the position", found) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.
@@ -169,7 +180,7 @@ pub unsafe extern "C" fn calyx_output(instance: *const CInstance, output: usize,
     let body = |_: &CInstance, state: &mut State| {
         let number = state.step()?.0.value(state.output(output)?)?;
         // SAFETY: guaranteed by the caller.
-        unsafe { store(value, "the place for the value", number) }?;
+        unsafe { store(value, "the output argument for the value", number) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.
@@ -192,7 +203,7 @@ pub unsafe extern "C" fn calyx_output_in(
         let unit = unsafe { text(unit, "the unit") }?;
         let number = state.step()?.0.in_unit(state.output(output)?, unit)?;
         // SAFETY: guaranteed by the caller.
-        unsafe { store(value, "the place for the value", number) }?;
+        unsafe { store(value, "the output argument for the value", number) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.
@@ -213,7 +224,7 @@ pub unsafe extern "C" fn calyx_summarize(
     let body = |_: &CInstance, state: &mut State| {
         let found = state.results()?.summary(state.output(output)?)?;
         // SAFETY: guaranteed by the caller.
-        unsafe { store(summary, "the place for the summary", found.into()) }?;
+        unsafe { store(summary, "the output argument for the summary", found.into()) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.
@@ -237,7 +248,7 @@ pub unsafe extern "C" fn calyx_summarize_in(
         let unit = unsafe { text(unit, "the unit") }?;
         let found = state.results()?.summary_in(state.output(output)?, unit)?;
         // SAFETY: guaranteed by the caller.
-        unsafe { store(summary, "the place for the summary", found.into()) }?;
+        unsafe { store(summary, "the output argument for the summary", found.into()) }?;
         Ok(CStatus::Ok)
     };
     // SAFETY: guaranteed by the caller.

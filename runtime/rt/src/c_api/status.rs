@@ -9,7 +9,7 @@ use std::ffi::{c_char, c_int};
 pub enum CStatus {
     Ok = 0,
     End = 1,
-    Given = 2,
+    InvalidInput = 2,
     Model = 3,
     Cancelled = 4,
     Limit = 5,
@@ -21,7 +21,7 @@ pub enum CStatus {
 impl CStatus {
     pub(super) fn of(error: &Error) -> CStatus {
         match error.kind() {
-            ErrorKind::Given => CStatus::Given,
+            ErrorKind::InvalidInput => CStatus::InvalidInput,
             ErrorKind::Model => CStatus::Model,
             ErrorKind::Cancelled => CStatus::Cancelled,
             ErrorKind::Limit => CStatus::Limit,
@@ -34,16 +34,16 @@ impl CStatus {
 #[unsafe(no_mangle)]
 pub extern "C" fn calyx_status_message(status: c_int) -> *const c_char {
     let message = match status {
-        0 => c"all went well",
+        0 => c"the function succeeded",
         1 => c"the run is complete: there is no further position",
-        2 => c"what was given cannot be used",
+        2 => c"an argument is invalid",
         3 => c"the model or its analysis failed",
         4 => c"the run was cancelled",
-        5 => c"the run used up its time or memory",
-        6 => c"an internal error, which should be reported with the model",
-        7 => c"a pointer is NULL where something must be",
-        8 => c"the model was compiled by another version of Calyx than the library it is linked with; compile it again",
-        _ => c"an unknown status",
+        5 => c"the run exceeded its limit of time or memory",
+        6 => c"internal error; please report it with the model",
+        7 => c"a required pointer is NULL",
+        8 => c"the model was compiled by another version of Calyx than that of the linked library; compile it again",
+        _ => c"unknown status",
     };
     message.as_ptr()
 }

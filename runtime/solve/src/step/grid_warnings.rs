@@ -1,6 +1,6 @@
 //! Warnings about contact grids that do not suit their patches.
 //!
-//! `grid_width` and `cells` apply to all patches of a mesh, so the advice does too: an advised
+//! `grid_width` and `contact_cells` apply to all patches of a mesh, so the advice does too: an advised
 //! width covers the whole load on any flank, not only the patch that needs a change.
 
 use super::contact_geometry::{Candidate, ContactGeometry, WidthReport};
@@ -95,7 +95,7 @@ fn trouble(patches: &[Loaded], prescribed: bool) -> Option<String> {
     // Lightly loaded patches do not need the resolution of the main one on a width given for it.
     (main.report.under_resolved || !prescribed).then(|| {
         let cells = (2 * main.report.half_count).max(4);
-        format!("has too few cells: only a few of them carry load; `cells = {cells}` suits it")
+        format!("has too few cells: only a few of them carry load; `contact_cells = {cells}` suits it")
     })
 }
 
