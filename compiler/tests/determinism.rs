@@ -110,7 +110,7 @@ fn planetary_sets_have_the_same_bits_everywhere() {
 }
 
 #[test]
-fn pairs_in_space_have_the_same_bits_everywhere() {
+fn solid_pairs_have_the_same_bits_everywhere() {
     check_bits(&format!("{PAIR}{IN_SPACE}"));
 }
 

@@ -359,14 +359,14 @@ fn a_run_ends_while_its_structures_are_being_built() {
 #[test]
 fn progress_is_told_and_may_end_the_run() {
     let mut pair = pair();
-    let told = Arc::new(Mutex::new(Vec::new()));
-    let sink = told.clone();
+    let reported = Arc::new(Mutex::new(Vec::new()));
+    let sink = reported.clone();
     pair.on_progress(move |progress| sink.lock().unwrap().push(progress));
     let count = pair.solve().unwrap().steps().len();
-    let told = std::mem::take(&mut *told.lock().unwrap());
-    let stages: Vec<&str> = told.iter().filter(|p| p.total.is_none()).map(|p| p.stage).collect();
+    let reported = std::mem::take(&mut *reported.lock().unwrap());
+    let stages: Vec<&str> = reported.iter().filter(|p| p.total.is_none()).map(|p| p.stage).collect();
     assert_eq!(stages, ["structures", "positions", "errors"]);
-    let done: Vec<usize> = told.iter().filter(|p| p.total == Some(count)).map(|p| p.done).collect();
+    let done: Vec<usize> = reported.iter().filter(|p| p.total == Some(count)).map(|p| p.done).collect();
     assert_eq!(done, (1..=count).collect::<Vec<_>>());
     let cancel = pair.cancel_handle();
     pair.on_progress(move |Progress { done, .. }| {

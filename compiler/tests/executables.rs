@@ -96,13 +96,13 @@ fn runs_alone_and_writes_the_same_bits(model: &Path, set: &[&str], options: &[&s
         set.iter().flat_map(|given| ["--set", given]).chain(options.iter().copied()).collect();
     // Both runs share the structure cache, whose contents are bitwise reproducible.
     let keeping = ["--quiet", "--cache", shown(&cache), "--out", shown(&results)];
-    let told = calyx(&[&["run", shown(model)], &keeping[..], &set].concat());
+    let from_command = calyx(&[&["run", shown(model)], &keeping[..], &set].concat());
 
     calyx(&[&["build", shown(model), "-o", shown(&executable)], how].concat());
     let options = [&["--quiet", "--out", "here"], &set[..]].concat();
     let output = alone_with(shown(&cache), &executable, &elsewhere, &options);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    assert_eq!(output.stdout, told.stdout, "{}", model.display());
+    assert_eq!(output.stdout, from_command.stdout, "{}", model.display());
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 
     let here = elsewhere.join("here");

@@ -28,21 +28,21 @@ fn names_units_and_places_are_told() {
     let module = module(TEXT);
     assert_eq!(module.kernel_names(), ["arm", "end", "frame", "moved", "half"]);
     let end = module.kernel("end").unwrap();
-    let told = |quantities: &[calyx::Quantity]| -> Vec<String> {
+    let shown = |quantities: &[calyx::Quantity]| -> Vec<String> {
         quantities.iter().map(|q| format!("{} [{}] {}", q.name, q.unit, q.factor)).collect()
     };
     assert_eq!(
-        told(end.arguments()),
+        shown(end.arguments()),
         ["push.e1 [mm] 0.001", "push.e2 [mm] 0.001", "push.e3 [mm] 0.001", "turn [rad] 1"]
     );
     assert_eq!(
-        told(end.outputs()),
+        shown(end.outputs()),
         ["0.e1 [mm] 0.001", "0.e2 [mm] 0.001", "0.e3 [mm] 0.001", "1.0 [mm] 0.001", "1.1 [rad] 1"]
     );
     assert_eq!((end.name(), module.kernel("arm").unwrap().doc()), ("end", "The arm turns while it grows."));
     let frame = module.kernel("frame").unwrap();
-    assert_eq!(told(&frame.outputs()[8..10]), ["33 [] 1", "t1 [mm] 0.001"]);
-    assert_eq!(told(&module.kernel("moved").unwrap().arguments()[..1]), ["Time [s] 1"]);
+    assert_eq!(shown(&frame.outputs()[8..10]), ["33 [] 1", "t1 [mm] 0.001"]);
+    assert_eq!(shown(&module.kernel("moved").unwrap().arguments()[..1]), ["Time [s] 1"]);
     assert!(format!("{end:?}").starts_with("Kernel { name: \"end\""));
 }
 

@@ -107,7 +107,7 @@ fn results(directory: &Path) -> BTreeMap<String, String> {
 const SET: [&str; 5] = ["--quiet", "--set", "steps=5", "--fields", "--vtu"];
 
 /// Creates a command that runs the 3-D example.
-fn in_space(directory: &Path, arguments: &[&str]) -> Command {
+fn three_dimensional(directory: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
     command.arg("run").arg(example()).args(["--out", "results", "--cache", "kept", "--quiet"]);
     command.args(arguments).current_dir(directory);
@@ -117,10 +117,10 @@ fn in_space(directory: &Path, arguments: &[&str]) -> Command {
 /// A 3-D analysis checks its memory limit first; if rejected, it reports the required memory and a
 /// remedy, and leaves no files.
 #[test]
-fn a_model_in_space_that_does_not_fit_is_refused() {
+fn a_solid_model_that_does_not_fit_into_memory_is_refused() {
     let directory = tempfile::tempdir().unwrap();
     let arguments = ["--set", "fidelity=finest", "--memory-limit", "400MB"];
-    let (status, _, err) = said(&mut in_space(directory.path(), &arguments));
+    let (status, _, err) = said(&mut three_dimensional(directory.path(), &arguments));
     assert_eq!(status, Some(1), "{err}");
     let (_, message) = err.split_once("[E0707] Error: the analysis needs ").expect(&err);
     let (needs, rest) =
@@ -138,17 +138,17 @@ fn a_model_in_space_that_does_not_fit_is_refused() {
 /// A resumed run that exceeds its memory limit keeps the solved positions for a later run with a
 /// higher limit.
 #[test]
-fn a_refused_run_in_space_goes_on_with_more_memory() {
+fn a_refused_run_of_a_solid_model_resumes_with_more_memory() {
     let small = ["--set", "steps=2", "--set", "face_elements=1", "--set", "displacement_order=1"];
     let [whole, ended] = [(), ()].map(|()| tempfile::tempdir().unwrap());
-    let (status, _, err) = said(&mut in_space(whole.path(), &small));
+    let (status, _, err) = said(&mut three_dimensional(whole.path(), &small));
     assert_eq!(status, Some(0), "{err}");
-    kill_after(&mut in_space(ended.path(), &[&small[..], &["--threads", "1"]].concat()), 1);
+    kill_after(&mut three_dimensional(ended.path(), &[&small[..], &["--threads", "1"]].concat()), 1);
     let of_run = |name: &str| fs::read_to_string(ended.path().join("results").join(name)).expect("text");
     let solved = ["journal.jsonl", "steps.csv"].map(of_run);
     let again = |limit: &str| {
         let arguments = [&small[..], &["--resume", "--memory-limit", limit]].concat();
-        said(&mut in_space(ended.path(), &arguments))
+        said(&mut three_dimensional(ended.path(), &arguments))
     };
     let (status, _, err) = again("20MB");
     assert_eq!(status, Some(1), "{err}");
@@ -235,11 +235,11 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
         fs::write(&journal, &text[..length]).unwrap();
         let (status, _, err) = run(&["--resume"]);
         assert_eq!(status, Some(0), "{err}");
-        let told = match whole {
+        let line = match whole {
             Some(count) => format!("resuming after {count} positions"),
             None => "contains nothing to resume".into(),
         };
-        assert!(err.contains(&told), "{length} bytes: {err}");
+        assert!(err.contains(&line), "{length} bytes: {err}");
         assert!(results(directory.path()) == expected, "{length} bytes");
     }
     // A run ended by Ctrl-C can be resumed too.

@@ -78,12 +78,12 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
         gears.spectrum(\"te\", window = \"rectangular\", scaling = \"density\");
         gears.spectrogram(\"te\", segment = 0.05 s);";
     let output = run(directory.path(), asked);
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{told}");
+    let printed = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{printed}");
     // Two cycles of 20 Hz.
     assert!(
-        told.lines().any(|line| line.starts_with("te_spectrum [rad]: ") && line.contains("at 20 Hz")),
-        "{told}"
+        printed.lines().any(|line| line.starts_with("te_spectrum [rad]: ") && line.contains("at 20 Hz")),
+        "{printed}"
     );
     let below = directory.path().join("run/signals");
     let table = fs::read_to_string(below.join("te_spectrum.csv")).unwrap();
@@ -192,15 +192,15 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
         ("gears.spectrum(\"te\", from = 0.09 s);", "at least 4 samples, and there are"),
         (
             "gears.spectrum(\"te\", segment = 1 ms);",
-            "a piece of 0.001 s has 0 samples, which are 0.003125 s apart",
+            "a segment of 0.001 s has 0 samples, which are 0.003125 s apart",
         ),
         (
             "gears.spectrum(\"te\", segment = 1 s);",
-            "a piece of 1 s is longer than the 32 samples, which last 0.1 s",
+            "a segment of 1 s is longer than the 32 samples, which last 0.1 s",
         ),
-        ("gears.spectrogram(\"te\", segment = 9 ms);", "a piece of 0.009 s has 3 samples"),
+        ("gears.spectrogram(\"te\", segment = 9 ms);", "a segment of 0.009 s has 3 samples"),
         ("gears.order_map(\"te\", shaft = two, revolutions = 8);", "longer than what the samples show"),
-        ("gears.order_map(\"te\", angle = \"still\");", "the shaft rests or turns back"),
+        ("gears.order_map(\"te\", angle = \"still\");", "the shaft stops or reverses"),
     ];
     // One per line, from the tenth line.
     let all: Vec<&str> = asked.iter().map(|(asked, _)| *asked).collect();

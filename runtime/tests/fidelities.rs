@@ -32,7 +32,7 @@ fn a_face_has_elements_of_some_order() {
 }
 
 #[test]
-fn a_body_known_in_section_only_has_no_model_in_space() {
+fn a_body_with_a_plane_model_only_has_no_solid_model() {
     let disc = Disc::new(0.05, 0.02, Material::STEEL);
     let built = disc.build_solid(&StructureOptions::default(), &Interrupt::never());
     assert_eq!(built.err().map(|error| error.code), Some("E0690"));

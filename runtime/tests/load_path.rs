@@ -93,9 +93,9 @@ fn a_width_is_that_of_the_bodies_that_load_each_other() {
     scene.add_observable(looked_at);
     scene.add_observable(MaxContactPressure(PairId(1)));
     let whole = Plan::whole(&scene, Fidelity::Plane, StructureOptions::default()).expect("a plan");
-    let told = |plan: &Plan| plan.ignored.iter().any(|ignored| ignored.input == "face_width");
+    let reported = |plan: &Plan| plan.ignored.iter().any(|ignored| ignored.input == "face_width");
     let pruned = planned(&scene);
-    assert_eq!([&whole, &pruned].map(told), [true, false]);
+    assert_eq!([&whole, &pruned].map(reported), [true, false]);
     let [all, part] = [whole, pruned].map(|plan| {
         let system = System::new(&scene, &plan).expect("a system");
         let step = system.solve(0.0).expect("equilibrium");

@@ -33,7 +33,7 @@ const SMALL: Divisions = Divisions { rim: 1, tooth_root: 1, flank: 2, thickness:
 const TEETH: u32 = 6;
 const WIDTH: f64 = 0.2;
 /// Mean constraints: frame and deformation are coupled by inertia only.
-const HOLD: BoreSupport = BoreSupport::Means { harmonics: None, degree: 0 };
+const SUPPORT: BoreSupport = BoreSupport::Means { harmonics: None, degree: 0 };
 /// Spring constants of the bearing along both axes and about the third, per metre of width,
 /// comparable with the stiffness of the ring.
 const SPRINGS: [f64; 3] = [2e10, 2e10, 1e10];
@@ -43,7 +43,7 @@ struct Ring;
 
 fn modes_up_to(highest: f64) -> Result<BodyModes, StructureError> {
     let (model, _) = toothed_sector(TEETH, 1.0, SMALL);
-    let source = RingSource { hold: HOLD, ..ring_source(TEETH) };
+    let source = RingSource { support: SUPPORT, ..ring_source(TEETH) };
     BodyModes::ring(&model, &source, &[], &SplitOptions::default(), highest, &Interrupt::never())
 }
 

@@ -127,7 +127,7 @@ fn tripod(wrench: Wrench, sink: f64) -> (Scene, BodyId, Vec<PairId>) {
     (scene, plate, pairs)
 }
 
-fn in_space() -> AnalysisOptions {
+fn three_dimensional() -> AnalysisOptions {
     AnalysisOptions { fidelity: Fidelity::Solid(Template::Medium), ..AnalysisOptions::default() }
 }
 
@@ -148,7 +148,7 @@ fn a_plate_on_three_spheres_is_in_equilibrium_and_each_contact_is_hertz_s() {
     let peaks: Vec<_> = pairs.iter().map(|pair| scene.add_observable(MaxContactPressure(*pair))).collect();
     let outputs: Vec<_> = peaks.iter().map(|peak| OutputRequest::observing("peak", *peak)).collect();
     let positions = [Position::at(0.0)];
-    let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("it is held");
+    let mut steps = Steps::new(&scene, &positions, &outputs, &three_dimensional()).expect("it is held");
     let solved = steps.next().expect("a position").expect("it can be solved");
     assert!(solved.certificate.largest() <= 1e-12, "{:?}", solved.certificate);
     let step = steps.current().expect("it is solved");
@@ -199,7 +199,7 @@ fn line_loads_fields_and_supports_are_those_of_the_pressures() {
     let line_load = scene.add_observable(MaxLineLoad(pairs[2]));
     let outputs = [OutputRequest::observing("line load", line_load)];
     let positions = [Position::at(0.0)];
-    let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("it is held");
+    let mut steps = Steps::new(&scene, &positions, &outputs, &three_dimensional()).expect("it is held");
     let solved = steps.next().expect("a position").expect("it can be solved");
     let at = steps.equilibrium().expect("it is solved");
     let contact = at.contacts(pairs[2]).next().expect("its patch");
@@ -227,13 +227,13 @@ fn line_loads_fields_and_supports_are_those_of_the_pressures() {
 }
 
 #[test]
-fn held_bodies_that_overlap_press_on_each_other() {
+fn constrained_bodies_that_overlap_press_on_each_other() {
     let (mut scene, plate, pairs) = tripod(Wrench::NONE, -1e-6);
     scene.bodies[plate.0].free = [false; 6];
     let peak = scene.add_observable(MaxContactPressure(pairs[1]));
     let outputs = [OutputRequest::observing("peak", peak)];
     let positions = [Position::at(0.0)];
-    let mut steps = Steps::new(&scene, &positions, &outputs, &in_space()).expect("nothing is free");
+    let mut steps = Steps::new(&scene, &positions, &outputs, &three_dimensional()).expect("nothing is free");
     let solved = steps.next().expect("a position").expect("it can be solved");
     // Computes the force from the approach, and the approach from the force.
     let force = 4.0 / 3.0 * 0.5 * MODULUS * (RADIUS * 1e-6_f64.powi(3)).sqrt();

@@ -185,7 +185,7 @@ const SOURCE: RingSource<'static> = RingSource {
     sectors: TEETH,
     cuts: ["cut_first", "cut_last"],
     bore: "bore",
-    hold: BoreSupport::Rigid,
+    support: BoreSupport::Rigid,
     coupled: 2,
 };
 
@@ -299,12 +299,12 @@ impl Whole {
     fn new() -> Whole {
         let model = mesh(TEETH);
         let bore = model.mesh.chain_nodes(model.mesh.chain("bore").expect("a bore"));
-        let mut held = vec![false; model.mesh.nodes.len()];
-        bore.iter().for_each(|&node| held[node] = true);
-        let free = held.iter().filter(|held| !**held).count();
+        let mut constrained = vec![false; model.mesh.nodes.len()];
+        bore.iter().for_each(|&node| constrained[node] = true);
+        let free = constrained.iter().filter(|constrained| !**constrained).count();
         let (mut seen, mut next) = (Vec::new(), 0);
-        for (&[x, y], held) in model.mesh.nodes.iter().zip(held) {
-            if held {
+        for (&[x, y], constrained) in model.mesh.nodes.iter().zip(constrained) {
+            if constrained {
                 seen.push(vec![(2 * free, 1.0), (2 * free + 2, -y)]);
                 seen.push(vec![(2 * free + 1, 1.0), (2 * free + 2, x)]);
             } else {
@@ -419,13 +419,13 @@ fn by_all_unknowns(whole: &Whole) -> Motion {
         surface_modulus: structure.surface_modulus(),
         reference_length: structure.reference_length(),
     };
-    let mut held = Constraints::new();
+    let mut constrained = Constraints::new();
     let bore = model.mesh.chain_nodes(model.mesh.chain("bore").expect("a bore"));
     bore.into_iter().for_each(|node| {
-        held.fix_node(node);
+        constrained.fix_node(node);
     });
     let of_mesh = columns(&inward, model.dof_count(), |dof| vec![(dof, 1.0)]);
-    let answer = Solver::new(&stiffness, held).expect("held").solve(of_mesh.as_ref()).expect("solved");
+    let answer = Solver::new(&stiffness, constrained).expect("held").solve(of_mesh.as_ref()).expect("solved");
     let by_mesh = of_mesh.transpose() * &answer;
     let Scheme { beta, gamma } = Scheme::AVERAGE;
     let (of_mass, of_damping) = ((beta * STEP * STEP).recip(), gamma / (beta * STEP));

@@ -35,7 +35,7 @@ fn main() {
         let bore = nodes("bore");
         let mut cuts = [nodes("cut_left"), nodes("cut_right")].concat();
         cuts.retain(|node| !bore.contains(node));
-        let held: Vec<usize> = bore.iter().flat_map(|&node| of(node)).collect();
+        let constrained: Vec<usize> = bore.iter().flat_map(|&node| of(node)).collect();
         let both: Vec<usize> = [&bore, &cuts].into_iter().flatten().flat_map(|&node| of(node)).collect();
         let positions = mesh.nodes.clone();
         let model = SolidModel::new(mesh, gear.material);
@@ -59,7 +59,7 @@ fn main() {
         line("assembly", assembly, unit, None);
         line("nested dissection", order, unit, None);
         line("elimination, cuts held", unit, unit, Some(whole.cost()));
-        let dissection = Dissection::new(&stiffness, &positions, &held, &cuts);
+        let dissection = Dissection::new(&stiffness, &positions, &constrained, &cuts);
         let (time, _) =
             timed(|| eliminate::<SolveError>(&stiffness, &dissection, &[], &[], || Ok(())).expect("held"));
         line("elimination down to the cuts", time, unit, Some(dissection.cost()));
@@ -88,13 +88,13 @@ fn main() {
 /// bore support.
 fn rings() {
     println!("{:>40} {:>10} {:>10}", "structure of a gear, medium", "seconds", "ratio");
-    for (bore, hold) in
+    for (bore, support) in
         [("rigid", BoreSupport::Rigid), ("free", BoreSupport::Means { harmonics: None, degree: 1 })]
     {
         let mut first = None;
         for teeth in [20, 40, 640] {
             let options = StructureOptions { template: Template::Medium, ..StructureOptions::default() };
-            let gear = pinion(teeth, hold);
+            let gear = pinion(teeth, support);
             let (time, structure) =
                 timed(|| gear.build_solid(&options, &Interrupt::never()).expect("a structure"));
             let unit = *first.get_or_insert(time);
@@ -180,13 +180,13 @@ impl Drop for Cholmod {
 }
 
 /// The chapter 5 pinion, or a gear of the same tooth form and rim with more teeth.
-fn pinion(teeth: u32, hold: BoreSupport) -> Arc<GearPrototype> {
+fn pinion(teeth: u32, support: BoreSupport) -> Arc<GearPrototype> {
     let rack = Rack::new(0.1 * INCH, 20.0_f64.to_radians(), 0.02 * INCH).expect("a rack");
     let pitch = 0.1 * INCH * f64::from(teeth);
     GearBlank::standard(teeth, rack)
         .diameters(pitch + 0.18 * INCH, pitch - 0.24 * INCH)
         .face_width(INCH)
-        .rim(Rim::new(pitch - 0.6 * INCH, pitch - 0.8 * INCH).expect("a rim").held(hold))
+        .rim(Rim::new(pitch - 0.6 * INCH, pitch - 0.8 * INCH).expect("a rim").supported_by(support))
         .cut()
         .expect("a gear")
 }

@@ -6,7 +6,7 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 #[allow(dead_code, reason = "tests use the rest")]
-#[path = "../tests/chapter_5_in_space/pair.rs"]
+#[path = "../tests/chapter_5_solid/pair.rs"]
 mod pair;
 
 use calyx_runtime::analysis::mesh_cycle;
@@ -129,14 +129,14 @@ fn bodies(scene: &Scene, plan: &Plan, line: &dyn Fn(&str, f64)) {
         let bore = nodes("bore");
         let mut cuts = [nodes("cut_left"), nodes("cut_right")].concat();
         cuts.retain(|node| !bore.contains(node));
-        let held: Vec<usize> = bore.iter().flat_map(|&node| 3 * node..3 * node + 3).collect();
+        let constrained: Vec<usize> = bore.iter().flat_map(|&node| 3 * node..3 * node + 3).collect();
         let places = mesh.nodes.clone();
         let model = SolidModel::new(mesh, gear.material);
         let mut stiffness = None;
         assembly += timed(|| stiffness = Some(model.stiffness()));
         let Some(stiffness) = stiffness else { continue };
         let mut dissection = None;
-        order += timed(|| dissection = Some(Dissection::new(&stiffness, &places, &held, &cuts)));
+        order += timed(|| dissection = Some(Dissection::new(&stiffness, &places, &constrained, &cuts)));
         let Some(dissection) = dissection else { continue };
         elimination += timed(|| {
             black_box(eliminate::<SolveError>(&stiffness, &dissection, &[], &[], || Ok(())).expect("held"));

@@ -6,7 +6,7 @@
 
 #[path = "../tests/common/mod.rs"]
 mod common;
-#[path = "../tests/chapter_5_in_space/pair.rs"]
+#[path = "../tests/chapter_5_solid/pair.rs"]
 #[allow(dead_code, reason = "tests use more of it")]
 mod pair;
 

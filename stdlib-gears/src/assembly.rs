@@ -7,12 +7,12 @@ use crate::axes::{Axes, turns_about_e3};
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::gear::Gear;
 use crate::mesh_geometry::{HelicalTeeth, MeshGeometry};
-use crate::mounting::{Mounting, center_offset, mesh_as_placed};
+use crate::mounting::{Mounting, mesh_as_placed, phase_offset};
 use crate::phase_check;
 use crate::prototype::GearPrototype;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::error::{EngineError, Subject};
-use calyx_runtime::motion::{PlanePose, axle, pose_in_space, rotation_speed};
+use calyx_runtime::motion::{PlanePose, axle, rotation_speed, spatial_pose};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
 use std::any::Any;
 use std::sync::Arc;
@@ -149,7 +149,7 @@ impl Pairing {
         }
         meet_once(scene, bodies)?;
         let motion = |id: BodyId| scene.bodies[id.0].motion.as_ref();
-        let poses = [pose_in_space(motion(bodies[0]), 0.0)?, pose_in_space(motion(bodies[1]), 0.0)?];
+        let poses = [spatial_pose(motion(bodies[0]), 0.0)?, spatial_pose(motion(bodies[1]), 0.0)?];
         let speeds = [rotation_speed(motion(bodies[0]), 0.0)?, rotation_speed(motion(bodies[1]), 0.0)?];
         let axes = Axes::of(&poses, half_widths)?;
         centred(scene, bodies)?;
@@ -207,7 +207,7 @@ impl Pairing {
             sense,
         };
         let mut phases = self.bodies.map(|body| scene.bodies[body.0].phase);
-        let needed = center_offset(gears, &geometry, &mounted(phases[0]));
+        let needed = phase_offset(gears, &geometry, &mounted(phases[0]));
         // Phase of the second gear, to the nearest of its teeth.
         let pitch = gears[1].pitch_angle();
         let off = (needed - phases[1]) - ((needed - phases[1]) / pitch).round() * pitch;
@@ -228,7 +228,7 @@ impl Pairing {
             let mesh = mesh_as_placed(gears, &geometry, mounting, phases[1]);
             mesh.map_err(|error| self.about_speeds(error))
         };
-        let mut mesh = GearMesh { orbit: self.orbit, center_offset: left, ..placed(&mounting)? };
+        let mut mesh = GearMesh { orbit: self.orbit, phase_offset: left, ..placed(&mounting)? };
         // Refers to the zero of the body's own angle instead of that of its section.
         let off_section = first_section.angle - self.axes.angles[0];
         mesh.roll_at_zero += sense * off_section;
@@ -246,7 +246,7 @@ impl Pairing {
             // Back flanks push the other way and have their own mesh cycle.
             true => {
                 let mesh = placed(&Mounting { sense: -sense, ..mounting })?;
-                Some(GearMesh { orbit: self.orbit, center_offset: left, ..mesh })
+                Some(GearMesh { orbit: self.orbit, phase_offset: left, ..mesh })
             }
             false => None,
         };
@@ -383,7 +383,7 @@ fn centred(scene: &Scene, bodies: [BodyId; 2]) -> Result<(), Refusal> {
         let [x, y, _] = axle(motion);
         let runout = x.hypot(y);
         if runout > gear.form().module {
-            let at = pose_in_space(motion, 0.0)?.origin;
+            let at = spatial_pose(motion, 0.0)?.origin;
             found.push(reversed_frame(runout, at).about(Subject::Body(id.0)));
         }
     }

@@ -9,7 +9,7 @@ use crate::mesh_geometry::MeshGeometry;
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::motion::{
-    Motion, Orientation, PlanePose, RelocatedMotion, angular_velocity, pose_in_space, tilted_axes,
+    Motion, Orientation, PlanePose, RelocatedMotion, angular_velocity, spatial_pose, tilted_axes,
 };
 use calyx_runtime::vec3::{cross, dot, length};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -139,7 +139,7 @@ impl Axes {
 /// # Errors
 /// E0610: it does not. E0710: its frame is NaN or infinite at time 0.
 pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
-    let lean = Orientation::of(&pose_in_space(motion, 0.0)?).tilt();
+    let lean = Orientation::of(&spatial_pose(motion, 0.0)?).tilt();
     let [x, y, z] = angular_velocity(motion, 0.0);
     // A frame that is upright at time 0 may tilt later.
     let falls = x.hypot(y).atan2(z.abs());

@@ -34,7 +34,7 @@ pub struct Rim {
     /// Web between rim and bore, if the rim does not reach the bore.
     pub web: Option<Web>,
     /// Support of this surface by the body's frame.
-    pub hold: BoreSupport,
+    pub support: BoreSupport,
 }
 
 /// Harmonics of the Fourier series of spline teeth that the mesh of any gear resolves per gear
@@ -83,7 +83,7 @@ impl Rim {
             radius: 0.5 * diameter,
             fixed_radius: 0.5 * inner_diameter,
             web: None,
-            hold: BoreSupport::Rigid,
+            support: BoreSupport::Rigid,
         })
     }
 
@@ -119,8 +119,8 @@ impl Rim {
 
     /// Returns the rim with another support at its bore, or at its outside.
     #[must_use]
-    pub fn held(self, hold: BoreSupport) -> Rim {
-        Rim { hold, ..self }
+    pub fn supported_by(self, support: BoreSupport) -> Rim {
+        Rim { support, ..self }
     }
 
     /// Returns the rim with spline teeth as the support of its bore, or of its outside.
@@ -129,7 +129,7 @@ impl Rim {
     /// E0655: the rim already has a mean constraint there, or the spline teeth are not valid.
     /// E0754: the spline teeth do not permit this clearance.
     pub fn splined(self, spline: &SplineSupport) -> Result<Rim, GeometryError> {
-        if self.hold != BoreSupport::Rigid {
+        if self.support != BoreSupport::Rigid {
             return Err(GeometryError::error(
                 "E0655",
                 "rim",
@@ -149,7 +149,7 @@ impl Rim {
         }
         let (spline_teeth, clearance) = (spline.at(self.fixed_radius)?, spline.clearance);
         if clearance == 0.0 {
-            return Ok(self.held(BoreSupport::SplineTeeth(spline_teeth)));
+            return Ok(self.supported_by(BoreSupport::SplineTeeth(spline_teeth)));
         }
         if spline_teeth.radial.is_some() || self.web.is_some() {
             let what = if spline_teeth.radial.is_some() {
@@ -166,17 +166,17 @@ impl Rim {
                 ],
             ));
         }
-        Ok(self.held(BoreSupport::SplineWithClearance { spline_teeth, clearance }))
+        Ok(self.supported_by(BoreSupport::SplineWithClearance { spline_teeth, clearance }))
     }
 
     /// Support of a plane model. A plane model cannot represent a web, so it is rigidly supported
     /// at the radius where the web begins.
     pub(crate) fn support_in_plane(&self) -> BoreSupport {
-        match (self.web, self.hold) {
+        match (self.web, self.support) {
             (Some(_), _) => BoreSupport::Rigid,
             // A plane model has a single position along the axis.
-            (None, BoreSupport::Means { harmonics: waves, .. }) => {
-                BoreSupport::Means { harmonics: waves, degree: 0 }
+            (None, BoreSupport::Means { harmonics: harmonics, .. }) => {
+                BoreSupport::Means { harmonics: harmonics, degree: 0 }
             }
             (None, BoreSupport::SplineTeeth(spline_teeth)) => {
                 BoreSupport::SplineTeeth(SplineTeeth { degree: 0, ..spline_teeth })
@@ -193,12 +193,12 @@ impl Rim {
     }
 
     /// Returns numbers that identify a support, for the key of a cached structure.
-    pub(crate) fn support_numbers(hold: BoreSupport) -> Vec<f64> {
-        match hold {
+    pub(crate) fn support_numbers(support: BoreSupport) -> Vec<f64> {
+        match support {
             BoreSupport::Rigid => vec![0.0; 3],
             BoreSupport::Means { harmonics: None, .. } => vec![1.0, 0.0, 0.0],
-            BoreSupport::Means { harmonics: Some(waves), degree } => {
-                vec![2.0, f64::from(waves), f64::from(degree)]
+            BoreSupport::Means { harmonics: Some(harmonics), degree } => {
+                vec![2.0, f64::from(harmonics), f64::from(degree)]
             }
             BoreSupport::SplineTeeth(spline_teeth) => Self::spline_numbers(3.0, spline_teeth),
             BoreSupport::SplineWithClearance { spline_teeth, clearance } => {
@@ -219,12 +219,12 @@ impl Rim {
     pub(crate) fn check_support(&self, teeth: u32) -> Result<(), GeometryError> {
         self.check_joint(teeth)?;
         match self.ring_support().unwrap_or(BoreSupport::Rigid) {
-            BoreSupport::Means { harmonics: Some(waves), .. } if u32::from(waves) > teeth => {
+            BoreSupport::Means { harmonics: Some(harmonics), .. } if u32::from(harmonics) > teeth => {
                 Err(GeometryError::error(
                     "E0649",
                     "rim",
                     sentence![
-                        "the rim is constrained up to harmonic ", number f64::from(waves), ", which requires as many teeth; there are ",
+                        "the rim is constrained up to harmonic ", number f64::from(harmonics), ", which requires as many teeth; there are ",
                         number f64::from(teeth)
                     ],
                     sentence!["reduce the circumferential order, or use a rigid constraint"],
@@ -232,13 +232,13 @@ impl Rim {
             }
             BoreSupport::SplineTeeth(spline_teeth)
             | BoreSupport::SplineWithClearance { spline_teeth, .. }
-                if u32::from(spline_teeth.waves()) > SPLINE_HARMONICS_PER_TOOTH * teeth =>
+                if u32::from(spline_teeth.harmonics()) > SPLINE_HARMONICS_PER_TOOTH * teeth =>
             {
                 Err(GeometryError::error(
                     "E0656",
                     "rim",
                     sentence![
-                        "the spline teeth of the rim need ", number f64::from(spline_teeth.waves()), " harmonics, and a mesh with ",
+                        "the spline teeth of the rim need ", number f64::from(spline_teeth.harmonics()), " harmonics, and a mesh with ",
                         number f64::from(teeth), " teeth has at most ", number f64::from(SPLINE_HARMONICS_PER_TOOTH * teeth)
                     ],
                     sentence!["reduce the number of spline teeth or increase their width"],
@@ -290,7 +290,7 @@ impl Rim {
             radius: 0.5 * diameter,
             fixed_radius: 0.5 * outer_diameter,
             web: None,
-            hold: BoreSupport::Rigid,
+            support: BoreSupport::Rigid,
         })
     }
 }
@@ -409,7 +409,7 @@ impl GearBlank {
             face_width: 10.0 * module,
             helix: Helix::SPUR,
             material: Material::STEEL,
-            rim: Rim { radius, fixed_radius, web: None, hold: BoreSupport::Rigid },
+            rim: Rim { radius, fixed_radius, web: None, support: BoreSupport::Rigid },
             thickness: Thickness::ProfileShift(0.0),
             tip_edge_radius: None,
             modifications: Vec::new(),

@@ -44,22 +44,22 @@ calyx_abi::externs! {
     Pure fn calyx_gears_simple_rim(
         context, diameter: f64, inner_diameter: f64, bore: String, bore_harmonics: f64, bore_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
+        let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.rejected(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim.held(hold)))
+        Ok(keep(&mut host.rims, rim.supported_by(support)))
     }
 
     Pure fn calyx_gears_webbed_rim(
         context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64, web_offset: f64,
         bore: String, bore_harmonics: f64, bore_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
+        let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter)
             .and_then(|rim| rim.on_web(web_thickness, web_offset, bore_diameter))
             .map_err(|error| host.rejected(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim.held(hold)))
+        Ok(keep(&mut host.rims, rim.supported_by(support)))
     }
 
     Pure fn calyx_gears_disc_web(
@@ -68,7 +68,7 @@ calyx_abi::externs! {
         web_youngs_modulus: f64, web_poissons_ratio: f64, bore: String, bore_harmonics: f64, bore_axial_degree: f64,
         interface_harmonics: f64, interface_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
+        let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
         whole_orders(["interface_harmonics", "interface_axial_degree"], [interface_harmonics, interface_axial_degree])?;
         let material = match web_youngs_modulus {
             0.0 => None,
@@ -90,16 +90,16 @@ calyx_abi::externs! {
         let rim = Rim::new(diameter, inner_diameter)
             .and_then(|rim| rim.on_disc(web_thickness, web_offset, bore_diameter, disc))
             .map_err(|error| host.rejected(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim.held(hold)))
+        Ok(keep(&mut host.rims, rim.supported_by(support)))
     }
 
     Pure fn calyx_gears_outer_rim(
         context, diameter: f64, outer_diameter: f64, outer_surface: String, outer_surface_harmonics: f64, outer_surface_axial_degree: f64,
     ) -> Handle {
-        let hold = bore_support(&outer_surface, ["outer_surface_harmonics", "outer_surface_axial_degree"], [outer_surface_harmonics, outer_surface_axial_degree])?;
+        let support = bore_support(&outer_surface, ["outer_surface_harmonics", "outer_surface_axial_degree"], [outer_surface_harmonics, outer_surface_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::outer(diameter, outer_diameter).map_err(|error| host.rejected(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim.held(hold)))
+        Ok(keep(&mut host.rims, rim.supported_by(support)))
     }
 
     Pure fn calyx_gears_splined(
@@ -219,10 +219,12 @@ fn web_material(youngs_modulus: f64, poissons_ratio: f64) -> Result<Material, Ru
 /// to the rigid-body motion.
 fn bore_support(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<BoreSupport, RuntimeError> {
     whole_orders(names, orders)?;
-    let [waves, degree] = orders;
-    match (kind, waves) {
+    let [harmonics, degree] = orders;
+    match (kind, harmonics) {
         ("free", 0.0) => Ok(BoreSupport::Means { harmonics: None, degree: degree as u8 }),
-        ("free", waves) => Ok(BoreSupport::Means { harmonics: Some(waves as u16), degree: degree as u8 }),
+        ("free", harmonics) => {
+            Ok(BoreSupport::Means { harmonics: Some(harmonics as u16), degree: degree as u8 })
+        }
         (_, 0.0) => Ok(BoreSupport::Rigid),
         _ => Err(refusal(
             "E0649",

@@ -180,7 +180,7 @@ fn pins(base_helix: f64) -> &'static str {
 }
 
 fn of_external(gear: &ExternalGear, base_helix: f64, face_width: f64) -> Vec<Quantity> {
-    let module = gear.rack.own_module();
+    let module = gear.rack.tool_module();
     let modules = modules_of(&gear.into());
     let mut all = vec![
         Quantity::number("profile shift coefficient", "x", gear.profile_shift()).note(

@@ -16,9 +16,9 @@ const DEGREE: u8 = 2;
 /// Default number of harmonics in the joint per ratio of the rim's inner radius to its thickness.
 /// The effect of a tooth on the joint decays exponentially with the harmonic times this thickness
 /// over the radius. The bounds are the smallest and the largest number.
-const WAVES: f64 = 2.5;
-const FEWEST_WAVES: f64 = 8.0;
-const MOST_WAVES: f64 = 50.0;
+const HARMONICS_PER_RATIO: f64 = 2.5;
+const MIN_HARMONICS: f64 = 8.0;
+const MAX_HARMONICS: f64 = 50.0;
 
 /// Additional dimensions of a [`Web`] with its own mesh, besides its end at the rim. Lengths in m,
 /// axial positions from mid-face along +z.
@@ -142,18 +142,18 @@ impl Rim {
         Some(RevolvedWeb {
             section: Section::new(stations)?,
             material: disc.material.unwrap_or(of_teeth),
-            hold: self.hold,
+            support: self.support,
             harmonics: disc
                 .harmonics
-                .unwrap_or(self.usual_waves(web).min(u16::try_from(teeth).unwrap_or(u16::MAX))),
+                .unwrap_or(self.default_harmonics(web).min(u16::try_from(teeth).unwrap_or(u16::MAX))),
             degree: disc.degree,
             fineness: 1,
         })
     }
 
-    fn usual_waves(&self, web: Web) -> u16 {
-        let waves = WAVES * web.rim_radius / (self.radius - web.rim_radius);
-        waves.ceil().clamp(FEWEST_WAVES, MOST_WAVES) as u16
+    fn default_harmonics(&self, web: Web) -> u16 {
+        let harmonics = HARMONICS_PER_RATIO * web.rim_radius / (self.radius - web.rim_radius);
+        harmonics.ceil().clamp(MIN_HARMONICS, MAX_HARMONICS) as u16
     }
 
     /// Numbers that distinguish webs.
@@ -174,17 +174,17 @@ impl Rim {
 
     /// Checks that the gear has enough teeth for the harmonics of the joint of rim and web.
     pub(crate) fn check_joint(&self, teeth: u32) -> Result<(), GeometryError> {
-        let Some(waves) = self.web.and_then(|web| web.disc).and_then(|disc| disc.harmonics) else {
+        let Some(harmonics) = self.web.and_then(|web| web.disc).and_then(|disc| disc.harmonics) else {
             return Ok(());
         };
-        if u32::from(waves) <= teeth {
+        if u32::from(harmonics) <= teeth {
             return Ok(());
         }
         Err(GeometryError::error(
             "E0649",
             "rim",
             sentence![
-                "the rim is joined to its web up to order ", number f64::from(waves), " around, which takes as many teeth; there are ",
+                "the rim is joined to its web up to order ", number f64::from(harmonics), " around, which takes as many teeth; there are ",
                 number f64::from(teeth)
             ],
             sentence!["reduce the interface order, or leave it out"],
@@ -195,7 +195,7 @@ impl Rim {
     pub(crate) fn ring_support(&self) -> Option<BoreSupport> {
         match self.web {
             Some(Web { disc: Some(_), .. }) => None,
-            _ => Some(self.hold),
+            _ => Some(self.support),
         }
     }
 }

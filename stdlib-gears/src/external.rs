@@ -187,9 +187,9 @@ impl ExternalGear {
     }
 
     /// Profile shift coefficient of this tooth thickness, in modules of the rack's own plane
-    /// ([`Rack::own_module`]).
+    /// ([`Rack::tool_module`]).
     pub fn profile_shift(&self) -> f64 {
-        self.shift() / self.rack.own_module()
+        self.shift() / self.rack.tool_module()
     }
 
     /// Profile shift as a length, m.
@@ -258,10 +258,10 @@ impl ExternalGear {
     }
 
     /// Margin of profile shift above the onset of undercut, in modules of the rack's own plane
-    /// ([`Rack::own_module`]), if tip and root diameter shift with it. Negative for an undercut
+    /// ([`Rack::tool_module`]), if tip and root diameter shift with it. Negative for an undercut
     /// gear.
     pub fn undercut_margin(&self) -> f64 {
-        self.above_undercut() / self.rack.own_module()
+        self.above_undercut() / self.rack.tool_module()
     }
 
     /// Margin of profile shift above the onset of undercut as a length, m.

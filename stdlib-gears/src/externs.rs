@@ -284,8 +284,8 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
         // Helical gears are only rejected by plane models, so the error waits until the model
         // requests an analysis.
         let unasked = host.asked.is_none() && host.overrides.fidelity.is_none() && error.code == "E0623";
-        let in_space = Request { fidelity: Fidelity::Solid(Template::Medium), ..request };
-        if unasked { in_space.plan(interrupt).map_err(|_| error) } else { Err(error) }
+        let three_dimensional = Request { fidelity: Fidelity::Solid(Template::Medium), ..request };
+        if unasked { three_dimensional.plan(interrupt).map_err(|_| error) } else { Err(error) }
     });
     let plan = plan.map_err(|error| host.engine_error(host.overrides.list(error)))?;
     let warnings = without_value(host, &request);
@@ -359,15 +359,15 @@ pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result
 
 /// Checks the number of a spline tooth of a body's rim.
 pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result<u32, RuntimeError> {
-    let teeth = match host.gear_on("body", body)?.rim.hold {
-        BoreSupport::SplineTeeth(teeth) | BoreSupport::SplineWithClearance { spline_teeth: teeth, .. } => {
-            u32::from(teeth.count)
+    let count = match host.gear_on("body", body)?.rim.support {
+        BoreSupport::SplineTeeth(spline_teeth) | BoreSupport::SplineWithClearance { spline_teeth, .. } => {
+            u32::from(spline_teeth.count)
         }
         BoreSupport::Rigid | BoreSupport::Means { .. } => 0,
     };
-    match tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth) {
+    match tooth.fract() == 0.0 && (0.0..f64::from(count)).contains(&tooth) {
         true => Ok(tooth as u32),
-        false if teeth == 0 => Err(refusal(
+        false if count == 0 => Err(refusal(
             "E0657",
             "body",
             "the rim of this body has no spline teeth",
@@ -377,7 +377,7 @@ pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, tooth: f64) ->
             "E0657",
             "tooth",
             &format!("there is no spline tooth {tooth}"),
-            &format!("spline teeth are numbered counter-clockwise from 0 to {}", teeth - 1),
+            &format!("spline teeth are numbered counter-clockwise from 0 to {}", count - 1),
         )),
     }
 }

@@ -91,7 +91,7 @@ impl From<&ExternalGear> for ToothForm {
             internal: false,
             teeth: gear.teeth,
             module: gear.rack.module,
-            tool_module: gear.rack.own_module(),
+            tool_module: gear.rack.tool_module(),
             pressure_angle: gear.rack.pressure_angle,
             tooth_thickness: gear.tooth_thickness,
             pitch_radius: gear.pitch_radius,

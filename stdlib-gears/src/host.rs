@@ -227,9 +227,9 @@ impl ModelHost {
         let LengthUnit { name, metres } = self.length_unit;
         let [message, help] =
             [&error.message, &error.help].map(|text| text.in_unit(name, metres).to_string());
-        let told = RuntimeError::new(error.code, message, help).of_argument(error.argument);
+        let reported = RuntimeError::new(error.code, message, help).of_argument(error.argument);
         let place = error.subject.and_then(|subject| self.place_of(subject)).unwrap_or(place);
-        RuntimeError { place: Some(place), ..told }
+        RuntimeError { place: Some(place), ..reported }
     }
 
     /// Stores findings that do not stop the model.

@@ -83,7 +83,7 @@ struct LoadGroups {
     /// bearing with a load of its own, or an impulse.
     on_free: bool,
     /// A body whose load acts along fully constrained components only.
-    on_held: Option<(usize, &'static str)>,
+    on_constrained: Option<(usize, &'static str)>,
 }
 
 impl LoadGroups {
@@ -93,7 +93,7 @@ impl LoadGroups {
         let mut loads = LoadGroups {
             free: false,
             on_free: bearings.into_iter().any(|b| !b.is_unloaded_without_motion()),
-            on_held: None,
+            on_constrained: None,
         };
         for &index in group {
             let body = &scene.bodies[index];
@@ -110,7 +110,10 @@ impl LoadGroups {
                 for (component, _) in components.filter(|(_, part)| *part != 0.0) {
                     match body.free[component] {
                         true => loads.on_free = true,
-                        false => loads.on_held = loads.on_held.or(Some((index, DOF_NAMES[component]))),
+                        false => {
+                            loads.on_constrained =
+                                loads.on_constrained.or(Some((index, DOF_NAMES[component])))
+                        }
                     }
                 }
             }
@@ -128,7 +131,7 @@ impl LoadGroups {
     ) -> Result<Option<Finding>, RuntimeError> {
         let scene = &host.scene;
         let name = |index: usize| &scene.bodies[index].name;
-        match self.on_held {
+        match self.on_constrained {
             _ if self.on_free => Ok(None),
             Some((index, component)) => {
                 let message = format!(
@@ -180,14 +183,14 @@ fn unmeshed(host: &ModelHost) -> Result<Vec<Finding>, RuntimeError> {
     let gears =
         host.body_gears.iter().enumerate().filter(|(index, gear)| gear.is_some() && !meshed(BodyId(*index)));
     // Free gears without constraints are reported elsewhere.
-    let held = gears.filter(|(index, _)| !scene.bodies[*index].free.contains(&true));
+    let constrained = gears.filter(|(index, _)| !scene.bodies[*index].free.contains(&true));
     let warn = |(index, _): (usize, _)| {
         let message =
             format!("the gear of body \"{}\" is in no mesh, so it is left out", scene.bodies[index].name);
         let help = "let it touch another gear with `gears.mesh`, or leave the body out";
         warning(host, EngineError::new("E0806", message, help).about(Subject::Body(index)))
     };
-    Ok(held.map(warn).collect())
+    Ok(constrained.map(warn).collect())
 }
 
 /// Finds meshes whose load is out of proportion to their teeth, using a mesh stiffness that is

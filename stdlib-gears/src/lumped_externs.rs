@@ -15,15 +15,15 @@ calyx_abi::externs! {
         context, mass: f64, inertia: f64, radius: f64, support_stiffness: f64, torsional_stiffness: f64,
         fixed: Vec<String>,
     ) -> Handle {
-        let mut held = [false; 3];
-        for freedom in &fixed {
-            let Some(at) = DOF_NAMES.iter().position(|known| known == freedom) else {
-                return Err(refusal("E0670", "fixed", &format!("\"{freedom}\" is not a degree of freedom of a lumped member"),
+        let mut constrained = [false; 3];
+        for name in &fixed {
+            let Some(at) = DOF_NAMES.iter().position(|known| known == name) else {
+                return Err(refusal("E0670", "fixed", &format!("\"{name}\" is not a degree of freedom of a lumped member"),
                     "they are \"u_x\", \"u_y\" and \"theta_z\""));
             };
-            held[at] = true;
+            constrained[at] = true;
         }
-        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, held };
+        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, constrained };
         Ok(keep(&mut host(context)?.lumped_members, member))
     }
 

@@ -32,7 +32,7 @@ pub struct LumpedMember {
     /// Torsional stiffness to ground about the axis, N m/rad.
     pub torsional_stiffness: f64,
     /// Flags of the constrained degrees of freedom.
-    pub held: [bool; 3],
+    pub fixed: [bool; 3],
 }
 
 /// Springs between a central gear and each planet.
@@ -114,7 +114,7 @@ impl LumpedPlanetary {
         let members = self.members();
         let free: Vec<[usize; 2]> = (0..members.len())
             .flat_map(|member| [0, 1, 2].map(|dof| [member, dof]))
-            .filter(|&[member, dof]| !members[member].held[dof])
+            .filter(|&[member, dof]| !members[member].fixed[dof])
             .collect();
         let root_mass = |[member, dof]: [usize; 2]| {
             let LumpedMember { mass, inertia, .. } = members[member];

@@ -31,7 +31,7 @@ impl LumpedSet {
     pub fn mode_count(&self, scene: &Scene) -> usize {
         let free = |body: BodyId| {
             let of = scene.bodies.get(body.0);
-            PLANE_FREEDOMS.iter().filter(|&&free| of.is_some_and(|of| of.free[free as usize])).count()
+            PLANE_DOFS.iter().filter(|&&free| of.is_some_and(|of| of.free[free as usize])).count()
         };
         let planets = self.planets.first().map_or(0, |&planet| self.planets.len() * free(planet));
         free(self.sun) + free(self.ring) + free(self.carrier) + planets
@@ -54,15 +54,15 @@ impl LumpedSet {
         let distance = x.hypot(y);
         let member = |body: BodyId, radius: f64| {
             let of = scene.bodies.get(body.0)?;
-            let held = PLANE_FREEDOMS.map(|free| !of.free[free as usize]);
+            let fixed = PLANE_DOFS.map(|free| !of.free[free as usize]);
             let (inertia, [support_stiffness, torsional_stiffness]) = (of.inertia(), springs(at, body, None));
             let (mass, inertia) = (inertia.mass, inertia.polar());
-            Some(LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, held })
+            Some(LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, fixed })
         };
         let member_without_mass = |body: BodyId, radius: f64| {
             // Fully constrained members may have zero mass.
             let member = member(body, radius)?;
-            let some = |value: f64| if member.held == [true; 3] && value == 0.0 { 1.0 } else { value };
+            let some = |value: f64| if member.fixed == [true; 3] && value == 0.0 { 1.0 } else { value };
             Some(LumpedMember { mass: some(member.mass), inertia: some(member.inertia), ..member })
         };
         let angle = |&body: &BodyId| {
@@ -89,7 +89,7 @@ impl LumpedSet {
 }
 
 /// Degrees of freedom of a member.
-const PLANE_FREEDOMS: [Component; 3] = [Component::Ux, Component::Uy, Component::ThetaZ];
+const PLANE_DOFS: [Component; 3] = [Component::Ux, Component::Uy, Component::ThetaZ];
 
 /// Radial (N/m) and torsional (N m/rad) stiffness of the bearings of a body, to ground or to
 /// another body.

@@ -45,12 +45,12 @@ pub fn mount(
     geometry: &MeshGeometry,
     mounting: &Mounting,
 ) -> Result<(f64, GearMesh), GeometryError> {
-    let phase = center_offset(gears, geometry, mounting);
+    let phase = phase_offset(gears, geometry, mounting);
     Ok((phase, Sides { gears, geometry, mounting }.mesh(phase)?))
 }
 
 /// Phase offset: smallest rotation of the second gear that brings rigid teeth into contact, rad.
-pub fn center_offset(gears: [ToothForm; 2], geometry: &MeshGeometry, mounting: &Mounting) -> f64 {
+pub fn phase_offset(gears: [ToothForm; 2], geometry: &MeshGeometry, mounting: &Mounting) -> f64 {
     let sides = Sides { gears, geometry, mounting };
     // Angle of the second gear's tooth that would mate with tooth 0 of the first gear.
     let opposite = sides.second_tooth_at(sides.roll_of_zero());
@@ -152,7 +152,7 @@ impl Sides<'_> {
             path: [points.start_of_active_profile - early, points.end_of_active_profile + early],
             roll_at_zero: self.roll_at_zero(),
             orbit: 0.0,
-            center_offset: 0.0,
+            phase_offset: 0.0,
         })
     }
 }

@@ -12,7 +12,7 @@ use crate::error::{GeometryError, sentence};
 use crate::gear::ToothForm;
 use crate::mesh_geometry::MeshGeometry;
 use calyx_runtime::error::EngineError;
-use calyx_runtime::motion::{axle, pose_in_space};
+use calyx_runtime::motion::{axle, spatial_pose};
 use calyx_runtime::scene::{BodyId, Scene};
 use std::f64::consts::TAU;
 
@@ -42,9 +42,9 @@ pub(crate) fn judge(
     bodies: [BodyId; 2],
     second: &ToothForm,
     geometry: &MeshGeometry,
-    center_offset: f64,
+    phase_offset: f64,
 ) -> Result<Option<GeometryError>, GeometryError> {
-    let off = center_offset.abs() * geometry.base_radius[1] / geometry.operating_pressure_angle.cos();
+    let off = phase_offset.abs() * geometry.base_radius[1] / geometry.operating_pressure_angle.cos();
     if off <= TELLING * second.module {
         return Ok(None);
     }
@@ -179,7 +179,7 @@ pub(crate) fn partners(scene: &Scene, body: BodyId) -> impl Iterator<Item = Body
 /// Position of a body's axis at time 0, m.
 fn axis(scene: &Scene, body: BodyId) -> Option<[f64; 3]> {
     let motion = scene.bodies.get(body.0)?.motion.as_ref();
-    Some(pose_in_space(motion, 0.0).ok()?.point(axle(motion)))
+    Some(spatial_pose(motion, 0.0).ok()?.point(axle(motion)))
 }
 
 /// Angular velocity of the line between two axes at time 0, rad/s.
@@ -189,7 +189,7 @@ fn axis(scene: &Scene, body: BodyId) -> Option<[f64; 3]> {
 pub(crate) fn orbit(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Result<f64, EngineError> {
     let at = |body: BodyId| {
         let motion = scene.bodies[body.0].motion.as_ref();
-        let place = pose_in_space(motion, 0.0)?.point(axle(motion));
+        let place = spatial_pose(motion, 0.0)?.point(axle(motion));
         Ok::<_, EngineError>((place, calyx_runtime::motion::point_velocity(motion, 0.0, place)))
     };
     let ((from, velocity), (to, other)) = (at(bodies[0])?, at(bodies[1])?);

@@ -119,7 +119,7 @@ fn face_width(face_width: f64, module: f64) -> Option<GeometryError> {
 fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
     let metal = (form.root_radius - rim.ring_radius()).abs();
     let ring = (rim.radius - rim.ring_radius()).abs();
-    let held = if form.internal { "outer_diameter" } else { "inner_diameter" };
+    let constrained = if form.internal { "outer_diameter" } else { "inner_diameter" };
     let usual = form.root_radius - form.sense() * 2.0 * module;
     if metal < THINNEST_METAL * module {
         return Some(GeometryError::warning(
@@ -130,7 +130,7 @@ fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
                 number shown(metal / module), " modules: the teeth bend the rim more than themselves"
             ],
             sentence![
-                "check that the rim is given by diameters, not radii; with `", text held, "` of ",
+                "check that the rim is given by diameters, not radii; with `", text constrained, "` of ",
                 length 2.0 * usual, " it is two modules thick"
             ],
         ));
@@ -141,7 +141,7 @@ fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
             "rim",
             sentence!["the ring between the two diameters of the rim is only ", length ring, " thick"],
             sentence![
-                "the mesh of the teeth ends at `diameter`, and the gear is supported at `", text held,
+                "the mesh of the teeth ends at `diameter`, and the gear is supported at `", text constrained,
                 "`: with ", length 2.0 * usual, " there the rim is two modules thick"
             ],
         )

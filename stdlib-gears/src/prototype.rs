@@ -258,7 +258,7 @@ impl GearPrototype {
             sectors: self.gear.teeth(),
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            hold: self.rim.support_in_plane(),
+            support: self.rim.support_in_plane(),
             coupled: self.coupled_teeth(),
         };
         let split = self.split_options(options);
@@ -350,13 +350,13 @@ pub(crate) fn unmeshable(error: impl std::error::Error) -> EngineError {
 }
 
 impl Prototype for GearPrototype {
-    fn check(&self, options: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
-        let request = (*options, in_space);
+    fn check(&self, options: &StructureOptions, three_dimensional: bool) -> Result<(), EngineError> {
+        let request = (*options, three_dimensional);
         if self.accepted.lock().is_ok_and(|accepted| accepted.contains(&request)) {
             return Ok(());
         }
         options.check()?;
-        if !in_space {
+        if !three_dimensional {
             self.refuse_helix()?;
         }
         let [tip, _] = self.roundings(options);
@@ -364,7 +364,7 @@ impl Prototype for GearPrototype {
         if options.model == BodyModel::Elements {
             self.check_recovery(options)?;
             // In three dimensions the section is swept along the face.
-            match in_space {
+            match three_dimensional {
                 true => self.check_section_mesh(options)?,
                 false => self.plane_mesh(options).map(|_| ())?,
             }
@@ -449,7 +449,7 @@ impl Prototype for GearPrototype {
     fn meshed(
         &self,
         options: &StructureOptions,
-        in_space: bool,
+        three_dimensional: bool,
         interrupt: &Interrupt,
     ) -> Result<VisualizationMesh, EngineError> {
         match options.model {
@@ -460,7 +460,7 @@ impl Prototype for GearPrototype {
             BodyModel::Elements => {}
         }
         let surfaces = [0, 1].map(|side| format!("flank_{side}"));
-        let mesh = if in_space {
+        let mesh = if three_dimensional {
             let SolidSector { model, ring, web } = self.solid_sector(options, interrupt)?;
             MeshedBody::solid_ring(model, &ring, web.as_ref(), &surfaces, interrupt)?
         } else {
@@ -475,9 +475,9 @@ impl Prototype for GearPrototype {
         &self,
         shared: Arc<MeshedBody>,
         options: &StructureOptions,
-        in_space: bool,
+        three_dimensional: bool,
     ) -> Result<Arc<MeshedBody>, EngineError> {
-        let surfaces = if in_space { None } else { self.own_surfaces(options)? };
+        let surfaces = if three_dimensional { None } else { self.own_surfaces(options)? };
         Ok(surfaces.map_or(shared.clone(), |surfaces| Arc::new(shared.with_modified_surfaces(surfaces))))
     }
 
@@ -526,8 +526,8 @@ impl Prototype for GearPrototype {
     fn size(&self, fidelity: Fidelity, options: &StructureOptions) -> Option<StructureSize> {
         match fidelity {
             Fidelity::Rigid | Fidelity::Analytic => None,
-            Fidelity::Plane => self.size_in_plane(options),
-            Fidelity::Solid(_) => self.size_in_space(options),
+            Fidelity::Plane => self.plane_size(options),
+            Fidelity::Solid(_) => self.solid_size(options),
         }
     }
 
@@ -551,7 +551,7 @@ impl Prototype for GearPrototype {
     }
 
     fn spline_contact(&self) -> Option<SplineContact> {
-        match self.rim.hold {
+        match self.rim.support {
             BoreSupport::SplineWithClearance { spline_teeth, clearance } => {
                 Some(SplineContact { spline_teeth, clearance, radius: self.rim.fixed_radius })
             }
@@ -559,14 +559,14 @@ impl Prototype for GearPrototype {
         }
     }
 
-    fn needs_space(&self) -> bool {
+    fn needs_solid_model(&self) -> bool {
         !self.helix.is_spur() || along_face(&self.modifications).next().is_some()
     }
 
     fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
         match fidelity {
             Fidelity::Rigid => self.idle(&["material", "rim"], "rigid bodies do not deform"),
-            Fidelity::Analytic => match self.rim.hold {
+            Fidelity::Analytic => match self.rim.support {
                 BoreSupport::Rigid if self.rim.web.is_none() => Vec::new(),
                 _ => self.idle(
                     &["rim"],
@@ -584,7 +584,8 @@ impl Prototype for GearPrototype {
                     reason: "a two-dimensional model has no face-width direction: the rim is supported where the web begins"
                         .into(),
                 });
-                let on_web = self.rim.web.is_some() && matches!(self.rim.hold, BoreSupport::SplineTeeth(_));
+                let on_web =
+                    self.rim.web.is_some() && matches!(self.rim.support, BoreSupport::SplineTeeth(_));
                 let spline_teeth = on_web.then(|| Ignored {
                     input: "spline_teeth".into(),
                     reason: "they support the bore of a web, which a two-dimensional model does not have"

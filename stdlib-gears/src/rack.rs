@@ -110,7 +110,7 @@ impl Rack {
     /// Module in the plane in which the rack was given. For the transverse section of a rack from
     /// the normal plane this is the normal module, because the tip is stretched by
     /// `1 / cos(helix angle)`. Profile shift coefficients count these modules.
-    pub fn own_module(&self) -> f64 {
+    pub fn tool_module(&self) -> f64 {
         self.module / self.tip_stretch
     }
 

@@ -7,7 +7,7 @@ use crate::externs::{body, host, refusal};
 use crate::host::{Finding, ModelHost, RequestedSignal};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
-use calyx_runtime::motion::{Orientation, pose_in_space};
+use calyx_runtime::motion::{Orientation, spatial_pose};
 use calyx_runtime::results::StepRow;
 use calyx_runtime::signal::{Scaling, Signal, SignalKind, SignalRequest, Span, Window, evaluate};
 
@@ -15,16 +15,16 @@ calyx_abi::externs! {
     Scene fn calyx_gears_spectrum(
         context, output: String, from: f64, to: f64, window: String, segment: f64, scaling: String, highest: f64,
     ) -> () {
-        let piece = (positive("segment", segment)? > 0.0).then_some(segment);
+        let segment = (positive("segment", segment)? > 0.0).then_some(segment);
         let scaling = if scaling == "density" { Scaling::Density } else { Scaling::Amplitude };
-        ask(context, output, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, piece, scaling })
+        ask(context, output, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, segment, scaling })
     }
 
     Scene fn calyx_gears_spectrogram(
         context, output: String, segment: f64, from: f64, to: f64, window: String, highest: f64,
     ) -> () {
-        let piece = more_than_none("segment", segment)?;
-        ask(context, output, [from, to], highest, SignalKind::Spectrogram { window: named(&window)?, piece })
+        let segment = more_than_none("segment", segment)?;
+        ask(context, output, [from, to], highest, SignalKind::Spectrogram { window: named(&window)?, segment })
     }
 
     Scene fn calyx_gears_order_map(
@@ -36,9 +36,9 @@ calyx_abi::externs! {
             return Err(refusal("E0778", "shaft", "the shaft whose revolutions are counted is missing",
                 "give the `shaft`, or the name of an output that is its `angle`"));
         }
-        let (turns, highest) = (more_than_none("revolutions", revolutions)?, more_than_none("highest", highest)?);
+        let (revolutions, highest) = (more_than_none("revolutions", revolutions)?, more_than_none("highest", highest)?);
         let window = named(&window)?;
-        ask(context, output, [from, to], highest, SignalKind::OrderMap { shaft, ahead, turns, highest, window })
+        ask(context, output, [from, to], highest, SignalKind::OrderMap { shaft, ahead, revolutions, highest, window })
     }
 
     Scene fn calyx_gears_transfer_function(
@@ -134,7 +134,7 @@ fn output(host: &ModelHost, name: &str) -> Option<usize> {
 /// cannot answer are reported (E0776, E0777); the other results remain valid.
 pub(crate) fn answer(host: &mut ModelHost) {
     let Some(result) = &host.result else { return };
-    let mut answers: Vec<Signal> = Vec::with_capacity(host.asked_signals.len());
+    let mut signals: Vec<Signal> = Vec::with_capacity(host.asked_signals.len());
     let mut findings = Vec::new();
     for RequestedSignal { request, place } in &host.asked_signals {
         let Some(of) = output(host, &request.of) else { continue };
@@ -142,7 +142,7 @@ pub(crate) fn answer(host: &mut ModelHost) {
             let SignalKind::OrderMap { shaft, ahead, .. } = &request.kind else { return 0.0 };
             let framed = shaft.map_or(0.0, |shaft| {
                 let body = host.scene.bodies.get(shaft.0);
-                let pose = body.and_then(|body| pose_in_space(body.motion.as_ref(), row.position.time).ok());
+                let pose = body.and_then(|body| spatial_pose(body.motion.as_ref(), row.position.time).ok());
                 pose.map_or(f64::NAN, |pose| Orientation::of(&pose).angle)
             });
             let ahead =
@@ -151,13 +151,13 @@ pub(crate) fn answer(host: &mut ModelHost) {
         };
         let interrupt = &host.analysis.resources.interrupt;
         match evaluate(request, &result.rows, of, angle, interrupt) {
-            Ok(answer) => answers.push(answer),
+            Ok(answer) => signals.push(answer),
             Err(error) => findings.push(Finding {
                 severity: Severity::Warning,
                 error: RuntimeError { place: Some(*place), ..crate::externs::engine(error) },
             }),
         }
     }
-    host.signals = answers;
+    host.signals = signals;
     host.findings.extend(findings);
 }

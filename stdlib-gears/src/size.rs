@@ -12,11 +12,11 @@ const FLANKS: usize = 2;
 
 impl GearPrototype {
     /// Size of the two-dimensional model.
-    pub(crate) fn size_in_plane(&self, options: &StructureOptions) -> Option<StructureSize> {
+    pub(crate) fn plane_size(&self, options: &StructureOptions) -> Option<StructureSize> {
         let mesh = self.plane_mesh(options).ok()?;
         let nodes = |chain: &str| Some(mesh.chain_nodes(mesh.chain(chain)?));
-        let hold = self.rim.support_in_plane();
-        let held: BTreeSet<usize> = match hold {
+        let support = self.rim.support_in_plane();
+        let constrained: BTreeSet<usize> = match support {
             BoreSupport::Rigid => nodes("bore")?.into_iter().collect(),
             BoreSupport::Means { .. }
             | BoreSupport::SplineTeeth(_)
@@ -25,30 +25,31 @@ impl GearPrototype {
         let split = self.split_options(options);
         let directions = if split.allows_modified_surfaces { 2 } else { 1 };
         let fillet = mesh.chain("fillet_0")?.edges.len();
-        let cut = nodes("cut_right")?.iter().filter(|node| !held.contains(node)).count();
+        let cut = nodes("cut_right")?.iter().filter(|node| !constrained.contains(node)).count();
         let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
         Some(StructureSize {
             sectors: teeth,
             elements: mesh.elements.len(),
-            dofs: 2 * (mesh.nodes.len() - held.len()),
+            dofs: 2 * (mesh.nodes.len() - constrained.len()),
             cut: 2 * cut,
-            means: hold.unknowns(true, teeth, window),
+            means: support.unknowns(true, teeth, window),
             loads: FLANKS * directions * split.samples,
             stresses: if options.stresses { FLANKS * fillet * STRESS_POINTS_PER_EDGE } else { 0 },
             components: 1,
             window,
             mirrored: false,
-            far: if hold.couples_all_sectors() { (teeth / 2).saturating_sub(window) } else { 0 },
+            far: if support.couples_all_sectors() { (teeth / 2).saturating_sub(window) } else { 0 },
         })
     }
 
     /// Size of the three-dimensional model.
-    pub(crate) fn size_in_space(&self, options: &StructureOptions) -> Option<StructureSize> {
+    pub(crate) fn solid_size(&self, options: &StructureOptions) -> Option<StructureSize> {
         let mesh = self.solid_mesh(options).ok()?;
         let nodes = |faces: &str| Some(mesh.nodes_on(mesh.face_set(faces)?));
-        let mut held: BTreeSet<usize> = mesh.node_sets.get(ABSENT).into_iter().flatten().copied().collect();
+        let mut constrained: BTreeSet<usize> =
+            mesh.node_sets.get(ABSENT).into_iter().flatten().copied().collect();
         if self.rim.ring_support() == Some(BoreSupport::Rigid) {
-            held.extend(nodes("bore")?);
+            constrained.extend(nodes("bore")?);
         }
         let swept = mesh.swept.as_ref()?;
         let layers = swept.stations.len() - 1;
@@ -56,17 +57,17 @@ impl GearPrototype {
         let split = split_options(options);
         let [per_edge, per_layer] = stress_points(&mesh, options);
         let fillet = mesh.face_set("fillet_0")?.chart.as_ref()?.edges.len();
-        let cut = nodes("cut_right")?.iter().filter(|node| !held.contains(node)).count();
+        let cut = nodes("cut_right")?.iter().filter(|node| !constrained.contains(node)).count();
         let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
         let stresses = FLANKS * fillet * per_edge * (layers * per_layer + 1);
         let means = match self.rim.revolved_web(teeth, self.material) {
             Some(web) => web.unknowns(teeth, window),
-            None => self.rim.hold.unknowns(false, teeth, window),
+            None => self.rim.support.unknowns(false, teeth, window),
         };
         Some(StructureSize {
             sectors: teeth,
             elements: mesh.elements.len() - mesh.absent.len(),
-            dofs: 3 * (mesh.nodes.len() - held.len()),
+            dofs: 3 * (mesh.nodes.len() - constrained.len()),
             cut: 3 * cut,
             means,
             loads: FLANKS * split.samples * split.polynomials(layers, order),

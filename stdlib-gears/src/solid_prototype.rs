@@ -193,7 +193,7 @@ impl GearPrototype {
             sectors: self.gear.teeth(),
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            hold: self.rim.hold,
+            support: self.rim.support,
             coupled: self.coupled_teeth(),
         };
         let web = self.rim.revolved_web(self.gear.teeth(), self.material);
@@ -248,7 +248,7 @@ impl GearPrototype {
         self.teeth_and_tool("solid gear on a rim")
             .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.fixed_radius])
             .numbers(&self.rim.web_numbers())
-            .numbers(&Rim::support_numbers(self.rim.hold))
+            .numbers(&Rim::support_numbers(self.rim.support))
             .numbers(&[self.face_width, twist])
             .text(options.template.name())
             .numbers(&[options.refinement, options.matching_depth])

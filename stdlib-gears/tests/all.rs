@@ -3,7 +3,7 @@
 
 mod analysis;
 mod backlash;
-mod chapter_5_in_space;
+mod chapter_5_solid;
 mod common;
 mod deformed;
 mod derived;
@@ -12,7 +12,7 @@ mod disc_webs;
 mod dynamics;
 mod estimates;
 mod extremes;
-mod first_day_in_space;
+mod first_day_solid;
 mod flank_and_fillet;
 mod gauges;
 mod gear_surface;

@@ -223,7 +223,7 @@ fn an_interrupt_ends_estimates() {
 /// Structures built on any number of threads or read from disk, and positions solved on as many
 /// threads.
 #[test]
-fn the_number_of_threads_changes_no_bit_in_space() {
+fn the_number_of_threads_changes_no_bit_of_a_solid_model() {
     let folder = tempfile::tempdir().expect("a directory");
     let bits_on = |threads: usize, kept: bool| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -265,8 +265,8 @@ fn memory_is_asked_for_before_it_is_taken() {
         let ended = EDGES.steps(&options).and_then(Steps::finish);
         (ended.map(|result| result.timing.memory).map_err(|error| error.code), interrupt.largest_request())
     };
-    let (told, most) = within(u64::MAX);
-    assert_eq!(told, Ok(most));
+    let (required, most) = within(u64::MAX);
+    assert_eq!(required, Ok(most));
     assert!(most > 1 << 17, "{most}");
     assert_eq!(within(most), (Ok(most), most));
     assert_eq!(within(most - 1).0, Err("E0707"));

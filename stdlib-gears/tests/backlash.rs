@@ -66,7 +66,7 @@ fn strain_energy(scene: &Scene) -> f64 {
 fn a_load_that_reverses_sends_the_gear_to_and_fro_without_loss() {
     let (mut scene, [front, back]) = reversing();
     let inertia = scene.bodies[FIRST.0].inertia().polar();
-    let held = strain_energy(&scene);
+    let constrained = strain_energy(&scene);
     let outputs = [
         OutputRequest::observing("turn", scene.add_observable(Rotation(FIRST, 2))),
         OutputRequest::observing("front", scene.add_observable(MeshForce(front))),
@@ -95,7 +95,7 @@ fn a_load_that_reverses_sends_the_gear_to_and_fro_without_loss() {
         |[turn, speed, ..]: &[f64; 4]| 0.5 * inertia * speed * speed - REVERSED * TORQUE * (turn - begun);
     let fastest = flying.iter().map(|state| state[1].abs()).fold(0.0, f64::max);
     let kinetic = 0.5 * inertia * fastest * fastest;
-    let off: Vec<f64> = flying.iter().map(|state| (energy(state) - held) / kinetic).collect();
+    let off: Vec<f64> = flying.iter().map(|state| (energy(state) - constrained) / kinetic).collect();
     let most = off.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = off.iter().copied().fold(f64::INFINITY, f64::min);
     assert!(most < 1e-3 && least > -1e-3, "gained {most:e}, lost {:e} of {kinetic:e} J", -least);

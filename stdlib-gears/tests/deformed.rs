@@ -11,9 +11,9 @@ use std::sync::Arc;
 
 /// Fields of the last position.
 #[derive(Default)]
-struct Told(Option<Fields>);
+struct RecordedFields(Option<Fields>);
 
-impl Observer for Told {
+impl Observer for RecordedFields {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
         if let Event::Step { fields: Some(fields), .. } = event {
             self.0 = Some(fields.clone());
@@ -72,9 +72,9 @@ fn stresses_in_the_fillets_of_pictures_are_root_stresses() {
         .collect();
     let options =
         AnalysisOptions { fields: 1, bodies: true, resources: resources(), ..AnalysisOptions::default() };
-    let mut told = Told::default();
-    quasi_static(&scene, positions, &outputs, &options, &mut told).expect("it is solved");
-    let fields = told.0.expect("fields");
+    let mut recorded = RecordedFields::default();
+    quasi_static(&scene, positions, &outputs, &options, &mut recorded).expect("it is solved");
+    let fields = recorded.0.expect("fields");
     assert_eq!(fields.bodies.iter().map(|body| body.sectors.len()).collect::<Vec<_>>(), [20, 40]);
     assert!(fields.without_mesh.is_empty());
     let (mut loaded, mut compared) = (0, 0);

@@ -20,7 +20,7 @@ fn prototype(data: ExternalGearData, modifications: Vec<Modification>) -> GearPr
         radius: 0.9 * gear.root_radius,
         fixed_radius: 0.5 * gear.root_radius,
         web: None,
-        hold: BoreSupport::Rigid,
+        support: BoreSupport::Rigid,
     };
     let steel = Material { youngs_modulus: 2.06e11, poissons_ratio: 0.3, density: 7850.0 };
     GearPrototype::new(gear, modifications, steel, rim, 0.01, Vec::new()).expect("a sound gear")
@@ -78,8 +78,8 @@ fn published_pairs_are_told_as_published() {
         let pair = &data["pairs"][name];
         let gears = ["g1", "g2"].map(|gear| published(&pair[gear]));
         for (gear, key) in gears.iter().zip(["g1", "g2"]) {
-            let (told, object) = (of_gear(gear), &pair[key]);
-            let value = |symbol: &str| find(&told, symbol, None).value;
+            let (quantities, object) = (of_gear(gear), &pair[key]);
+            let value = |symbol: &str| find(&quantities, symbol, None).value;
             for (symbol, key) in
                 [("d", "rp"), ("d_b", "rb"), ("d_a", "ra"), ("d_f", "root_r"), ("d_Ff", "form_r")]
             {
@@ -103,14 +103,14 @@ fn published_pairs_are_told_as_published() {
         let object = &pair["mesh"];
         let [first, second] = [0, 1].map(|member: usize| gears[member].gear.external().expect("external"));
         let mesh = MeshGeometry::external(first, second, number(object, "C")).expect("a mesh");
-        let told = of_mesh([first.into(), second.into()], &mesh);
-        let value = |symbol: &str| find(&told, symbol, None).value;
+        let quantities = of_mesh([first.into(), second.into()], &mesh);
+        let value = |symbol: &str| find(&quantities, symbol, None).value;
         close(value("a"), number(object, "C"), "a");
         close(value("alpha_wt").to_degrees(), number(object, "operating_pressure_angle_deg"), "alpha_wt");
         close(value("epsilon_alpha"), number(object, "contact_ratio"), "epsilon_alpha");
         close(value("g_alpha"), number(object, "line_of_action_length"), "g_alpha");
         for (symbol, point) in [("d_Nf", "SAP"), ("d_LPSTC", "LPSTC"), ("d_HPSTC", "HPSTC")] {
-            let diameter = find(&told, symbol, Some(0)).value;
+            let diameter = find(&quantities, symbol, Some(0)).value;
             let roll = object["roll1_deg"][point].as_f64().expect("a roll angle");
             close(first.roll_at_radius(0.5 * diameter).to_degrees(), roll, symbol);
             if let Some(radius) = object["r1"][point].as_f64() {
@@ -128,17 +128,17 @@ fn published_pairs_are_told_as_published() {
 fn points_of_both_members_are_the_same_contacts() {
     let [first, second] = [20, 33].map(|teeth| ExternalGear::new(standard(teeth, 2.0, 0.0)).expect("sound"));
     let mesh = MeshGeometry::external(&first, &second, 53.0).expect("a mesh");
-    let told = of_mesh([(&first).into(), (&second).into()], &mesh);
+    let quantities = of_mesh([(&first).into(), (&second).into()], &mesh);
     let swapped = MeshGeometry::external(&second, &first, 53.0).expect("a mesh");
     let told_swapped = of_mesh([(&second).into(), (&first).into()], &swapped);
     for symbol in ["d_w", "c", "d_Nf", "c_F", "d_LPSTC", "d_HPSTC"] {
         for member in [0, 1] {
-            let seen = find(&told, symbol, Some(member)).value;
+            let seen = find(&quantities, symbol, Some(member)).value;
             close(find(&told_swapped, symbol, Some(1 - member)).value, seen, symbol);
         }
     }
-    close(find(&told, "d_w", Some(0)).value, 40.0, "operating is reference at the standard distance");
-    close(find(&told, "c", Some(1)).value, 0.5, "a quarter of a module");
+    close(find(&quantities, "d_w", Some(0)).value, 40.0, "operating is reference at the standard distance");
+    close(find(&quantities, "c", Some(1)).value, 0.5, "a quarter of a module");
 }
 
 #[test]
@@ -163,10 +163,10 @@ fn where_two_pairs_always_touch_there_is_no_single_tooth_contact() {
 fn spans_are_those_of_the_tables() {
     // W_k / m of gears without profile shift and with a pressure angle of 20 degrees.
     for (teeth, over, span) in [(20, 3, 7.6604), (40, 5, 13.8448), (17, 2, 4.6663), (100, 12, 35.3501)] {
-        let told = of_gear(&prototype(standard(teeth, 1.0, 0.0), Vec::new()));
-        let told = find(&told, "W_k", None);
-        assert!((told.value - span).abs() < 5e-5, "{teeth}: {}", told.value);
-        assert_eq!(told.note, format!("over {over} teeth"));
+        let quantities = of_gear(&prototype(standard(teeth, 1.0, 0.0), Vec::new()));
+        let quantities = find(&quantities, "W_k", None);
+        assert!((quantities.value - span).abs() < 5e-5, "{teeth}: {}", quantities.value);
+        assert_eq!(quantities.note, format!("over {over} teeth"));
     }
 }
 
@@ -184,19 +184,19 @@ fn the_margin_of_undercut_is_the_shift_that_reaches_it() {
             assert_eq!([undercut(limit + 1e-3), undercut(limit - 1e-3)], [Ok(false), Ok(true)], "{teeth}");
         }
     }
-    let told = of_gear(&prototype(standard(12, 2.0, 0.0), Vec::new()));
-    assert!(find(&told, "x - x_min", None).note.starts_with("undercut"));
+    let quantities = of_gear(&prototype(standard(12, 2.0, 0.0), Vec::new()));
+    assert!(find(&quantities, "x - x_min", None).note.starts_with("undercut"));
     // Full depth of one module is reached by the straight flank: 2 / sin^2.
-    let told = of_gear(&prototype(standard(20, 2.0, 0.0), Vec::new()));
+    let quantities = of_gear(&prototype(standard(20, 2.0, 0.0), Vec::new()));
     let straight = 1.25 - 0.38 + 0.38 * ALPHA.sin();
-    close(find(&told, "z_min", None).value, 2.0 * straight / ALPHA.sin().powi(2), "z_min");
+    close(find(&quantities, "z_min", None).value, 2.0 * straight / ALPHA.sin().powi(2), "z_min");
 }
 
 #[test]
 fn a_relief_is_told_by_the_diameter_where_it_begins() {
     let relief = TipRelief { depth: 2e-5, start_roll: 0.45, shape: ReliefShape::Linear };
     let gear = prototype(standard(25, 3e-3, 0.0), vec![Modification::TipRelief(relief)]);
-    let told = of_gear(&gear);
-    close(find(&told, "d_Ca", None).value, 2.0 * gear.form().base_radius * 0.45_f64.hypot(1.0), "d_Ca");
-    assert!(find(&told, "d_Fa", None).value < find(&told, "d_a", None).value);
+    let quantities = of_gear(&gear);
+    close(find(&quantities, "d_Ca", None).value, 2.0 * gear.form().base_radius * 0.45_f64.hypot(1.0), "d_Ca");
+    assert!(find(&quantities, "d_Fa", None).value < find(&quantities, "d_a", None).value);
 }

@@ -238,7 +238,7 @@ fn impossible_pairs_are_refused() {
 /// Options that only the engine's API can set.
 #[test]
 fn a_mesh_of_unknown_order_is_refused() {
-    let rim = Rim { radius: 0.70 * INCH, fixed_radius: 0.60 * INCH, web: None, hold: BoreSupport::Rigid };
+    let rim = Rim { radius: 0.70 * INCH, fixed_radius: 0.60 * INCH, web: None, support: BoreSupport::Rigid };
     let steel = Material { youngs_modulus: 206e9, poissons_ratio: 0.3, density: 7850.0 };
     let gear = ExternalGear::new(chapter_5_data(20, 0.02, 0.15708)).expect("a sound gear");
     let gear = GearPrototype::new(gear, Vec::new(), steel, rim, INCH, Vec::new()).expect("a gear");

@@ -91,14 +91,15 @@ fn a_joined_web_becomes_the_web_of_the_common_mesh() {
     println!(
         "waves, degree: compliance of a tooth and of its neighbour, root stress, against the common mesh"
     );
-    let off = [(4, 2), (8, 2), (16, 2), (24, 2)].map(|(waves, degree)| {
-        let joined = answers(built(on_disc(DiscWeb { harmonics: Some(waves), degree, ..plain() })).as_ref());
+    let off = [(4, 2), (8, 2), (16, 2), (24, 2)].map(|(harmonics, degree)| {
+        let joined =
+            answers(built(on_disc(DiscWeb { harmonics: Some(harmonics), degree, ..plain() })).as_ref());
         let off = [
             apart(&joined.own, &common.own) / scale,
             apart(&joined.next, &common.next) / scale,
             (joined.stress / common.stress - 1.0).abs(),
         ];
-        println!("{waves}, {degree}: {off:.5?}");
+        println!("{harmonics}, {degree}: {off:.5?}");
         off
     });
     for pair in off.windows(2) {
@@ -112,15 +113,17 @@ fn a_joined_web_becomes_the_web_of_the_common_mesh() {
 /// A rigid web only constrains what the joint contains. With the width of the face, it equals a
 /// bore constrained by the terms of a series.
 #[test]
-fn a_stiff_web_is_a_bore_held_by_its_series() {
+fn a_stiff_web_is_a_bore_constrained_by_its_series() {
     let stiff = Material { youngs_modulus: 1e8 * Material::STEEL.youngs_modulus, ..Material::STEEL };
     let disc = DiscWeb { harmonics: Some(6), degree: 2, material: Some(stiff), ..DiscWeb::plain(WIDTH, 0.0) };
     let joined = answers(built(ring().on_disc(WIDTH, 0.0, BORE, disc).expect("a web")).as_ref());
-    let held = answers(built(ring().held(BoreSupport::Means { harmonics: Some(6), degree: 2 })).as_ref());
-    let scale = largest(&held.own);
-    let off = [apart(&joined.own, &held.own), apart(&joined.next, &held.next)].map(|off| off / scale);
+    let constrained =
+        answers(built(ring().supported_by(BoreSupport::Means { harmonics: Some(6), degree: 2 })).as_ref());
+    let scale = largest(&constrained.own);
+    let off =
+        [apart(&joined.own, &constrained.own), apart(&joined.next, &constrained.next)].map(|off| off / scale);
     assert!(off.iter().all(|off| *off < 1e-6), "{off:?}");
-    assert!((joined.stress / held.stress - 1.0).abs() < 1e-6);
+    assert!((joined.stress / constrained.stress - 1.0).abs() < 1e-6);
 }
 
 /// Dish, taper, hub and material change the compliance of a tooth; a hub stiffens its web, and the

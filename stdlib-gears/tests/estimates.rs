@@ -4,12 +4,12 @@
 //! cancellation of errors of opposite sign dominates.
 
 mod costs;
-mod in_space;
 mod in_time;
 mod suite;
+mod three_dimensional;
 mod zones;
 
-use crate::chapter_5_in_space::pair::{CHAPTER_5, PLAIN, Pair};
+use crate::chapter_5_solid::pair::{CHAPTER_5, PLAIN, Pair};
 use crate::common::resources;
 use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::estimate::{Estimates, Part, Statistics};

@@ -204,7 +204,9 @@ fn a_plan_in_the_plane_refuses_helical_gears_of_either_rack() {
         blank.rim.radius = 0.5 * pitch - 2.0 * NORMAL_MODULE;
         blank.rim.fixed_radius = 0.5 * pitch - 3.5 * NORMAL_MODULE;
         let gear = blank.cut().expect("a gear");
-        let check = |in_space| gear.check(&StructureOptions::default(), in_space).map_err(|error| error.code);
+        let check = |three_dimensional| {
+            gear.check(&StructureOptions::default(), three_dimensional).map_err(|error| error.code)
+        };
         assert_eq!(check(false), Err("E0623"));
         assert_eq!(check(true), Ok(()));
     }
@@ -213,8 +215,9 @@ fn a_plan_in_the_plane_refuses_helical_gears_of_either_rack() {
 #[test]
 fn what_follows_from_a_helix_is_told() {
     let gears = [gear(25, Hand::Left, BETA), gear(50, Hand::Right, BETA)];
-    let told = of_gear(&gears[0]);
-    let value = |symbol: &str| told.iter().find(|quantity| quantity.symbol == symbol).expect("told").value;
+    let quantities = of_gear(&gears[0]);
+    let value =
+        |symbol: &str| quantities.iter().find(|quantity| quantity.symbol == symbol).expect("told").value;
     assert!((value("m_n") - NORMAL_MODULE).abs() < 1e-17);
     assert!((value("alpha_n") - ALPHA).abs() < 1e-14);
     assert!((value("p_z") - 25.0 * PI * NORMAL_MODULE / BETA.sin()).abs() < 1e-14);
@@ -226,8 +229,9 @@ fn what_follows_from_a_helix_is_told() {
     let plain = calyx_gears::mesh_geometry::MeshGeometry::external(&externals[0], &externals[1], distance);
     let wound = calyx_gears::mesh_geometry::HelicalTeeth { first: gears[0].helix, width: 30e-3 };
     let mesh = plain.expect("a mesh").across(&externals[0], &wound);
-    let told = of_mesh([gears[0].form(), gears[1].form()], &mesh);
-    let value = |symbol: &str| told.iter().find(|quantity| quantity.symbol == symbol).expect("told").value;
+    let quantities = of_mesh([gears[0].form(), gears[1].form()], &mesh);
+    let value =
+        |symbol: &str| quantities.iter().find(|quantity| quantity.symbol == symbol).expect("told").value;
     assert!((value("epsilon_gamma") - value("epsilon_alpha") - value("epsilon_beta")).abs() < 1e-15);
     assert!(value("epsilon_beta") > 1.0);
 }
@@ -286,8 +290,8 @@ fn derived_values_count_in_the_plane_of_the_rack() {
     blank.rim.radius = 0.5 * blank.root_diameter - 0.5 * NORMAL_MODULE;
     blank.rim.fixed_radius = 0.5 * blank.root_diameter - 2.0 * NORMAL_MODULE;
     blank.face_width = 40e-3;
-    let told = of_gear(&blank.cut().expect("a gear"));
-    let quantity = |symbol: &str| told.iter().find(|quantity| quantity.symbol == symbol).expect("told");
+    let quantities = of_gear(&blank.cut().expect("a gear"));
+    let quantity = |symbol: &str| quantities.iter().find(|quantity| quantity.symbol == symbol).expect("told");
     let close = |symbol: &str, expected: f64| {
         let found = quantity(symbol).value;
         assert!((found / expected - 1.0).abs() < 1e-12, "{symbol}: {found}, not {expected}");

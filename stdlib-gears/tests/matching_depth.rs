@@ -175,7 +175,7 @@ fn root_stress_is_that_of_a_fine_mesh() {
         let gears = [(20, [0.7, 0.6]), (40, [1.7, 1.2])].map(|(teeth, rim)| {
             let gear = ExternalGear::new(chapter_5_data(teeth, tip_radius, thickness)).expect("a sound gear");
             let [radius, fixed_radius] = rim.map(|radius: f64| radius * INCH);
-            let rim = Rim { radius, fixed_radius, web: None, hold: BoreSupport::Rigid };
+            let rim = Rim { radius, fixed_radius, web: None, support: BoreSupport::Rigid };
             Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, INCH, Vec::new()).expect("a gear"))
         });
         let (scene, mesh) = pair(&PairOptions::chapter_5(&gears));

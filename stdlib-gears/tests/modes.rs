@@ -17,11 +17,11 @@ const TEETH: u32 = 24;
 const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 0 };
 const HIGHEST: f64 = 1.0e6;
 
-fn blank(hold: BoreSupport) -> GearBlank {
+fn blank(support: BoreSupport) -> GearBlank {
     let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
     let blank = GearBlank::standard(TEETH, rack);
     let root = blank.root_diameter;
-    let rim = Rim::new(root - MODULE, root - 6.0 * MODULE).expect("a rim").held(hold);
+    let rim = Rim::new(root - MODULE, root - 6.0 * MODULE).expect("a rim").constrained(support);
     blank.face_width(5.0 * MODULE).rim(rim)
 }
 
@@ -66,10 +66,10 @@ fn worst_difference(gear: &GearPrototype) -> f64 {
 
 #[test]
 fn modes_go_with_the_compliance_of_statics() {
-    for hold in [FREE, BoreSupport::Means { harmonics: Some(4), degree: 0 }] {
-        let gear = blank(hold).cut().expect("a gear");
+    for support in [FREE, BoreSupport::Means { harmonics: Some(4), degree: 0 }] {
+        let gear = blank(support).cut().expect("a gear");
         let difference = worst_difference(&gear);
-        assert!(difference < 0.05, "{hold:?}: {difference}");
+        assert!(difference < 0.05, "{support:?}: {difference}");
     }
 }
 

@@ -25,21 +25,21 @@ const TEETH: u32 = 40;
 const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 1 };
 
 /// Gear on a rim whose thickness below the spaces is this number of tooth heights (backup ratio).
-fn gear(teeth: u32, backup: f64, hold: BoreSupport) -> Arc<GearPrototype> {
+fn gear(teeth: u32, backup: f64, support: BoreSupport) -> Arc<GearPrototype> {
     let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
     let blank = GearBlank::standard(teeth, rack);
     let (root, height) = (0.5 * blank.root_diameter, 2.25 * MODULE);
-    let held = root - backup * height;
+    let constrained = root - backup * height;
     let ring = root - 0.5 * MODULE.min(backup * height);
-    let rim = Rim::new(2.0 * ring, 2.0 * held).expect("a rim").held(hold);
+    let rim = Rim::new(2.0 * ring, 2.0 * constrained).expect("a rim").supported_by(support);
     blank.face_width(5.0 * MODULE).rim(rim).cut().expect("a gear")
 }
 
 /// Fillet stresses over all positions of a tooth relative to a force high on the flank of another
 /// tooth, in two dimensions: the largest tension, the largest compression, and the largest range at
 /// any point.
-fn root_stresses(backup: f64, hold: BoreSupport, options: &StructureOptions) -> [f64; 3] {
-    let gear = gear(TEETH, backup, hold);
+fn root_stresses(backup: f64, support: BoreSupport, options: &StructureOptions) -> [f64; 3] {
+    let gear = gear(TEETH, backup, support);
     let structure = gear.build(options, &Interrupt::never()).expect("a structure");
     let s = 0.8 * gear.flanks()[0].length();
     let load = [SurfaceLoad { chart: Chart { tooth: 0, surface: 0 }, s, force: 1e5 }];
@@ -66,9 +66,9 @@ fn root_stress_grows_as_a_free_rim_gets_thin() {
     let options = StructureOptions::default();
     let thick = root_stresses(3.0, FREE, &options);
     let ratios = [0.5, 0.7, 1.0, 1.5, 2.0];
-    let factors = |hold: BoreSupport| {
+    let factors = |support: BoreSupport| {
         ratios.map(|backup| {
-            let found = root_stresses(backup, hold, &options);
+            let found = root_stresses(backup, support, &options);
             [0, 1, 2].map(|kind| found[kind] / thick[kind])
         })
     };
@@ -93,14 +93,14 @@ fn root_stress_grows_as_a_free_rim_gets_thin() {
 #[test]
 fn a_thick_rim_makes_the_bore_support_irrelevant() {
     let options = StructureOptions::default();
-    let [free, rigid] = [FREE, BoreSupport::Rigid].map(|hold| root_stresses(4.0, hold, &options)[0]);
+    let [free, rigid] = [FREE, BoreSupport::Rigid].map(|support| root_stresses(4.0, support, &options)[0]);
     assert!((free / rigid - 1.0).abs() < 0.02, "{free:e}, {rigid:e}");
 }
 
 /// A pair whose second gear has a thin rim with this support.
-fn pair(hold: BoreSupport) -> Scene {
+fn pair(support: BoreSupport) -> Scene {
     let mut scene = Scene::default();
-    let gears = [gear(20, 1.0, BoreSupport::Rigid), gear(TEETH, 0.8, hold)];
+    let gears = [gear(20, 1.0, BoreSupport::Rigid), gear(TEETH, 0.8, support)];
     let speed = TAU;
     let motion = SteadyRotation { origin: [0.0; 2], start: 0.0, speed };
     let moment = Wrench::of_moment([0.0, 0.0, 200.0]);
@@ -116,14 +116,14 @@ fn pair(hold: BoreSupport) -> Scene {
 
 /// Reaction forces and moment of the support of the second gear of [`pair`], its transmission
 /// error, and its root compression.
-fn solved(hold: BoreSupport, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
+fn solved(support: BoreSupport, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
     let coarse = StructureOptions {
         refinement: 0.5,
         face_elements: Some(2),
         axial_order: Some(2),
         ..StructureOptions::default()
     };
-    let mut scene = pair(hold);
+    let mut scene = pair(support);
     scene.add_observable(MaxRootCompression(BodyId(1)));
     let system = built(&scene, fidelity, coarse);
     let mesh = scene.pairs[0].mesh.clone().expect("a mesh");
@@ -135,9 +135,9 @@ fn solved(hold: BoreSupport, fidelity: Fidelity) -> ([f64; 3], f64, f64) {
         value(&SupportForce(BodyId(1), 1)),
         value(&SupportMoment(BodyId(1), 2)),
     ];
-    if let BoreSupport::SplineTeeth(spline_teeth) = hold {
+    if let BoreSupport::SplineTeeth(spline_teeth) = support {
         // About the gear's axis the reaction equals that of its support.
-        let radius = gear(TEETH, 0.8, hold).rim.fixed_radius;
+        let radius = gear(TEETH, 0.8, support).rim.fixed_radius;
         let around = |spline_tooth| value(&SplineToothLoad { body: BodyId(1), spline_tooth, radial: false });
         let torque = radius * (0..u32::from(spline_teeth.count)).map(around).sum::<f64>();
         println!("{} spline teeth carry {torque} of {} N m", spline_teeth.count, supports[2]);
@@ -160,7 +160,7 @@ fn assert_equal_reactions(fidelity: Fidelity, answers: &[([f64; 3], f64, f64)]) 
 fn all_bore_supports_have_the_same_reactions() {
     for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
         let answers = [BoreSupport::Rigid, BoreSupport::Means { harmonics: Some(2), degree: 1 }, FREE]
-            .map(|hold| solved(hold, fidelity));
+            .map(|support| solved(support, fidelity));
         assert_equal_reactions(fidelity, &answers);
         let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
         let stresses: Vec<f64> = answers.iter().map(|answer| answer.2).collect();
@@ -172,7 +172,7 @@ fn all_bore_supports_have_the_same_reactions() {
 
 fn splined(spline: &SplineSupport, backup: f64) -> BoreSupport {
     let rigid = gear(TEETH, backup, BoreSupport::Rigid);
-    rigid.rim.splined(spline).expect("spline teeth").hold
+    rigid.rim.splined(spline).expect("spline teeth").support
 }
 
 /// Spline teeth carry the whole load, whatever the ratio of their number to that of the gear teeth.
@@ -190,8 +190,8 @@ fn spline_teeth_carry_the_whole_load() {
         SplineSupport { stiffness: soft, ..seven },
     ];
     for fidelity in [Fidelity::Plane, Fidelity::Solid(Template::Medium)] {
-        let holds = [BoreSupport::Rigid].into_iter().chain(ways.iter().map(|spline| splined(spline, 0.8)));
-        let answers: Vec<_> = holds.map(|hold| solved(hold, fidelity)).collect();
+        let supports = [BoreSupport::Rigid].into_iter().chain(ways.iter().map(|spline| splined(spline, 0.8)));
+        let answers: Vec<_> = supports.map(|support| solved(support, fidelity)).collect();
         assert_equal_reactions(fidelity, &answers);
         let errors: Vec<f64> = answers.iter().map(|answer| answer.1.abs()).collect();
         println!("{fidelity:?}: transmission errors {errors:?}");
@@ -210,17 +210,17 @@ fn the_coarsest_mesh_resolves_the_spline_teeth_that_a_gear_may_have() {
     };
     let spline = SplineSupport { axial_order: 2, ..SplineSupport::new(26) };
     let rim = gear(20, 1.0, BoreSupport::Rigid).rim;
-    let gear = gear(20, 1.0, rim.splined(&spline).expect("spline teeth").hold);
+    let gear = gear(20, 1.0, rim.splined(&spline).expect("spline teeth").support);
     gear.build(&coarse, &Interrupt::never()).expect("a plane structure");
     gear.build_solid(&coarse, &Interrupt::never()).expect("a solid structure");
     let found = gear
         .rim
-        .held(BoreSupport::Rigid)
+        .supported_by(BoreSupport::Rigid)
         .splined(&SplineSupport { spline_teeth: 27, ..spline })
         .expect("spline teeth");
     let blank =
         GearBlank::standard(20, Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack"));
-    let refused = blank.rim(Rim { hold: found.hold, ..gear.rim }).cut().err().expect("too many");
+    let refused = blank.rim(Rim { support: found.support, ..gear.rim }).cut().err().expect("too many");
     assert!(format!("{refused:?}").contains("E0656"), "{refused:?}");
 }
 
@@ -238,7 +238,7 @@ fn the_bore_support_is_part_of_the_structure_key() {
         splined(&SplineSupport { first: 0.1, ..SplineSupport::new(9) }, 1.0),
         splined(&SplineSupport { axial_order: 0, first: 0.1, ..SplineSupport::new(9) }, 1.0),
     ];
-    let gears = ways.map(|hold| gear(TEETH, 1.0, hold));
+    let gears = ways.map(|support| gear(TEETH, 1.0, support));
     for (index, one) in gears.iter().enumerate() {
         for other in &gears[..index] {
             assert!(one.solid_key(&options) != other.solid_key(&options));

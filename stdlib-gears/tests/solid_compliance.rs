@@ -42,7 +42,7 @@ fn in_the_plane(structure: &dyn Structure, observe: (Chart, f64), load: (Chart, 
 
 /// Its mean over the face in three dimensions, with the half-space's part and its image loads at
 /// both side faces in closed form.
-fn in_space(structure: &dyn SolidStructure, observe: (Chart, f64), load: (Chart, f64)) -> f64 {
+fn three_dimensional(structure: &dyn SolidStructure, observe: (Chart, f64), load: (Chart, f64)) -> f64 {
     let rule = gauss_legendre(16);
     let along =
         |u: f64| rule.iter().map(|(x, _)| SurfaceSegment::from([u, 0.5 * WIDTH * x])).collect::<Vec<_>>();
@@ -88,7 +88,7 @@ fn line_loads_meet_the_plane() {
                     continue;
                 }
                 let plane = in_the_plane(&*flat, observe, load);
-                let error = in_space(&*solid, observe, load) / plane - 1.0;
+                let error = three_dimensional(&*solid, observe, load) / plane - 1.0;
                 assert!(
                     error.abs() < tolerance,
                     "{observed} by {loaded} of surface {}: {error:.1e}",

@@ -9,7 +9,7 @@ use calyx_gears::flank::Flank;
 use calyx_gears::gear_surface::GearSurface;
 use calyx_gears::modification::{LeadModification, Modification, ReliefShape};
 use calyx_runtime::contact::solid::{GridOptions, PlacedSurface, Pose, build_grid, find_contact_line};
-use calyx_runtime::motion::pose_in_space;
+use calyx_runtime::motion::spatial_pose;
 use calyx_runtime::scene::GearMesh;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -52,7 +52,7 @@ fn meeting(twist: f64, relief: f64, crown: f64) -> EnteringPair {
     let poses = move |cycle: f64| {
         [0, 1].map(|side: usize| {
             let body = &scene.bodies[side];
-            let frame = pose_in_space(body.motion.as_ref(), start + cycle * period).expect("a frame");
+            let frame = spatial_pose(body.motion.as_ref(), start + cycle * period).expect("a frame");
             frame.rotated_first(body.phase + TAU * f64::from(entering[side]) / f64::from(teeth[side]))
         })
     };

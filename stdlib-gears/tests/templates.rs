@@ -1,7 +1,7 @@
 //! Sections of the solid templates as plane models: errors of root stress and compliance of a
 //! tooth, number of elements, and applicability to all gears.
 
-use crate::chapter_5_in_space::pair::{AT_HIGHEST, PLAIN};
+use crate::chapter_5_solid::pair::{AT_HIGHEST, PLAIN};
 use crate::common::{INCH, chapter_5, chapter_5_data, standard_data};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::fillet::Side;
@@ -45,7 +45,7 @@ fn answers(gear: &ExternalGear, mesh: PlaneMesh) -> ([f64; 4], [f64; 3]) {
         sectors: gear.teeth,
         cuts: ["cut_right", "cut_left"],
         bore: "bore",
-        hold: BoreSupport::Rigid,
+        support: BoreSupport::Rigid,
         coupled: 2,
     };
     let structure =

@@ -1,7 +1,7 @@
 //! Tolerance search among the fidelity levels of a pair of gears: a loose tolerance selects a cheap
 //! level, a tight one an expensive level, and both meet their tolerance.
 
-use crate::chapter_5_in_space::pair::{PLAIN, Pair};
+use crate::chapter_5_solid::pair::{PLAIN, Pair};
 use crate::common::resources;
 use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 use calyx_runtime::results::AnalysisResult;

@@ -42,7 +42,7 @@ impl Member {
             sectors: teeth,
             cuts: ["cut_right", "cut_left"],
             bore: "bore",
-            hold: BoreSupport::Rigid,
+            support: BoreSupport::Rigid,
             coupled: 2,
         };
         let structure =

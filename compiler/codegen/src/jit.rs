@@ -70,11 +70,11 @@ impl Jit {
     pub fn new(program: &Program, externs: &[Extern], effort: Effort) -> Result<Self, CodegenError> {
         let symbols = Symbols::new(resolve_externs(program, externs)?);
         let functions = program.functions.iter().map(Signature::new).collect();
-        Jit::in_space(native_isa(effort)?, symbols, ADDRESS_SPACE, functions, program.main)
+        Jit::with_address_space(native_isa(effort)?, symbols, ADDRESS_SPACE, functions, program.main)
     }
 
     /// Creates a back end as [`Jit::new`] does, with `bytes` bytes of address space.
-    pub fn in_space(
+    pub fn with_address_space(
         isa: OwnedTargetIsa,
         symbols: Symbols,
         space: usize,

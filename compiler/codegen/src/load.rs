@@ -83,7 +83,7 @@ fn space(code: &ModuleCode) -> Option<usize> {
 }
 
 fn place(code: &ModuleCode, symbols: Symbols) -> Result<JitModule, CodegenError> {
-    let mut jit = Jit::in_space(
+    let mut jit = Jit::with_address_space(
         native_isa(Effort::Speed)?,
         symbols,
         space(code).unwrap_or(MOST_SPACE),

@@ -70,18 +70,18 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
             Statement::Host { function, arguments, result, provided, span } => {
                 let arguments = self.expressions(arguments)?;
                 let given = slot_types(&result.repr);
-                let told = slot_types(&provided.repr);
+                let returned = slot_types(&provided.repr);
                 // Arguments, result and status are stored one after the other.
-                let (result_at, told_at) = (arguments.len(), arguments.len() + given.len());
+                let (result_at, returned_at) = (arguments.len(), arguments.len() + given.len());
                 self.store_buffer(0, &arguments);
                 let function = self.word(function.0 as usize);
                 let counts = [self.word(arguments.len()), self.word(given.len())];
-                let [from, into, answer] = [0, result_at, told_at].map(|slot| self.buffer_address(slot));
+                let [from, into, answer] = [0, result_at, returned_at].map(|slot| self.buffer_address(slot));
                 self.at(*span);
                 self.helper("calyx_host", &[function, from, counts[0], into, counts[1], answer])?;
-                let values = self.load_buffer(result_at, &[given, told].concat());
-                let (given, told) = values.split_at(told_at - result_at);
-                self.store(provided, &[], told)?;
+                let values = self.load_buffer(result_at, &[given, returned].concat());
+                let (given, returned) = values.split_at(returned_at - result_at);
+                self.store(provided, &[], returned)?;
                 self.store(result, &[], given)?;
             }
             Statement::Call { result, function: id, arguments, copy_back, span } => {

@@ -82,13 +82,13 @@ fn tell(name: &str, text: &str, head: &str) {
     let program = program(text);
     let start = text.find(head).expect("the definition is there");
     let end = start + text[start..].find(';').expect("it ends");
-    let told = (0..20).map(|_| {
+    let samples = (0..20).map(|_| {
         let began = Instant::now();
         let id = definition_in(&program, 0, start as u32, end as u32).expect("it is used");
         let binding = binding(&program, id).expect("it is a formula");
         (began.elapsed(), binding.operations)
     });
-    let (time, operations) = told.min().expect("it was told");
+    let (time, operations) = samples.min().expect("it was told");
     println!("{name}, {operations} operations, as text in {time:.1?}");
 }
 

@@ -34,7 +34,7 @@ pub struct Planned {
     /// contact, the lengths of its lists of positions.
     pub positions: Vec<usize>,
     /// `true` for a three-dimensional model, `false` for a two-dimensional one.
-    pub in_space: bool,
+    pub three_dimensional: bool,
     /// Number of distinct elastic structures. Bodies with the same gear share one.
     pub structures: usize,
     /// Outputs that this fidelity level does not support, each with its requirement.
@@ -218,11 +218,11 @@ impl Planned {
             PlannedMesh {
                 bodies: numbers
                     .map(|body| scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone())),
-                grid: match plan.in_space {
+                grid: match plan.three_dimensional {
                     _ if plan.fidelity == Fidelity::Rigid => Grid { half_cells: 0, half_slices: None },
-                    false => Grid { half_cells: pair.grid.half_cells_in_plane(), half_slices: None },
+                    false => Grid { half_cells: pair.grid.plane_half_cells(), half_slices: None },
                     true => Grid {
-                        half_cells: pair.grid.half_cells_in_space(),
+                        half_cells: pair.grid.solid_half_cells(),
                         half_slices: Some(pair.grid.half_slices),
                     },
                 },
@@ -261,7 +261,7 @@ impl Planned {
                 None => host.positions.iter().map(Vec::len).collect(),
             },
             structures,
-            in_space: plan.in_space,
+            three_dimensional: plan.three_dimensional,
             refused: plan
                 .refused
                 .iter()
@@ -326,7 +326,7 @@ impl Planned {
     }
 
     fn fidelity_text(&self) -> String {
-        let place = match self.in_space {
+        let place = match self.three_dimensional {
             false => "two-dimensional transverse section (plane strain)",
             true => "three-dimensional, surface contact on grids along and across the face",
         };

@@ -11,7 +11,7 @@ fn elaborated(text: &str) -> Elaboration {
 const PAIR: &str = include_str!("../../../examples/spur_pair.cx");
 
 /// Returns the text of a call and the values of what it created.
-fn told<T>(text: &str, made: &CreatedAt<T>, system: &str, quantities: &[Quantity]) -> Vec<String> {
+fn listed<T>(text: &str, made: &CreatedAt<T>, system: &str, quantities: &[Quantity]) -> Vec<String> {
     let head = text[made.span.start as usize..made.span.end as usize].lines().next().unwrap_or_default();
     let mut lines = vec![head.to_owned()];
     lines.extend(quantities.iter().filter(|quantity| quantity.essential).map(|quantity| {
@@ -28,7 +28,7 @@ fn the_pair_of_the_report_is_told_in_inches() {
     assert_eq!((geometry.gears.len(), geometry.meshes.len()), (2, 1));
     let pinion = &geometry.gears[0];
     assert_eq!(
-        told(PAIR, pinion, "inch_lbf_s", &pinion.first[0].quantities).join("\n"),
+        listed(PAIR, pinion, "inch_lbf_s", &pinion.first[0].quantities).join("\n"),
         "gears.external(
 number of teeth, z = 20
 transverse module, m_t = 0.1 inch
@@ -46,7 +46,7 @@ profile shift above undercut, x - x_min = 0.1014 (undercut begins if the profile
     assert_eq!(mesh.first[0].bodies, ["pinion", "gear"]);
     assert_eq!(mesh.first[0].gears, [geometry.gears[0].span, geometry.gears[1].span]);
     assert_eq!(
-        told(PAIR, mesh, "inch_lbf_s", &mesh.first[0].quantities).join("\n"),
+        listed(PAIR, mesh, "inch_lbf_s", &mesh.first[0].quantities).join("\n"),
         "gears.mesh(pinion, gear, tip_corner_contact = tip_corner_contact)
 centre distance, a = 3 inch
 operating pressure angle, alpha_wt = 20 deg

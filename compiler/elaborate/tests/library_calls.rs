@@ -238,14 +238,14 @@ enum Verdict {
 const PATIENCE: Duration = Duration::from_secs(120);
 
 fn verdict(text: &str, solved: bool) -> Verdict {
-    let (told, heard) = channel();
+    let (sender, heard) = channel();
     let text = text.to_owned();
     let cancel = Cancel::default();
     let switch = cancel.clone();
     std::thread::spawn(move || {
         let judged = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| judge(&text, solved, &cancel)));
         let judged = judged.unwrap_or_else(|_| Verdict::Defect("a panic".into()));
-        let _ = told.send(judged);
+        let _ = sender.send(judged);
     });
     match heard.recv_timeout(PATIENCE) {
         Ok(verdict) => verdict,

@@ -124,7 +124,7 @@ impl Build {
                 if checked.has_errors() {
                     format.note("the executable will report the same, unless it is run with other params\n");
                 }
-                built.iter().for_each(|built| format.note(&told(built)));
+                built.iter().for_each(|built| format.note(&description(built)));
                 ExitCode::SUCCESS
             }
             Err(error) => {
@@ -136,7 +136,7 @@ impl Build {
 }
 
 /// Returns one line about a file: its size, requirements and usage.
-fn told(built: &Built) -> String {
+fn description(built: &Built) -> String {
     let Built { path, size, .. } = built;
     let shown = shell::path(path);
     let size = shown_size(*size);

@@ -193,9 +193,9 @@ impl Tradeoff {
             );
             return ExitCode::from(MODEL_ERROR);
         };
-        let told = self.tell(&comparison, &left, &directory);
+        let status = self.report(&comparison, &left, &directory);
         drop(locked);
-        told
+        status
     }
 
     /// Returns the settings to run, in order, and the name of the reference; records omitted
@@ -337,7 +337,7 @@ impl Tradeoff {
     }
 
     /// Writes the comparison and prints it.
-    fn tell(&self, comparison: &Comparison, left: &[OmittedSetting], directory: &Path) -> ExitCode {
+    fn report(&self, comparison: &Comparison, left: &[OmittedSetting], directory: &Path) -> ExitCode {
         let format = MessageFormat::Human;
         let name = self.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let reference = &comparison.settings[comparison.reference].setting;

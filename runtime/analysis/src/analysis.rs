@@ -374,8 +374,8 @@ pub fn quasi_static(
     while let Some(solved) = steps.next() {
         let solved = &solved?;
         let index = steps.solved().len() - 1;
-        let told = requests_fields(options.fields, index, positions.len());
-        let equilibrium = steps.equilibrium().filter(|_| told);
+        let requested = requests_fields(options.fields, index, positions.len());
+        let equilibrium = steps.equilibrium().filter(|_| requested);
         let fields = equilibrium.map(|at| at.fields_with(meshed.as_ref())).transpose()?;
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
     }

@@ -1,12 +1,14 @@
-//! Cost prediction of an analysis: counts of operations, and the speed of this machine.
+//! Prediction of the time and memory of an analysis.
 //!
-//! Two kinds of work dominate the time. Condensation of structures consists of products of dense
-//! matrices; contact and the near field are evaluations of elementary functions. The speed of a
-//! machine at each is measured once, in a fraction of a second ([`Rates`]). The amount of each
-//! follows from the plan ([`structure`], [`positions`]). The constants are counts fitted to runs of
-//! examples on one machine (`docs/accuracy.md`). They reproduce these runs within a third, except
-//! for contact of twisted flanks, where the time is half to twice the prediction. `calyx tradeoff`
-//! prints predicted and measured times. A prediction serves to distinguish seconds from minutes.
+//! Two kinds of operation dominate the time. Static condensation consists of products of dense
+//! matrices; influence coefficients of contact cells consist of logarithms and similar functions.
+//! [`Rates`] are the numbers of these operations per second, measured once on each machine.
+//! [`structure`] and [`positions`] count the operations of an analysis from its plan. Their
+//! constants were fitted to runs of the examples on one machine (`docs/accuracy.md`).
+//!
+//! Predictions of these runs are within a third of the measured times. On helical flanks, contact
+//! takes half to twice the predicted time. `calyx tradeoff` prints predicted and measured times. A
+//! prediction is accurate enough to distinguish seconds from minutes.
 //!
 //! See `docs/theory/fidelity.md`.
 
@@ -22,40 +24,42 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-/// Speed of a machine.
+/// Speed of a machine at the two dominant kinds of operation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rates {
     /// Multiplications per second in products of dense matrices, on one thread.
     pub products: f64,
-    /// Logarithms per second, each with the few operations around it, on one thread.
+    /// Logarithms per second, including a few additions and multiplications each, on one thread.
     pub logarithms: f64,
     /// Number of threads.
     pub threads: usize,
 }
 
-/// Size of the matrices of a calibration, and number of repetitions; the fastest counts, because
-/// others may have been disturbed.
-const TRIED: (usize, usize) = (384, 5);
-/// Number of logarithms of a calibration, and number of repetitions.
-const LOGARITHMS: (usize, usize) = (400_000, 5);
+/// Number of rows of the matrices that a calibration multiplies.
+const CALIBRATION_SIZE: usize = 384;
+/// Number of logarithms that a calibration evaluates.
+const CALIBRATION_LOGARITHMS: usize = 400_000;
+/// Number of repetitions of a calibration. The shortest time counts, because other processes may
+/// have delayed the others.
+const REPETITIONS: usize = 5;
 
 impl Rates {
     /// Measures this machine, in about a tenth of a second.
     pub fn measure() -> Rates {
-        let (size, tries) = TRIED;
+        let size = CALIBRATION_SIZE;
         let matrix = Mat::from_fn(size, size, |i, j| 1.0 + ((7 * i + 3 * j) % 11) as f64);
-        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        let single_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
         let multiply = || {
-            fastest(tries, || {
+            shortest_time(|| {
                 black_box(product(black_box(matrix.as_ref()), matrix.as_ref()));
             })
         };
-        let products = match &alone {
+        let products = match &single_thread {
             Ok(pool) => pool.install(multiply),
             Err(_) => multiply(),
         };
-        let (count, tries) = LOGARITHMS;
-        let logarithms = fastest(tries, || {
+        let count = CALIBRATION_LOGARITHMS;
+        let logarithms = shortest_time(|| {
             let sum: f64 = (1..=count).map(|k| (1e-3 * k as f64).ln() * (k as f64).recip()).sum();
             black_box(sum);
         });
@@ -66,40 +70,41 @@ impl Rates {
         }
     }
 
-    /// Returns the rates of this machine from a file. Measures and stores them if the file has none
-    /// or if `remeasure` is set. Failure to write the file is ignored.
+    /// Returns the rates of this machine, read from a file. If the file has no valid rates, or if
+    /// `remeasure` is set, the rates are measured and stored. A file that cannot be written is
+    /// ignored, and a file with other contents is not changed.
     pub fn of_this_machine(file: Option<&Path>, remeasure: bool) -> Rates {
-        let there = file.and_then(|file| std::fs::read(file).ok());
-        let kept = there.as_deref().and_then(|text| serde_json::from_slice::<Rates>(text).ok());
-        // Do not overwrite a file of another kind with this name.
-        let ours = there.as_deref().is_none_or(<[u8]>::is_empty) || kept.is_some();
-        if let Some(rates) = kept.filter(|rates| !remeasure && rates.are_sound()) {
+        let text = file.and_then(|file| std::fs::read(file).ok());
+        let stored = text.as_deref().and_then(|text| serde_json::from_slice::<Rates>(text).ok());
+        let may_write = text.as_deref().is_none_or(<[u8]>::is_empty) || stored.is_some();
+        if let Some(rates) = stored.filter(|rates| !remeasure && rates.are_valid()) {
             return rates;
         }
         let rates = Rates::measure();
-        if let (Some(file), Ok(text), true) = (file, serde_json::to_vec(&rates), ours) {
+        if let (Some(file), Ok(text), true) = (file, serde_json::to_vec(&rates), may_write) {
             let _ = file.parent().map(std::fs::create_dir_all);
-            // Rename atomically: a partial file after a kill would count as a file of another kind.
+            // Renamed when complete: a partial file would count as a file with other contents.
             let unfinished = file.with_extension(format!("{}.part", std::process::id()));
             let _ = std::fs::write(&unfinished, text).and_then(|()| std::fs::rename(&unfinished, file));
         }
         rates
     }
 
-    fn are_sound(&self) -> bool {
+    /// Returns true if the rates are positive and were measured with the current number of threads.
+    fn are_valid(&self) -> bool {
         [self.products, self.logarithms].iter().all(|rate| rate.is_finite() && *rate > 0.0)
             && self.threads == rayon::current_num_threads()
     }
 }
 
-/// Returns the shortest time of some repetitions, s.
-fn fastest(tries: usize, work: impl Fn()) -> f64 {
+/// Returns the shortest time of [`REPETITIONS`] calls, s.
+fn shortest_time(work: impl Fn()) -> f64 {
     let time = |()| {
         let started = Instant::now();
         work();
         started.elapsed().as_secs_f64()
     };
-    (0..tries).map(|_| time(())).fold(f64::INFINITY, f64::min).max(1e-9)
+    (0..REPETITIONS).map(|_| time(())).fold(f64::INFINITY, f64::min).max(1e-9)
 }
 
 /// Cost of a part of an analysis.
@@ -111,75 +116,75 @@ pub struct Cost {
     pub memory: f64,
 }
 
-/// Returns the cost of condensing a structure, on all threads.
+/// Returns the cost of the static condensation of a structure, on all threads.
 ///
-/// The time for a sector's mesh is proportional to its number of DOFs: assembly, elimination with
-/// loads and stresses, and in three dimensions the near field. In a plane model the near field
-/// takes a time proportional to the number of pairs of loads. Joining the sectors takes products of
-/// dense matrices, in three dimensions usually by mirror-symmetric halves.
-pub fn structure(size: &StructureSize, in_space: bool, rates: &Rates) -> Cost {
+/// The time of a sector is proportional to its number of degrees of freedom. It includes assembly,
+/// elimination, loads, stresses and, in three dimensions, the near field of the loads. In a plane
+/// model the time of the near field is proportional to the number of pairs of loads. Coupling of
+/// the sectors consists of products of dense matrices; structures with mirror symmetry use half of
+/// each matrix.
+pub fn structure(size: &StructureSize, three_dimensional: bool, rates: &Rates) -> Cost {
     let dofs = size.dofs as f64;
-    let whole = in_space && !size.mirrored;
-    let [time_of_whole, memory_of_whole] = if whole { WHOLE } else { [1.0; 2] };
-    let logarithms = match in_space {
-        true => LOGARITHMS_PER_DOF_IN_SPACE * dofs,
-        false => {
-            LOGARITHMS_PER_DOF_IN_PLANE * dofs + LOGARITHMS_PER_PAIR_OF_LOADS * (size.loads as f64).powi(2)
-        }
+    let asymmetric = three_dimensional && !size.mirrored;
+    let [time_factor, memory_factor] = if asymmetric { WITHOUT_MIRROR_SYMMETRY } else { [1.0; 2] };
+    let logarithms = match three_dimensional {
+        true => LOGARITHMS_PER_SOLID_DOF * dofs,
+        false => LOGARITHMS_PER_PLANE_DOF * dofs + LOGARITHMS_PER_PAIR_OF_LOADS * (size.loads as f64).powi(2),
     };
-    let time = time_of_whole
-        * (logarithms / rates.logarithms + PRODUCTS_OF_HALVES * size.operations() / rates.products);
-    let bytes = if in_space { BYTES_PER_DOF_IN_SPACE } else { BYTES_PER_DOF_IN_PLANE };
-    let bytes = memory_of_whole * bytes;
+    let time = time_factor
+        * (logarithms / rates.logarithms + MIRROR_SYMMETRIC_PRODUCTS * size.operations() / rates.products);
+    let bytes = if three_dimensional { BYTES_PER_SOLID_DOF } else { BYTES_PER_PLANE_DOF };
+    let bytes = memory_factor * bytes;
     Cost {
         time: time / (EFFICIENCY * rates.threads.max(1) as f64),
         memory: bytes * dofs + size.bytes() as f64,
     }
 }
 
-/// Time per DOF of a sector, in logarithms: 41 to 56 microseconds on a machine that takes 3.6
-/// nanoseconds per logarithm, for up to 127,000 DOFs in three dimensions; 10 microseconds in plane
-/// models of 7,000 to 35,000 DOFs.
-const LOGARITHMS_PER_DOF_IN_SPACE: f64 = 13_000.0;
-const LOGARITHMS_PER_DOF_IN_PLANE: f64 = 2_900.0;
-/// Time per pair of loads in a plane model: 5 microseconds on the same machine, for meshes of
-/// different density with 256 loads.
+/// Time per degree of freedom of a sector of a solid model, in logarithms. Measured: 41 to 56
+/// microseconds on a machine with 3.6 nanoseconds per logarithm, for up to 127,000 degrees of
+/// freedom.
+const LOGARITHMS_PER_SOLID_DOF: f64 = 13_000.0;
+/// The same for plane models. Measured: 10 microseconds for 7,000 to 35,000 degrees of freedom.
+const LOGARITHMS_PER_PLANE_DOF: f64 = 2_900.0;
+/// Time per pair of loads of a plane model, in logarithms. Measured: 5 microseconds on the same
+/// machine, for meshes of different density with 256 loads.
 const LOGARITHMS_PER_PAIR_OF_LOADS: f64 = 1_450.0;
-/// Fraction of the products of joining whole sectors that mirror-symmetric halves take.
-const PRODUCTS_OF_HALVES: f64 = 0.25;
-/// Factors of time and memory of a three-dimensional sector without mirror symmetry, such as a
-/// helical gear's.
-const WHOLE: [f64; 2] = [4.6, 5.4];
+/// Fraction of the multiplications for the coupling of sectors that mirror symmetry leaves.
+const MIRROR_SYMMETRIC_PRODUCTS: f64 = 0.25;
+/// Factors on time and memory of a solid model without mirror symmetry, such as a helical gear.
+const WITHOUT_MIRROR_SYMMETRY: [f64; 2] = [4.6, 5.4];
 /// Parallel efficiency of an analysis.
 const EFFICIENCY: f64 = 0.8;
-/// Memory for the elimination of a sector's mesh, per DOF.
-const BYTES_PER_DOF_IN_PLANE: f64 = 1_100.0;
-const BYTES_PER_DOF_IN_SPACE: f64 = 3_900.0;
+/// Memory for the elimination of a sector of a plane model, per degree of freedom.
+const BYTES_PER_PLANE_DOF: f64 = 1_100.0;
+/// The same for solid models.
+const BYTES_PER_SOLID_DOF: f64 = 3_900.0;
 
-/// Returns the cost of a number of positions, each a contact problem of so many cells, solved in
-/// parallel or one after the other.
+/// Returns the cost of solving `count` positions, each a contact problem with `cells` cells, either
+/// in `parallel` or one after the other.
 ///
-/// The influence coefficients between cells take more time than the solution. The time is equal in
-/// plane and three-dimensional models, and longer on `twisted` flanks, whose cells do not lie in
-/// rows.
-pub fn positions(cells: usize, twisted: bool, count: usize, side_by_side: bool, rates: &Rates) -> Cost {
+/// The influence coefficients between cells take more time than the solution of the contact
+/// problem. Plane and solid models take the same time per pair of cells. `helical` flanks take
+/// longer, because their cells do not form rows with common coefficients.
+pub fn positions(cells: usize, helical: bool, count: usize, parallel: bool, rates: &Rates) -> Cost {
     let cells = cells as f64;
-    let pair = LOGARITHMS_PER_PAIR_OF_CELLS * if twisted { TWISTED } else { 1.0 };
+    let pair = LOGARITHMS_PER_PAIR_OF_CELLS * if helical { HELICAL } else { 1.0 };
     let one = pair * cells * cells / rates.logarithms
         + cells.powi(3) / 6.0 / rates.products
         + LOGARITHMS_PER_POSITION / rates.logarithms;
-    let threads = if side_by_side { rates.threads.max(1).min(count.max(1)) as f64 } else { 1.0 };
+    let threads = if parallel { rates.threads.max(1).min(count.max(1)) as f64 } else { 1.0 };
     let time = one * count as f64 / (EFFICIENCY * threads).max(1.0);
     Cost { time, memory: threads * MATRICES * size_of::<f64>() as f64 * cells * cells }
 }
 
-/// Time per pair of cells: 0.3 microseconds on the same machine.
+/// Time per pair of cells, in logarithms. Measured: 0.3 microseconds on the same machine.
 const LOGARITHMS_PER_PAIR_OF_CELLS: f64 = 83.0;
-/// Factor for twisted flanks.
-const TWISTED: f64 = 2.1;
-/// Time of the search for contact and of observables per position.
+/// Factor on the time per pair of cells for helical flanks.
+const HELICAL: f64 = 2.1;
+/// Time of the contact search and of the observables per position, in logarithms.
 const LOGARITHMS_PER_POSITION: f64 = 1e5;
-/// Number of matrices of all cells by all cells.
+/// Number of matrices, with a row and a column per cell, that a contact problem stores.
 const MATRICES: f64 = 4.0;
 
 #[cfg(test)]
@@ -202,13 +207,13 @@ mod tests {
     };
 
     #[test]
-    fn costs_grow_with_what_is_computed_and_shrink_with_the_machine() {
+    fn costs_grow_with_the_problem_and_shrink_with_the_speed_of_the_machine() {
         let own = structure(&SIZE, true, &RATES);
         assert!(own.time > 0.0 && own.memory > SIZE.bytes() as f64);
         let finer = structure(&StructureSize { dofs: 80_000, cut: 800, ..SIZE }, true, &RATES);
         assert!(finer.time > own.time && finer.memory > own.memory);
-        let whole = structure(&StructureSize { mirrored: false, ..SIZE }, true, &RATES);
-        assert!(whole.time > own.time && whole.memory > own.memory);
+        let asymmetric = structure(&StructureSize { mirrored: false, ..SIZE }, true, &RATES);
+        assert!(asymmetric.time > own.time && asymmetric.memory > own.memory);
         let faster = Rates { products: 2e10, logarithms: 6e8, ..RATES };
         assert!((structure(&SIZE, true, &faster).time / own.time - 0.5).abs() < 1e-12);
         let [few, many] = [100, 700].map(|cells| positions(cells, false, 32, true, &RATES));
@@ -219,24 +224,24 @@ mod tests {
     }
 
     #[test]
-    fn rates_are_kept_until_they_are_measured_again() {
+    fn rates_are_read_from_the_file_until_they_are_measured_again() {
         let directory = tempfile::tempdir().unwrap();
         let file = directory.path().join("below/rates.json");
         let measured = Rates::of_this_machine(Some(&file), false);
-        assert!(measured.are_sound());
+        assert!(measured.are_valid());
         assert_eq!(Rates::of_this_machine(Some(&file), false), measured);
-        let kept = Rates { products: 1.0, ..measured };
-        std::fs::write(&file, serde_json::to_vec(&kept).unwrap()).unwrap();
-        assert_eq!(Rates::of_this_machine(Some(&file), false), kept);
+        let stored = Rates { products: 1.0, ..measured };
+        std::fs::write(&file, serde_json::to_vec(&stored).unwrap()).unwrap();
+        assert_eq!(Rates::of_this_machine(Some(&file), false), stored);
         assert!(Rates::of_this_machine(Some(&file), true).products > 1.0);
         // Files with zero rates or invalid content are rejected.
         for text in ["{", "{\"products\":0.0,\"logarithms\":1.0,\"threads\":1}"] {
             std::fs::write(&file, text).unwrap();
-            assert!(Rates::of_this_machine(Some(&file), false).are_sound());
+            assert!(Rates::of_this_machine(Some(&file), false).are_valid());
         }
         std::fs::write(&file, "notes").unwrap();
-        assert!(Rates::of_this_machine(Some(&file), true).are_sound());
+        assert!(Rates::of_this_machine(Some(&file), true).are_valid());
         assert_eq!(std::fs::read_to_string(&file).unwrap(), "notes");
-        assert!(Rates::of_this_machine(None, false).are_sound());
+        assert!(Rates::of_this_machine(None, false).are_valid());
     }
 }

@@ -155,8 +155,8 @@ impl Cycle {
         let right = weighted.transpose() * DVector::from_column_slice(values);
         let factor = (weighted.transpose() * terms).cholesky()?;
         // Pivots of sines and cosines are one half at uniform positions.
-        let told = factor.l_dirty().diagonal().iter().all(|pivot| pivot * pivot > DISTINCT);
-        told.then(|| factor.solve(&right))
+        let independent = factor.l_dirty().diagonal().iter().all(|pivot| pivot * pivot > DISTINCT);
+        independent.then(|| factor.solve(&right))
     }
 }
 

@@ -284,8 +284,8 @@ impl Search<'_> {
         let mut scene = self.scene.clone();
         for SurfacePair { grid, .. } in scene.pairs.iter_mut().filter(|_| cells > 1) {
             let own = match fidelity {
-                Fidelity::Solid(_) => grid.half_cells_in_space(),
-                Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => grid.half_cells_in_plane(),
+                Fidelity::Solid(_) => grid.solid_half_cells(),
+                Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => grid.plane_half_cells(),
             };
             grid.half_cells = Some(cells * own);
             grid.half_slices *= cells;

@@ -209,9 +209,9 @@ fn dofs_that_nothing_holds_are_named() {
     };
     assert!((motion.motion[0] / motion.motion[1] - 2.0).abs() < 1e-9, "{motion:?}");
     // A spring resists the motion that contact does not.
-    let mut held = one_way(vec![0.3, 0.0, 0.2, 0.0, 0.1, 0.0], 2, vec![-5.0, 8.0]);
-    held.stiffness = vec![0.0, 0.0, 0.0, 4.0];
-    assert!((solve(&held, None).unwrap().motion[1] - 2.0).abs() < 1e-12);
+    let mut constrained = one_way(vec![0.3, 0.0, 0.2, 0.0, 0.1, 0.0], 2, vec![-5.0, 8.0]);
+    constrained.stiffness = vec![0.0, 0.0, 0.0, 4.0];
+    assert!((solve(&constrained, None).unwrap().motion[1] - 2.0).abs() < 1e-12);
 }
 
 #[test]

@@ -160,8 +160,8 @@ mod tests {
         assert!((free[0] + at * free[1]).abs() < 1e-15 * free[0].abs().max(1.0), "{free:?}");
         assert!((found.motion[0] + at * found.motion[1] - 600.0 / k).abs() < 1e-20);
         assert!(!unloaded_equilibrium(&stiffness, &[600.0, 0.0]).balanced);
-        let held = [k, 0.0, 0.0, 5.0];
-        let found = unloaded_equilibrium(&held, &[600.0, 1.0]);
+        let constrained = [k, 0.0, 0.0, 5.0];
+        let found = unloaded_equilibrium(&constrained, &[600.0, 1.0]);
         assert!(found.balanced && found.free.is_empty());
         assert!((found.motion[0] - 600.0 / k).abs() < 1e-20 && (found.motion[1] - 0.2).abs() < 1e-15);
     }

@@ -51,20 +51,20 @@ struct Group {
 
 impl Dissection {
     /// Orders the unknowns of a stiffness of which only the pattern is read (both triangles; the
-    /// degrees of freedom of a node are adjacent). The `held` ones are omitted, those of the nodes
+    /// degrees of freedom of a node are adjacent). The `constrained` ones are omitted, those of the nodes
     /// `kept` come last.
     pub fn new(
         stiffness: &SparseColMat<usize, f64>,
         positions: &[[f64; 3]],
-        held: &[usize],
+        constrained: &[usize],
         kept: &[usize],
     ) -> Self {
         let per_node = stiffness.ncols() / positions.len().max(1);
-        let mut is_held = vec![false; stiffness.ncols()];
-        held.iter().for_each(|&dof| is_held[dof] = true);
+        let mut is_constrained = vec![false; stiffness.ncols()];
+        constrained.iter().for_each(|&dof| is_constrained[dof] = true);
         let mut is_kept = vec![false; positions.len()];
         kept.iter().for_each(|&node| is_kept[node] = true);
-        let groups = group(stiffness, per_node, positions, &is_held, &is_kept);
+        let groups = group(stiffness, per_node, positions, &is_constrained, &is_kept);
         let mut dissector = Dissector {
             region: vec![0; groups.len()],
             rank: vec![0; groups.len()],
@@ -91,7 +91,7 @@ impl Dissection {
             own.iter().flat_map(|&group| &dissector.groups[group].dofs).for_each(|&dof| place(dof));
         }
         let kept = kept.iter().flat_map(|&node| per_node * node..per_node * (node + 1));
-        kept.filter(|&dof| !is_held[dof]).for_each(place);
+        kept.filter(|&dof| !is_constrained[dof]).for_each(place);
         let parts = dissector.parts(&order);
         Self { parts, order }
     }
@@ -113,10 +113,10 @@ fn group(
     stiffness: &SparseColMat<usize, f64>,
     per_node: usize,
     positions: &[[f64; 3]],
-    is_held: &[bool],
+    is_constrained: &[bool],
     is_kept: &[bool],
 ) -> Vec<Group> {
-    let moves = |node: usize| (per_node * node..per_node * (node + 1)).any(|dof| !is_held[dof]);
+    let moves = |node: usize| (per_node * node..per_node * (node + 1)).any(|dof| !is_constrained[dof]);
     // Nodes by their neighbours, including themselves, and by whether they are retained.
     let mut alike: HashMap<(Vec<usize>, bool), usize> = HashMap::new();
     let mut members: Vec<Vec<usize>> = Vec::new();
@@ -150,7 +150,11 @@ fn group(
         let mean =
             |axis: usize| nodes.iter().map(|&node| positions[node][axis]).sum::<f64>() / nodes.len() as f64;
         let dofs = nodes.iter().flat_map(|&node| per_node * node..per_node * (node + 1));
-        Group { position: [0, 1, 2].map(mean), dofs: dofs.filter(|&dof| !is_held[dof]).collect(), neighbours }
+        Group {
+            position: [0, 1, 2].map(mean),
+            dofs: dofs.filter(|&dof| !is_constrained[dof]).collect(),
+            neighbours,
+        }
     };
     members.into_iter().zip(neighbours).map(of).collect()
 }

@@ -226,17 +226,17 @@ impl RevolutionModel {
     }
 
     /// Returns the integral of the square of a harmonic over the circumference.
-    pub fn around(waves: u16) -> f64 {
-        if waves == 0 { TAU } else { PI }
+    pub fn around(harmonic: u16) -> f64 {
+        if harmonic == 0 { TAU } else { PI }
     }
 
     /// Assembles the stiffness of one harmonic, N/m; symmetric bit for bit, both triangles stored.
-    pub fn stiffness(&self, waves: u16) -> SparseColMat<usize, f64> {
+    pub fn stiffness(&self, harmonic: u16) -> SparseColMat<usize, f64> {
         let mut entries = Vec::new();
         for element in &self.mesh.elements {
             let dofs: Vec<usize> =
                 element.nodes.iter().flat_map(|&node| COMPONENTS * node..COMPONENTS * (node + 1)).collect();
-            let matrix = self.element_stiffness(element, waves);
+            let matrix = self.element_stiffness(element, harmonic);
             for (&row, values) in dofs.iter().zip(matrix.chunks(dofs.len())) {
                 entries.extend(dofs.iter().zip(values).map(|(&column, &value)| (column, row, value)));
             }
@@ -245,11 +245,11 @@ impl RevolutionModel {
     }
 
     /// Returns the stiffness of an element, row-major.
-    fn element_stiffness(&self, element: &Element, waves: u16) -> Vec<f64> {
+    fn element_stiffness(&self, element: &Element, harmonic: u16) -> Vec<f64> {
         let (young, ratio) = (self.material.youngs_modulus, self.material.poissons_ratio);
         let shear = 0.5 * young / (1.0 + ratio);
         let lame = young * ratio / ((1.0 + ratio) * (1.0 - 2.0 * ratio));
-        let n = f64::from(waves);
+        let n = f64::from(harmonic);
         let size = COMPONENTS * element.nodes.len();
         let mut stiffness = vec![0.0; size * size];
         let points = gauss_legendre(
@@ -261,7 +261,7 @@ impl RevolutionModel {
                 let coordinates = element.coordinate_order.shapes(xi, eta);
                 let ([radius, _], jacobian) = self.mesh.map_with(element, &coordinates);
                 let (gradients, area) = gradients(&shapes, jacobian);
-                let weight = along * across * area * radius * Self::around(waves);
+                let weight = along * across * area * radius * Self::around(harmonic);
                 // Strains rr, tt, zz, rz, rt, tz by node and displacement.
                 let strains: Vec<[f64; 6]> = shapes
                     .iter()
@@ -302,7 +302,7 @@ impl RevolutionModel {
     pub fn edge_load(
         &self,
         chain: &EdgeChain,
-        waves: u16,
+        harmonic: u16,
         traction: impl Fn([f64; 2]) -> [f64; 3],
     ) -> Vec<f64> {
         let mut load = vec![0.0; self.dof_count()];
@@ -311,7 +311,7 @@ impl RevolutionModel {
             let order = element.order.highest().max(element.coordinate_order.highest());
             for (t, weight) in gauss_legendre(usize::from(order) + MORE_POINTS) {
                 let point = self.mesh.edge_point(edge, t);
-                let area = weight * point.speed * point.position[0] * Self::around(waves);
+                let area = weight * point.speed * point.position[0] * Self::around(harmonic);
                 let traction = traction(point.position);
                 for (&node, shape) in
                     element.nodes.iter().zip(element.order.shapes(point.place.xi, point.place.eta))
@@ -328,10 +328,10 @@ impl RevolutionModel {
     /// Returns the rigid-body motions of one harmonic as displacements of all nodes: axial
     /// translation and rotation for harmonic zero, transverse translation and rotation about a
     /// transverse axis (through the origin) for harmonic one, none for higher ones.
-    pub fn rigid_motions(&self, waves: u16) -> Vec<Vec<f64>> {
+    pub fn rigid_motions(&self, harmonic: u16) -> Vec<Vec<f64>> {
         let motion =
             |at: &dyn Fn([f64; 2]) -> [f64; 3]| self.mesh.nodes.iter().flat_map(|&place| at(place)).collect();
-        match waves {
+        match harmonic {
             0 => vec![motion(&|_| [0.0, 0.0, 1.0]), motion(&|[r, _]| [0.0, r, 0.0])],
             1 => vec![motion(&|_| [1.0, -1.0, 0.0]), motion(&|[r, z]| [z, -z, -r])],
             _ => Vec::new(),

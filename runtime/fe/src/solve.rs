@@ -93,8 +93,8 @@ impl Solver {
         positions: &[[f64; 3]],
         constraints: Constraints,
     ) -> Result<Self, SolveError> {
-        let held: Vec<usize> = constraints.values.keys().copied().collect();
-        let dissection = Dissection::new(stiffness, positions, &held, &[]);
+        let constrained: Vec<usize> = constraints.values.keys().copied().collect();
+        let dissection = Dissection::new(stiffness, positions, &constrained, &[]);
         // Unknowns are the free degrees of freedom, ascending.
         let places: Vec<usize> = dissection.order.into_iter().flatten().collect();
         Self::in_order(stiffness, constraints, Some(places))

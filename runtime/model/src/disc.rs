@@ -32,7 +32,7 @@
 //! ```
 
 use crate::fidelity::{BodyModel, StructureOptions};
-use crate::prototype::{Prototype, no_model_in_space};
+use crate::prototype::{Prototype, no_solid_model};
 use calyx_fe::block::uniform;
 use calyx_fe::inertia::Inertia;
 use calyx_fe::material::{Material, Plane};
@@ -180,9 +180,9 @@ impl Disc {
 }
 
 impl Prototype for Disc {
-    fn check(&self, options: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
+    fn check(&self, options: &StructureOptions, three_dimensional: bool) -> Result<(), EngineError> {
         match options.model {
-            _ if in_space => Err(no_model_in_space()),
+            _ if three_dimensional => Err(no_solid_model()),
             BodyModel::Analytic => Err(no_closed_form()),
             BodyModel::Rigid | BodyModel::Elements => Ok(()),
         }
@@ -270,8 +270,8 @@ impl Platen {
 }
 
 impl Prototype for Platen {
-    fn check(&self, _: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
-        if in_space { Err(no_model_in_space()) } else { Ok(()) }
+    fn check(&self, _: &StructureOptions, three_dimensional: bool) -> Result<(), EngineError> {
+        if three_dimensional { Err(no_solid_model()) } else { Ok(()) }
     }
 
     fn build(&self, _: &StructureOptions, _: &Interrupt) -> Result<Arc<dyn Structure>, EngineError> {

@@ -2,7 +2,7 @@
 
 use crate::dof::Dof;
 use crate::mechanism::Mechanism;
-use crate::motion::{Orientation, PlanePose, pose_in_space};
+use crate::motion::{Orientation, PlanePose, spatial_pose};
 use crate::plan::Plan;
 use calyx_contact::solid::Pose;
 use calyx_numerics::error::{EngineError, Subject};
@@ -20,7 +20,7 @@ pub fn pose(scene: &Mechanism, body: usize, time: f64) -> Result<PlanePose, Engi
 /// # Errors
 /// The frame is NaN; the error names the body.
 pub fn solid_pose(scene: &Mechanism, body: usize, time: f64) -> Result<Pose, EngineError> {
-    pose_in_space(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
+    spatial_pose(scene.bodies[body].motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))
 }
 
 /// Returns the ground axes under the minimal rotation to a body's axis; NaN if its motion is NaN.

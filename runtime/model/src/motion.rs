@@ -215,7 +215,7 @@ fn finite_frame(motion: &dyn Motion, time: f64) -> Result<[f64; 12], EngineError
 ///
 /// # Errors
 /// E0710: the frame is NaN.
-pub fn pose_in_space(motion: &dyn Motion, time: f64) -> Result<Pose, EngineError> {
+pub fn spatial_pose(motion: &dyn Motion, time: f64) -> Result<Pose, EngineError> {
     let f = finite_frame(motion, time)?;
     // x' = R x + t gives x = R^T x' - R^T t.
     let rotation = [[f[0], f[3], f[6]], [f[1], f[4], f[7]], [f[2], f[5], f[8]]];
@@ -321,7 +321,7 @@ const NOWHERE: [f64; 2] = [1e-12, 1e-9];
 pub fn axle(motion: &dyn Motion) -> [f64; 3] {
     // Axis in body and in ground coordinates, at a time.
     let axis = |time: f64| -> Option<([f64; 3], [f64; 3])> {
-        let pose = pose_in_space(motion, time).ok()?;
+        let pose = spatial_pose(motion, time).ok()?;
         let [wx, wy, wz] = angular_velocity(motion, time);
         let [vx, vy, vz] = point_velocity(motion, time, pose.origin);
         // The velocity vanishes at p from the origin where v + w x p = 0.
@@ -370,10 +370,10 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
     if !step.is_finite() {
         return None;
     }
-    let pose = pose_in_space(motion, 0.0).ok()?;
+    let pose = spatial_pose(motion, 0.0).ok()?;
     let turn = [(speed * step).cos(), (speed * step).sin()];
     let place =
-        |k: u8| pose_in_space(motion, f64::from(k) * step).map(|pose| [pose.origin[0], pose.origin[1]]).ok();
+        |k: u8| spatial_pose(motion, f64::from(k) * step).map(|pose| [pose.origin[0], pose.origin[1]]).ok();
     let places = [place(0)?, place(1)?, place(2)?, place(3)?, place(4)?];
     // Differences eliminate the constant term, then the term that rotates with the body.
     let moved = [0, 1, 2, 3].map(|k: usize| minus(places[k + 1], places[k]));
@@ -391,7 +391,7 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
 
 /// Returns the rate of a body's [`Orientation::angle`], rad/s.
 pub fn rotation_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
-    let [x, y, z] = Orientation::of(&pose_in_space(motion, time)?).axis();
+    let [x, y, z] = Orientation::of(&spatial_pose(motion, time)?).axis();
     let [along_x, along_y, along_z] = angular_velocity(motion, time);
     // Complete for a fixed axis, and for one that precesses about e3 at the speed of the body's
     // rotation.
@@ -446,7 +446,7 @@ mod tests {
         for wobbles in [false, true] {
             let motion = Leaning { tilt: 0.05, speed: 3.0, wobbles };
             for time in [0.0, 0.2, 0.7] {
-                let stance = Orientation::of(&pose_in_space(&motion, time).unwrap());
+                let stance = Orientation::of(&spatial_pose(&motion, time).unwrap());
                 assert!((stance.angle - 3.0 * time).abs() < 1e-14, "{}", stance.angle);
                 assert!((stance.tilt() - 0.05).abs() < 1e-14);
                 assert!((rotation_speed(&motion, time).unwrap() - 3.0).abs() < 1e-9);
@@ -468,7 +468,7 @@ mod tests {
         // transpose.
         let rotation: [[f64; 3]; 3] = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| rotation[j][i]));
         let placed = RelocatedMotion::rotated_about(Arc::new(still), rotation, [0.1, 0.2, 0.3]);
-        let (at, there) = (pose_in_space(&still, 0.7).unwrap(), pose_in_space(&placed, 0.7).unwrap());
+        let (at, there) = (spatial_pose(&still, 0.7).unwrap(), spatial_pose(&placed, 0.7).unwrap());
         let expected = placed.pose.point(at.point([0.01, 0.02, 0.03]));
         let found = there.point([0.01, 0.02, 0.03]);
         assert!((0..3).all(|k| (found[k] - expected[k]).abs() < 1e-15), "{found:?} {expected:?}");

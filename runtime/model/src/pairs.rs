@@ -37,7 +37,7 @@ impl SurfacePair {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOptions {
     /// M: a grid has 2M + 1 cells across the contact line before refinement at edges. `None` uses
-    /// the default of the fidelity, see [`GridOptions::half_cells_in_space`].
+    /// the default of the fidelity, see [`GridOptions::solid_half_cells`].
     pub half_cells: Option<usize>,
     /// N: a three-dimensional grid has 2N + 1 slices along the face.
     pub half_slices: usize,
@@ -51,13 +51,13 @@ pub struct GridOptions {
 
 impl GridOptions {
     /// Returns M of two-dimensional models, where a cell costs little.
-    pub fn half_cells_in_plane(&self) -> usize {
+    pub fn plane_half_cells(&self) -> usize {
         self.half_cells.unwrap_or(24)
     }
 
     /// Returns M of three-dimensional models, where each slice has its own cells. The relative
     /// error of peak pressures is a few thousandths.
-    pub fn half_cells_in_space(&self) -> usize {
+    pub fn solid_half_cells(&self) -> usize {
         self.half_cells.unwrap_or(10)
     }
 }
@@ -102,7 +102,7 @@ pub struct GearMesh {
     /// Angle, not a distance: rotation of the second gear from its prescribed position that brings
     /// rigid teeth into contact, rad. Zero for a mesh that determined the phase of a gear. A mesh
     /// that closes a loop may have a gap due to misplaced axes and thin teeth.
-    pub center_offset: f64,
+    pub phase_offset: f64,
 }
 
 impl GearMesh {

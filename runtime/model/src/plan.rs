@@ -9,7 +9,7 @@ use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
 use crate::ids::BodyId;
 use crate::load::Wrench;
 use crate::mechanism::Mechanism;
-use crate::motion::{check_in_plane, pose_in_space};
+use crate::motion::{check_in_plane, spatial_pose};
 use crate::observed::OutputRequest;
 use crate::prototype::{Ignored, Prototype};
 use crate::target::{Examined, Target};
@@ -23,7 +23,7 @@ pub struct Plan {
     /// Fidelity level of the bodies.
     pub fidelity: Fidelity,
     /// True if the model is three-dimensional, false if it is a plane section.
-    pub in_space: bool,
+    pub three_dimensional: bool,
     /// Outputs without a value, because they require more than this fidelity provides.
     pub refused: Vec<UnsupportedOutput>,
     /// Plan of each body, in the order of the scene.
@@ -151,7 +151,7 @@ impl Plan {
         options: StructureOptions,
     ) -> Result<Plan, EngineError> {
         let pairs_of = |id: BodyId| scene.pairs.iter().filter(move |pair| pair.bodies.contains(&id));
-        let (model, in_space) = (fidelity.body_model(), lies_in_space(scene, fidelity));
+        let (model, three_dimensional) = (fidelity.body_model(), is_three_dimensional(scene, fidelity));
         let template = match fidelity {
             Fidelity::Solid(template) => template,
             Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => options.template,
@@ -168,22 +168,22 @@ impl Plan {
             if !untouched {
                 ignored.extend(body.prototype.ignored(fidelity));
                 // Report what a section cannot represent if something else keeps the scene plane.
-                if !in_space && fidelity != Fidelity::Plane && body.prototype.needs_space() {
+                if !three_dimensional && fidelity != Fidelity::Plane && body.prototype.needs_solid_model() {
                     ignored.extend(body.prototype.ignored(Fidelity::Plane));
                 }
             }
-            if !in_space && !left_out {
+            if !three_dimensional && !left_out {
                 refuse_motion_out_of_plane(&body.name, body.free)
                     .and_then(|()| check_in_plane(body.motion.as_ref()))
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             if !untouched && !left_out && body.prototype.spline_contact().is_some() {
-                reject_spline_with_clearance(&body.name, fidelity, in_space, body.free)
+                reject_spline_with_clearance(&body.name, fidelity, three_dimensional, body.free)
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
             let options = StructureOptions { stresses, sharp_edges, model, template, ..options };
             if !untouched && !left_out {
-                let checked = body.prototype.check(&options, in_space);
+                let checked = body.prototype.check(&options, three_dimensional);
                 checked.map_err(|error| error.about(Subject::Prototype(index)))?;
             }
             bodies.push(BodyPlan {
@@ -203,17 +203,17 @@ impl Plan {
                 rigid,
             });
         }
-        if !in_space {
+        if !three_dimensional {
             ignored.extend(unequal_widths(scene, &bodies));
             ignored.extend(out_of_plane(scene, targets, &bodies));
         }
         let bearings: Vec<BearingPlan> =
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
-        ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, in_space)));
+        ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
         ignored.sort();
         ignored.dedup();
-        Ok(Plan { fidelity, in_space, refused: Vec::new(), bodies, bearings, ignored })
+        Ok(Plan { fidelity, three_dimensional, refused: Vec::new(), bodies, bearings, ignored })
     }
 
     /// Restricts the plan to an analysis with these outputs.
@@ -274,7 +274,7 @@ impl Plan {
         let mut known: Vec<Identity> = Vec::new();
         let planned = scene.bodies.iter().zip(&self.bodies);
         let number = planned.map(|(body, plan)| {
-            let key = Identity::of(&body.prototype, self.in_space, &plan.options);
+            let key = Identity::of(&body.prototype, self.three_dimensional, &plan.options);
             plan.is_elastic().then(|| {
                 known.iter().position(|other| *other == key).unwrap_or_else(|| {
                     known.push(key);
@@ -295,9 +295,9 @@ enum Identity {
 }
 
 impl Identity {
-    fn of(prototype: &Arc<dyn Prototype>, in_space: bool, options: &StructureOptions) -> Identity {
+    fn of(prototype: &Arc<dyn Prototype>, three_dimensional: bool, options: &StructureOptions) -> Identity {
         let without_stresses = StructureOptions { stresses: false, ..*options };
-        let key = match in_space {
+        let key = match three_dimensional {
             false => prototype.key(&without_stresses),
             true => prototype.solid_key(&without_stresses),
         };
@@ -312,9 +312,9 @@ impl Identity {
 /// so if a section cannot represent the scene.
 ///
 /// Spline teeth with clearance are modelled as plane contact, so such scenes remain plane.
-fn lies_in_space(scene: &Mechanism, fidelity: Fidelity) -> bool {
+fn is_three_dimensional(scene: &Mechanism, fidelity: Fidelity) -> bool {
     let leaves_plane = |body: &Body| {
-        body.prototype.needs_space()
+        body.prototype.needs_solid_model()
             || [2, 3, 4].iter().any(|&dof| body.free[dof])
             || check_in_plane(body.motion.as_ref()).is_err_and(|error| error.code == "E0610")
     };
@@ -410,7 +410,7 @@ fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> Be
 }
 
 /// Returns the inputs of a bearing that the analysis ignores.
-fn ignored_bearing_inputs(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
+fn ignored_bearing_inputs(bearing: &Bearing, three_dimensional: bool) -> Vec<Ignored> {
     let mut unseen = Vec::new();
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
         unseen.push(Ignored {
@@ -419,7 +419,7 @@ fn ignored_bearing_inputs(bearing: &Bearing, in_space: bool) -> Vec<Ignored> {
         });
     }
     let out_of_plane = |row: &usize| bearing.stiffness[*row].iter().any(|&entry| entry != 0.0);
-    if !in_space && [2, 3, 4].iter().any(out_of_plane) {
+    if !three_dimensional && [2, 3, 4].iter().any(out_of_plane) {
         unseen.push(Ignored {
             input: "bearing".into(),
             reason:
@@ -452,7 +452,7 @@ fn refuse_motion_out_of_plane(body: &str, free: [bool; 6]) -> Result<(), EngineE
 fn reject_spline_with_clearance(
     body: &str,
     fidelity: Fidelity,
-    in_space: bool,
+    three_dimensional: bool,
     free: [bool; 6],
 ) -> Result<(), EngineError> {
     if fidelity == Fidelity::Analytic {
@@ -464,7 +464,7 @@ fn reject_spline_with_clearance(
             "remove `clearance`: closed forms assume a rim that is supported all around",
         ));
     }
-    if in_space {
+    if three_dimensional {
         return Err(EngineError::new(
             "E0756",
             format!(
@@ -514,14 +514,14 @@ fn unequal_widths(scene: &Mechanism, bodies: &[BodyPlan]) -> Vec<Ignored> {
     let wider = modelled.filter(|((body, plan), width)| {
         plan.is_elastic() && body.prototype.face_width() > width * (1.0 + 1e-9)
     });
-    let told = wider.map(|(_, width)| Ignored {
+    let ignored = wider.map(|(_, width)| Ignored {
         input: "face_width".into(),
         reason: format!(
             "a plane model has one face width for all connected bodies, the smallest one: {} mm",
             rounded_mm(width)
         ),
     });
-    told.collect()
+    ignored.collect()
 }
 
 /// Returns the out-of-plane components of loads, frames and probes that a plane model ignores.
@@ -548,7 +548,7 @@ fn out_of_plane(scene: &Mechanism, targets: &[Target], bodies: &[BodyPlan]) -> V
             continue;
         }
         let [first, second] = members.map(|(body, _)| {
-            let middle = pose_in_space(body.motion.as_ref(), 0.0).map_or(0.0, |pose| pose.origin[2]);
+            let middle = spatial_pose(body.motion.as_ref(), 0.0).map_or(0.0, |pose| pose.origin[2]);
             let half = 0.5 * body.prototype.face_width();
             [middle - half, middle + half]
         });

@@ -21,7 +21,7 @@ pub trait Prototype: Any + Send + Sync {
     ///
     /// # Errors
     /// Those of building.
-    fn check(&self, _options: &StructureOptions, _in_space: bool) -> Result<(), EngineError> {
+    fn check(&self, _options: &StructureOptions, _three_dimensional: bool) -> Result<(), EngineError> {
         Ok(())
     }
 
@@ -125,7 +125,7 @@ pub trait Prototype: Any + Send + Sync {
         _options: &StructureOptions,
         _interrupt: &Interrupt,
     ) -> Result<Arc<dyn SolidStructure>, EngineError> {
-        Err(no_model_in_space())
+        Err(no_solid_model())
     }
 
     /// Returns the key of the three-dimensional structure, like [`Prototype::key`]. Keys contain
@@ -162,7 +162,7 @@ pub trait Prototype: Any + Send + Sync {
     fn meshed(
         &self,
         _options: &StructureOptions,
-        _in_space: bool,
+        _three_dimensional: bool,
         _interrupt: &Interrupt,
     ) -> Result<VisualizationMesh, EngineError> {
         Ok(VisualizationMesh::Unavailable("is of a kind that pictures do not have"))
@@ -177,7 +177,7 @@ pub trait Prototype: Any + Send + Sync {
         &self,
         shared: Arc<MeshedBody>,
         _options: &StructureOptions,
-        _in_space: bool,
+        _three_dimensional: bool,
     ) -> Result<Arc<MeshedBody>, EngineError> {
         Ok(shared)
     }
@@ -213,7 +213,7 @@ pub trait Prototype: Any + Send + Sync {
 
     /// Returns whether a plane section cannot represent the body. A scene with such a body is
     /// modelled in three dimensions unless the fidelity is plane.
-    fn needs_space(&self) -> bool {
+    fn needs_solid_model(&self) -> bool {
         false
     }
 
@@ -224,7 +224,7 @@ pub trait Prototype: Any + Send + Sync {
 }
 
 /// Returns the error for bodies that have only a plane model.
-pub fn no_model_in_space() -> EngineError {
+pub fn no_solid_model() -> EngineError {
     EngineError::new("E0690", "a body of this kind has no model in three dimensions", "")
 }
 

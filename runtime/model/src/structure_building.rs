@@ -81,7 +81,7 @@ pub fn build_structures(
             None => wanted.push(RequestedStructure {
                 prototype: body.prototype.as_ref(),
                 options: planned.options,
-                solid: plan.in_space,
+                solid: plan.three_dimensional,
             }),
         }
     }

@@ -156,15 +156,15 @@ fn title(signal: &Signal) -> [String; 2] {
         _ => format!("lines every {} Hz", number(signal.resolution)),
     };
     let how = match &signal.request.kind {
-        SignalKind::Spectrum { window, piece: Some(piece), .. } => {
-            format!("{}, averaged over pieces of {} s", seen(window), number(*piece))
+        SignalKind::Spectrum { window, segment: Some(segment), .. } => {
+            format!("{}, averaged over segments of {} s", seen(window), number(*segment))
         }
         SignalKind::Spectrum { window, .. } => seen(window),
-        SignalKind::Spectrogram { window, piece } => {
-            format!("{}, pieces of {} s", seen(window), number(*piece))
+        SignalKind::Spectrogram { window, segment } => {
+            format!("{}, segments of {} s", seen(window), number(*segment))
         }
-        SignalKind::OrderMap { window, turns, .. } => {
-            format!("{}, pieces of {} turns", seen(window), number(*turns))
+        SignalKind::OrderMap { window, revolutions, .. } => {
+            format!("{}, segments of {} revolutions", seen(window), number(*revolutions))
         }
         SignalKind::TransferFunction { .. } => "from the response to an impulse".to_owned(),
     };

@@ -44,13 +44,13 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
     for (load, own) in load.iter_mut().zip(&springs.load) {
         *load += own;
     }
-    let rest = unloaded_equilibrium(&springs.stiffness, &load);
+    let unloaded = unloaded_equilibrium(&springs.stiffness, &load);
     // Resistance of teeth against axial and out-of-plane motion depends on the distribution of
     // contact along the face, which only the solution shows.
     let out_of_plane = |free: &Vec<f64>| {
         dofs.iter().zip(free).any(|(dof, part)| (2..5).contains(&dof.component) && *part != 0.0)
     };
-    if plan.in_space && rest.free.iter().any(out_of_plane) {
+    if plan.three_dimensional && unloaded.free.iter().any(out_of_plane) {
         return Ok(());
     }
     // Count stops of bearings as closed: behind their clearances they resist like teeth.
@@ -64,11 +64,11 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
         arms.extend(row);
         contacts += 1;
     }
-    if rest.balanced {
+    if unloaded.balanced {
         load = drive_direction(scene, &dofs);
     }
-    let at_rest = UnloadedEquilibrium { motion: vec![0.0; dofs.len()], ..rest };
-    match at_rest.rigid_limit(&vec![0.0; contacts], &arms, &load, interrupt) {
+    let without_motion = UnloadedEquilibrium { motion: vec![0.0; dofs.len()], ..unloaded };
+    match without_motion.rigid_limit(&vec![0.0; contacts], &arms, &load, interrupt) {
         Err(
             error @ (ContactError::Infeasible(_)
             | ContactError::Unconstrained(_)

@@ -141,7 +141,7 @@ impl<'s> System<'s> {
         }
         let all = 0..scene.bodies.len();
         // Check the frames before the expensive work.
-        let bodies = match plan.in_space {
+        let bodies = match plan.three_dimensional {
             false => {
                 let initial = all.map(|body| pose(scene, body, 0.0)).collect::<Result<_, _>>()?;
                 Bodies::Plane(PlaneBodies {

@@ -30,7 +30,7 @@ fn main() {
             sectors,
             cuts: ["first", "last"],
             bore: "bore",
-            hold: BoreSupport::Rigid,
+            support: BoreSupport::Rigid,
             coupled: 3,
         };
         let (options, never) = (SplitOptions::default(), Interrupt::never());

@@ -81,7 +81,7 @@ impl BoreSupport {
             (
                 BoreSupport::SplineTeeth(_) | BoreSupport::SplineWithClearance { .. },
                 StructureError::CoarseBore,
-            ) => StructureError::CoarseLugs,
+            ) => StructureError::CoarseSplineTeeth,
             (_, error) => error,
         }
     }
@@ -100,7 +100,7 @@ pub(super) struct BoreMeans {
     pub shared: SharedUnknowns,
     /// Number of constrained means. The remaining ones are to be released, see
     /// [`super::bore_coupling`].
-    pub held: usize,
+    pub constrained: usize,
     /// Forces by the released means where a web supports them, see [`super::revolved_web`].
     pub carried: Option<Mat<f64>>,
     /// Spline teeth that support the released means, if any.
@@ -127,11 +127,11 @@ pub(super) struct RequestedMeans {
 impl RequestedMeans {
     /// Selects the means for a ring with tables for sectors up to `coupled` apart; more distant
     /// ones are coupled through the bore. `None` for a rigid bore.
-    pub fn for_ring(hold: BoreSupport, sectors: u32, coupled: u32) -> Option<Self> {
-        let means = |waves, degree| Self::of_means(waves, degree, sectors, coupled);
-        match hold {
+    pub fn for_ring(support: BoreSupport, sectors: u32, coupled: u32) -> Option<Self> {
+        let means = |harmonics, degree| Self::of_means(harmonics, degree, sectors, coupled);
+        match support {
             BoreSupport::Rigid => None,
-            BoreSupport::Means { harmonics: waves, degree } => Some(means(waves, degree)),
+            BoreSupport::Means { harmonics: harmonics, degree } => Some(means(harmonics, degree)),
             BoreSupport::SplineTeeth(spline_teeth) => {
                 Some(Self { spline_teeth: Some(spline_teeth), ..means(None, 0) })
             }
@@ -142,10 +142,10 @@ impl RequestedMeans {
     }
 
     /// Selects the means for a bore with mean constraints.
-    pub fn of_means(waves: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
+    pub fn of_means(harmonics: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
         let coupled = (coupled < sectors / 2).then_some(COUPLED_HARMONICS.min(most));
-        Self { harmonics: waves, degree, coupled, spline_teeth: None, with_clearance: false }
+        Self { harmonics: harmonics, degree, coupled, spline_teeth: None, with_clearance: false }
     }
 
     /// Returns the selection for a plane model, without variation along the axis.
@@ -164,7 +164,7 @@ pub(super) struct BoreConstraints {
     /// Indices of the displacements of the series, [`Series::displacements`].
     pub places: Vec<usize>,
     /// Number of constrained displacements.
-    pub held: usize,
+    pub constrained: usize,
     spline_teeth: Option<SplineToothForms>,
     with_clearance: bool,
 }
@@ -178,17 +178,17 @@ impl BoreConstraints {
         in_plane: bool,
     ) -> Option<BoreConstraints> {
         let spline_teeth = wanted.spline_teeth;
-        let most_waves =
-            [wanted.harmonics, wanted.coupled, spline_teeth.map(|spline_teeth| spline_teeth.waves())];
-        let most_waves = most_waves.into_iter().flatten().max().unwrap_or(0);
+        let most_harmonics =
+            [wanted.harmonics, wanted.coupled, spline_teeth.map(|spline_teeth| spline_teeth.harmonics())];
+        let most_harmonics = most_harmonics.into_iter().flatten().max().unwrap_or(0);
         let degree =
             spline_teeth.map_or(wanted.degree, |spline_teeth| spline_teeth.degree.max(wanted.degree));
         let highest = match wanted.coupled {
             Some(_) if !in_plane => degree.max(COUPLED_DEGREE),
             _ => degree,
         };
-        let series = Series::new(surface, most_waves, highest)?;
-        let (mut held, mut free) = match (spline_teeth.filter(|_| !wanted.with_clearance), in_plane) {
+        let series = Series::new(surface, most_harmonics, highest)?;
+        let (mut constrained, mut free) = match (spline_teeth.filter(|_| !wanted.with_clearance), in_plane) {
             (None, true) => (vec![0, 1, 5], vec![]),
             (None, false) => ((0..6).collect::<Vec<_>>(), vec![]),
             (Some(_), true) => (vec![], vec![0, 1, 5]),
@@ -200,26 +200,26 @@ impl BoreConstraints {
             if in_plane && term.is_axial() {
                 continue;
             }
-            let of_hold =
-                wanted.harmonics.is_some_and(|waves| term.harmonic <= waves) && term.degree <= wanted.degree;
-            let of_coupling =
-                wanted.coupled.is_some_and(|waves| term.harmonic <= waves) && term.degree <= COUPLED_DEGREE;
+            let of_hold = wanted.harmonics.is_some_and(|harmonics| term.harmonic <= harmonics)
+                && term.degree <= wanted.degree;
+            let of_coupling = wanted.coupled.is_some_and(|harmonics| term.harmonic <= harmonics)
+                && term.degree <= COUPLED_DEGREE;
             if of_hold {
-                held.push(6 + index);
+                constrained.push(6 + index);
             } else if of_coupling || spline_teeth.is_some_and(|spline_teeth| spline_teeth.needs(term)) {
                 free.push(6 + index);
             }
         }
-        let count = held.len();
-        held.append(&mut free);
+        let count = constrained.len();
+        constrained.append(&mut free);
         let spline_teeth = match spline_teeth {
-            Some(spline_teeth) => Some(spline_teeth.on(&series, &held)?),
+            Some(spline_teeth) => Some(spline_teeth.on(&series, &constrained)?),
             None => None,
         };
         Some(BoreConstraints {
             series,
-            places: held,
-            held: count,
+            places: constrained,
+            constrained: count,
             spline_teeth,
             with_clearance: wanted.with_clearance,
         })
@@ -234,14 +234,14 @@ impl BoreConstraints {
     /// rotations about transverse axes transform like vectors; cosines and sines rotate by their
     /// harmonic times the angle.
     pub fn shared(&self) -> SharedUnknowns {
-        let waves = |place: usize| match place {
+        let harmonics = |place: usize| match place {
             0 | 3 => Some(1),
             1 | 2 | 4 | 5 => None,
             term => self.series.terms().get(term - 6).filter(|term| !term.sine).map(|term| term.harmonic),
         };
         let pairs = self.places.iter().enumerate().filter_map(|(index, &place)| {
-            let waves = waves(place).filter(|&waves| waves > 0)?;
-            Some(([index, index + 1], f64::from(waves)))
+            let harmonics = harmonics(place).filter(|&harmonics| harmonics > 0)?;
+            Some(([index, index + 1], f64::from(harmonics)))
         });
         SharedUnknowns { count: self.places.len(), pairs: pairs.collect() }
     }
@@ -310,7 +310,14 @@ impl BoreMeans {
         }
         let (shared, spline_teeth, with_clearance) =
             (patterns.shared(), patterns.spline_teeth.clone(), patterns.with_clearance);
-        Ok(BoreMeans { forms, shared, held: patterns.held, carried: None, spline_teeth, with_clearance })
+        Ok(BoreMeans {
+            forms,
+            shared,
+            constrained: patterns.constrained,
+            carried: None,
+            spline_teeth,
+            with_clearance,
+        })
     }
 
     /// Releases the means that are not constrained. They are released freely (with or without
@@ -322,22 +329,25 @@ impl BoreMeans {
     pub fn release(&self, ring: &mut RingFlexibility) -> Result<Option<ReleasedMeans>, StructureError> {
         match &self.spline_teeth {
             Some(spline_teeth) if !self.with_clearance => {
-                let Some(bound) = ring.bound(self.held) else { return Ok(None) };
-                let (release, spline_teeth) = spline_teeth.hold(bound.stiffness.as_ref(), self.held)?;
-                let (shared, holding) = (bound.shared, bound.holding);
+                let Some(bound) = ring.bound(self.constrained) else { return Ok(None) };
+                let (release, spline_teeth) =
+                    spline_teeth.constrain(bound.stiffness.as_ref(), self.constrained)?;
+                let (shared, constraint_forces) = (bound.shared, bound.constraint_forces);
                 Ok(Some(ReleasedMeans {
                     shared,
                     release,
-                    holding,
+                    constraint_forces,
                     spline_teeth: Some(spline_teeth),
                     with_clearance: None,
                 }))
             }
             spline_teeth => {
-                let Some(released) = ring.release(self.held, self.carried.as_ref())? else { return Ok(None) };
-                let with_clearance = spline_teeth
-                    .as_ref()
-                    .map(|spline_teeth| spline_teeth.with_clearance(self.held, released.release.as_ref()));
+                let Some(released) = ring.release(self.constrained, self.carried.as_ref())? else {
+                    return Ok(None);
+                };
+                let with_clearance = spline_teeth.as_ref().map(|spline_teeth| {
+                    spline_teeth.with_clearance(self.constrained, released.release.as_ref())
+                });
                 Ok(Some(ReleasedMeans { with_clearance: with_clearance.transpose()?, ..released }))
             }
         }

@@ -64,11 +64,11 @@ impl Assembled {
 /// Support of the mesh.
 pub(super) enum Support<'a> {
     /// Fixed degrees of freedom.
-    Held(&'a [usize]),
+    Constrained(&'a [usize]),
     /// Fixed degrees of freedom, and mean displacements of the ring's bore that vanish.
     Means {
         /// Fixed degrees of freedom.
-        held: &'a [usize],
+        constrained: &'a [usize],
         /// Means that vanish.
         means: &'a BoreMeans,
     },
@@ -85,10 +85,10 @@ pub(super) enum Support<'a> {
 
 impl<'a> Support<'a> {
     /// Returns the support of a ring's sector.
-    pub fn for_ring(held: &'a [usize], means: Option<&'a BoreMeans>) -> Self {
+    pub fn for_ring(constrained: &'a [usize], means: Option<&'a BoreMeans>) -> Self {
         match means {
-            Some(means) => Support::Means { held, means },
-            None => Support::Held(held),
+            Some(means) => Support::Means { constrained, means },
+            None => Support::Constrained(constrained),
         }
     }
 }
@@ -130,18 +130,20 @@ pub(super) fn condense(
     let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
     checkpoint()?;
     let kept = cuts.map_or_else(Vec::new, |cuts| [cuts.first.as_slice(), &cuts.last].concat());
-    let (held, inertia) = match support {
-        Support::Held(held) | Support::Means { held, .. } => (held.to_vec(), None),
+    let (constrained, inertia) = match support {
+        Support::Constrained(constrained) | Support::Means { constrained, .. } => {
+            (constrained.to_vec(), None)
+        }
         Support::Free { mass, motions } => {
             (statically_determinate_support(&model.positions, motions), Some(Inertia::new(mass, motions)?))
         }
     };
-    let dissection = Dissection::new(&model.stiffness, &model.positions, &held, &kept);
+    let dissection = Dissection::new(&model.stiffness, &model.positions, &constrained, &kept);
     let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
     // Mean constraints are processed like loads and retained like cuts.
     let shared = match support {
         Support::Means { means, .. } => means.forms.as_slice(),
-        Support::Held(_) | Support::Free { .. } => &[],
+        Support::Constrained(_) | Support::Free { .. } => &[],
     };
     let all_loads = [shared, loads, &balancing].concat();
     let _room = interrupt
@@ -201,23 +203,24 @@ pub(super) fn condense(
         turn(&mut rows_cuts, last, model.dofs_per_node, cuts.angle);
         match support {
             Support::Means { means, .. } => CutStiffness::with_shared(matrix, means.shared.clone()),
-            Support::Held(_) | Support::Free { .. } => CutStiffness::new(matrix),
+            Support::Constrained(_) | Support::Free { .. } => CutStiffness::new(matrix),
         }
     });
     Ok(Condensed { stiffness, on_cuts: on_cuts.transpose().to_owned(), own, rows_own, rows_cuts })
 }
 
 /// Orders the nodes of the last cut as those of the first one, rotated by `angle` about the z axis;
-/// nodes in `held` belong to neither.
+/// nodes in `constrained` belong to neither.
 pub(super) fn match_cuts(
     positions: &[[f64; 3]],
     first: &[usize],
     last: &[usize],
-    held: &[usize],
+    constrained: &[usize],
     angle: f64,
 ) -> Option<Cuts> {
-    let held: BTreeSet<usize> = held.iter().copied().collect();
-    let free = |cut: &[usize]| cut.iter().copied().filter(|node| !held.contains(node)).collect::<Vec<_>>();
+    let constrained: BTreeSet<usize> = constrained.iter().copied().collect();
+    let free =
+        |cut: &[usize]| cut.iter().copied().filter(|node| !constrained.contains(node)).collect::<Vec<_>>();
     let (first, mut rest) = (free(first), free(last));
     if first.len() != rest.len() || first.is_empty() {
         return None;

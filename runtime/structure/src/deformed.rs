@@ -29,7 +29,7 @@ use std::sync::Arc;
 const NEAR: u32 = 2;
 /// Largest distance from a loaded sector for output in three dimensions: sectors further away would
 /// make up most of a file and hardly move.
-const SHOWN_IN_SPACE: u32 = 6;
+const SHOWN_SOLID: u32 = 6;
 /// A sector with more nodes than this is always output by corners: its elements are small enough,
 /// and all nodes would take megabytes a position.
 const MANY_NODES: usize = 4000;
@@ -111,7 +111,7 @@ impl MeshedBody {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(&model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
-        let (held, means) = match RequestedMeans::for_ring(ring.hold, sectors, sectors) {
+        let (constrained, means) = match RequestedMeans::for_ring(ring.support, sectors, sectors) {
             None => (bore, None),
             Some(wanted) => {
                 let means = BoreMeans::plane(&model, chain(&model, ring.bore)?, wanted, interrupt)?;
@@ -119,13 +119,19 @@ impl MeshedBody {
             }
         };
         let assembled = Assembled::plane(&model);
-        let cuts = match_cuts(&assembled.positions, &first, &last, &held, TAU / f64::from(sectors))
+        let cuts = match_cuts(&assembled.positions, &first, &last, &constrained, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let nodes = assembled.positions.clone();
         // Cuts are small: the flexibility covers all sectors.
-        let sector =
-            ConstrainedSector { sectors, cuts, held: assembled.dofs_of(&held), means, window: sectors };
-        let ring = SolvedRing::new(assembled, sector, |error| ring.hold.with_bore_context(error), interrupt)?;
+        let sector = ConstrainedSector {
+            sectors,
+            cuts,
+            constrained: assembled.dofs_of(&constrained),
+            means,
+            window: sectors,
+        };
+        let ring =
+            SolvedRing::new(assembled, sector, |error| ring.support.with_bore_context(error), interrupt)?;
         let chains = surfaces.iter().map(|name| chain(&model, name).cloned());
         let chains = chains.collect::<Result<_, StructureError>>()?;
         Ok(Self::of(ring, nodes, Elements::plane(&model), Loadable::Plane(Box::new(model), chains)))
@@ -150,25 +156,30 @@ impl MeshedBody {
         };
         let sectors = ring.sectors.max(1);
         let bore = faces(ring.bore)?;
-        let means = match (web, RequestedMeans::for_ring(ring.hold, sectors, ring.coupled)) {
+        let means = match (web, RequestedMeans::for_ring(ring.support, sectors, ring.coupled)) {
             (Some(web), _) => Some(BoreMeans::on_web(&model, bore, web, [sectors, ring.coupled], interrupt)?),
             (None, Some(wanted)) => Some(BoreMeans::solid(&model, bore, wanted, interrupt)?),
             (None, None) => None,
         };
         let means = means.map(|means| means.ok_or(StructureError::NoArea)).transpose()?;
-        let mut held = if means.is_none() { model.mesh.nodes_on(bore) } else { Vec::new() };
-        held.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
-        held.sort_unstable();
-        held.dedup();
+        let mut constrained = if means.is_none() { model.mesh.nodes_on(bore) } else { Vec::new() };
+        constrained.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
+        constrained.sort_unstable();
+        constrained.dedup();
         let [first, last] = [faces(ring.cuts[0])?, faces(ring.cuts[1])?].map(|set| model.mesh.nodes_on(set));
-        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &held, TAU / f64::from(sectors))
+        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &constrained, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let assembled = Assembled::solid(&model.mesh, interrupt, || model.stiffness())?;
         let nodes = assembled.positions.clone();
-        let sector =
-            ConstrainedSector { sectors, cuts, held: assembled.dofs_of(&held), means, window: ring.coupled };
+        let sector = ConstrainedSector {
+            sectors,
+            cuts,
+            constrained: assembled.dofs_of(&constrained),
+            means,
+            window: ring.coupled,
+        };
         let solved =
-            SolvedRing::new(assembled, sector, |error| ring.hold.with_bore_context(error), interrupt)?;
+            SolvedRing::new(assembled, sector, |error| ring.support.with_bore_context(error), interrupt)?;
         let sets = surfaces.iter().map(|name| faces(name).cloned()).collect::<Result<_, StructureError>>()?;
         Ok(Self::of(solved, nodes, Elements::solid(&model), Loadable::Solid(Box::new(model), sets)))
     }
@@ -204,7 +215,7 @@ impl MeshedBody {
             by_tooth.iter().any(|(loaded, _)| apart(tooth, *loaded) <= pitches)
         };
         let everywhere = matches!(self.mesh.loadable, Loadable::Plane(..)) || by_tooth.is_empty();
-        let shown = |&tooth: &u32| everywhere || within(tooth, SHOWN_IN_SPACE);
+        let shown = |&tooth: &u32| everywhere || within(tooth, SHOWN_SOLID);
         let shown: Vec<u32> = (0..self.mesh.ring.sectors).filter(shown).collect();
         let columns = 4 * shown.len() + 2 * by_tooth.len();
         let bytes = columns * self.mesh.nodes.len() * 3 * size_of::<f64>();

@@ -86,7 +86,7 @@ pub struct RingSource<'a> {
     /// Chain on which the body's frame supports each sector.
     pub bore: &'a str,
     /// Type of the support on the bore.
-    pub hold: BoreSupport,
+    pub support: BoreSupport,
     /// Largest distance of coupled sectors; sectors further apart count as independent.
     pub coupled: u32,
 }
@@ -169,8 +169,8 @@ impl ElasticStructure {
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
         // If loads act all around the ring, the window extends halfway round.
-        let window = ring.hold.plane_window(sectors, ring.coupled);
-        let (held, means) = match RequestedMeans::for_ring(ring.hold, sectors, window) {
+        let window = ring.support.plane_window(sectors, ring.coupled);
+        let (constrained, means) = match RequestedMeans::for_ring(ring.support, sectors, window) {
             None => (bore, None),
             Some(wanted) => {
                 let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
@@ -181,17 +181,17 @@ impl ElasticStructure {
         let room = interrupt.reserve_memory(model.assembly_memory()).map_err(StructureError::Interrupted)?;
         let assembled = Assembled::plane(model);
         drop(room);
-        let cuts = match_cuts(&assembled.positions, &first, &last, &held, angle)
+        let cuts = match_cuts(&assembled.positions, &first, &last, &constrained, angle)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let prepared = prepare(model, surfaces, options, interrupt)?;
         let (loads, rows) = gathered(&prepared);
-        let held = assembled.dofs_of(&held);
-        let support = Support::for_ring(&held, means.as_ref());
+        let constrained = assembled.dofs_of(&constrained);
+        let support = Support::for_ring(&constrained, means.as_ref());
         let condensed = condense(&assembled, &support, Some(&cuts), &loads, &rows, interrupt)?;
         let mut flexibility = match &condensed.stiffness {
             Some(stiffness) => {
                 let flexibility = RingFlexibility::new(stiffness, sectors, window, interrupt);
-                Some(flexibility.map_err(|error| ring.hold.with_bore_context(error))?)
+                Some(flexibility.map_err(|error| ring.support.with_bore_context(error))?)
             }
             None => None,
         };
@@ -201,7 +201,7 @@ impl ElasticStructure {
         };
         let bore = released.map(|released| bore_coupling(released, &condensed, &prepared, (sectors, angle)));
         let first = ring.coupled.saturating_add(1);
-        let known = flexibility.as_ref().filter(|_| ring.hold.couples_all_sectors());
+        let known = flexibility.as_ref().filter(|_| ring.support.couples_all_sectors());
         let bytes = known.map_or(0, |known| FarCoupling::bytes_of(&condensed, known, first));
         let _room = interrupt.reserve_memory(bytes).map_err(StructureError::Interrupted)?;
         let far = known.and_then(|known| FarCoupling::new(&condensed, &prepared, known, (sectors, first)));
@@ -217,7 +217,7 @@ impl ElasticStructure {
     /// interrupted.
     pub fn single(
         model: &PlaneModel,
-        hold: MeshSupport<'_>,
+        support: MeshSupport<'_>,
         surfaces: &[SurfaceSource],
         options: &SplitOptions,
         interrupt: &Interrupt,
@@ -228,7 +228,7 @@ impl ElasticStructure {
         let assembled = Assembled::plane(model);
         drop(room);
         let condense = |support| condense(&assembled, &support, None, &loads, &rows, interrupt);
-        let condensed = match hold {
+        let condensed = match support {
             MeshSupport::Free => {
                 // Any positive density distributes the forces alike.
                 let unit = Material { density: 1.0, ..model.material };
@@ -237,7 +237,7 @@ impl ElasticStructure {
             }
             MeshSupport::Chain(name) => {
                 let nodes = model.mesh.chain_nodes(chain(model, name)?);
-                condense(Support::Held(&assembled.dofs_of(&nodes)))?
+                condense(Support::Constrained(&assembled.dofs_of(&nodes)))?
             }
         };
         Self::assemble(model, 1, prepared, &condensed, None, interrupt)
@@ -350,7 +350,7 @@ impl ElasticStructure {
         &self,
         prepared: &Prepared,
         directions: [usize; 2],
-        answers: MatRef<'_, f64>,
+        influence: MatRef<'_, f64>,
         interrupt: &Interrupt,
     ) -> Result<Mat<f64>, StructureError> {
         let quadrature = PairQuadrature::default();
@@ -365,7 +365,7 @@ impl ElasticStructure {
         let across =
             |a: NormalAngle, b: NormalAngle| if a.s == b.s { 0.0 } else { step * (a.s - b.s).signum() };
         let alike = directions[0] == directions[1];
-        let mut smooth = answers.to_owned();
+        let mut smooth = influence.to_owned();
         for k in 0..turned.len() {
             interrupt.check().map_err(StructureError::Interrupted)?;
             let count = if alike { k + 1 } else { turned.len() };
@@ -439,8 +439,8 @@ fn bore_coupling(
     prepared: &[Prepared],
     (sectors, pitch): (u32, f64),
 ) -> BoreCoupling {
-    let forces = product(released.holding.as_ref(), condensed.on_cuts.as_ref());
-    let stresses = product(condensed.rows_cuts.as_ref(), released.holding.transpose());
+    let forces = product(released.constraint_forces.as_ref(), condensed.on_cuts.as_ref());
+    let stresses = product(condensed.rows_cuts.as_ref(), released.constraint_forces.transpose());
     let mut coupling = BoreCoupling::new(released, sectors, pitch);
     let (mut load, mut row) = (0, 0);
     for surface in prepared {

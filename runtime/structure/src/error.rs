@@ -30,7 +30,7 @@ pub enum StructureError {
     #[error("the web cannot be meshed: {error}")]
     Web { error: String },
     #[error("the mesh of the bore is too coarse for the harmonics of its spline teeth")]
-    CoarseLugs,
+    CoarseSplineTeeth,
     #[error("its modes cannot be computed: {0}")]
     Modes(&'static str),
     #[error("spline teeth support it, which breaks the cyclic symmetry: it has no component modes")]
@@ -54,7 +54,7 @@ impl From<StructureError> for EngineError {
                 "reduce the rim's orders around or along the axis, or take more elements along the face",
             )
             .blame("rim"),
-            StructureError::CoarseLugs => EngineError::new(
+            StructureError::CoarseSplineTeeth => EngineError::new(
                 "E0656",
                 "the mesh of the bore is too coarse for the spline teeth that support the rim",
                 "reduce the number of spline teeth, make them wider, or use a lower axial order or a finer mesh",

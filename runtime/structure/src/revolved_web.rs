@@ -37,7 +37,7 @@ pub struct RevolvedWeb {
     /// Material of the web.
     pub material: Material,
     /// Support of the bore of the web.
-    pub hold: BoreSupport,
+    pub support: BoreSupport,
     /// Highest harmonic of the joint to the rim.
     pub harmonics: u16,
     /// Highest degree of polynomials along the axis in the joint to the rim.
@@ -91,18 +91,18 @@ impl RevolvedWeb {
         interrupt: &Interrupt,
     ) -> Result<Mat<f64>, StructureError> {
         let model = self.model().map_err(|error| StructureError::Web { error: error.to_string() })?;
-        let bore = match self.hold {
+        let bore = match self.support {
             BoreSupport::SplineTeeth(_) | BoreSupport::SplineWithClearance { .. } => {
                 return Err(StructureError::Web {
                     error: "spline teeth cannot support a web with a mesh of its own".into(),
                 });
             }
             BoreSupport::Rigid => None,
-            BoreSupport::Means { harmonics: waves, degree } => {
+            BoreSupport::Means { harmonics, degree } => {
                 let [inside, _] = self.section.outermost();
                 let cylinder = RevolutionSurface::cylinder(inside.radius, inside.ends);
                 let wanted = RequestedMeans {
-                    harmonics: waves,
+                    harmonics,
                     degree,
                     coupled: None,
                     spline_teeth: None,
@@ -111,20 +111,21 @@ impl RevolvedWeb {
                 Some(BoreConstraints::new(cylinder, wanted, false).ok_or(StructureError::NoArea)?)
             }
         };
-        let (all, joined) = (joint.series.waves(), &joint.places[..joint.held.min(joint.places.len())]);
+        let (all, joined) =
+            (joint.series.harmonics(), &joint.places[..joint.constrained.min(joint.places.len())]);
         let outside = outside_of(&model);
         let moved: Vec<(usize, Vec<[f64; 3]>)> =
             outside.iter().map(|&node| (node, joint.series.amplitudes(model.mesh.nodes[node]))).collect();
         let most = joined.iter().map(|&place| all[place].0).max().unwrap_or(0);
-        let by_waves = (0..=most)
+        let by_harmonic = (0..=most)
             .into_par_iter()
-            .map(|waves| {
+            .map(|harmonic| {
                 interrupt.check().map_err(StructureError::Interrupted)?;
-                let wave = WebHarmonic::new(&model, waves, bore.as_ref(), &outside)?;
+                let wave = WebHarmonic::new(&model, harmonic, bore.as_ref(), &outside)?;
                 [false, true]
                     .map(|turned| {
                         let own: Vec<usize> =
-                            (0..joined.len()).filter(|&k| all[joined[k]] == (waves, turned)).collect();
+                            (0..joined.len()).filter(|&k| all[joined[k]] == (harmonic, turned)).collect();
                         let mut outer = Mat::zeros(model.dof_count(), own.len());
                         for (column, &k) in own.iter().enumerate() {
                             for (node, amplitudes) in &moved {
@@ -140,7 +141,7 @@ impl RevolvedWeb {
             })
             .collect::<Result<Vec<_>, StructureError>>()?;
         let mut stiffness = Mat::zeros(joint.places.len(), joint.places.len());
-        for (own, block) in by_waves.into_iter().flatten() {
+        for (own, block) in by_harmonic.into_iter().flatten() {
             for (row, &at_row) in own.iter().enumerate() {
                 for (column, &at_column) in own.iter().enumerate() {
                     stiffness[(at_row, at_column)] = block[(row, column)];
@@ -158,23 +159,23 @@ fn outside_of(model: &RevolutionModel) -> Vec<usize> {
 impl<'a> WebHarmonic<'a> {
     fn new(
         model: &'a RevolutionModel,
-        waves: u16,
+        harmonic: u16,
         bore: Option<&BoreConstraints>,
         outside: &[usize],
     ) -> Result<Self, StructureError> {
-        let stiffness = model.stiffness(waves);
+        let stiffness = model.stiffness(harmonic);
         let chain = model.mesh.chain("bore").ok_or(StructureError::NoArea)?;
-        let mut held = Constraints::new();
+        let mut constrained = Constraints::new();
         let inside = if bore.is_none() { model.mesh.chain_nodes(chain) } else { Vec::new() };
         for dof in outside.iter().chain(&inside).flat_map(|node| 3 * node..3 * node + 3) {
-            held.prescribe(dof, 0.0);
+            constrained.prescribe(dof, 0.0);
         }
-        let solver = Solver::new(&stiffness, held)?;
+        let solver = Solver::new(&stiffness, constrained)?;
         let forms = |turned: bool| {
             let Some(BoreConstraints { series, places, .. }) = bore else { return Vec::new() };
-            let all = series.waves();
-            let own = places.iter().filter(|&&place| all[place] == (waves, turned));
-            own.map(|&place| model.edge_load(chain, waves, |at| series.amplitudes(at)[place])).collect()
+            let all = series.harmonics();
+            let own = places.iter().filter(|&&place| all[place] == (harmonic, turned));
+            own.map(|&place| model.edge_load(chain, harmonic, |at| series.amplitudes(at)[place])).collect()
         };
         let bore = [forms(false), forms(true)];
         Ok(Self { stiffness, solver, bore, model })
@@ -196,8 +197,8 @@ impl<'a> WebHarmonic<'a> {
             let yielded = self.solver.solve(forms.as_ref())?;
             let means = product(forms.transpose(), moved.as_ref());
             let factor = cholesky(product(forms.transpose(), yielded.as_ref()));
-            let holding = solve(factor.ok_or(StructureError::CoarseBore)?.as_ref(), means.clone());
-            add_product(stiffness.as_mut(), 1.0, means.transpose(), holding.as_ref());
+            let reactions = solve(factor.ok_or(StructureError::CoarseBore)?.as_ref(), means.clone());
+            add_product(stiffness.as_mut(), 1.0, means.transpose(), reactions.as_ref());
         }
         mirror_lower(&mut stiffness);
         Ok(stiffness)
@@ -253,7 +254,7 @@ impl BoreMeans {
         let by_amplitude = means.shared.around(of_sector.as_ref(), sectors);
         let stiffness = web.stiffness(&patterns, interrupt)?;
         means.carried = Some(of_means(&stiffness, &by_amplitude));
-        means.held = 0;
+        means.constrained = 0;
         Ok(Some(means))
     }
 }

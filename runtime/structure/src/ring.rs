@@ -187,13 +187,13 @@ pub struct RingFlexibility {
 }
 
 /// Constrained mean displacements of the bore.
-pub(crate) struct HeldMeans {
+pub(crate) struct ConstrainedMeans {
     /// Rotation of the means from sector to sector.
     pub shared: SharedUnknowns,
     /// Forces on the means by their values.
     pub stiffness: Mat<f64>,
     /// Constraint forces by forces on the cuts and the means of a sector, one row for each.
-    pub holding: Mat<f64>,
+    pub constraint_forces: Mat<f64>,
 }
 
 /// Mean displacements of the bore that were constrained and have been released.
@@ -204,7 +204,7 @@ pub(crate) struct ReleasedMeans {
     /// that of any sector.
     pub release: Mat<f64>,
     /// Former constraint forces by forces on the cuts and the means of a sector, one row for each.
-    pub holding: Mat<f64>,
+    pub constraint_forces: Mat<f64>,
     /// Spline teeth that support the means now. Without them, the ring's responses are those with
     /// the means released.
     pub spline_teeth: Option<SplineToothSet>,
@@ -315,14 +315,14 @@ impl RingFlexibility {
 
     /// Returns the means that the shared unknowns from index `first` on constrain. `None` if there
     /// are none.
-    pub fn bound(&self, first: usize) -> Option<HeldMeans> {
+    pub fn bound(&self, first: usize) -> Option<ConstrainedMeans> {
         let own = self.by_offset.first().filter(|_| first < self.shared.count)?;
         let (from, count) = (own.nrows() - self.shared.count + first, self.shared.count - first);
-        Some(HeldMeans {
+        Some(ConstrainedMeans {
             shared: self.shared.from(first),
             // With prescribed amplitudes, the ring responds with these forces, negative.
             stiffness: Mat::from_fn(count, count, |row, column| -own[(from + row, from + column)]),
-            holding: own.as_ref().subrows(from, count).to_owned(),
+            constraint_forces: own.as_ref().subrows(from, count).to_owned(),
         })
     }
 
@@ -336,20 +336,28 @@ impl RingFlexibility {
         first: usize,
         carried: Option<&Mat<f64>>,
     ) -> Result<Option<ReleasedMeans>, StructureError> {
-        let Some(HeldMeans { shared, mut stiffness, holding }) = self.bound(first) else { return Ok(None) };
+        let Some(ConstrainedMeans { shared, mut stiffness, constraint_forces }) = self.bound(first) else {
+            return Ok(None);
+        };
         if let Some(carried) = carried {
             stiffness += carried;
         }
         let count = shared.count;
         let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
         let release = solve(factor.as_ref(), Mat::identity(count, count));
-        let amplitudes = product(release.as_ref(), holding.as_ref());
+        let amplitudes = product(release.as_ref(), constraint_forces.as_ref());
         for flexibility in &mut self.by_offset {
             let from = flexibility.ncols() - count;
             let by_amplitudes = flexibility.as_ref().subcols(from, count).to_owned();
             add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref());
         }
-        Ok(Some(ReleasedMeans { shared, release, holding, spline_teeth: None, with_clearance: None }))
+        Ok(Some(ReleasedMeans {
+            shared,
+            release,
+            constraint_forces,
+            spline_teeth: None,
+            with_clearance: None,
+        }))
     }
 
     /// Returns the largest stored offset.
@@ -385,12 +393,12 @@ fn inverse(closed: Mat<f64>, size: usize) -> Result<Mat<f64>, StructureError> {
     let half = solve_lower(yielding.as_ref(), conditions.to_owned());
     add_product_lower(stiffness.as_mut(), 1.0, half.transpose(), half.as_ref());
     let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
-    let held = solve_upper(yielding.as_ref(), half);
+    let constrained = solve_upper(yielding.as_ref(), half);
     let mut forces = Mat::zeros(size, size + count);
     forces.as_mut().submatrix_mut(0, 0, size, size).copy_from(Mat::<f64>::identity(size, size));
-    forces.as_mut().submatrix_mut(0, size, size, count).copy_from(held.transpose());
+    forces.as_mut().submatrix_mut(0, size, size, count).copy_from(constrained.transpose());
     let cuts = solve(factor.as_ref(), forces);
-    let mut shared = product(held.as_ref(), cuts.as_ref());
+    let mut shared = product(constrained.as_ref(), cuts.as_ref());
     let mut own = shared.as_mut().submatrix_mut(0, size, count, count);
     own -= solve(yielding.as_ref(), Mat::identity(count, count));
     let mut all = Mat::zeros(size + count, size + count);

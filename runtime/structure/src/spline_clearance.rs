@@ -41,7 +41,7 @@ impl SplineToothForms {
         let by_amplitudes = product(displacements, release);
         let mut compliance = product(by_amplitudes.as_ref(), displacements.transpose());
         mirror_lower(&mut compliance);
-        cholesky(compliance.clone()).ok_or(StructureError::CoarseLugs)?;
+        cholesky(compliance.clone()).ok_or(StructureError::CoarseSplineTeeth)?;
         Ok(SplineWithClearance { by_amplitudes, compliance })
     }
 }

@@ -22,7 +22,7 @@
 //! `C' D C + K`, with `D` between zero and `1/S`, and a correction for the rest of the stiffness of
 //! the spline teeth, which may be infinite.
 //!
-//! The series resolves a spline tooth up to [`SplineTeeth::waves`] harmonics around the bore. The
+//! The series resolves a spline tooth up to [`SplineTeeth::harmonics`] harmonics around the bore. The
 //! pressure of a tooth is therefore not quite uniform and decays beyond its ends over half a
 //! wavelength.
 //!
@@ -63,9 +63,9 @@ const HARMONICS_PER_SPLINE_TOOTH: f64 = 3.0;
 impl SplineTeeth {
     /// Returns the number of harmonics of the series that resolves the spline teeth: three for
     /// each, and at least the number of adjacent spline teeth that would fill the circle.
-    pub fn waves(&self) -> u16 {
-        let waves = (HARMONICS_PER_SPLINE_TOOTH * f64::from(self.count)).max(TAU / self.width.abs());
-        waves.ceil().min(f64::from(u16::MAX)) as u16
+    pub fn harmonics(&self) -> u16 {
+        let harmonics = (HARMONICS_PER_SPLINE_TOOTH * f64::from(self.count)).max(TAU / self.width.abs());
+        harmonics.ceil().min(f64::from(u16::MAX)) as u16
     }
 
     /// Returns the angle of the middle of a spline tooth in the body's frame, rad.
@@ -89,7 +89,7 @@ impl SplineTeeth {
             Component::Radial => self.radial.is_some() || (term.degree, term.harmonic) == (0, 1),
             Component::Axial => false,
         };
-        of_direction && term.degree <= self.degree && term.harmonic <= self.waves()
+        of_direction && term.degree <= self.degree && term.harmonic <= self.harmonics()
     }
 
     /// Builds the spline teeth on a cylindrical bore from some of the unknowns of its series.
@@ -111,9 +111,9 @@ impl SplineTeeth {
                 // Mean squares of the Legendre polynomials along the bore are 1 / (2 d + 1).
                 let along = f64::from(2 * degree + 1) / length;
                 (0..self.count).for_each(|spline_tooth| compliance[row(spline_tooth)] = along * yielding);
-                for harmonic in 0..=self.waves() {
-                    let waves = f64::from(harmonic);
-                    let share = if harmonic == 0 { 0.5 } else { sinc(0.5 * waves * self.width) };
+                for harmonic in 0..=self.harmonics() {
+                    let harmonics = f64::from(harmonic);
+                    let share = if harmonic == 0 { 0.5 } else { sinc(0.5 * harmonics * self.width) };
                     let mean = along * share / (PI * radius);
                     for sine in [false, true].into_iter().take(1 + usize::from(harmonic > 0)) {
                         let amounts = series.amounts(Term { component, degree, harmonic, sine })?;
@@ -125,7 +125,7 @@ impl SplineTeeth {
                             })
                             .collect::<Option<Vec<_>>>()?;
                         for spline_tooth in 0..self.count {
-                            let (sin, cos) = (waves * self.angle(spline_tooth)).sin_cos();
+                            let (sin, cos) = (harmonics * self.angle(spline_tooth)).sin_cos();
                             let value = mean * if sine { sin } else { cos };
                             for &(place, amount) in &amounts {
                                 displacements[(row(spline_tooth), place)] += value * amount;
@@ -169,7 +169,7 @@ impl SplineToothForms {
     ///
     /// # Errors
     /// The spline teeth do not support the ring, or the series cannot distinguish them.
-    pub fn hold(
+    pub fn constrain(
         &self,
         stiffness: MatRef<'_, f64>,
         first: usize,
@@ -183,10 +183,10 @@ impl SplineToothForms {
         let soft: Vec<f64> = self.compliance.iter().map(|compliance| compliance + softest).collect();
         let scaled =
             Mat::from_fn(spline_teeth.nrows(), size, |row, column| spline_teeth[(row, column)] / soft[row]);
-        let mut held = stiffness.to_owned();
-        add_product(held.as_mut(), 1.0, spline_teeth.transpose(), scaled.as_ref());
-        mirror_lower(&mut held);
-        let factor = cholesky(held).ok_or(UnrestrainedRing)?;
+        let mut constrained = stiffness.to_owned();
+        add_product(constrained.as_mut(), 1.0, spline_teeth.transpose(), scaled.as_ref());
+        mirror_lower(&mut constrained);
+        let factor = cholesky(constrained).ok_or(UnrestrainedRing)?;
         let mut release = solve(factor.as_ref(), Mat::identity(size, size));
         mirror_lower(&mut release);
         // The rest of the stiffness of the spline teeth.
@@ -195,7 +195,7 @@ impl SplineToothForms {
         for (spline_tooth, (compliance, soft)) in self.compliance.iter().zip(&soft).enumerate() {
             yielding[(spline_tooth, spline_tooth)] += compliance * soft / softest;
         }
-        let factor = cholesky(yielding).ok_or(StructureError::CoarseLugs)?;
+        let factor = cholesky(yielding).ok_or(StructureError::CoarseSplineTeeth)?;
         let half = solve_lower(factor.as_ref(), by_forces);
         add_product(release.as_mut(), -1.0, half.transpose(), half.as_ref());
         mirror_lower(&mut release);

@@ -58,8 +58,8 @@ impl StructureSize {
         let joins = 2.0 * f64::from(self.sectors.max(2)).log2() + f64::from(self.window + self.far);
         let joined = cut * (cut * cut / 6.0 + 0.5 * cut * unknowns + 0.5 * unknowns * unknowns);
         let (ahead, behind) = (f64::from(self.window + 1), f64::from(self.window));
-        let answers = unknowns * loads * (ahead * (unknowns + loads + rows) + behind * (unknowns + rows));
-        eliminated + joins * joined + answers
+        let responses = unknowns * loads * (ahead * (unknowns + loads + rows) + behind * (unknowns + rows));
+        eliminated + joins * joined + responses
     }
 
     /// Returns the memory of the structure, in bytes: tables between loads, and from loads to

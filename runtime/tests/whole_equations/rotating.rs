@@ -70,9 +70,9 @@ fn turning_by_all_unknowns(whole: &Whole, speed: f64) -> Vec<[f64; 2]> {
         *step.entry(*at).or_insert(0.0) += of_mass * value;
     }
     // The rotation is prescribed.
-    let mut held = Constraints::new();
-    held.prescribe(whole.count - 1, 0.0);
-    let solver = Solver::new(&whole.matrix(&step), held).expect("definite");
+    let mut constrained = Constraints::new();
+    constrained.prescribe(whole.count - 1, 0.0);
+    let solver = Solver::new(&whole.matrix(&step), constrained).expect("definite");
     let coriolis = whole.matrix(&whole.reduced(&across, [0.0; 3]));
     let (k, count) = (whole.matrix(&k), whole.count);
     let [mut x, mut v, mut a] = [0, 1, 2].map(|_| Mat::<f64>::zeros(count, 1));

@@ -171,7 +171,7 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
     let [radius, fixed_radius] = rim.map(|radius| radius * INCH * length);
     let gear = ExternalGear::new(data).expect("a sound gear");
     let modifications = relief.into_iter().collect();
-    let rim = Rim { radius, fixed_radius, web: None, hold: BoreSupport::Rigid };
+    let rim = Rim { radius, fixed_radius, web: None, support: BoreSupport::Rigid };
     let face_width = INCH * length;
     Member::new(
         GearPrototype::new(gear, modifications, material, rim, face_width, Vec::new()).expect("a gear"),
@@ -184,7 +184,7 @@ pub fn member(data: ExternalGearData, face_width: f64) -> Member {
         radius: data.root_radius - data.rack.module,
         fixed_radius: data.root_radius - 3.0 * data.rack.module,
         web: None,
-        hold: BoreSupport::Rigid,
+        support: BoreSupport::Rigid,
     };
     let gear = ExternalGear::new(data).expect("a sound gear");
     Member::new(GearPrototype::new(gear, Vec::new(), steel(), rim, face_width, Vec::new()).expect("a gear"))

@@ -23,7 +23,7 @@ impl Observable for Solved {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        let cells = at.scene().pairs[0].grid.half_cells_in_plane();
+        let cells = at.scene().pairs[0].grid.plane_half_cells();
         self.0.lock().expect("nothing panics under the lock").push(cells);
         Observed::number(1.0)
     }

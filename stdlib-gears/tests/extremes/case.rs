@@ -19,7 +19,7 @@ pub enum Outcome {
     /// Input is rejected with a code, a reason that contains these words, and a remedy.
     Refused { code: &'static str, says: &'static str, why: &'static str, refusal: fn() -> Option<Refusal> },
     /// Problem is solved, and a warning of the result with these words states what is wrong.
-    Told { says: &'static str, why: &'static str, warnings: fn() -> Vec<String> },
+    Warns { says: &'static str, why: &'static str, warnings: fn() -> Vec<String> },
 }
 
 /// Contents of a refusal.
@@ -97,14 +97,14 @@ impl Case {
         self
     }
 
-    pub fn told(
+    pub fn warns(
         method: &'static str,
         driven: &'static str,
         says: &'static str,
         why: &'static str,
         warnings: fn() -> Vec<String>,
     ) -> Case {
-        Case { method, driven, outcome: Outcome::Told { says, why, warnings } }
+        Case { method, driven, outcome: Outcome::Warns { says, why, warnings } }
     }
 
     /// Returns the reason if the outcome is not the expected one.
@@ -150,10 +150,10 @@ impl Case {
                 }
                 other => Some(format!("expected {code} with a reason and a remedy, found {other:?}")),
             },
-            Outcome::Told { says, warnings, .. } => {
-                let told = warnings();
-                (!told.iter().any(|warning| warning.contains(says)))
-                    .then(|| format!("\"{says}\" is not said: {told:?}"))
+            Outcome::Warns { says, warnings, .. } => {
+                let warns = warnings();
+                (!warns.iter().any(|warning| warning.contains(says)))
+                    .then(|| format!("\"{says}\" is not said: {warns:?}"))
             }
         }
     }

@@ -69,14 +69,14 @@ pub fn cases() -> Vec<Case> {
                 worst(grids)
             },
         ),
-        Case::told(
+        Case::warns(
             "The same",
             "a grid with a tenth of the contact width: all cells carry load",
             "is too narrow",
             "the grid is too narrow",
             || Squeezed { width: Some(0.1), ..NOMINAL }.warnings(),
         ),
-        Case::told(
+        Case::warns(
             "The same",
             "a grid with a thousand times the contact width: one cell carries the load",
             "is too wide",

@@ -73,7 +73,7 @@ fn document() -> String {
                 Outcome::Holds { to: 0.0, truth, .. } => ("exact".to_string(), truth.to_string()),
                 Outcome::Holds { to, truth, .. } => (format!("within {}", shown(to)), truth.to_string()),
                 Outcome::Refused { code, why, .. } => (format!("rejected, {code}"), why.to_string()),
-                Outcome::Told { says, why, .. } => (format!("warning \"{says}\""), why.to_string()),
+                Outcome::Warns { says, why, .. } => (format!("warning \"{says}\""), why.to_string()),
             };
             text += &format!("| {method} | {driven} | {happens} | {by} |\n");
         }

@@ -108,7 +108,7 @@ pub fn cases() -> Vec<Case> {
             "statics: equal forces on both sides",
             || worst([-1e-7, -1.1e-6].map(tight)),
         ),
-        Case::told(
+        Case::warns(
             "The same without a search for back-side contact",
             "a centre distance 0.1 mm below",
             "the backlash is negative",

@@ -42,7 +42,7 @@ pub fn cases() -> Vec<Case> {
             "zero: the force flattens the ring and compresses the roots",
             || under(1e-3, 0, COARSE).1[1],
         ),
-        Case::told(
+        Case::warns(
             "The same",
             "a rim of 0.3 modules, the nominal load",
             "so far that contact moves",
@@ -119,7 +119,7 @@ fn rimmed(modules: f64) -> GearPrototype {
         radius: data.root_radius - 0.5 * modules * data.rack.module,
         fixed_radius,
         web: None,
-        hold: BoreSupport::Means { harmonics: None, degree: 0 },
+        support: BoreSupport::Means { harmonics: None, degree: 0 },
     };
     let gear = ExternalGear::new(data).expect("a sound gear");
     GearPrototype::new(gear, Vec::new(), steel(), rim, 0.0254, Vec::new()).expect("a gear")

@@ -68,7 +68,7 @@ fn lag(scene: &(Scene, GearMesh)) -> f64 {
     force().1 * value(scene, &TransmissionError(MESH))
 }
 
-fn held() -> (Scene, GearMesh) {
+fn constrained() -> (Scene, GearMesh) {
     pair(&PairOptions::chapter_5(&PLAIN))
 }
 
@@ -79,23 +79,24 @@ fn a_gear_on_a_bearing_gives_by_force_over_stiffness_and_so_does_the_mesh() {
     let sprung = on([radial(K)]);
     let [x, y] = [0, 1].map(|axis| value(&sprung, &Displacement(SECOND, axis)));
     assert!((x.hypot(y) / given - 1.0).abs() < 1e-10, "{} {given}", x.hypot(y));
-    assert!(((lag(&sprung) - lag(&held())) / given - 1.0).abs() < 1e-8);
+    assert!(((lag(&sprung) - lag(&constrained())) / given - 1.0).abs() < 1e-8);
     // Direction of the line of action: away from the driver, at the operating pressure angle.
     let borne = [0, 1].map(|axis| value(&sprung, &BearingForce(BEARING, Direction::Ground(axis))));
     assert!((borne[0].hypot(borne[1]) / force - 1.0).abs() < 1e-10);
     assert!((borne[0] + K * x).abs() < 1e-10 * force && (borne[1] + K * y).abs() < 1e-10 * force);
     // As the load vanishes, all deflections vanish.
-    let [unloaded, as_held] = [&sprung, &held()].map(|scene| value(scene, &UnloadedTransmissionError(MESH)));
-    assert!((unloaded - as_held).abs() < 1e-15, "{unloaded} {as_held}");
+    let [unloaded, as_constrained] =
+        [&sprung, &constrained()].map(|scene| value(scene, &UnloadedTransmissionError(MESH)));
+    assert!((unloaded - as_constrained).abs() < 1e-15, "{unloaded} {as_constrained}");
     // Springs in series.
-    let [soft, hard] = [&sprung, &held()].map(|scene| value(scene, &MeshStiffness(MESH)));
+    let [soft, hard] = [&sprung, &constrained()].map(|scene| value(scene, &MeshStiffness(MESH)));
     assert!((soft * (1.0 / hard + 1.0 / K) - 1.0).abs() < 1e-9, "{soft} {hard}");
 }
 
 #[test]
-fn ever_stiffer_bearings_converge_to_a_held_gear() {
-    let held = lag(&held());
-    let [near, nearer] = [1e10, 1e12].map(|stiffness| lag(&on([radial(stiffness)])) - held);
+fn ever_stiffer_bearings_converge_to_a_constrained_gear() {
+    let constrained = lag(&constrained());
+    let [near, nearer] = [1e10, 1e12].map(|stiffness| lag(&on([radial(stiffness)])) - constrained);
     assert!((near / nearer / 100.0 - 1.0).abs() < 1e-3, "{near} {nearer}");
 }
 
@@ -109,7 +110,7 @@ fn bodies_in_a_row_are_springs_in_series_and_nothing_is_lost_on_the_way() {
     scene.add_bearing(Bearing::new("housing", carrier, 0.0, other)).expect("a bearing");
     let scene = (scene, mesh);
     let (force, _) = force();
-    assert!(((lag(&scene) - lag(&held())) / (5.0 * force / K) - 1.0).abs() < 1e-8);
+    assert!(((lag(&scene) - lag(&constrained())) / (5.0 * force / K) - 1.0).abs() < 1e-8);
     let plan = Plan::new(&scene.0, Fidelity::Plane, COARSE).expect("a plan");
     assert!(plan.bodies[carrier.0].rigid && !plan.bodies[carrier.0].left_out);
     assert_eq!(plan.structures(&scene.0).iter().flatten().count(), 2);
@@ -194,7 +195,7 @@ fn a_ring_gives_by_its_clearance_and_then_by_its_stiffness_alike_in_all_directio
         let moved = value(&scene, &BearingDeflection(BEARING, Direction::Radial));
         assert!((moved / (clearance + force / K) - 1.0).abs() < 2e-3, "{moved}");
         let more = (clearance + force / K) / base_radius;
-        let [own, rigid] = [&scene, &held()].map(|scene| value(scene, &TransmissionError(MESH)));
+        let [own, rigid] = [&scene, &constrained()].map(|scene| value(scene, &TransmissionError(MESH)));
         assert!(((own - rigid) / more - 1.0).abs() < 2e-3, "{own} {rigid} {more}");
         // The clearance remains closed as the load vanishes.
         let unloaded = value(&scene, &UnloadedTransmissionError(MESH)) * base_radius;
@@ -219,24 +220,24 @@ fn a_gear_that_stays_on_its_grid_is_solved_where_its_frame_is() {
 
 /// The scene with its second gear fixed at the position to which the bearings of another scene have
 /// moved it, and its first gear rotated until rigid teeth touch; also returns this rotation.
-fn held_at(scene: &Scene, mesh: &GearMesh, [x, y]: [f64; 2]) -> (Scene, f64) {
+fn constrained_at(scene: &Scene, mesh: &GearMesh, [x, y]: [f64; 2]) -> (Scene, f64) {
     let SteadyRotation { origin: [from_x, from_y], .. } = scene_motion(scene);
-    let mut held = scene.clone();
-    held.bearings.clear();
+    let mut constrained = scene.clone();
+    constrained.bearings.clear();
     let speed = -0.5 * 0.05 * TAU;
-    held.bodies[SECOND.0].motion =
+    constrained.bodies[SECOND.0].motion =
         Arc::new(SteadyRotation { origin: [from_x + x, from_y + y], start: 0.0, speed });
-    held.bodies[SECOND.0].free = [false; 6];
+    constrained.bodies[SECOND.0].free = [false; 6];
     let mut turn = 0.0;
     for _ in 0..3 {
-        let mut unloaded = held.clone();
+        let mut unloaded = constrained.clone();
         unloaded.bodies[FIRST.0].load = Arc::new(Wrench::NONE);
         let unloaded = (unloaded, mesh.clone());
         let more = solved(&unloaded, |_, step| step.motion[0]);
-        held.bodies[FIRST.0].phase += more;
+        constrained.bodies[FIRST.0].phase += more;
         turn += more;
     }
-    (held, turn)
+    (constrained, turn)
 }
 
 /// Soft bearings, preloads and clearances that move the second gear by up to a tenth of a module
@@ -261,14 +262,17 @@ fn a_gear_that_is_carried_far_is_solved_where_it_is_carried() {
             assert!(step.warnings.is_empty(), "{:?}", step.warnings);
             assert!(step.start.iter().any(|&moved| moved != 0.0), "{:?}", step.motion);
             let at = Equilibrium::new(system, step);
-            let (contact, held) = (at.contact_force(SECOND), at.bearings_on(SECOND));
-            assert!((0..2).all(|k| (contact[k] + held[k]).abs() < 1e-10 * force), "{contact:?} {held:?}");
+            let (contact, constrained) = (at.contact_force(SECOND), at.bearings_on(SECOND));
+            assert!(
+                (0..2).all(|k| (contact[k] + constrained[k]).abs() < 1e-10 * force),
+                "{contact:?} {constrained:?}"
+            );
             (step.motion.clone(), contact, system.value(step, &MaxContactPressure(MESH)).value)
         });
         let [turn, x, y] = motion[..] else { panic!("three freedoms") };
         assert!((0.1e-3..0.5e-3).contains(&x.hypot(y)), "{x} {y}");
-        let (held, before) = held_at(&scene, &mesh, [x, y]);
-        solved(&(held, mesh.clone()), |system, step| {
+        let (constrained, before) = constrained_at(&scene, &mesh, [x, y]);
+        solved(&(constrained, mesh.clone()), |system, step| {
             let contact = system.contact_force(step, SECOND);
             for k in 0..2 {
                 // A shift of a thousandth of half a grid rotates the line of action by some
@@ -345,7 +349,7 @@ fn bits_do_not_depend_on_threads() {
 
 #[test]
 fn bearings_that_nothing_depends_on_are_left_out_with_the_reason() {
-    let (mut scene, _) = held();
+    let (mut scene, _) = constrained();
     scene.add_bearing(radial(K)).expect("a bearing");
     let idler = scene.add_body(
         Body::new("idler", Arc::new(PLAIN[0].clone()), SteadyRotation::at_rest([1.0, 0.0]))

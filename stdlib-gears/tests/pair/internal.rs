@@ -53,7 +53,7 @@ fn ring(relief: f64) -> Member {
         tip_edge_radius: None,
     })
     .expect("a sound gear");
-    let rim = Rim { radius: 127e-3, fixed_radius: 137e-3, web: None, hold: BoreSupport::Rigid };
+    let rim = Rim { radius: 127e-3, fixed_radius: 137e-3, web: None, support: BoreSupport::Rigid };
     let relief =
         (relief > 0.0).then(|| Modification::tip_relief(relief, 18_f64.to_radians(), ReliefShape::Quadratic));
     let modifications = relief.into_iter().collect();
@@ -187,7 +187,7 @@ fn rim_and_relief_do_what_they_should() {
 /// solution.
 #[test]
 fn what_holds_a_pinion_in_a_ring_is_known_before_it_is_solved() {
-    let mut held = Vec::new();
+    let mut constrained = Vec::new();
     for side in [1.0, -1.0] {
         let (mut scene, mesh) = pair(&options(&PLAIN));
         scene.bodies[FIRST.0] = scene.bodies[FIRST.0].clone().free_in(&[Component::Ux]);
@@ -200,8 +200,8 @@ fn what_holds_a_pinion_in_a_ring_is_known_before_it_is_solved() {
         let solved =
             system(&scene).solve(mesh.start + 0.3 * mesh.period).map(|_| ()).map_err(|error| error.code);
         assert_eq!(early, solved, "{side}");
-        held.push(solved);
+        constrained.push(solved);
     }
-    held.sort();
-    assert_eq!(held, [Ok(()), Err("E0714")]);
+    constrained.sort();
+    assert_eq!(constrained, [Ok(()), Err("E0714")]);
 }

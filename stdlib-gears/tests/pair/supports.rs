@@ -63,19 +63,19 @@ fn a_scene_without_pairs_is_refused() {
 }
 
 #[test]
-fn gears_held_where_they_overlap_press_as_the_load_that_moved_them_there() {
+fn gears_constrained_where_they_overlap_press_as_the_load_that_moved_them_there() {
     let (scene, mesh) = pair(&PairOptions::chapter_5(&PLAIN));
     let time = mesh.start + 0.6 * mesh.period;
     let plan = Plan::new(&scene, Fidelity::Plane, COARSE).expect("a plan");
     let deflection =
         System::new(&scene, &plan).and_then(|system| system.solve(time)).expect("it is held").motion[0];
 
-    let mut held = scene.clone();
-    held.bodies[0].free = [false; 6];
-    held.bodies[0].load = Arc::new(Wrench::NONE);
-    held.bodies[0].phase += deflection;
-    let plan = Plan::new(&held, Fidelity::Plane, COARSE).expect("a plan");
-    let system = System::new(&held, &plan).expect("it can be built");
+    let mut constrained = scene.clone();
+    constrained.bodies[0].free = [false; 6];
+    constrained.bodies[0].load = Arc::new(Wrench::NONE);
+    constrained.bodies[0].phase += deflection;
+    let plan = Plan::new(&constrained, Fidelity::Plane, COARSE).expect("a plan");
+    let system = System::new(&constrained, &plan).expect("it can be built");
     let step = system.solve(time).expect("nothing moves");
     let moment = system.contact_force(&step, FIRST)[5];
     // The closest approach is searched with the gear rotated, at a slightly different point of the

@@ -162,8 +162,8 @@ fn a_pin_out_of_place_shifts_load_as_linear_theory_says() {
     bears_less(&found, gives_by_pin(error));
     let set = Set::of(&with_pin(error)).expect("it goes together");
     let mesh = set.mesh(set.ring_meshes[1]);
-    let center_offset = mesh.center_offset.abs() * mesh.base_radii[1];
-    assert!((center_offset / gives_by_pin(error) - 1.0).abs() < 1e-3, "{center_offset}");
+    let phase_offset = mesh.phase_offset.abs() * mesh.base_radii[1];
+    assert!((phase_offset / gives_by_pin(error) - 1.0).abs() < 1e-3, "{phase_offset}");
     // Opposite errors have opposite effects.
     bears_less(&with_errors(with_pin(-error)), gives_by_pin(-error));
     // A floating sun shares its load equally, up to the ten-thousandth by which directions rotate.

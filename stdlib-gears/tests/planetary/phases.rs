@@ -147,7 +147,7 @@ fn a_planet_is_phased_by_whatever_it_meshes_with_first() {
         assert!((off - off.round()).abs() < 1e-9, "{off}");
         for pair in [with_sun, with_ring] {
             let mesh = scene.pairs[pair.0].mesh.as_ref().expect("a mesh");
-            assert!(mesh.center_offset.abs() < 1e-12);
+            assert!(mesh.phase_offset.abs() < 1e-12);
             // Relative to the carrier the sun rotates in the direction of its drive.
             assert!((mesh.period * SUN_SPEED * f64::from(SUN_TEETH) / TAU - 1.0).abs() < 1e-9);
         }

@@ -64,7 +64,8 @@ fn external(teeth: u32, thickness: f64, bore: f64) -> Arc<GearPrototype> {
         tip_edge_radius: None,
     })
     .expect("a valid gear");
-    let rim = Rim { radius: root_radius - module, fixed_radius: bore, web: None, hold: BoreSupport::Rigid };
+    let rim =
+        Rim { radius: root_radius - module, fixed_radius: bore, web: None, support: BoreSupport::Rigid };
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
 
@@ -73,7 +74,7 @@ static PLANET: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| external(PLANET_T
 static RING: LazyLock<Arc<GearPrototype>> = LazyLock::new(|| ring(155e-3, BoreSupport::Rigid));
 
 /// Ring gear supported at its outer radius (m).
-pub fn ring(outer: f64, hold: BoreSupport) -> Arc<GearPrototype> {
+pub fn ring(outer: f64, support: BoreSupport) -> Arc<GearPrototype> {
     // The operating pitch circle of the mesh with the planets is the ring's pitch circle: the base
     // pitch is that of the rack.
     let module = 2.0 * DISTANCE / f64::from(RING_TEETH - PLANET_TEETH);
@@ -87,14 +88,14 @@ pub fn ring(outer: f64, hold: BoreSupport) -> Arc<GearPrototype> {
         tip_edge_radius: None,
     })
     .expect("a valid ring gear");
-    let rim = Rim { radius: 145.5e-3, fixed_radius: outer, web: None, hold };
+    let rim = Rim { radius: 145.5e-3, fixed_radius: outer, web: None, support };
     Arc::new(GearPrototype::new(gear, Vec::new(), steel(), rim, FACE, Vec::new()).expect("a gear"))
 }
 
 /// The default ring on spline teeth.
 fn splined(spline: &SplineSupport) -> Arc<GearPrototype> {
-    let rim = Rim { radius: 145.5e-3, fixed_radius: 155e-3, web: None, hold: BoreSupport::Rigid };
-    ring(155e-3, rim.splined(spline).expect("a valid spline").hold)
+    let rim = Rim { radius: 145.5e-3, fixed_radius: 155e-3, web: None, support: BoreSupport::Rigid };
+    ring(155e-3, rim.splined(spline).expect("a valid spline").support)
 }
 
 /// Steady rotation on a pin that revolves about the origin of ground.
@@ -235,7 +236,7 @@ impl Set {
             ring = ring.free_in(&[Component::Ux, Component::Uy, Component::ThetaZ]);
         }
         let ring = add_body(&mut scene, ring)?;
-        let held = add_body(&mut scene, Body::new("carrier", Arc::new(RigidBody), central(0.0)))?;
+        let constrained = add_body(&mut scene, Body::new("carrier", Arc::new(RigidBody), central(0.0)))?;
         let mut set = Set {
             scene,
             sun,
@@ -265,7 +266,7 @@ impl Set {
             if let Some(stiffness) = options.bearings {
                 let matrix = axisymmetric(stiffness, 0.0, 0.0, 0.0);
                 let bearing = Bearing::new(format!("bearing {}", index + 1), planet, 0.0, matrix);
-                set.scene.add_bearing(bearing.between(held))?;
+                set.scene.add_bearing(bearing.between(constrained))?;
             }
             let with_sun = mesh(&mut set.scene, sun, planet, &options.mesh)?;
             let with_ring = mesh(&mut set.scene, planet, ring, &options.mesh)?;

@@ -181,9 +181,13 @@ fn in_time(set: &mut Set, ranges: Vec<TimeRange>, scheme: Scheme, rayleigh: f64)
         ..AnalysisOptions::default()
     };
     let history = History::new(&set.scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
-    let told =
-        history.plan().ignored.iter().find(|told| told.input == "highest_frequency").expect("it is told");
-    assert!(told.reason.contains("\"ring\"") && !told.reason.contains("\"sun\""), "{}", told.reason);
+    let ignored = history
+        .plan()
+        .ignored
+        .iter()
+        .find(|ignored| ignored.input == "highest_frequency")
+        .expect("it is told");
+    assert!(ignored.reason.contains("\"ring\"") && !ignored.reason.contains("\"sun\""), "{}", ignored.reason);
     history
         .map(|solved| {
             let row = solved.expect("it goes on").row;

@@ -88,8 +88,8 @@ fn an_overhung_gear_without_meshes() {
         [0.3, 1.0, 1e3].map(|factor| uneven(&scene(&options, &pair_of_bearings(factor))));
     assert!(soft > stiff_one && stiff_one > hard && hard >= 1.0, "{soft} {stiff_one} {hard}");
     solved_at(Fidelity::Rigid, &stiff, |_, step| {
-        let [held, turn] = [&step.motion[..5], &step.motion[5..]];
-        assert!(held.iter().all(|motion| motion.abs() < 1e-12), "{held:?}");
+        let [constrained, turn] = [&step.motion[..5], &step.motion[5..]];
+        assert!(constrained.iter().all(|motion| motion.abs() < 1e-12), "{constrained:?}");
         assert!(turn[0].abs() < 1e-9, "{turn:?}");
     });
 }
@@ -167,24 +167,25 @@ fn everything_is_in_equilibrium() {
 /// The scene with its first gear fixed, except for rotation, in the position to which the bearings
 /// of another scene have moved it, and rotated until rigid teeth touch under only the moment about
 /// its inclined axis.
-fn held_at(scene: &Scene, mesh: &GearMesh, motion: &[f64], moment: [f64; 3]) -> (Scene, f64) {
+fn constrained_at(scene: &Scene, mesh: &GearMesh, motion: &[f64], moment: [f64; 3]) -> (Scene, f64) {
     let &[x, y, z, about_x, about_y, _] = motion else { panic!("six freedoms") };
     let pose = moved_by(&Pose::IDENTITY, [x, y, z, about_x, about_y, 0.0]);
-    let mut held = scene.clone();
-    held.bearings.clear();
-    held.bodies[0].motion = Arc::new(RelocatedMotion { motion: held.bodies[0].motion.clone(), pose });
-    held.bodies[0].free = [false, false, false, false, false, true];
+    let mut constrained = scene.clone();
+    constrained.bearings.clear();
+    constrained.bodies[0].motion =
+        Arc::new(RelocatedMotion { motion: constrained.bodies[0].motion.clone(), pose });
+    constrained.bodies[0].free = [false, false, false, false, false, true];
     let mut turn = 0.0;
     for _ in 0..3 {
-        held.bodies[0].load = Arc::new(Wrench::NONE);
-        let more = solved(&(held.clone(), mesh.clone()), |_, step| step.motion[0]);
-        held.bodies[0].phase += more;
+        constrained.bodies[0].load = Arc::new(Wrench::NONE);
+        let more = solved(&(constrained.clone(), mesh.clone()), |_, step| step.motion[0]);
+        constrained.bodies[0].phase += more;
         turn += more;
     }
     let axis = pose.direction([0.0, 0.0, 1.0]);
     let about: f64 = (0..3).map(|k| moment[k] * axis[k]).sum();
-    held.bodies[0].load = Arc::new(Wrench::of_moment(axis.map(|part| part * about)));
-    (held, turn)
+    constrained.bodies[0].load = Arc::new(Wrench::of_moment(axis.map(|part| part * about)));
+    (constrained, turn)
 }
 
 /// A shaft on soft bearings that the load displaces by a tenth of a module and tilts: the solution
@@ -212,16 +213,17 @@ fn a_shaft_that_is_carried_far_is_solved_where_it_is_carried() {
             of(system, step)
         });
         assert!(motion[0].hypot(motion[1]) > 0.2e-3 && motion[3].hypot(motion[4]) > 2e-5, "{motion:?}");
-        let (held, before) = held_at(&scene, &mesh, &motion, [3, 4, 5].map(|k: usize| -force[k]));
-        let (own, held_force, held_factor) = solved(&(held, mesh), of);
+        let (constrained, before) =
+            constrained_at(&scene, &mesh, &motion, [3, 4, 5].map(|k: usize| -force[k]));
+        let (own, constrained_force, constrained_factor) = solved(&(constrained, mesh), of);
         for k in 0..6 {
             // Cells at the ends of the face are cut differently: the centre of the load agrees to
             // some thousandths of a millimetre.
             let most = if k < 3 { 1e-5 * TORQUE / (20.0 * MODULE) } else { 2e-4 * TORQUE };
-            assert!((force[k] - held_force[k]).abs() < most, "{force:?} {held_force:?}");
+            assert!((force[k] - constrained_force[k]).abs() < most, "{force:?} {constrained_force:?}");
         }
         assert!((motion[5] - before - own[0]).abs() < 1e-4 * own[0].abs(), "{motion:?} {before} {own:?}");
-        assert!((factor / held_factor - 1.0).abs() < 1e-3, "{factor} {held_factor}");
+        assert!((factor / constrained_factor - 1.0).abs() < 1e-3, "{factor} {constrained_factor}");
     }
 }
 

@@ -103,7 +103,7 @@ fn both_sides_carry_on_bearings() {
         scene.add_bearing(bearing).expect("a bearing");
         (scene, mesh)
     };
-    let held = |options: &Options, torque: f64| {
+    let constrained = |options: &Options, torque: f64| {
         let (mut scene, mesh) = both(options.clone()).scene();
         scene.bodies[0].load = Arc::new(Wrench::of_moment([0.0, 0.0, torque]));
         (scene, mesh)
@@ -113,8 +113,11 @@ fn both_sides_carry_on_bearings() {
         let step = system.solve(mesh.start + 0.45 * mesh.period).expect("it is held");
         assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
         let support = Equilibrium::new(&system, &step).support(FIRST);
-        let held = scene.bearings.is_empty();
-        assert!(held || support[..2].iter().all(|part| part.abs() < 1e-10 * TORQUE / MODULE), "{support:?}");
+        let constrained = scene.bearings.is_empty();
+        assert!(
+            constrained || support[..2].iter().all(|part| part.abs() < 1e-10 * TORQUE / MODULE),
+            "{support:?}"
+        );
         let [x, y, ..] = system.contact_force(&step, FIRST);
         (
             [force(&step, MESH), force(&step, BACK)],
@@ -126,22 +129,25 @@ fn both_sides_carry_on_bearings() {
     let [first, second] = base_radii();
     for torque in [TORQUE, -TORQUE] {
         let ([drive, back], error, _) = solve(sprung(&spur, torque));
-        let (_, rigid, _) = solve(held(&spur, torque));
+        let (_, rigid, _) = solve(constrained(&spur, torque));
         assert!((drive + back) * first / TORQUE - 1.0 < 1e-9 && drive.min(back) == 0.0, "{drive} {back}");
         let given = torque / first / stiffness / second;
         assert!(((error - rigid) / given - 1.0).abs() < 1e-3, "{error} {rigid} {given}");
     }
     let tight = Options { apart: -1e-4, torque: 0.0, ..spur };
     let ([drive, back], _, [x, _]) = solve(sprung(&tight, 0.0));
-    let ([held_drive, _], ..) = solve(held(&tight, 0.0));
-    assert!((drive / back - 1.0).abs() < 1e-9 && drive < held_drive, "{drive} {back} {held_drive}");
+    let ([constrained_drive, _], ..) = solve(constrained(&tight, 0.0));
+    assert!(
+        (drive / back - 1.0).abs() < 1e-9 && drive < constrained_drive,
+        "{drive} {back} {constrained_drive}"
+    );
     // The displacement of the axes replaces deflection of the teeth: the secant stiffness is the
     // same with less overlap.
     let moved = -x / stiffness;
     assert!(x < 0.0, "{x}");
     let overlap = 1e-4 * STANDARD;
     let left = 1.0 - moved.abs() / overlap;
-    assert!((drive / held_drive / left - 1.0).abs() < 0.05, "{drive} {held_drive} {left}");
+    assert!((drive / constrained_drive / left - 1.0).abs() < 0.05, "{drive} {constrained_drive} {left}");
 }
 
 /// Under the drive load the back flanks do not touch, and nothing changes except for rounding.

@@ -35,7 +35,7 @@ fn seen_on(options: &Options, fidelity: Fidelity, structure: StructureOptions) -
             if elastic { value(&MaxRootStress(FIRST)) } else { 0.0 },
         ]
     };
-    (plan.in_space, CYCLE.iter().map(at).collect())
+    (plan.three_dimensional, CYCLE.iter().map(at).collect())
 }
 
 fn elastic(options: Options) -> Options {
@@ -47,10 +47,10 @@ fn elastic(options: Options) -> Options {
 /// of its near field.
 #[test]
 fn slices_of_straight_teeth_are_the_plane() {
-    let (in_space, plane) = seen(&elastic(Options::spur()), Fidelity::Analytic);
-    assert!(!in_space);
-    let (in_space, space) = seen(&elastic(Options::helical(1e-7, Hand::Right)), Fidelity::Analytic);
-    assert!(in_space);
+    let (three_dimensional, plane) = seen(&elastic(Options::spur()), Fidelity::Analytic);
+    assert!(!three_dimensional);
+    let (three_dimensional, space) = seen(&elastic(Options::helical(1e-7, Hand::Right)), Fidelity::Analytic);
+    assert!(three_dimensional);
     for ([error, unloaded, stiffness, stress], [of_plane, none, of_mesh, root]) in space.iter().zip(&plane) {
         assert!(((error - unloaded) / (of_plane - none) - 1.0).abs() < 0.02, "{error} {of_plane}");
         assert!((stiffness / of_mesh - 1.0).abs() < 0.02, "{stiffness} {of_mesh}");
@@ -84,8 +84,8 @@ fn helical_teeth_give_as_finite_elements() {
 /// elastic teeth without load.
 #[test]
 fn rigid_helical_teeth() {
-    let (in_space, rigid) = seen(&elastic(Options::helical(0.3, Hand::Left)), Fidelity::Rigid);
-    assert!(in_space);
+    let (three_dimensional, rigid) = seen(&elastic(Options::helical(0.3, Hand::Left)), Fidelity::Rigid);
+    assert!(three_dimensional);
     for [error, ..] in rigid {
         assert!(error.abs() < 1e-9, "{error}");
     }

@@ -32,10 +32,10 @@ pub fn offer(capabilities: &mut ServerCapabilities) {
 }
 
 pub fn route(router: &mut Router) {
-    let told = Arc::new(SentTokens::default());
-    let known = told.clone();
+    let sent = Arc::new(SentTokens::default());
+    let known = sent.clone();
     router.on::<SemanticTokensFullRequest>(move |view, params| full(&known, view, &params));
-    router.on::<SemanticTokensFullDeltaRequest>(move |view, params| delta(&told, view, &params));
+    router.on::<SemanticTokensFullDeltaRequest>(move |view, params| delta(&sent, view, &params));
     router.on::<SemanticTokensRangeRequest>(range);
 }
 
@@ -70,25 +70,25 @@ impl SentTokens {
 }
 
 fn full(
-    told: &SentTokens,
+    sent: &SentTokens,
     view: &View,
     params: &SemanticTokensParams,
 ) -> Result<Option<SemanticTokensResult>> {
     let Some(data) = whole(view) else { return Ok(None) };
-    let result_id = Some(told.keep(view, &params.text_document.uri, data.clone()));
+    let result_id = Some(sent.keep(view, &params.text_document.uri, data.clone()));
     Ok(Some(SemanticTokens { result_id, data }.into()))
 }
 
 /// Returns the difference from an earlier answer, or all tokens if that is unknown.
 fn delta(
-    told: &SentTokens,
+    sent: &SentTokens,
     view: &View,
     params: &SemanticTokensDeltaParams,
 ) -> Result<Option<SemanticTokensFullDeltaResult>> {
     let Some(data) = whole(view) else { return Ok(None) };
     let uri = &params.text_document.uri;
-    let before = told.take(uri, &params.previous_result_id);
-    let result_id = Some(told.keep(view, uri, data.clone()));
+    let before = sent.take(uri, &params.previous_result_id);
+    let result_id = Some(sent.keep(view, uri, data.clone()));
     let Some(before) = before else { return Ok(Some(SemanticTokens { result_id, data }.into())) };
     // Numbers per token in the encoding of the protocol.
     const NUMBERS: u32 = 5;

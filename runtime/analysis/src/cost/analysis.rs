@@ -76,11 +76,19 @@ impl Task<'_> {
     /// Those of [`Task::cost`].
     pub fn cost_with(&self, meshes: &mut Meshes, rates: &Rates) -> Result<AnalysisCost, EngineError> {
         let Task { scene, fidelity, structure: options, in_time, .. } = *self;
-        let Part { structures, twisted, in_space } = self.condensed(fidelity, options, meshes, rates)?;
-        let solve = |fidelity: Fidelity, in_space: bool, twisted: bool, coarse: bool, count: usize| {
-            positions(cells_in_contact(scene, fidelity, in_space, coarse), twisted, count, !in_time, rates)
-        };
-        let own = solve(fidelity, in_space, twisted, false, self.positions);
+        let Part { structures, helical, three_dimensional } =
+            self.condensed(fidelity, options, meshes, rates)?;
+        let solve =
+            |fidelity: Fidelity, three_dimensional: bool, helical: bool, coarse: bool, count: usize| {
+                positions(
+                    cells_in_contact(scene, fidelity, three_dimensional, coarse),
+                    helical,
+                    count,
+                    !in_time,
+                    rates,
+                )
+            };
+        let own = solve(fidelity, three_dimensional, helical, false, self.positions);
         let mut errors = Cost::default();
         let mut add = |cost: Cost| {
             errors.time += cost.time;
@@ -90,15 +98,15 @@ impl Task<'_> {
             Estimates::None => {}
             _ if in_time => add(Cost { time: OF_STEPS * own.time, memory: own.memory }),
             estimates => {
-                let own = (fidelity, in_space);
+                let own = (fidelity, three_dimensional);
                 let outputs = self.outputs.len();
                 for perturbed_solve in perturbed_solves_of(estimates, own, options, self.positions, outputs) {
                     let Some((part, fidelity)) =
-                        self.of_perturbed_solve(&perturbed_solve, in_space, meshes, rates)
+                        self.of_perturbed_solve(&perturbed_solve, three_dimensional, meshes, rates)
                     else {
                         continue;
                     };
-                    let Part { structures, twisted, in_space } = part;
+                    let Part { structures, helical, three_dimensional } = part;
                     let memory = structures.iter().map(|(_, cost)| cost.memory).sum();
                     let time = structures.iter().map(|(_, cost)| cost.time).sum();
                     // The structures of the analysis are available.
@@ -107,8 +115,8 @@ impl Task<'_> {
                     }
                     add(solve(
                         fidelity,
-                        in_space,
-                        twisted,
+                        three_dimensional,
+                        helical,
                         perturbed_solve.coarse_grid,
                         perturbed_solve.positions,
                     ));
@@ -123,14 +131,14 @@ impl Task<'_> {
     fn of_perturbed_solve(
         &self,
         perturbed_solve: &PerturbedSolve,
-        in_space: bool,
+        three_dimensional: bool,
         meshes: &mut Meshes,
         rates: &Rates,
     ) -> Option<(Part, Fidelity)> {
         perturbed_solve.models.iter().find_map(|&(fidelity, structure)| {
             // Three-dimensional closed-form models are compared with three-dimensional finite
             // elements.
-            if fidelity == Fidelity::Plane && self.fidelity != Fidelity::Plane && in_space {
+            if fidelity == Fidelity::Plane && self.fidelity != Fidelity::Plane && three_dimensional {
                 return None;
             }
             Some((self.condensed(fidelity, structure, meshes, rates).ok()?, fidelity))
@@ -151,16 +159,21 @@ impl Task<'_> {
             None => {
                 let planned = if self.in_time { Plan::in_time } else { Plan::new };
                 let plan = planned(self.scene, fidelity, options)?.for_outputs(self.scene, self.outputs)?;
-                let (in_space, sizes) = (plan.in_space, sizes(self.scene, &plan));
-                meshes.0.push(Mesh { fidelity, options, in_space, sizes });
+                let (three_dimensional, sizes) = (plan.three_dimensional, sizes(self.scene, &plan));
+                meshes.0.push(Mesh { fidelity, options, three_dimensional, sizes });
                 meshes.0.len() - 1
             }
         };
-        let Mesh { in_space, sizes, .. } = &meshes.0[counted];
-        let twisted = *in_space && sizes.iter().any(|(_, size)| !size.mirrored);
-        let cost =
-            |(names, size): &(Vec<String>, StructureSize)| (names.clone(), structure(size, *in_space, rates));
-        Ok(Part { structures: sizes.iter().map(cost).collect(), twisted, in_space: *in_space })
+        let Mesh { three_dimensional, sizes, .. } = &meshes.0[counted];
+        let helical = *three_dimensional && sizes.iter().any(|(_, size)| !size.mirrored);
+        let cost = |(names, size): &(Vec<String>, StructureSize)| {
+            (names.clone(), structure(size, *three_dimensional, rates))
+        };
+        Ok(Part {
+            structures: sizes.iter().map(cost).collect(),
+            helical,
+            three_dimensional: *three_dimensional,
+        })
     }
 }
 
@@ -172,14 +185,14 @@ pub struct Meshes(Vec<Mesh>);
 struct Mesh {
     fidelity: Fidelity,
     options: StructureOptions,
-    in_space: bool,
+    three_dimensional: bool,
     sizes: Vec<(Vec<String>, StructureSize)>,
 }
 
 struct Part {
     structures: Vec<(Vec<String>, Cost)>,
-    twisted: bool,
-    in_space: bool,
+    helical: bool,
+    three_dimensional: bool,
 }
 
 /// Returns each structure of a plan with its size and the names of the bodies that share it.
@@ -198,15 +211,15 @@ fn sizes(scene: &Scene, plan: &Plan) -> Vec<(Vec<String>, StructureSize)> {
 
 /// Returns the number of contact cells of a position, on the grids of the scene or with half their
 /// cells in every direction.
-fn cells_in_contact(scene: &Scene, fidelity: Fidelity, in_space: bool, coarse: bool) -> usize {
+fn cells_in_contact(scene: &Scene, fidelity: Fidelity, three_dimensional: bool, coarse: bool) -> usize {
     let halved = |count: usize| if coarse { count.div_ceil(2) } else { count };
     let cells = |half: usize| 2 * halved(half) + 1;
     let of = |pair: &SurfacePair| {
         let grid = &pair.grid;
-        let cells = match in_space {
+        let cells = match three_dimensional {
             _ if fidelity == Fidelity::Rigid => 0,
-            false => cells(grid.half_cells_in_plane()),
-            true => cells(grid.half_cells_in_space()) * cells(grid.half_slices),
+            false => cells(grid.plane_half_cells()),
+            true => cells(grid.solid_half_cells()) * cells(grid.half_slices),
         };
         let mesh = pair.mesh.as_ref().or_else(|| scene.pairs.get(pair.front?.0)?.mesh.as_ref());
         cells * mesh.map_or(1, pairs_of_teeth)

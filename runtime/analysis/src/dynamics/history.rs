@@ -465,8 +465,8 @@ pub fn dynamic(
     while let Some(solved) = history.next() {
         let solved = &solved?;
         let (index, count) = (history.solved().len() - 1, history.rows());
-        let told = requests_fields(options.fields, index, count);
-        let fields = history.equilibrium().filter(|_| told).map(|at| at.fields_with(meshed.as_ref()));
+        let requested = requests_fields(options.fields, index, count);
+        let fields = history.equilibrium().filter(|_| requested).map(|at| at.fields_with(meshed.as_ref()));
         let fields = fields.transpose()?;
         observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })?;
     }

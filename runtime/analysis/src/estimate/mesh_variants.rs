@@ -31,7 +31,7 @@ const OF_LOWER_ORDER: [f64; 2] = [1.3, 1.0];
 const OF_HIGHER_ORDER: [f64; 2] = [1.3, 1.6];
 /// Ratio of elements along every direction in three dimensions, if the other order fails: in whole
 /// numbers, templates have more of them then along every direction.
-const FINER_IN_SPACE: f64 = 1.5;
+const FINER_SOLID: f64 = 1.5;
 
 /// Mesh for a comparison.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,7 +64,7 @@ impl MeshVariant {
                     },
                 };
                 let finer = MeshVariant {
-                    structure: with_elements(structure, FINER_IN_SPACE),
+                    structure: with_elements(structure, FINER_SOLID),
                     factors: OF_HIGHER_ORDER,
                 };
                 [other, finer]
@@ -115,7 +115,7 @@ mod tests {
     fn orders(order: usize, axial_order: Option<usize>) -> [Option<usize>; 2] {
         let own = StructureOptions { order, axial_order, ..StructureOptions::default() };
         let [MeshVariant { structure, .. }, finer] = MeshVariant::of(Fidelity::Solid(Template::Medium), own);
-        assert_eq!((finer.structure.order, finer.structure.refinement), (order, FINER_IN_SPACE));
+        assert_eq!((finer.structure.order, finer.structure.refinement), (order, FINER_SOLID));
         [Some(structure.order), structure.axial_order]
     }
 

@@ -23,7 +23,7 @@ pub(crate) struct PerturbedSolve {
 /// positions and outputs.
 pub(crate) fn perturbed_solves_of(
     estimates: Estimates,
-    (fidelity, in_space): (Fidelity, bool),
+    (fidelity, three_dimensional): (Fidelity, bool),
     structure: StructureOptions,
     positions: usize,
     outputs: usize,
@@ -41,7 +41,7 @@ pub(crate) fn perturbed_solves_of(
     };
     let mut all = vec![
         perturbed_solve(own.clone(), samples, true, false),
-        perturbed_solve(own, added_positions(positions, in_space), false, false),
+        perturbed_solve(own, added_positions(positions, three_dimensional), false, false),
     ];
     if fidelity.body_model() == BodyModel::Elements {
         let others = MeshVariant::of(fidelity, structure).map(|other| (fidelity, other.structure));

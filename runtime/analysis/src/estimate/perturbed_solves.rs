@@ -76,7 +76,7 @@ pub(crate) fn quasi_static_perturbed_solves(
     let scene = judged.scene;
 
     // Both meshes are compared on the coarse grid, which is the cheapest.
-    let coarse = coarser_grids(scene, judged.plan.in_space);
+    let coarse = coarser_grids(scene, judged.plan.three_dimensional);
     let on_coarse = match &coarse {
         Some(coarse) => judged.solve(&judged.system.on(coarse), judged.plan, &judged.at(&samples)),
         None => Err(Failed::Because("the contact grid has too few cells to halve them".into())),
@@ -122,8 +122,8 @@ pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) 
 /// The estimates take at most about the time of the analysis, without structures, which may be
 /// cached. Few positions are all solved again, twice on grids of half the cells along every
 /// direction: each at a quarter of the time, and in three dimensions at a sixteenth.
-pub(super) fn added_positions(positions: usize, in_space: bool) -> usize {
-    let on_coarse_grids = if in_space { 0 } else { SAMPLES.min(positions).div_ceil(2) };
+pub(super) fn added_positions(positions: usize, three_dimensional: bool) -> usize {
+    let on_coarse_grids = if three_dimensional { 0 } else { SAMPLES.min(positions).div_ceil(2) };
     positions.div_ceil(PER_ADDED).max((positions - on_coarse_grids).min(FEW_ADDED))
 }
 
@@ -213,9 +213,11 @@ impl BaseAnalysis<'_, '_> {
         let own = self.plan.fidelity;
         // The model error of three-dimensional closed-form models shows in three-dimensional finite
         // elements.
-        let in_space = own == Fidelity::Analytic && self.plan.in_space;
+        let three_dimensional = own == Fidelity::Analytic && self.plan.three_dimensional;
         let mut refused = None;
-        for fidelity in own.all_above().filter(|above| !in_space || matches!(above, Fidelity::Solid(_))) {
+        for fidelity in
+            own.all_above().filter(|above| !three_dimensional || matches!(above, Fidelity::Solid(_)))
+        {
             let refinement = refinement_above(own, fidelity, self.structure.refinement);
             let structure = StructureOptions { refinement, ..self.structure };
             match part_of(self.perturbed_solve(self.scene, fidelity, structure, samples))? {
@@ -266,7 +268,7 @@ impl BaseAnalysis<'_, '_> {
         let bounds = |output| bounds::of(output, &self.scene.observables);
         let bounds: Vec<[f64; 2]> = self.outputs.iter().map(bounds).collect();
         let mut all = self.rows.to_vec();
-        let mut left = added_positions(self.rows.len(), self.plan.in_space);
+        let mut left = added_positions(self.rows.len(), self.plan.three_dimensional);
         for round in 0..ROUNDS {
             let course =
                 |(output, &closed)| SamplingContext::of(within(&all, self.rows, closed), Some(output));
@@ -282,7 +284,7 @@ impl BaseAnalysis<'_, '_> {
                 most_promising(&known, average, turn).into_iter().take(left.div_ceil(ROUNDS - round));
             // In three dimensions a tooth pair takes up load gradually along its contact line.
             let own = |promising: Promising| Promising {
-                event: promising.event.filter(|_| !self.plan.in_space),
+                event: promising.event.filter(|_| !self.plan.three_dimensional),
                 ..promising
             };
             let positions: Vec<Position> = wanted.map(|promising| divided(&all, own(promising))).collect();
@@ -326,15 +328,15 @@ impl BaseAnalysis<'_, '_> {
 
 /// Returns the scene with half as many cells across and along every patch; `None` if no number can
 /// be halved.
-pub(super) fn coarser_grids(scene: &Scene, in_space: bool) -> Option<Scene> {
+pub(super) fn coarser_grids(scene: &Scene, three_dimensional: bool) -> Option<Scene> {
     let half = |count: usize| if count > 1 { Some(count.div_ceil(2)) } else { None };
     let mut coarse = scene.clone();
     for SurfacePair { grid, .. } in &mut coarse.pairs {
-        grid.half_cells = half(match in_space {
-            false => grid.half_cells_in_plane(),
+        grid.half_cells = half(match three_dimensional {
+            false => grid.plane_half_cells(),
             true => {
                 grid.half_slices = half(grid.half_slices)?;
-                grid.half_cells_in_space()
+                grid.solid_half_cells()
             }
         });
         grid.half_cells?;

@@ -76,13 +76,15 @@ impl MeshedBodies {
                 }),
                 Some(number) => {
                     if let std::collections::btree_map::Entry::Vacant(place) = shared.entry(number) {
-                        let meshed = || body.prototype.meshed(&options, plan.in_space, &resources.interrupt);
+                        let meshed =
+                            || body.prototype.meshed(&options, plan.three_dimensional, &resources.interrupt);
                         place.insert(resources.install(meshed).map_err(about)?);
                     }
                     match &shared[&number] {
                         VisualizationMesh::Unavailable(reason) => VisualizationMesh::Unavailable(reason),
                         VisualizationMesh::Mesh(mesh) => {
-                            let own = body.prototype.shape_meshed(mesh.clone(), &options, plan.in_space);
+                            let own =
+                                body.prototype.shape_meshed(mesh.clone(), &options, plan.three_dimensional);
                             VisualizationMesh::Mesh(own.map_err(about)?)
                         }
                     }

@@ -39,7 +39,7 @@ impl Observable for TransmissionError {
         let pitch = 2.0 * PI / f64::from(mesh.teeth[1]);
         let kinematic = kinematic - (kinematic / pitch).round() * pitch;
         let deflection = at.deviation(first, THETA_Z) * ratio + mesh.sign * at.deviation(second, THETA_Z);
-        Observed::number(mesh.drive_sense * (kinematic + deflection - mesh.sign * mesh.center_offset))
+        Observed::number(mesh.drive_sense * (kinematic + deflection - mesh.sign * mesh.phase_offset))
     }
 
     fn pair_of(&self) -> Option<PairId> {

@@ -3,7 +3,7 @@
 //!
 //! The angle of the shaft, known at every sample, replaces the pulses of a tachometer.
 
-use super::spectrum::{padded_spectrum, pieces_of_map};
+use super::spectrum::{padded_spectrum, segments_of_map};
 use super::{Uniform, Window};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interpolation::lagrange_polynomial;
@@ -18,14 +18,14 @@ const KAISER: f64 = 12.0;
 /// Number of points of the polynomial that interpolates the angle, which is smooth.
 const STENCIL: usize = 6;
 
-/// Number of candidates for the samples per revolution. It suffices for pieces that are multiples
+/// Number of candidates for the samples per revolution. It suffices for segments that are multiples
 /// of 1/64 of a revolution.
 const PARTS: u32 = 64;
 
 /// Amplitudes over speed and order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrderMap {
-    /// Mean speeds of the pieces, rad/s, in order of time.
+    /// Mean speeds of the segments, rad/s, in order of time.
     pub speeds: Vec<f64>,
     /// Orders: events per revolution of the shaft.
     pub orders: Vec<f64>,
@@ -33,29 +33,29 @@ pub struct OrderMap {
     pub amplitudes: Vec<Vec<f64>>,
 }
 
-/// Computes order spectra of overlapping pieces of `turns` revolutions. `angles` (rad) are those of
+/// Computes order spectra of overlapping segments of `revolutions` revolutions. `angles` (rad) are those of
 /// the shaft at the samples, monotonic. Empty if the shaft rotates by less.
 ///
-/// Every integer order has a line, on which a sine of that order shows its amplitude. For pieces
+/// Every integer order has a line, on which a sine of that order shows its amplitude. For segments
 /// with a fractional number of revolutions the lines are those of the next integer.
 ///
 /// # Errors
-/// Those of the interrupt, which is polled before each piece, also for the memory of its lines.
+/// Those of the interrupt, which is polled before each segment, also for the memory of its lines.
 pub fn order_map(
     signal: &Uniform,
     angles: &[f64],
-    turns: f64,
+    revolutions: f64,
     highest: f64,
     window: Window,
     interrupt: &Interrupt,
 ) -> Result<OrderMap, EngineError> {
     let mut map = OrderMap { speeds: Vec::new(), orders: Vec::new(), amplitudes: Vec::new() };
-    let Some((by_angle, times)) = resample_by_angle(signal, angles, highest, turns) else {
+    let Some((by_angle, times)) = resample_by_angle(signal, angles, highest, revolutions) else {
         return Ok(map);
     };
     let a_turn = (TAU / by_angle.step).round();
-    let (count, lines_of) = ((turns * a_turn).round() as usize, (turns.ceil() * a_turn) as usize);
-    for first in pieces_of_map(&by_angle, count) {
+    let (count, lines_of) = ((revolutions * a_turn).round() as usize, (revolutions.ceil() * a_turn) as usize);
+    for first in segments_of_map(&by_angle, count) {
         let _room = interrupt.reserve_memory(BYTES_PER_LINE * lines_of.max(count) as u64)?;
         let spectrum = padded_spectrum(&by_angle.part(first, count), window, lines_of);
         // The highest order is a multiple of the line spacing more often than its digits show.
@@ -68,20 +68,20 @@ pub fn order_map(
     Ok(map)
 }
 
-/// Memory of a piece per padded sample, bytes: the samples, half as many complex lines, their
+/// Memory of a segment per padded sample, bytes: the samples, half as many complex lines, their
 /// amplitudes and phases.
 const BYTES_PER_LINE: u64 = 32;
 
 /// Resamples the signal at equal steps of the shaft's angle (rad), in its sense of rotation; also
 /// returns the times (s) of these samples. The number per revolution resolves orders up to
 /// `highest`, is at least that of the original samples, and gives an integer number of samples in
-/// pieces of `turns` revolutions if possible. A few samples at both ends are omitted, because they
+/// segments of `revolutions` revolutions if possible. A few samples at both ends are omitted, because they
 /// have no neighbours. `None` if the shaft is at rest or reverses, or there are too few samples.
 pub fn resample_by_angle(
     signal: &Uniform,
     angles: &[f64],
     highest: f64,
-    turns: f64,
+    revolutions: f64,
 ) -> Option<(Uniform, Vec<f64>)> {
     let count = signal.values.len().min(angles.len());
     let margin = REACH as usize;
@@ -94,7 +94,7 @@ pub fn resample_by_angle(
     let (first, last) = (turned[margin], turned[count - 1 - margin]);
     // Avoid aliasing at the lowest speed, but limit the number of samples to what can be resolved.
     let enough = (2.56 * highest).max(TAU / slowest).min(count as f64 * 64.0 * TAU / (last - first)).ceil();
-    let whole = |a_turn: f64| (turns * a_turn - (turns * a_turn).round()).abs() < 1e-9;
+    let whole = |a_turn: f64| (revolutions * a_turn - (revolutions * a_turn).round()).abs() < 1e-9;
     let a_turn = (0..PARTS).map(|more| enough + f64::from(more)).find(|more| whole(*more)).unwrap_or(enough);
     let step = TAU / a_turn;
     let samples = ((last - first) / step).floor() as usize + 1;

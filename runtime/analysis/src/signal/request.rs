@@ -34,27 +34,27 @@ pub enum SignalKind {
     Spectrum {
         /// Window.
         window: Window,
-        /// Length of pieces whose spectra are averaged, s; `None` uses the whole signal.
-        piece: Option<f64>,
+        /// Length of segments whose spectra are averaged, s; `None` uses the whole signal.
+        segment: Option<f64>,
         /// Scaling of the lines.
         scaling: Scaling,
     },
-    /// Spectrogram: spectra of pieces, over time.
+    /// Spectrogram: spectra of segments, over time.
     Spectrogram {
         /// Window.
         window: Window,
-        /// Length of a piece, s.
-        piece: f64,
+        /// Length of a segment, s.
+        segment: f64,
     },
-    /// Order map: order spectra of pieces, over the speed of a shaft.
+    /// Order map: order spectra of segments, over the speed of a shaft.
     OrderMap {
         /// Shaft whose revolutions are counted by its frame; `None` without rotation.
         shaft: Option<BodyId>,
         /// Name of the output that contains the lead of the shaft relative to its frame, rad, as a
         /// tachometer measures it.
         ahead: Option<String>,
-        /// Revolutions per piece.
-        turns: f64,
+        /// Revolutions per segment.
+        revolutions: f64,
         /// Highest order.
         highest: f64,
         /// Window.
@@ -144,7 +144,7 @@ pub struct Signal {
 /// are omitted.
 ///
 /// # Errors
-/// E0776: there are too few samples, in a piece or in total, or the shaft does not rotate far
+/// E0776: there are too few samples, in a segment or in total, or the shaft does not rotate far
 /// enough; E0777: the samples are not uniform; those of the interrupt.
 pub fn evaluate(
     request: &SignalRequest,
@@ -169,9 +169,11 @@ pub fn evaluate(
         (resolution, SignalTable::Map { rows, columns: columns[..shown].to_vec(), values }, Vec::new())
     };
     let (resolution, table, peaks) = match &request.kind {
-        SignalKind::Spectrum { window, piece, scaling } => {
-            let spectrum = match piece {
-                Some(piece) => averaged_spectrum(&signal, *window, piece_of(&signal, *piece)?, interrupt)?,
+        SignalKind::Spectrum { window, segment, scaling } => {
+            let spectrum = match segment {
+                Some(segment) => {
+                    averaged_spectrum(&signal, *window, segment_of(&signal, *segment)?, interrupt)?
+                }
                 None => None,
             };
             let spectrum = spectrum.unwrap_or_else(|| super::spectrum(&signal, *window));
@@ -201,24 +203,24 @@ pub fn evaluate(
             let found = peaks(&magnitudes, PEAKS, Shape::Resonance);
             lines(resolution, magnitudes, phases, found)
         }
-        SignalKind::Spectrogram { window, piece } => {
+        SignalKind::Spectrogram { window, segment } => {
             let Spectrogram { times, frequencies, amplitudes } =
-                spectrogram(&signal, *window, piece_of(&signal, *piece)?, interrupt)?;
+                spectrogram(&signal, *window, segment_of(&signal, *segment)?, interrupt)?;
             map(times, frequencies, amplitudes)
         }
-        SignalKind::OrderMap { turns, highest, window, .. } => {
+        SignalKind::OrderMap { revolutions, highest, window, .. } => {
             let angles = unwrapped(sampled().filter(within).map(angle));
             if angles.windows(2).any(|pair| (pair[1] - pair[0]).abs() > QUARTER) {
                 return Err(EngineError::new(
                     "E0776",
-                    "the shaft turns by more than a quarter of a turn from one sample to the next",
+                    "the shaft rotates by more than a quarter of a revolution from one sample to the next",
                     "keep more rows, or take shorter steps",
                 ));
             }
             let OrderMap { speeds, orders, amplitudes } =
-                order_map(&signal, &angles, *turns, *highest, *window, interrupt)?;
+                order_map(&signal, &angles, *revolutions, *highest, *window, interrupt)?;
             if speeds.is_empty() {
-                return Err(no_orders(&angles, *turns));
+                return Err(no_orders(&angles, *revolutions));
             }
             map(speeds, orders, amplitudes)
         }
@@ -227,47 +229,50 @@ pub fn evaluate(
 }
 
 /// Returns the error that a shaft with these angles has no order spectrum.
-fn no_orders(angles: &[f64], turns: f64) -> EngineError {
+fn no_orders(angles: &[f64], revolutions: f64) -> EngineError {
     let turned = angles.last().zip(angles.first()).map_or(0.0, |(last, first)| last - first);
     let goes_on = angles.windows(2).all(|pair| (pair[1] - pair[0]) * turned > 0.0);
     let (message, help) = match goes_on {
         true => (
             format!(
-                "a piece of {turns} turns is longer than what the samples show: the shaft turns {} times in them",
+                "a segment of {revolutions} revolutions is longer than the signal, in which the shaft rotates {} times",
                 digits(turned.abs() / TAU)
             ),
             format!(
-                "take fewer `turns`, or analyse a longer time; at both ends {REACH} samples are omitted, which have too few neighbours"
+                "reduce `revolutions`, or analyse a longer time; {REACH} samples at each end are omitted, because they have too few neighbours"
             ),
         ),
         false => (
-            "the shaft rests or turns back, so that nobody can count its turns".to_owned(),
-            "take a range in which it turns one way, or another shaft".to_owned(),
+            "the shaft stops or reverses, so its revolutions cannot be counted".to_owned(),
+            "select a range in which it rotates in one direction, or another shaft".to_owned(),
         ),
     };
     EngineError::new("E0776", message, help)
 }
 
-/// Returns the number of samples in a piece of this duration (s).
+/// Returns the number of samples in a segment of this duration (s).
 ///
 /// # Errors
 /// E0776: it is too small, or larger than the number of samples.
-fn piece_of(signal: &Uniform, seconds: f64) -> Result<usize, EngineError> {
+fn segment_of(signal: &Uniform, seconds: f64) -> Result<usize, EngineError> {
     let (count, all) = ((seconds / signal.step).round(), signal.values.len());
     let refused = |message: String, help: String| Err(EngineError::new("E0776", message, help));
-    let [piece, step, whole] = [seconds, signal.step, signal.duration()].map(digits);
+    let [segment, step, whole] = [seconds, signal.step, signal.duration()].map(digits);
     if count < FEWEST as f64 {
         return refused(
             format!(
-                "a piece of {piece} s has {count} samples, which are {step} s apart, and a spectrum needs at least {FEWEST}"
+                "a segment of {segment} s has {count} samples, which are {step} s apart, and a spectrum needs at least {FEWEST}"
             ),
-            format!("take pieces of at least {} s, or keep more rows", digits(FEWEST as f64 * signal.step)),
+            format!(
+                "set `segment` to at least {} s, or store more rows",
+                digits(FEWEST as f64 * signal.step)
+            ),
         );
     }
     if count > all as f64 {
         return refused(
-            format!("a piece of {piece} s is longer than the {all} samples, which last {whole} s"),
-            "make the pieces shorter, or analyse a longer time".to_owned(),
+            format!("a segment of {segment} s is longer than the {all} samples, which last {whole} s"),
+            "reduce `segment`, or analyse a longer time".to_owned(),
         );
     }
     Ok(count as usize)

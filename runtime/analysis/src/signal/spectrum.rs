@@ -151,12 +151,12 @@ pub(super) fn padded_spectrum(signal: &Uniform, window: Window, lines_of: usize)
     Spectrum { resolution, amplitudes, phases, samples: count }
 }
 
-/// Computes the root mean square of the spectra of pieces of `count` samples that overlap by half
-/// (Welch, IEEE Trans. Audio 15(2), 1967). Averaging reduces noise; short pieces have wide lines.
-/// `None` for a signal shorter than a piece, or pieces of fewer than four samples.
+/// Computes the root mean square of the spectra of segments of `count` samples that overlap by half
+/// (Welch, IEEE Trans. Audio 15(2), 1967). Averaging reduces noise; short segments have wide lines.
+/// `None` for a signal shorter than a segment, or segments of fewer than four samples.
 ///
 /// # Errors
-/// Those of the interrupt, which is polled before each piece.
+/// Those of the interrupt, which is polled before each segment.
 pub fn averaged_spectrum(
     signal: &Uniform,
     window: Window,
@@ -164,9 +164,9 @@ pub fn averaged_spectrum(
     interrupt: &Interrupt,
 ) -> Result<Option<Spectrum>, EngineError> {
     let mut found: Option<Spectrum> = None;
-    // Sums over pieces: of squares, and of means.
+    // Sums over segments: of squares, and of means.
     let (mut squares, mut means, mut spectra) = (Vec::new(), 0.0, 0.0);
-    for first in pieces(signal, count) {
+    for first in segments(signal, count) {
         interrupt.check()?;
         let spectrum = spectrum(&signal.part(first, count), window);
         squares.resize(spectrum.amplitudes.len(), 0.0);
@@ -183,23 +183,23 @@ pub fn averaged_spectrum(
     Ok(Some(Spectrum { phases: vec![0.0; amplitudes.len()], amplitudes, ..one }))
 }
 
-/// Returns the first samples of pieces of `count` that overlap by half.
-fn pieces(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
-    pieces_every(signal, count, count / 2)
+/// Returns the first samples of segments of `count` that overlap by half.
+fn segments(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
+    segments_every(signal, count, count / 2)
 }
 
-/// Returns the first samples of the pieces of a map. They overlap by seven eighths, to resolve
-/// changes within a piece; in long signals with many pieces they overlap less, but at least by
+/// Returns the first samples of the segments of a map. They overlap by seven eighths, to resolve
+/// changes within a segment; in long signals with many segments they overlap less, but at least by
 /// half.
-pub(super) fn pieces_of_map(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
+pub(super) fn segments_of_map(signal: &Uniform, count: usize) -> impl Iterator<Item = usize> {
     let between = signal.values.len().saturating_sub(count) / MOST_PIECES;
-    pieces_every(signal, count, between.max(count / 8).min(count / 2))
+    segments_every(signal, count, between.max(count / 8).min(count / 2))
 }
 
-/// Maximum number of pieces of a map, unless the overlap would be less than half.
+/// Maximum number of segments of a map, unless the overlap would be less than half.
 const MOST_PIECES: usize = 400;
 
-fn pieces_every(signal: &Uniform, count: usize, hop: usize) -> impl Iterator<Item = usize> {
+fn segments_every(signal: &Uniform, count: usize, hop: usize) -> impl Iterator<Item = usize> {
     let (hop, length) = (hop.max(1), signal.values.len());
     (0..length).step_by(hop).take_while(move |first| count >= FEWEST && first + count <= length)
 }

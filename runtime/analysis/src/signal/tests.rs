@@ -101,7 +101,7 @@ fn a_window_answers_a_sine_as_it_does_a_long_one() {
 }
 
 /// Parseval's theorem for noise: the integral of the density is the mean square for any window and
-/// any pieces.
+/// any segments.
 #[test]
 fn a_density_of_noise_holds_its_mean_square() {
     let mut state = 1u64;
@@ -145,27 +145,27 @@ fn what_follows_a_shaft_stays_on_its_order() {
     }
 }
 
-/// For any fraction of a revolution as a piece, integer orders have lines, and a sine on one shows
+/// For any fraction of a revolution as a segment, integer orders have lines, and a sine on one shows
 /// its amplitude.
 #[test]
 fn every_whole_order_has_a_line() {
     let angle = |t: f64| TAU * (8.0 * t + 6.0 * t * t);
     let signal = sampled(12_000, 5e-4, |t| (7.0 * angle(t)).cos());
     let angles: Vec<f64> = (0..12_000).map(|k| angle(k as f64 * 5e-4)).collect();
-    for (turns, highest) in
+    for (revolutions, highest) in
         [(0.5, 10.3), (0.5, 81.0), (1.0, 10.0), (2.5, 33.0), (4.0 / 3.0, 20.0), (3.0, 12.0)]
     {
-        let map = order_map(&signal, &angles, turns, highest, Window::Hann, &Interrupt::never());
+        let map = order_map(&signal, &angles, revolutions, highest, Window::Hann, &Interrupt::never());
         let map = map.expect("nobody ends it");
-        let per_order = turns.ceil() as usize;
+        let per_order = revolutions.ceil() as usize;
         for (line, order) in map.orders.iter().enumerate().step_by(per_order) {
-            assert!((order - (line / per_order) as f64).abs() < 1e-9, "{turns} {highest} {order}");
+            assert!((order - (line / per_order) as f64).abs() < 1e-9, "{revolutions} {highest} {order}");
         }
-        assert!((map.orders.last().expect("lines") - highest.floor()).abs() < 1.0, "{turns} {highest}");
+        assert!((map.orders.last().expect("lines") - highest.floor()).abs() < 1.0, "{revolutions} {highest}");
         for row in &map.amplitudes {
             // With half a revolution, leakage of the mean reaches it.
             let found = row[7 * per_order];
-            assert!((found - 1.0).abs() < 2e-3, "{turns} {highest}: {found}");
+            assert!((found - 1.0).abs() < 2e-3, "{revolutions} {highest}: {found}");
         }
     }
 }
@@ -216,7 +216,7 @@ fn what_is_not_uniform_is_refused() {
     assert!(Uniform::of(&[1e5, 1e5 + 1e-6, 1e5 + 2e-6, 1e5 + 3e-6], &[0.0; 4]).is_ok());
 }
 
-/// Evaluations of a signal of many pieces, and of one whose lines exceed the memory, end with the
+/// Evaluations of a signal of many segments, and of one whose lines exceed the memory, end with the
 /// error of the interrupt.
 #[test]
 fn signals_end_when_somebody_asks_for_it() {

@@ -156,17 +156,17 @@ impl<'a> HeightField<'a> {
         None
     }
 
-    /// Returns the point with coordinate `held` at `value` whose x (`axis` 0) or y (1) is `target`;
+    /// Returns the point with coordinate `fixed_axis` at `value` whose x (`axis` 0) or y (1) is `target`;
     /// `None` if the surface ends before it.
     pub fn on_line(
         &self,
-        held: usize,
+        fixed_axis: usize,
         value: f64,
         axis: usize,
         target: f64,
         guess: f64,
     ) -> Option<FootPoint> {
-        let (foot, reached) = self.towards(held, value, axis, target, guess);
+        let (foot, reached) = self.towards(fixed_axis, value, axis, target, guess);
         reached.then_some(foot)
     }
 
@@ -174,14 +174,14 @@ impl<'a> HeightField<'a> {
     /// and whether the target was reached.
     pub fn towards(
         &self,
-        held: usize,
+        fixed_axis: usize,
         value: f64,
         axis: usize,
         target: f64,
         guess: f64,
     ) -> (FootPoint, bool) {
-        let free = 1 - held;
-        let place = |t: f64| if held == 0 { [value, t] } else { [t, value] };
+        let free = 1 - fixed_axis;
+        let place = |t: f64| if fixed_axis == 0 { [value, t] } else { [t, value] };
         let mut foot = self.foot(place(self.clamped_coordinate(free, guess)));
         let mut previous = f64::INFINITY;
         for _ in 0..NEWTON_STEPS {

@@ -137,7 +137,7 @@ mod tests {
         let [across, along] = [0, 1].map(|axis| Intervals::of(&cells, axis));
         assert_eq!((across.shared.len(), along.shared.len()), (7, 6));
         let apart = |a: f64, b: f64| (a - b).abs();
-        let mut answers = RelationCache::new([across.pairs(apart), along.pairs(apart)], cells.len());
+        let mut cache = RelationCache::new([across.pairs(apart), along.pairs(apart)], cells.len());
         let own = |one: &Cell, other: &Cell| {
             let [x, y] = [0, 1].map(|axis| apart(one.center[axis], other.center[axis]));
             x + 10.0 * y + 100.0 * (one.size[1] * other.size[1])
@@ -145,7 +145,7 @@ mod tests {
         let mut found = 0;
         for (i, one) in cells.iter().enumerate() {
             for (j, other) in cells.iter().enumerate() {
-                let answer = answers.get(i, j, || {
+                let answer = cache.get(i, j, || {
                     found += 1;
                     own(one, other)
                 });
@@ -161,12 +161,12 @@ mod tests {
     fn pairs_of_intervals_are_told_apart_where_their_places_matter() {
         let cells = cells();
         let [across, along] = [0, 1].map(|axis| Intervals::of(&cells, axis));
-        let mut answers =
+        let mut cache =
             RelationCache::new([across.pairs(|a, b| (a - b).abs()), along.each_pair()], cells.len());
         for (i, one) in cells.iter().enumerate() {
             for (j, other) in cells.iter().enumerate() {
                 let own = one.center[1] * other.center[1];
-                assert!((answers.get(i, j, || own) - own).abs() < 1e-12, "{i} {j}");
+                assert!((cache.get(i, j, || own) - own).abs() < 1e-12, "{i} {j}");
             }
         }
     }

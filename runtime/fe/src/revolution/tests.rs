@@ -45,21 +45,21 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 fn the_whole_moves_in_six_ways_without_strain() {
     for order in [ElementOrder::QUADRATIC, ElementOrder::CUBIC] {
         let wheel = model(&wheel(), order, 1);
-        for waves in 0..4 {
-            let stiffness = wheel.stiffness(waves);
+        for harmonic in 0..4 {
+            let stiffness = wheel.stiffness(harmonic);
             let largest = stiffness.triplet_iter().fold(0.0_f64, |most, entry| most.max(entry.val.abs()));
-            for motion in wheel.rigid_motions(waves) {
+            for motion in wheel.rigid_motions(harmonic) {
                 let forces = times(&stiffness, &motion);
                 let left = forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
-                assert!(left < 1e-12 * largest, "{waves}: {left:e} of {largest:e}");
+                assert!(left < 1e-12 * largest, "{harmonic}: {left:e} of {largest:e}");
             }
         }
     }
     // All other motions cause strain: counted by the eigenvalues of the stiffness.
     let at = |radius| Station { radius, ends: [-0.2, 0.1] };
     let ring = model(&Section::new(vec![at(0.6), at(1.0)]).expect("a ring"), ElementOrder::QUADRATIC, 1);
-    let free = |waves| {
-        let stiffness = ring.stiffness(waves).to_dense();
+    let free = |harmonic| {
+        let stiffness = ring.stiffness(harmonic).to_dense();
         let values = stiffness.self_adjoint_eigenvalues(faer::Side::Lower).expect("values");
         let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         assert!(values.iter().all(|value| *value > -1e-11 * largest));
@@ -95,18 +95,18 @@ fn uniform_strain_is_exact() {
         (1, |[_, z]| [z, -z, 0.0], shear),
         (2, |[r, _]| [0.5 * r, -0.5 * r, 0.0], shear),
     ];
-    for (waves, field, density) in cases {
+    for (harmonic, field, density) in cases {
         let displacements: Vec<f64> = wheel.mesh.nodes.iter().flat_map(|&at| field(at)).collect();
-        let forces = times(&wheel.stiffness(waves), &displacements);
+        let forces = times(&wheel.stiffness(harmonic), &displacements);
         let work = dot(&forces, &displacements) / (density * volume);
-        assert!((work - 1.0).abs() < 1e-12, "{waves}: {work}");
+        assert!((work - 1.0).abs() < 1e-12, "{harmonic}: {work}");
         let largest = forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
         // Points well inside the web and the hub.
         let inside = |[r, z]: [f64; 2]| (r - 0.4).abs() < 0.05 && z.abs() < 0.2;
         for (node, _) in wheel.mesh.nodes.iter().enumerate().filter(|(_, at)| inside(**at)) {
             for component in 0..3 {
                 let left = forces[3 * node + component].abs();
-                assert!(left < 1e-11 * largest, "{waves}: {left:e} of {largest:e}");
+                assert!(left < 1e-11 * largest, "{harmonic}: {left:e} of {largest:e}");
             }
         }
     }
@@ -114,7 +114,12 @@ fn uniform_strain_is_exact() {
 
 /// Returns the largest nodal error of a plane-strain ring with the exact displacements prescribed
 /// inside and outside.
-fn error_in_plane(waves: u16, order: ElementOrder, fineness: usize, exact: &dyn Fn(f64) -> [f64; 2]) -> f64 {
+fn error_in_plane(
+    harmonic: u16,
+    order: ElementOrder,
+    fineness: usize,
+    exact: &dyn Fn(f64) -> [f64; 2],
+) -> f64 {
     let at = |radius| Station { radius, ends: [0.0, 0.4] };
     let ring = model(&Section::new(vec![at(0.5), at(1.0)]).expect("a ring"), order, fineness);
     let mut constraints = Constraints::new();
@@ -126,7 +131,7 @@ fn error_in_plane(waves: u16, order: ElementOrder, fineness: usize, exact: &dyn 
             }
         }
     }
-    let solver = Solver::new(&ring.stiffness(waves), constraints).expect("held");
+    let solver = Solver::new(&ring.stiffness(harmonic), constraints).expect("held");
     let found = solver.solve_one(&vec![0.0; ring.dof_count()]).expect("solved");
     let nodes = ring.mesh.nodes.iter().enumerate();
     nodes
@@ -165,12 +170,12 @@ fn rings_of_plane_strain_converge_to_closed_forms() {
     };
     let (two, five) = (michell(2.0), michell(5.0));
     type Exact<'a> = &'a dyn Fn(f64) -> [f64; 2];
-    for (waves, exact) in [(0, &lame as Exact<'_>), (2, &two), (5, &five)] {
+    for (harmonic, exact) in [(0, &lame as Exact<'_>), (2, &two), (5, &five)] {
         for (order, rate) in [(ElementOrder::QUADRATIC, 3), (ElementOrder::CUBIC, 4)] {
-            let [coarse, fine] = [3, 6].map(|fineness| error_in_plane(waves, order, fineness, exact));
+            let [coarse, fine] = [3, 6].map(|fineness| error_in_plane(harmonic, order, fineness, exact));
             let ratio = coarse / fine;
-            assert!(ratio > 0.7 * 2.0_f64.powi(rate), "{waves}: {coarse:.1e}, {fine:.1e}");
-            assert!(fine < 1e-3, "{waves}: {fine:.1e}");
+            assert!(ratio > 0.7 * 2.0_f64.powi(rate), "{harmonic}: {coarse:.1e}, {fine:.1e}");
+            assert!(fine < 1e-3, "{harmonic}: {fine:.1e}");
         }
     }
 }

@@ -63,7 +63,7 @@ struct Set {
     motion: Motion,
     /// Part and node.
     nodes: Vec<(usize, usize)>,
-    held: Vec<(DofKind, f64)>,
+    constrained: Vec<(DofKind, f64)>,
 }
 
 /// Builder of sets; [`DofSets::reduce`] numbers the unknowns. Nodes in no set are independent.
@@ -111,7 +111,7 @@ impl<'a> DofSets<'a> {
         if self.sets.iter().any(|set| set.name == name) {
             return Err(DofError::Taken { name: name.to_owned() });
         }
-        self.sets.push(Set { name: name.to_owned(), motion, nodes: Vec::new(), held: Vec::new() });
+        self.sets.push(Set { name: name.to_owned(), motion, nodes: Vec::new(), constrained: Vec::new() });
         Ok(self)
     }
 
@@ -148,16 +148,16 @@ impl<'a> DofSets<'a> {
     ///
     /// # Errors
     /// The set does not exist.
-    pub fn hold(
+    pub fn constrain(
         &mut self,
         name: &str,
         value: impl Fn(&DofKind) -> Option<f64>,
     ) -> Result<&mut Self, DofError> {
         let index = self.index(name)?;
         let set = &self.sets[index];
-        let held = set.dofs().into_iter().filter_map(|freedom| value(&freedom).map(|value| (freedom, value)));
-        let held = held.collect::<Vec<_>>();
-        self.sets[index].held.extend(held);
+        let constrained = set.dofs().into_iter().filter_map(|kind| value(&kind).map(|value| (kind, value)));
+        let constrained = constrained.collect::<Vec<_>>();
+        self.sets[index].constrained.extend(constrained);
         Ok(self)
     }
 
@@ -165,9 +165,9 @@ impl<'a> DofSets<'a> {
     ///
     /// # Errors
     /// The set does not exist.
-    pub fn hold_rigid_motion(&mut self, name: &str) -> Result<&mut Self, DofError> {
-        self.hold(name, |freedom| {
-            matches!(freedom, DofKind::Translation(_) | DofKind::Rotation(_)).then_some(0.0)
+    pub fn constrain_rigid_motion(&mut self, name: &str) -> Result<&mut Self, DofError> {
+        self.constrain(name, |kind| {
+            matches!(kind, DofKind::Translation(_) | DofKind::Rotation(_)).then_some(0.0)
         })
     }
 
@@ -210,8 +210,8 @@ impl<'a> DofSets<'a> {
                 };
                 nodes[part][node] = NodeMotion::Follows { set: index, by };
             }
-            for (freedom, value) in &set.held {
-                if let Some(place) = dofs.iter().position(|other| other == freedom) {
+            for (kind, value) in &set.constrained {
+                if let Some(place) = dofs.iter().position(|other| other == kind) {
                     constraints.prescribe(first + place, *value);
                 }
             }

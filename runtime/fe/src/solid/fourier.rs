@@ -158,7 +158,7 @@ impl Series {
     /// Returns the harmonic of each unknown, and its family: `false` where the radial and axial
     /// displacements are cosines and the tangential one is a sine, `true` where the field is
     /// rotated by a quarter of a wavelength. Unknowns of harmonic zero have `false`.
-    pub fn waves(&self) -> Vec<(u16, bool)> {
+    pub fn harmonics(&self) -> Vec<(u16, bool)> {
         let rigid = [(1, false), (1, true), (0, false), (1, true), (1, false), (0, false)];
         let of_term = |term: &Term| {
             let turned = term.harmonic > 0 && term.sine != (term.component == Component::Tangential);
@@ -175,15 +175,15 @@ impl Series {
             let polar = move |[x, y, z]: [f64; 3]| [cos * x + sin * y, cos * y - sin * x, z];
             self.displacements([radius * cos, radius * sin, z]).into_iter().map(polar).collect::<Vec<_>>()
         };
-        let waves = self.waves();
-        let most = waves.iter().map(|wave| wave.0).max().unwrap_or(0);
-        let mut amplitudes = vec![[0.0; 3]; waves.len()];
+        let harmonics = self.harmonics();
+        let most = harmonics.iter().map(|(harmonic, _)| *harmonic).max().unwrap_or(0);
+        let mut amplitudes = vec![[0.0; 3]; harmonics.len()];
         for harmonic in 0..=most {
             // Sample a harmonic at its maximum and at its zero.
             let quarter = if harmonic == 0 { 0.0 } else { 0.25 * TAU / f64::from(harmonic) };
             let quarters = [0.0, quarter, 2.0 * quarter].map(at);
-            for (unknown, &(waves, turned)) in waves.iter().enumerate() {
-                if waves == harmonic {
+            for (unknown, &(own, turned)) in harmonics.iter().enumerate() {
+                if own == harmonic {
                     let [crest, zero] = [usize::from(turned), usize::from(turned) + 1];
                     let [radial, _, axial] = quarters[crest][unknown];
                     amplitudes[unknown] = [radial, quarters[zero][unknown][1], axial];

@@ -102,13 +102,13 @@ impl SolidMesh {
     #[must_use]
     pub fn without(mut self, absent: impl Fn(usize) -> bool) -> Self {
         self.absent = (0..self.elements.len()).filter(|&element| absent(element)).collect();
-        let mut held_by_none = vec![true; self.nodes.len()];
+        let mut constrained_by_none = vec![true; self.nodes.len()];
         for (index, element) in self.elements.iter().enumerate() {
             if !self.absent.contains(&index) {
-                element.nodes.iter().for_each(|&node| held_by_none[node] = false);
+                element.nodes.iter().for_each(|&node| constrained_by_none[node] = false);
             }
         }
-        let nodes = (0..self.nodes.len()).filter(|&node| held_by_none[node]).collect();
+        let nodes = (0..self.nodes.len()).filter(|&node| constrained_by_none[node]).collect();
         self.node_sets.insert(ABSENT.to_owned(), nodes);
         self
     }

@@ -99,7 +99,7 @@ fn many_loads_solve_like_each_alone_and_fulfil_the_equations() {
             constraints.prescribe_node(node, [1e-7, -2e-7]);
         }
     }
-    let held = constraints.clone();
+    let constrained = constraints.clone();
     let solver = Solver::new(&stiffness, constraints).expect("held");
     let loads = [0.01, 0.02, 0.03].map(|s| {
         let point = model.mesh.chain_point(chain, s).expect("on the profile");
@@ -116,7 +116,7 @@ fn many_loads_solve_like_each_alone_and_fulfil_the_equations() {
         let size = alone.iter().map(|value| value.abs()).fold(0.0, f64::max);
         for dof in 0..model.dof_count() {
             assert!((alone[dof] - together[(dof, column)]).abs() < 1e-12 * size);
-            match held.values().get(&dof) {
+            match constrained.values().get(&dof) {
                 Some(&value) => assert_eq!(alone[dof], value),
                 None => assert!(residual[dof].abs() < 1e-9 * 1e4),
             }
@@ -137,7 +137,7 @@ fn a_body_free_to_move_is_refused() {
 }
 
 #[test]
-fn a_body_held_everywhere_has_what_is_prescribed() {
+fn a_body_constrained_everywhere_has_what_is_prescribed() {
     let model = sector(1);
     let mut constraints = Constraints::new();
     for node in 0..model.mesh.nodes.len() {

@@ -21,7 +21,7 @@ pub struct Problem<'a> {
     pub stress: Stress<'a>,
     /// Axes along which the displacement is prescribed on each face of the unit cube (at x = 0, x =
     /// 1, y = 0 ... z = 1). Tractions act along the others.
-    pub held: [&'a [usize]; 6],
+    pub constrained: [&'a [usize]; 6],
     pub material: Material,
 }
 
@@ -39,26 +39,27 @@ pub fn solved(problem: &Problem<'_>, kind: Kind, divisions: [usize; 3]) -> (Soli
     let mesh = cube(kind, kind.order(), divisions, problem.shape);
     let model = SolidModel::new(mesh, problem.material);
     let mut load = vec![0.0; model.dof_count()];
-    let mut held = BTreeSet::new();
+    let mut constrained = BTreeSet::new();
     for face in straight.boundary() {
         let cell = straight.elements[face.element].interpolation.cell();
         let at = if cell.is_triangle(face.face) { [0.3, 0.3] } else { [0.0; 2] };
         let normal = straight.face_point(face, at).normal;
         let axis = (0..3).find(|&axis| normal[axis].abs() > 0.9).expect("a face of the cube");
         let side = 2 * axis + usize::from(normal[axis] > 0.0);
-        if problem.held[side].is_empty() {
+        if problem.constrained[side].is_empty() {
             let set = calyx_fe::solid::FaceSet { faces: vec![face], chart: None };
             let traction = |position, normal| crate::solid::traction((problem.stress)(position), normal);
             model.face_load(&set, |point| traction(point.position, point.normal)).add_to(1.0, &mut load);
         } else {
             let element = &model.mesh.elements[face.element];
             for local in element.interpolation.face_nodes(face.face) {
-                held.extend(problem.held[side].iter().map(|&axis| (element.nodes[local], axis)));
+                constrained
+                    .extend(problem.constrained[side].iter().map(|&axis| (element.nodes[local], axis)));
             }
         }
     }
     let mut constraints = Constraints::new();
-    for (node, axis) in held {
+    for (node, axis) in constrained {
         constraints.prescribe(3 * node + axis, (problem.displacement)(model.mesh.nodes[node])[axis]);
     }
     let displacements = solve(&model, constraints, &load);
@@ -167,7 +168,7 @@ pub fn sphere(material: Material) -> Problem<'static> {
         shape: Box::leak(Box::new(shape)),
         displacement: Box::leak(Box::new(displacement)),
         stress: Box::leak(Box::new(stress)),
-        held: [ALL, ALL, ALL, ALL, &[], &[]],
+        constrained: [ALL, ALL, ALL, ALL, &[], &[]],
         material,
     }
 }
@@ -198,7 +199,7 @@ pub fn cylinder(material: Material) -> Problem<'static> {
         shape: Box::leak(Box::new(shape)),
         displacement: Box::leak(Box::new(displacement)),
         stress: Box::leak(Box::new(stress)),
-        held: [&[], &[], &[1], &[0], &[2], &[2]],
+        constrained: [&[], &[], &[1], &[0], &[2], &[2]],
         material,
     }
 }
@@ -240,7 +241,7 @@ fn cantilever(kind: Kind, length: f64, divisions: [usize; 3]) -> f64 {
         shape: &|[u, v, w]| [length * u, v - 0.5, w],
         displacement: &displacement,
         stress: &stress,
-        held: [&[], ALL, &[], &[], &[], &[]],
+        constrained: [&[], ALL, &[], &[], &[], &[]],
         material,
     };
     let (model, solved) = solved(&problem, kind, divisions);

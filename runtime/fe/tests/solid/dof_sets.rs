@@ -180,7 +180,7 @@ fn terms_of_a_series_are_independent_and_without_rigid_part() {
 
 /// Largest displacement error of the parts, relative to the largest displacement, for a field that
 /// is prescribed on the outside and the inside of both.
-fn held_field_error(
+fn constrained_field_error(
     parts: &[SolidModel; 2],
     series: Series,
     field: &dyn Fn([f64; 3]) -> [f64; 3],
@@ -189,7 +189,7 @@ fn held_field_error(
     let mut sets = joined(parts, series);
     for (part, side) in [(0, "inside"), (1, "outside")] {
         sets.nodes(side, part, &nodes(&parts[part], side)).expect("free");
-        sets.hold(side, |freedom| match *freedom {
+        sets.constrain(side, |kind| match *kind {
             DofKind::Displacement { part, node, axis } => Some(field(parts[part].mesh.nodes[node])[axis]),
             _ => None,
         })
@@ -223,11 +223,12 @@ fn constant_strain_passes_a_seat_up_to_what_the_meshes_see_of_its_circle() {
     // its nodes each mesh has its own seat, which approaches the circle with refinement.
     let constant = |_: [f64; 3]| parts(1)[0].stress_of(GRADIENT);
     let stress = constant([0.0; 3]);
-    let errors = [1, 2].map(|finer| held_field_error(&parts(finer), seat(2, 1), &linear_field, &|_| stress));
+    let errors =
+        [1, 2].map(|finer| constrained_field_error(&parts(finer), seat(2, 1), &linear_field, &|_| stress));
     println!("constant strain: errors {errors:?}");
     assert!(errors[0] < 2e-3 && errors[0] / errors[1] > 6.0, "{errors:?}");
     // Too few terms hold it back.
-    let poor = held_field_error(&parts(1), seat(1, 1), &linear_field, &|_| stress);
+    let poor = constrained_field_error(&parts(1), seat(1, 1), &linear_field, &|_| stress);
     assert!(poor > 10.0 * errors[0], "{poor} {errors:?}");
 }
 
@@ -236,7 +237,7 @@ fn a_pressed_cylinder_of_two_meshes_converges() {
     // The displacement is radial, so the series without harmonics represents it, and the error is
     // that of the meshes.
     let exact = cylinder_of_two();
-    let errors = [1, 2].map(|finer| held_field_error(&parts(finer), seat(0, 0), &exact.0, &exact.1));
+    let errors = [1, 2].map(|finer| constrained_field_error(&parts(finer), seat(0, 0), &exact.0, &exact.1));
     println!("cylinder of two meshes: errors {errors:?}");
     assert!(errors[0] / errors[1] > 5.0, "{errors:?}");
 }
@@ -267,13 +268,13 @@ fn deflections(orders: &[(u16, u8)]) -> (Vec<f64>, f64) {
         let solver = Solver::new(&reduced.stiffness(), reduced.constraints().clone()).expect("held");
         on_unknowns.dot(&solver.solve_one(&on_unknowns.to_full(reduced.count())).expect("there is memory"))
     };
-    let held = |sets: &mut DofSets<'_>| {
+    let constrained = |sets: &mut DofSets<'_>| {
         sets.nodes("bore", 0, &nodes(&parts[0], "inside")).expect("free");
-        sets.hold("bore", |_| Some(0.0)).expect("named");
+        sets.constrain("bore", |_| Some(0.0)).expect("named");
     };
     let found = orders.iter().map(|&(harmonics, degree)| {
         let mut sets = joined(&parts, seat(harmonics, degree));
-        held(&mut sets);
+        constrained(&mut sets);
         solve(&sets.reduce())
     });
     let found = found.collect();
@@ -288,9 +289,9 @@ fn deflections(orders: &[(u16, u8)]) -> (Vec<f64>, f64) {
         let name = format!("pair {index}");
         sets.rigid(&name, at).expect("new");
         sets.attach(&name, 0, &[node]).expect("free").attach(&name, 1, &[mate]).expect("free");
-        sets.hold(&name, |freedom| matches!(freedom, DofKind::Rotation(_)).then_some(0.0)).expect("named");
+        sets.constrain(&name, |kind| matches!(kind, DofKind::Rotation(_)).then_some(0.0)).expect("named");
     }
-    held(&mut sets);
+    constrained(&mut sets);
     (found, solve(&sets.reduce()))
 }
 
@@ -305,7 +306,7 @@ fn more_terms_come_down_to_the_conforming_mesh_from_the_stiff_side() {
 }
 
 #[test]
-fn a_surface_held_as_a_whole_deforms_as_if_it_were_free() {
+fn a_surface_constrained_as_a_whole_deforms_as_if_it_were_free() {
     // A load in equilibrium: whatever holds the body without straining it, it strains alike.
     let model = ring(Cell::Hexahedron, 2, [1.0, SEAT], [8, 1, 1]);
     let pressed = model.mesh.face_set("outside").expect("named");
@@ -319,7 +320,7 @@ fn a_surface_held_as_a_whole_deforms_as_if_it_were_free() {
     // As many terms as the nodes can follow: the surface deforms as it likes.
     let surface = RevolutionSurface::cylinder(1.0, [-HALF, HALF]);
     sets.series("bore", Series::new(surface, 7, 2).expect("it has an extent")).expect("new");
-    sets.attach("bore", 0, &inside).expect("free").hold_rigid_motion("bore").expect("named");
+    sets.attach("bore", 0, &inside).expect("free").constrain_rigid_motion("bore").expect("named");
     let reduced = sets.reduce();
     let solver = Solver::new(&reduced.stiffness(), reduced.constraints().clone()).expect("held as a whole");
     let full = reduced.load(0, &load).to_full(reduced.count());
@@ -352,13 +353,13 @@ fn a_rigid_region_turns_its_nodes() {
     let (center, turn, shift) = ([0.2, 0.1, 0.0], [1e-4, -2e-4, 3e-4], [1e-5, 2e-5, -1e-5]);
     let mut sets = DofSets::new(vec![&model]);
     sets.rigid("race", center).expect("new").attach("race", 0, &bore).expect("free");
-    sets.hold("race", |freedom| match *freedom {
+    sets.constrain("race", |kind| match *kind {
         DofKind::Translation(axis) => Some(shift[axis]),
         DofKind::Rotation(axis) => Some(turn[axis]),
         _ => None,
     })
     .expect("named");
-    sets.nodes("rim", 0, &outside).expect("free").hold("rim", |_| Some(0.0)).expect("named");
+    sets.nodes("rim", 0, &outside).expect("free").constrain("rim", |_| Some(0.0)).expect("named");
     let reduced = sets.reduce();
     let solver = Solver::new(&reduced.stiffness(), reduced.constraints().clone()).expect("held");
     let found =

@@ -118,8 +118,8 @@ fn constant_strain_on_distorted_meshes() {
                 }
             }
             let name = format!("{kind:?}, coordinates {coordinates}");
-            let held = constraints.values().len();
-            assert!(held < model.dof_count(), "{name}: nothing left to find");
+            let constrained = constraints.values().len();
+            assert!(constrained < model.dof_count(), "{name}: nothing left to find");
             let solved = solve(&model, constraints, &vec![0.0; model.dof_count()]);
             for (node, &position) in mesh.nodes.iter().enumerate() {
                 for (axis, exact) in linear_field(position).into_iter().enumerate() {

@@ -170,11 +170,11 @@ fn without_change_along_the_axis_recovered_stress_is_that_of_the_plane() {
             [1e-5 * (900.0 * x).sin() * (700.0 * y).cos(), 1e-5 * (800.0 * x * y / 0.03).cos()]
         };
         let in_plane = plane.mesh.nodes.iter().flat_map(|&[x, y]| field(x, y)).collect::<Vec<_>>();
-        let in_space = solid.mesh.nodes.iter().flat_map(|&[x, y, _]| {
+        let three_dimensional = solid.mesh.nodes.iter().flat_map(|&[x, y, _]| {
             let [u, v] = field(x, y);
             [u, v, 0.0]
         });
-        let in_space = in_space.collect::<Vec<_>>();
+        let three_dimensional = three_dimensional.collect::<Vec<_>>();
         let (flat, recovery) =
             (StressRecovery::new(&plane), SurfaceStressRecovery::new(&solid).expect("swept"));
         let (chain, set) =
@@ -183,7 +183,7 @@ fn without_change_along_the_axis_recovered_stress_is_that_of_the_plane() {
         for (part, z) in [(0.0, -0.011), (0.13, 0.0), (0.5, 0.002), (0.92, 0.01)] {
             let s = from + part * (to - from);
             let expected = flat.surface_row(chain, s).expect("on it").dot(&in_plane);
-            let found = recovery.rows(set, s, z).expect("on it").rows.map(|row| row.dot(&in_space));
+            let found = recovery.rows(set, s, z).expect("on it").rows.map(|row| row.dot(&three_dimensional));
             let scale = expected.abs().max(1e-6 * MATERIAL.youngs_modulus);
             assert!(
                 (found[0] - expected).abs() < 1e-10 * scale,

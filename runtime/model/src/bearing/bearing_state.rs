@@ -5,7 +5,7 @@ use super::{Bearing, Support};
 use crate::body::Body;
 use crate::dof::Dof;
 use crate::ids::BodyId;
-use crate::motion::{Orientation, axle, point_velocity, pose_in_space};
+use crate::motion::{Orientation, axle, point_velocity, spatial_pose};
 use calyx_contact::solid::Pose;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec3::{Vector, cross, dot, length, minus};
@@ -90,11 +90,11 @@ impl BearingState {
                 continue;
             }
             let axis = self.dofs[side][dof.component % 3].map(|part| sign * part);
-            let turns = dof.component >= 3;
-            let moved = if turns { cross(axis, minus(self.origin, self.axles[side])) } else { axis };
+            let is_rotation = dof.component >= 3;
+            let moved = if is_rotation { cross(axis, minus(self.origin, self.axles[side])) } else { axis };
             for (row, along) in self.axes.iter().enumerate() {
                 deflection[row] += dot(*along, moved);
-                if turns {
+                if is_rotation {
                     deflection[3 + row] += dot(*along, axis);
                 }
             }
@@ -162,7 +162,7 @@ fn parted(bearing: &Bearing, when: &str) -> EngineError {
 }
 
 fn pose(bodies: &[Body], body: BodyId, time: f64) -> Result<Pose, EngineError> {
-    pose_in_space(body_of(bodies, body)?.motion.as_ref(), time)
+    spatial_pose(body_of(bodies, body)?.motion.as_ref(), time)
         .map_err(|error| error.about(Subject::Body(body.0)))
 }
 

@@ -362,7 +362,7 @@ pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
             "",
         )
         .blame("fidelity")),
-        Fidelity::Solid(_) => Err(in_space()),
+        Fidelity::Solid(_) => Err(solid_model_error()),
     }
 }
 
@@ -371,10 +371,10 @@ pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
 /// # Errors
 /// E0761: the model is three-dimensional.
 pub fn check_in_section(plan: &Plan) -> Result<(), EngineError> {
-    if plan.in_space { Err(in_space()) } else { Ok(()) }
+    if plan.three_dimensional { Err(solid_model_error()) } else { Ok(()) }
 }
 
-fn in_space() -> EngineError {
+fn solid_model_error() -> EngineError {
     EngineError::new("E0761", "dynamic analyses are of plane models", "").blame("fidelity")
 }
 

@@ -198,8 +198,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let (springs, load) = self.under.springs.from(&start, load);
             let solver = self.under(&springs, self.under.start);
             let (gaps, arms) = solver.rigid_contacts(&candidates);
-            let rest = unloaded_equilibrium(&springs.stiffness, &load);
-            match rest.rigid_limit(&gaps, &arms, &direction, &self.system.interrupt) {
+            let unloaded = unloaded_equilibrium(&springs.stiffness, &load);
+            match unloaded.rigid_limit(&gaps, &arms, &direction, &self.system.interrupt) {
                 Ok(None) => return Ok(nowhere),
                 Ok(Some(limit)) => {
                     start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more)

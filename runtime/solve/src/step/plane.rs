@@ -253,7 +253,7 @@ impl Plane<'_> {
     fn grid_of_width(&self, candidate: &Candidate<Site>, width: Width) -> Grid {
         let pair = self.pair(candidate);
         let options = GridOptions {
-            half_count: pair.grid.half_cells_in_plane(),
+            half_count: pair.grid.plane_half_cells(),
             width,
             contact_modulus: self.contact_modulus(pair.bodies.map(|body| body.0)),
             search_edges: pair.grid.edges,

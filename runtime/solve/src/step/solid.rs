@@ -259,7 +259,7 @@ impl Solid<'_> {
         let (grid, site) = (&self.pair(candidate).grid, &candidate.site);
         let [width, length] = size;
         let options = GridOptions {
-            half_count: grid.half_cells_in_space(),
+            half_count: grid.solid_half_cells(),
             half_slices: grid.half_slices,
             width,
             length,

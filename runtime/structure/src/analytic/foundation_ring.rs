@@ -101,7 +101,7 @@ impl FoundationRing {
     /// Builds the ring. `coupled` is the largest distance of coupled teeth.
     pub fn new(shape: &RingShape, coupled: u32, material: Material, plane: Plane) -> FoundationRing {
         let RingShape { radius, fixed_radius, half_arc, sectors } = *shape;
-        let waves = RingHarmonics::new(fixed_radius / radius, material, plane);
+        let harmonics = RingHarmonics::new(fixed_radius / radius, material, plane);
         // For teeth that point inwards, axial forces and moments have the opposite sign.
         let sense = if fixed_radius > radius { -1.0 } else { 1.0 };
         let coupled = coupled.min(sectors / 2);
@@ -112,7 +112,7 @@ impl FoundationRing {
         for n in 0..=last {
             let around = f64::from(n);
             let loads = tractions(around, half_arc);
-            let answer = waves.answer(around);
+            let answer = harmonics.answer(around);
             let mut work = [[0.0; 3]; 3];
             for (one, row) in loads.iter().zip(&mut work) {
                 for (other, entry) in loads.iter().zip(row) {
@@ -206,10 +206,10 @@ fn tractions(n: f64, half: f64) -> [[f64; 2]; 3] {
 
 /// Returns the contribution of one harmonic to the displacement under a unit force along the face,
 /// times the shear modulus. The force is uniform on an arc of a ring of unit radius that is fixed
-/// at another one. The displacement under a traction `t` is `t ln(1 / held)` for the zeroth
-/// harmonic, and `t tanh(n ln(1 / held)) / n` otherwise.
-fn along_the_face(n: f64, half: f64, held: f64) -> f64 {
-    let thickness = held.ln().abs();
+/// at another one. The displacement under a traction `t` is `t ln(1 / radius_ratio)` for the zeroth
+/// harmonic, and `t tanh(n ln(1 / radius_ratio)) / n` otherwise.
+fn along_the_face(n: f64, half: f64, radius_ratio: f64) -> f64 {
+    let thickness = radius_ratio.ln().abs();
     if n == 0.0 {
         return thickness / TAU;
     }
@@ -219,7 +219,7 @@ fn along_the_face(n: f64, half: f64, held: f64) -> f64 {
 
 /// Harmonics around a ring of unit radius that is fixed at another one.
 struct RingHarmonics {
-    held: f64,
+    radius_ratio: f64,
     /// Lamé's constants; the first one adapted to plane stress or plane strain.
     lambda: f64,
     mu: f64,
@@ -233,20 +233,20 @@ struct RingHarmonic {
 }
 
 impl RingHarmonics {
-    fn new(held: f64, material: Material, plane: Plane) -> RingHarmonics {
+    fn new(radius_ratio: f64, material: Material, plane: Plane) -> RingHarmonics {
         let Material { youngs_modulus: e, poissons_ratio: nu, .. } = material;
         let mu = 0.5 * e / (1.0 + nu);
         let lambda = match plane {
             Plane::Strain => e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)),
             Plane::Stress => e * nu / (1.0 - nu * nu),
         };
-        RingHarmonics { held, lambda, mu }
+        RingHarmonics { radius_ratio, lambda, mu }
     }
 
     /// Returns the solutions of Navier's equations for a harmonic at a radius: two that grow
     /// outwards, then two that decay, each about 1 at the boundary of the ring where it is largest.
     fn solutions(&self, n: f64, radius: f64) -> [RingHarmonic; 4] {
-        let (inner, outer) = (self.held.min(1.0), self.held.max(1.0));
+        let (inner, outer) = (self.radius_ratio.min(1.0), self.radius_ratio.max(1.0));
         let stiffness = (self.lambda + 2.0 * self.mu) / self.mu;
         let power = |exponent: f64, out: f64, around: f64| {
             let unit = if exponent >= 0.0 { outer } else { inner };
@@ -291,25 +291,25 @@ impl RingHarmonics {
     /// symmetric.
     fn answer(&self, n: f64) -> [[f64; 2]; 2] {
         // The outward normal of an internal gear's ring points inwards.
-        let outward = if self.held < 1.0 { 1.0 } else { -1.0 };
+        let outward = if self.radius_ratio < 1.0 { 1.0 } else { -1.0 };
         let solutions = self.solutions(n, 1.0);
-        let unfelt = self.held.min(1.0 / self.held).powf(2.0 * (n - 1.0)) < UNFELT;
+        let unfelt = self.radius_ratio.min(1.0 / self.radius_ratio).powf(2.0 * (n - 1.0)) < UNFELT;
         let used: &[usize] = match (unfelt, outward > 0.0) {
             (false, _) => &[0, 1, 2, 3],
             (true, true) => &[0, 1],
             (true, false) => &[2, 3],
         };
-        let at_hold = self.solutions(n, self.held);
+        let at_fixed_radius = self.solutions(n, self.radius_ratio);
         // Unused rows are decoupled, with the solution zero.
         let mut rows = Matrix4::<f64>::identity();
         for (column, &number) in used.iter().enumerate() {
             let stress = self.stress(n, 1.0, &solutions[number]);
-            let held = [at_hold[number].out[0], at_hold[number].around[0]];
+            let radius_ratio = [at_fixed_radius[number].out[0], at_fixed_radius[number].around[0]];
             rows[(0, column)] = outward * stress[0] / self.mu;
             rows[(1, column)] = outward * stress[1] / self.mu;
             if !unfelt {
-                rows[(2, column)] = held[0];
-                rows[(3, column)] = held[1];
+                rows[(2, column)] = radius_ratio[0];
+                rows[(3, column)] = radius_ratio[1];
             }
         }
         let rows = rows.lu();
@@ -346,15 +346,15 @@ mod tests {
     /// E = 1, so that compliances are dimensionless.
     const UNIT: Material = Material { youngs_modulus: 1.0, poissons_ratio: 0.3, density: 0.0 };
 
-    fn ring(held: f64, half_arc: f64, coupled: u32) -> FoundationRing {
-        let shape = RingShape { radius: 1.0, fixed_radius: held, half_arc, sectors: 24 };
+    fn ring(radius_ratio: f64, half_arc: f64, coupled: u32) -> FoundationRing {
+        let shape = RingShape { radius: 1.0, fixed_radius: radius_ratio, half_arc, sectors: 24 };
         FoundationRing::new(&shape, coupled, UNIT, Plane::Strain)
     }
 
     /// Returns compliances times E' of axial force, transverse force and moment (times the square
     /// of the arc), and of force with moment (times the arc).
-    fn own(held: f64, half_arc: f64) -> [f64; 4] {
-        let (ring, modulus, arc) = (ring(held, half_arc, 0), 1.0 / 0.91, 2.0 * half_arc);
+    fn own(radius_ratio: f64, half_arc: f64) -> [f64; 4] {
+        let (ring, modulus, arc) = (ring(radius_ratio, half_arc, 0), 1.0 / 0.91, 2.0 * half_arc);
         let of =
             |one: usize, other: usize| modulus * compliance(&ring, (0, &FORCES[one]), (0, &FORCES[other]));
         [of(0, 0), of(1, 1), arc * arc * of(2, 2), arc * of(1, 2)]
@@ -365,10 +365,10 @@ mod tests {
     #[test]
     fn all_around_a_ring_shears_by_a_logarithm() {
         let push = RootLoad { along: 1.0, ..RootLoad::default() };
-        for held in [0.6, 1.7f64] {
-            let ring = ring(held, PI / 24.0, 12);
+        for radius_ratio in [0.6, 1.7f64] {
+            let ring = ring(radius_ratio, PI / 24.0, 12);
             let sum: f64 = (0..24).map(|tooth| compliance(&ring, (3, &push), (tooth, &push))).sum();
-            let exact = 24.0 / TAU * held.ln().abs() * 2.6;
+            let exact = 24.0 / TAU * radius_ratio.ln().abs() * 2.6;
             assert!((sum / exact - 1.0).abs() < 1e-9, "{sum} {exact}");
             let [there, back] =
                 [(1, 9), (9, 1)].map(|(one, other)| compliance(&ring, (one, &push), (other, &push)));

@@ -32,8 +32,9 @@ impl Profile for Slab {
 
 /// 20 teeth of height 1 and thickness 0.6 on a ring of radius 10 that is fixed at another radius.
 /// Lengths are in units of `unit` m.
-fn slabs(held: f64, unit: f64, material: Material) -> AnalyticStructure {
-    let shape = RingShape { radius: 10.0 * unit, fixed_radius: held * unit, half_arc: 0.05, sectors: 20 };
+fn slabs(constrained: f64, unit: f64, material: Material) -> AnalyticStructure {
+    let shape =
+        RingShape { radius: 10.0 * unit, fixed_radius: constrained * unit, half_arc: 0.05, sectors: 20 };
     let (from, half) = (shape.root(), 0.3 * unit);
     let flank = |side| Arc::new(Slab { from, length: unit, half, side }) as Arc<dyn Profile>;
     let depths = (0..=10).map(|k| [0.1 * unit * f64::from(k), half]).collect();

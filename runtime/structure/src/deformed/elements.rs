@@ -259,10 +259,10 @@ mod tests {
         let (sector, _) = toothed_sector(12, 1.0, COARSE);
         let moved: Vec<f64> = sector.mesh.nodes.iter().flat_map(|&[x, _]| [1e-4 * x, 0.0]).collect();
         let (young, ratio) = (STEEL.youngs_modulus * 1e-4, STEEL.poissons_ratio);
-        let held = young / ((1.0 + ratio) * (1.0 - 2.0 * ratio));
+        let constrained = young / ((1.0 + ratio) * (1.0 - 2.0 * ratio));
         for (plane, [along, beside, across]) in [
             (Plane::Stress, [1.0, ratio, 0.0].map(|part| part * young / (1.0 - ratio * ratio))),
-            (Plane::Strain, [1.0 - ratio, ratio, ratio].map(|part| part * held)),
+            (Plane::Strain, [1.0 - ratio, ratio, ratio].map(|part| part * constrained)),
         ] {
             let plate = PlaneModel::new(sector.mesh.clone(), STEEL, plane);
             for found in Elements::plane(&plate).stresses(&moved) {

@@ -44,7 +44,7 @@ pub(super) struct ConstrainedSector {
     pub sectors: u32,
     pub cuts: Cuts,
     /// Fixed degrees of freedom.
-    pub held: Vec<usize>,
+    pub constrained: Vec<usize>,
     pub means: Option<BoreMeans>,
     /// Largest distance of sectors that are coupled through their cuts.
     pub window: u32,
@@ -58,19 +58,19 @@ impl SolvedRing {
         blamed: impl Fn(StructureError) -> StructureError,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let ConstrainedSector { sectors, cuts, held, means, window } = sector;
-        let support = Support::for_ring(&held, means.as_ref());
+        let ConstrainedSector { sectors, cuts, constrained, means, window } = sector;
+        let support = Support::for_ring(&constrained, means.as_ref());
         let condensed = condense(&assembled, &support, Some(&cuts), &[], &[], interrupt)?;
         let stiffness = condensed.stiffness.ok_or(StructureError::NoArea)?;
         let mut ring = RingFlexibility::new(&stiffness, sectors, window, interrupt).map_err(&blamed)?;
         let released = means.as_ref().map(|means| means.release(&mut ring)).transpose().map_err(blamed)?;
         let bore = released.flatten().map(|released| {
-            let holding = released.holding.clone();
-            (BoreCoupling::new(released, sectors, cuts.angle), holding)
+            let constraint_forces = released.constraint_forces.clone();
+            (BoreCoupling::new(released, sectors, cuts.angle), constraint_forces)
         });
         let dofs = [&cuts.first, &cuts.last].map(|nodes| assembled.dofs_of(nodes));
         let mut resting = Constraints::new();
-        for &dof in held.iter().chain(dofs.iter().flatten()) {
+        for &dof in constrained.iter().chain(dofs.iter().flatten()) {
             resting.prescribe(dof, 0.0);
         }
         interrupt.check().map_err(StructureError::Interrupted)?;
@@ -113,11 +113,11 @@ impl SolvedRing {
             self.add_spline_teeth(&mut sum, sector, spline_teeth);
             sum
         };
-        let answers: Vec<Mat<f64>> = wanted.iter().map(|&sector| answer(sector)).collect();
+        let responses: Vec<Mat<f64>> = wanted.iter().map(|&sector| answer(sector)).collect();
         // On a rigid bore, sectors far from all loads do not move.
-        let moves = |&at: &usize| answers[at].col(0).iter().any(|&value| value != 0.0);
+        let moves = |&at: &usize| responses[at].col(0).iter().any(|&value| value != 0.0);
         let moving: Vec<usize> = (0..wanted.len()).filter(moves).collect();
-        let unknowns = Mat::from_fn(on_cuts.nrows(), moving.len(), |row, at| answers[moving[at]][(row, 0)]);
+        let unknowns = Mat::from_fn(on_cuts.nrows(), moving.len(), |row, at| responses[moving[at]][(row, 0)]);
         let mut cuts_moved = Mat::zeros(dofs, moving.len());
         let rest = self.forces_inside(&unknowns, &mut cuts_moved);
         cuts_moved += self.inside.solve(rest.as_ref())?;
@@ -180,22 +180,24 @@ impl SolvedRing {
             let ring = if ahead <= behind { ring } else { ring.transpose() };
             add_product(sum.as_mut(), 1.0, ring, forces);
         }
-        if let Some((bore, holding)) = &self.bore
+        if let Some((bore, constraint_forces)) = &self.bore
             && !(known && bore.is_in_tables())
         {
-            let felt = product(holding.as_ref(), forces);
+            let felt = product(constraint_forces.as_ref(), forces);
             let amplitudes = bore.amplitudes(observer, (loaded, &felt));
-            add_product(sum.as_mut(), 1.0, holding.transpose(), amplitudes.as_ref());
+            add_product(sum.as_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
         }
     }
 
     /// Adds the displacements of a sector's cuts and means by forces of spline teeth with
     /// clearance.
     fn add_spline_teeth(&self, sum: &mut Mat<f64>, observer: u32, spline_teeth: &[f64]) {
-        let Some((bore, holding)) = self.bore.as_ref().filter(|_| !spline_teeth.is_empty()) else { return };
+        let Some((bore, constraint_forces)) = self.bore.as_ref().filter(|_| !spline_teeth.is_empty()) else {
+            return;
+        };
         let spline_teeth = MatRef::from_column_major_slice(spline_teeth, spline_teeth.len(), 1);
         if let Some(amplitudes) = bore.amplitudes_by_spline_teeth(observer, spline_teeth) {
-            add_product(sum.as_mut(), 1.0, holding.transpose(), amplitudes.as_ref());
+            add_product(sum.as_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
         }
     }
 
@@ -222,9 +224,9 @@ impl SolvedRing {
                 }
             }
             for (mean, form) in self.forms.iter().enumerate() {
-                let holding = unknowns[(2 * n + mean, column)];
+                let constraint_forces = unknowns[(2 * n + mean, column)];
                 for &(dof, value) in &form.entries {
-                    of_column[dof] -= value * holding;
+                    of_column[dof] -= value * constraint_forces;
                 }
             }
         }

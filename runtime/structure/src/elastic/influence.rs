@@ -141,10 +141,11 @@ impl ElasticStructure {
         } else {
             [(load, loads), (observe, observers)]
         };
-        let held = |(chart, points): (Chart, &[Local])| {
+        let constrained = |(chart, points): (Chart, &[Local])| {
             self.coupling_forces(coupling, chart.surface, points.iter().copied())
         };
-        let mut values = coupling.compliance((first.0.tooth, &held(first)), (second.0.tooth, &held(second)));
+        let mut values =
+            coupling.compliance((first.0.tooth, &constrained(first)), (second.0.tooth, &constrained(second)));
         if order.is_eq() {
             mirror_lower(&mut values);
         }
@@ -231,8 +232,8 @@ impl ElasticStructure {
         let Some(bore) = &self.bore else { return Vec::new() };
         let mut all = bore.no_coupling_forces(1);
         for (chart, local, force) in loads {
-            let held = self.coupling_forces(bore, chart.surface, [local].into_iter());
-            all += bore.in_body(chart.tooth, &held) * faer::Scale(force);
+            let constrained = self.coupling_forces(bore, chart.surface, [local].into_iter());
+            all += bore.in_body(chart.tooth, &constrained) * faer::Scale(force);
         }
         bore.spline_tooth_forces(&all)
     }
@@ -240,8 +241,8 @@ impl ElasticStructure {
     /// Computes [`Structure::spline_tooth_displacements`] under loads in table coordinates.
     pub(crate) fn spline_tooth_displacements_by(&self, chart: Chart, loads: &[Local]) -> Mat<f64> {
         let Some(bore) = &self.bore else { return Mat::zeros(0, loads.len()) };
-        let held = self.coupling_forces(bore, chart.surface, loads.iter().copied());
-        bore.spline_tooth_displacements(chart.tooth, &held)
+        let constrained = self.coupling_forces(bore, chart.surface, loads.iter().copied());
+        bore.spline_tooth_displacements(chart.tooth, &constrained)
     }
 
     pub(crate) fn surface(&self, chart: Chart) -> Option<&Surface> {

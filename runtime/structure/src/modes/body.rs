@@ -49,21 +49,21 @@ impl BodyModes {
     /// interrupted.
     pub fn single(
         model: &PlaneModel,
-        hold: MeshSupport<'_>,
+        support: MeshSupport<'_>,
         surfaces: &[SurfaceSource],
         options: &SplitOptions,
         highest: f64,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let held = match hold {
+        let constrained = match support {
             MeshSupport::Free => Vec::new(),
             MeshSupport::Chain(name) => model.mesh.chain_nodes(chain(model, name)?),
         };
-        let held = Assembled::plane(model).dofs_of(&held);
+        let constrained = Assembled::plane(model).dofs_of(&constrained);
         let nodes = model.mesh.nodes.clone();
-        let sector = Sector::new((model.stiffness(), model.mass()), nodes, &held, 1, None);
+        let sector = Sector::new((model.stiffness(), model.mass()), nodes, &constrained, 1, None);
         let mut modes = ring_modes(&sector, highest, interrupt)?;
-        if hold == MeshSupport::Free {
+        if support == MeshSupport::Free {
             modes.iter_mut().for_each(|modes| modes.leave_out(MOTIONS));
         }
         Ok(Self::seen(&sector, modes, prepare(model, surfaces, options, interrupt)?))
@@ -114,7 +114,7 @@ pub(super) fn ring_sector(
     let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
     let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
     let count = ring.sectors.max(1);
-    let held = match ring.hold {
+    let constrained = match ring.support {
         BoreSupport::Rigid => bore,
         BoreSupport::Means { .. } => Vec::new(),
         // Spline teeth couple modes of all nodal diameters.
@@ -123,16 +123,16 @@ pub(super) fn ring_sector(
         }
     };
     let assembled = Assembled::plane(model);
-    let cuts = match_cuts(&assembled.positions, &first, &last, &held, TAU / f64::from(count))
+    let cuts = match_cuts(&assembled.positions, &first, &last, &constrained, TAU / f64::from(count))
         .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
-    let held = assembled.dofs_of(&held);
+    let constrained = assembled.dofs_of(&constrained);
     let matrices = (assembled.stiffness, model.mass());
-    let sector = Sector::new(matrices, model.mesh.nodes.clone(), &held, count, Some(&cuts));
+    let sector = Sector::new(matrices, model.mesh.nodes.clone(), &constrained, count, Some(&cuts));
     // Only the constrained means: the coupling of distant teeth needs no released ones here.
-    let Some(wanted) = RequestedMeans::for_ring(ring.hold, count, count) else { return Ok(sector) };
+    let Some(wanted) = RequestedMeans::for_ring(ring.support, count, count) else { return Ok(sector) };
     let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
     let means = means.ok_or(StructureError::NoArea)?;
-    Ok(sector.holding(means.forms, means.shared))
+    Ok(sector.with_mean_constraints(means.forms, means.shared))
 }
 
 /// Sorted modes of the ring, as fields on one sector with unit modal mass around the ring.
@@ -151,7 +151,7 @@ impl<'s> RingFields<'s> {
     pub fn new(sector: &'s Sector, found: Vec<HarmonicModes>) -> Self {
         let (mut order, mut columns, mut harmonics) = (Vec::new(), Vec::new(), Vec::new());
         for modes in found {
-            let real = is_real(modes.waves, sector.count);
+            let real = is_real(modes.nodal_diameters, sector.count);
             // A real field has the same modal mass on each sector, a complex one the same on half
             // of them.
             let share = if real { 1.0 } else { 2.0 };
@@ -160,7 +160,7 @@ impl<'s> RingFields<'s> {
                 for sine in [false, true].into_iter().take(if real { 1 } else { 2 }) {
                     order.push((square, RingMode { field: columns.len(), sine }));
                 }
-                harmonics.push(modes.waves);
+                harmonics.push(modes.nodal_diameters);
                 columns.push(
                     modes
                         .fields
@@ -220,14 +220,14 @@ impl<'s> RingFields<'s> {
                 fields.at_tooth(tooth, MOTIONS, |motion, field| [re[(motion, field)], im[(motion, field)]]);
             let (sin, cos) = (TAU * f64::from(tooth) / f64::from(count)).sin_cos();
             for (column, mode) in self.modes.iter().enumerate() {
-                let waves = self.harmonics[mode.field];
+                let nodal_diameters = self.harmonics[mode.field];
                 // In the frames of the sectors, translations have one nodal diameter and the
                 // rotation none; other terms are rounding.
-                if waves % count == 1 % count || (waves + 1).is_multiple_of(count) {
+                if nodal_diameters % count == 1 % count || (nodal_diameters + 1).is_multiple_of(count) {
                     coupling[(column, 0)] += cos * seen[(0, column)] - sin * seen[(1, column)];
                     coupling[(column, 1)] += sin * seen[(0, column)] + cos * seen[(1, column)];
                 }
-                if waves == 0 {
+                if nodal_diameters == 0 {
                     coupling[(column, 2)] += seen[(2, column)];
                 }
             }
@@ -281,11 +281,11 @@ impl<'s> RingFields<'s> {
         let mut gyroscopic = Mat::zeros(self.modes.len(), self.modes.len());
         for (column, other) in self.modes.iter().enumerate() {
             for (row, one) in self.modes.iter().enumerate().take(column) {
-                let waves = self.harmonics[one.field];
-                if waves != self.harmonics[other.field] {
+                let nodal_diameters = self.harmonics[one.field];
+                if nodal_diameters != self.harmonics[other.field] {
                     continue;
                 }
-                let real = is_real(waves, self.sector.count);
+                let real = is_real(nodal_diameters, self.sector.count);
                 let share = f64::from(self.sector.count) * if real { 1.0 } else { 0.5 };
                 let product = between(one.field, other.field);
                 let value = share

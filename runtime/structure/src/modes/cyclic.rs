@@ -33,15 +33,15 @@ pub(in super::super) fn ring_modes(
     if !square.is_finite() {
         return Err(StructureError::Modes("there are infinitely many up to an infinite frequency"));
     }
-    let waves = || (0..=sector.count / 2).into_par_iter();
+    let nodal_diameters = || (0..=sector.count / 2).into_par_iter();
     let mut counts = None;
     for nudge in NUDGES {
         let Some(top) = Shifted::new(sector, square * (1.0 + nudge), interrupt)? else { continue };
-        let count = |waves| {
+        let count = |nodal_diameters| {
             interrupt.check().map_err(StructureError::Interrupted)?;
-            Ok::<_, StructureError>(Harmonic::new(&top, waves)?.below())
+            Ok::<_, StructureError>(Harmonic::new(&top, nodal_diameters)?.below())
         };
-        let found: Result<Vec<Option<usize>>, StructureError> = waves().map(count).collect();
+        let found: Result<Vec<Option<usize>>, StructureError> = nodal_diameters().map(count).collect();
         counts = found?.into_iter().collect::<Option<Vec<usize>>>();
         if counts.is_some() {
             break;
@@ -58,16 +58,16 @@ pub(in super::super) fn ring_modes(
         counts.iter().filter(|&&count| count > 0).map(|&count| Harmonic::columns(count)).sum();
     let bytes = columns * 2 * sector.dofs() * size_of::<f64>();
     let _room = interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted)?;
-    let modes = |waves: u32| {
-        let count = counts.get(waves as usize).copied().unwrap_or(0);
+    let modes = |nodal_diameters: u32| {
+        let count = counts.get(nodal_diameters as usize).copied().unwrap_or(0);
         if count == 0 {
             return Ok(None);
         }
-        let mut modes = Harmonic::new(&shifted, waves)?.lowest(count, interrupt)?;
+        let mut modes = Harmonic::new(&shifted, nodal_diameters)?.lowest(count, interrupt)?;
         let within = modes.squares.iter().filter(|&&omega| omega <= square).count();
         modes.keep(within);
         Ok((within > 0).then_some(modes))
     };
-    let found: Result<Vec<Option<HarmonicModes>>, StructureError> = waves().map(modes).collect();
+    let found: Result<Vec<Option<HarmonicModes>>, StructureError> = nodal_diameters().map(modes).collect();
     Ok(found?.into_iter().flatten().collect())
 }

@@ -39,7 +39,7 @@ pub(super) struct Harmonic<'s> {
     /// Stiffness of the cut.
     closed: Spectrum,
     means: Option<Means>,
-    waves: u32,
+    nodal_diameters: u32,
 }
 
 /// Mean constraints.
@@ -47,14 +47,14 @@ struct Means {
     /// Constraint forms `G`.
     forms: Columns,
     /// `A^-1 G`.
-    answers: Columns,
+    responses: Columns,
     /// `G^H A^-1 G`.
     yielding: Spectrum,
 }
 
 /// Modes with one number of nodal diameters, of unit modal mass on one sector.
 pub(in super::super) struct HarmonicModes {
-    pub waves: u32,
+    pub nodal_diameters: u32,
     /// Values of `omega²`, ascending.
     pub squares: Vec<f64>,
     /// Mode shapes on all degrees of freedom of sector 0.
@@ -80,8 +80,8 @@ impl HarmonicModes {
 }
 
 /// Returns true if fields with this number of nodal diameters are real.
-pub(super) fn is_real(waves: u32, sectors: u32) -> bool {
-    waves == 0 || 2 * waves == sectors
+pub(super) fn is_real(nodal_diameters: u32, sectors: u32) -> bool {
+    nodal_diameters == 0 || 2 * nodal_diameters == sectors
 }
 
 fn broken() -> StructureError {
@@ -89,14 +89,14 @@ fn broken() -> StructureError {
 }
 
 impl<'s> Harmonic<'s> {
-    pub fn new(shifted: &'s Shifted<'s>, waves: u32) -> Result<Self, StructureError> {
+    pub fn new(shifted: &'s Shifted<'s>, nodal_diameters: u32) -> Result<Self, StructureError> {
         let sector = shifted.sector;
-        let ahead = if waves == 0 {
+        let ahead = if nodal_diameters == 0 {
             c64::new(1.0, 0.0)
-        } else if is_real(waves, sector.count) {
+        } else if is_real(nodal_diameters, sector.count) {
             c64::new(-1.0, 0.0)
         } else {
-            let (sin, cos) = (TAU * f64::from(waves) / f64::from(sector.count)).sin_cos();
+            let (sin, cos) = (TAU * f64::from(nodal_diameters) / f64::from(sector.count)).sin_cos();
             c64::new(cos, sin)
         };
         let n = sector.cuts[0].len();
@@ -108,12 +108,12 @@ impl<'s> Harmonic<'s> {
                 + ahead.conj() * real(n + row, column)
         });
         let closed = Spectrum::of(&closed).ok_or_else(broken)?;
-        let mut harmonic = Self { shifted, ahead, closed, means: None, waves };
-        let forms = forms(sector, waves);
+        let mut harmonic = Self { shifted, ahead, closed, means: None, nodal_diameters };
+        let forms = forms(sector, nodal_diameters);
         if forms.count() > 0 {
-            let answers = harmonic.solve(&forms);
-            let yielding = Spectrum::of(&forms.adjoint_times(&answers)).ok_or_else(broken)?;
-            harmonic.means = Some(Means { forms, answers, yielding });
+            let responses = harmonic.solve(&forms);
+            let yielding = Spectrum::of(&forms.adjoint_times(&responses)).ok_or_else(broken)?;
+            harmonic.means = Some(Means { forms, responses, yielding });
         }
         Ok(harmonic)
     }
@@ -136,7 +136,7 @@ impl<'s> Harmonic<'s> {
         let count = forces.count();
         let inside = Mat::from_fn(inner.len(), 2 * count, |row, column| forces.parts[(inner[row], column)]);
         let n = first.len();
-        let mut answers = Columns::zeros(forces.rows(), count);
+        let mut responses = Columns::zeros(forces.rows(), count);
         let (sin, cos) = angle.sin_cos();
         let mut inside_by_cuts = None;
         if n > 0 {
@@ -153,12 +153,12 @@ impl<'s> Harmonic<'s> {
             let moved = self.closed.solve(on_cut.as_ref());
             for column in 0..count {
                 for row in 0..n {
-                    answers.set(first[row], column, moved[(row, column)]);
+                    responses.set(first[row], column, moved[(row, column)]);
                 }
                 for row in (0..n).step_by(2) {
                     let (x, y) = (self.ahead * moved[(row, column)], self.ahead * moved[(row + 1, column)]);
-                    answers.set(last[row], column, x * cos - y * sin);
-                    answers.set(last[row + 1], column, x * sin + y * cos);
+                    responses.set(last[row], column, x * cos - y * sin);
+                    responses.set(last[row + 1], column, x * sin + y * cos);
                 }
             }
             let both = Columns::from_fn(2 * n, count, |row, column| {
@@ -173,14 +173,14 @@ impl<'s> Harmonic<'s> {
         }
         for place in 0..2 * count {
             for (row, &dof) in inner.iter().enumerate() {
-                answers.parts[(dof, place)] = inside[(row, place)];
+                responses.parts[(dof, place)] = inside[(row, place)];
             }
         }
         if let Some(means) = &self.means {
-            let left = means.forms.adjoint_times(&answers);
-            answers.add_times(-1.0, &means.answers, means.yielding.solve(left.as_ref()).as_ref());
+            let left = means.forms.adjoint_times(&responses);
+            responses.add_times(-1.0, &means.responses, means.yielding.solve(left.as_ref()).as_ref());
         }
-        answers
+        responses
     }
 
     /// Finds the `count` modes of lowest frequency. The shift is below all of them.
@@ -207,11 +207,11 @@ impl<'s> Harmonic<'s> {
             fields = fields.times(times(unit.as_ref(), of_units.vectors.as_ref()).as_ref());
             squares = of_units.values;
         }
-        let real = is_real(self.waves, sector.count);
+        let real = is_real(self.nodal_diameters, sector.count);
         for column in 0..fields.count() {
             in_phase(&mut fields, column, real);
         }
-        Ok(HarmonicModes { waves: self.waves, squares, fields })
+        Ok(HarmonicModes { nodal_diameters: self.nodal_diameters, squares, fields })
     }
 }
 
@@ -233,27 +233,28 @@ fn in_phase(fields: &mut Columns, column: usize, real: bool) {
 /// Returns the constraint forms for a number of nodal diameters. For a pair `a`, `b` with harmonic
 /// `w`, the sum of `a + i b` over the ring is `sum exp(i (w + n) j pitch) (a + i b)`, which
 /// vanishes identically unless `w + n` is a multiple of the number of sectors.
-fn forms(sector: &Sector, waves: u32) -> Columns {
+fn forms(sector: &Sector, nodal_diameters: u32) -> Columns {
     let modulo = f64::from(sector.count);
     let multiple = |number: f64| number.rem_euclid(modulo) == 0.0;
-    let waves_of = f64::from(waves);
+    let diameters = f64::from(nodal_diameters);
     let paired = |form: usize| sector.shared.pairs.iter().any(|(places, _)| places.contains(&form));
-    let mut held: Vec<Vec<(usize, c64)>> = Vec::new();
+    let mut constrained: Vec<Vec<(usize, c64)>> = Vec::new();
     let one = c64::new(1.0, 0.0);
-    if waves == 0 {
-        held.extend((0..sector.forms.len()).filter(|&form| !paired(form)).map(|form| vec![(form, one)]));
+    if nodal_diameters == 0 {
+        constrained
+            .extend((0..sector.forms.len()).filter(|&form| !paired(form)).map(|form| vec![(form, one)]));
     }
     for &([cosine, sine], own) in &sector.shared.pairs {
-        match (multiple(own + waves_of), multiple(own - waves_of)) {
-            (true, true) => held.extend([vec![(cosine, one)], vec![(sine, one)]]),
+        match (multiple(own + diameters), multiple(own - angle_factor)) {
+            (true, true) => constrained.extend([vec![(cosine, one)], vec![(sine, one)]]),
             // Conjugate, because the form is G^H.
-            (true, false) => held.push(vec![(cosine, one), (sine, c64::new(0.0, -1.0))]),
-            (false, true) => held.push(vec![(cosine, one), (sine, c64::new(0.0, 1.0))]),
+            (true, false) => constrained.push(vec![(cosine, one), (sine, c64::new(0.0, -1.0))]),
+            (false, true) => constrained.push(vec![(cosine, one), (sine, c64::new(0.0, 1.0))]),
             (false, false) => {}
         }
     }
-    let mut columns = Columns::zeros(sector.dofs(), held.len());
-    for (column, terms) in held.iter().enumerate() {
+    let mut columns = Columns::zeros(sector.dofs(), constrained.len());
+    for (column, terms) in constrained.iter().enumerate() {
         for &(form, factor) in terms {
             for &(dof, value) in sector.forms.get(form).iter().flat_map(|form| &form.entries) {
                 columns.set(dof, column, columns.at(dof, column) + factor * value);
@@ -326,7 +327,7 @@ impl<'h> Lanczos<'h> {
     fn begin(&mut self) {
         let dofs = self.sector.dofs();
         let numbers = scattered(dofs, self.scattered + 2 * BLOCK);
-        let real = is_real(self.harmonic.waves, self.sector.count);
+        let real = is_real(self.harmonic.nodal_diameters, self.sector.count);
         let first = self.scattered;
         let forces = Columns::from_fn(dofs, BLOCK, |row, column| {
             let at = first + 2 * column;

@@ -49,11 +49,11 @@ pub(in super::super) struct Sector {
 }
 
 impl Sector {
-    /// Builds a sector. `held` are constrained degrees of freedom; `cuts` contain none of them.
+    /// Builds a sector. `constrained` are constrained degrees of freedom; `cuts` contain none of them.
     pub fn new(
         (stiffness, mass): (SparseColMat<usize, f64>, SparseColMat<usize, f64>),
         nodes: Vec<[f64; 2]>,
-        held: &[usize],
+        constrained: &[usize],
         count: u32,
         cuts: Option<&Cuts>,
     ) -> Self {
@@ -65,14 +65,14 @@ impl Sector {
         let angle = cuts.map_or(0.0, |cuts| cuts.angle);
         let cuts = cuts.map_or_else(Default::default, |cuts| [&cuts.first, &cuts.last].map(of_nodes));
         let mut is_inner = vec![true; stiffness.ncols()];
-        held.iter().chain(cuts.iter().flatten()).for_each(|&dof| is_inner[dof] = false);
+        constrained.iter().chain(cuts.iter().flatten()).for_each(|&dof| is_inner[dof] = false);
         let inner = (0..stiffness.ncols()).filter(|&dof| is_inner[dof]).collect();
         let (forms, shared) = (Vec::new(), SharedUnknowns::default());
         Self { stiffness, mass, nodes, count, cuts, angle, forms, shared, inner }
     }
 
     /// Adds mean constraints.
-    pub fn holding(self, forms: Vec<SparseVector>, shared: SharedUnknowns) -> Self {
+    pub fn with_mean_constraints(self, forms: Vec<SparseVector>, shared: SharedUnknowns) -> Self {
         Self { forms, shared, ..self }
     }
 

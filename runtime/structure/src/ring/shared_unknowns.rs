@@ -19,8 +19,8 @@ impl SharedUnknowns {
     /// Transforms rows of unknowns of one frame to another that is rotated by `angle` about the
     /// axis, in place.
     pub fn turn_rows(&self, mut rows: MatMut<'_, f64>, angle: f64) {
-        for &([of_cosine, of_sine], waves) in &self.pairs {
-            let (sin, cos) = (waves * angle).sin_cos();
+        for &([of_cosine, of_sine], harmonic) in &self.pairs {
+            let (sin, cos) = (harmonic * angle).sin_cos();
             for column in 0..rows.ncols() {
                 let (a, b) = (rows[(of_cosine, column)], rows[(of_sine, column)]);
                 rows[(of_cosine, column)] = cos * a + sin * b;
@@ -34,7 +34,7 @@ impl SharedUnknowns {
         let later = self.pairs.iter().filter(|(places, _)| places[0] >= first);
         SharedUnknowns {
             count: self.count - first,
-            pairs: later.map(|&(places, waves)| (places.map(|place| place - first), waves)).collect(),
+            pairs: later.map(|&(places, harmonic)| (places.map(|place| place - first), harmonic)).collect(),
         }
     }
 

@@ -20,12 +20,12 @@ impl Numbers {
 }
 
 /// Returns a positive definite matrix with one nearly free direction, as of a thin rim.
-fn stiffness(size: usize, hold: f64, numbers: &mut Numbers) -> Mat<f64> {
+fn stiffness(size: usize, constraint_stiffness: f64, numbers: &mut Numbers) -> Mat<f64> {
     let factor = numbers.matrix(size, size - 1);
     let mut matrix = Mat::zeros(size, size);
     add_product(matrix.as_mut(), 1.0, factor.as_ref(), factor.transpose());
     for i in 0..size {
-        matrix[(i, i)] += hold;
+        matrix[(i, i)] += constraint_stiffness;
     }
     mirror_lower(&mut matrix);
     matrix

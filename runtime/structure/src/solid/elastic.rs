@@ -161,7 +161,7 @@ impl ElasticSolid {
         let around = [ring.sectors.max(1), ring.coupled];
         let means = BoreMeans::on_web(model, faces(model, ring.bore)?, web, around, interrupt)?;
         let means = Some(means.ok_or(StructureError::NoArea)?);
-        Self::ring_held(None, model, ring, (Vec::new(), means), (surfaces, options), interrupt)
+        Self::supported_ring(None, model, ring, (Vec::new(), means), (surfaces, options), interrupt)
     }
 
     /// Builds the ring by halves, if the mirror is given.
@@ -173,52 +173,52 @@ impl ElasticSolid {
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let bore = faces(model, ring.bore)?;
-        let hold = match RequestedMeans::for_ring(ring.hold, ring.sectors.max(1), ring.coupled) {
+        let support = match RequestedMeans::for_ring(ring.support, ring.sectors.max(1), ring.coupled) {
             None => (model.mesh.nodes_on(bore), None),
             Some(wanted) => {
                 let means = BoreMeans::solid(model, bore, wanted, interrupt)?;
                 (Vec::new(), Some(means.ok_or(StructureError::NoArea)?))
             }
         };
-        Self::ring_held(mirrored, model, ring, hold, (surfaces, options), interrupt)
+        Self::supported_ring(mirrored, model, ring, support, (surfaces, options), interrupt)
     }
 
     /// Builds the ring from the fixed nodes of the bore and its mean constraints.
-    fn ring_held(
+    fn supported_ring(
         mirrored: Option<&MirrorMap>,
         model: &SolidModel,
         ring: &RingSource<'_>,
-        (mut held, means): (Vec<usize>, Option<BoreMeans>),
+        (mut constrained, means): (Vec<usize>, Option<BoreMeans>),
         (surfaces, options): (&[SolidSurfaceSource], &SolidSplitOptions),
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.nodes_on(faces(model, name)?));
         let (first, last) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?);
         let sectors = ring.sectors.max(1);
-        held.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
-        held.sort_unstable();
-        held.dedup();
+        constrained.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
+        constrained.sort_unstable();
+        constrained.dedup();
         let pitch = TAU / f64::from(sectors);
-        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &held, pitch)
+        let cuts = match_cuts(&model.mesh.nodes, &first, &last, &constrained, pitch)
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let (modes, prepared, exchange) = prepare(model, surfaces, options, interrupt)?;
-        let sector = Sector { cuts, held, means, sectors, coupled: ring.coupled };
+        let sector = Sector { cuts, constrained, means, sectors, coupled: ring.coupled };
         let mut responses = Responses::for_ring(model, &sector, mirrored, &exchange, interrupt)
-            .map_err(|error| ring.hold.with_bore_context(error))?;
+            .map_err(|error| ring.support.with_bore_context(error))?;
         let through = responses.bore.take();
         let bore = through.map(|through| bore_coupling(through, &prepared, modes.count(), (sectors, pitch)));
         let body = Self::assemble(model, sectors, modes, prepared, &responses, interrupt)?;
         Ok(Self { bore, ..body })
     }
 
-    /// Builds a body of a single mesh. `hold` names a set of faces.
+    /// Builds a body of a single mesh. `support` names a set of faces.
     ///
     /// # Errors
     /// Faces are missing, too coarse or not swept, the mesh has a mechanism, or the computation is
     /// interrupted.
     pub fn single(
         model: &SolidModel,
-        hold: MeshSupport<'_>,
+        support: MeshSupport<'_>,
         surfaces: &[SolidSurfaceSource],
         options: &SolidSplitOptions,
         interrupt: &Interrupt,
@@ -227,7 +227,7 @@ impl ElasticSolid {
         let assembled = whole(model, interrupt)?;
         let condense =
             |support| condense(&assembled, &support, None, &exchange.loads, &exchange.rows, interrupt);
-        let condensed = match hold {
+        let condensed = match support {
             MeshSupport::Free => {
                 let mass = model.mass();
                 condense(Support::Free { mass: &mass, motions: &model.rigid_body_modes() })?
@@ -235,7 +235,7 @@ impl ElasticSolid {
             MeshSupport::Chain(name) => {
                 let mut nodes = model.mesh.nodes_on(faces(model, name)?);
                 nodes.extend(model.mesh.node_sets.get(ABSENT).into_iter().flatten());
-                condense(Support::Held(&assembled.dofs_of(&nodes)))?
+                condense(Support::Constrained(&assembled.dofs_of(&nodes)))?
             }
         };
         Self::assemble(model, 1, modes, prepared, &Responses::of_body(condensed, &exchange), interrupt)
@@ -311,7 +311,7 @@ impl ElasticSolid {
     fn own_table(
         &self,
         prepared: &Prepared,
-        answers: MatRef<'_, f64>,
+        influence: MatRef<'_, f64>,
         interrupt: &Interrupt,
     ) -> Result<Mat<f64>, StructureError> {
         let known = &prepared.known;
@@ -338,7 +338,7 @@ impl ElasticSolid {
                 Ok(means)
             })
             .collect::<Result<Vec<_>, StructureError>>()?;
-        let mut smooth = answers.to_owned();
+        let mut smooth = influence.to_owned();
         for (&(k, l), means) in pairs.iter().zip(&taken_out) {
             for n in 0..count {
                 for m in 0..count {

@@ -9,7 +9,7 @@ use calyx_numerics::interrupt::MemoryReservation;
 pub(super) struct Sector {
     pub cuts: Cuts,
     /// Fixed nodes.
-    pub held: Vec<usize>,
+    pub constrained: Vec<usize>,
     /// Means of the bore's displacements that vanish, for mean constraints; the sector is then
     /// condensed in one piece.
     pub means: Option<BoreMeans>,

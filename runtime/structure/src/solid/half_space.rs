@@ -59,7 +59,7 @@ struct Panel {
     from: f64,
     squares: Vec<f64>,
     /// Cosine and sine of `rate q` at each point, for each direction.
-    turns: Vec<Vec<[f64; 2]>>,
+    rotations: Vec<Vec<[f64; 2]>>,
 }
 
 impl ReciprocalMeans {
@@ -86,7 +86,7 @@ impl ReciprocalMeans {
             let rule = gauss_legendre(if long { POINTS.max(modes.count() + 4) } else { POINTS });
             let half = 0.5 * (interval[1] - interval[0]);
             let points = || rule.iter().map(|(x, weight)| (interval[0] + half * (1.0 + x), half * weight));
-            let turns = |&direction: &f64| {
+            let rotations = |&direction: &f64| {
                 points()
                     .map(|(t, _)| {
                         let (sin, cos) = (screw.rate * t * direction).sin_cos();
@@ -97,7 +97,7 @@ impl ReciprocalMeans {
             panels.push(Panel {
                 from: interval[0],
                 squares: points().map(|(t, _)| t * t).collect(),
-                turns: directions.iter().map(turns).collect(),
+                rotations: directions.iter().map(rotations).collect(),
             });
             let first = rows.len();
             rows.resize(first + directions.len() * rule.len(), vec![0.0; modes.count() * modes.count()]);
@@ -131,7 +131,7 @@ impl ReciprocalMeans {
     /// Adds the means over both mollifiers at the points of one panel.
     fn add_panel(&self, panel: &Panel, a: &Mollifier, b: &Mollifier, at_points: &mut Vec<f64>) {
         let points = panel.squares.len();
-        let mut means = vec![0.0; points * panel.turns.len()];
+        let mut means = vec![0.0; points * panel.rotations.len()];
         let ([a_start, a_end], [b_start, b_end]) = (a.support(), b.support());
         for interval in self.differences(a, b, panel.from).windows(2) {
             let half = 0.5 * (interval[1] - interval[0]);
@@ -154,8 +154,8 @@ impl ReciprocalMeans {
                 for (&y, weight) in self.across.iter().zip(weights) {
                     let [x1, y1] = self.screw.profile(sum_at(y) + half_difference);
                     let [x2, y2] = self.screw.profile(sum_at(y) - half_difference);
-                    for (turns, means) in panel.turns.iter().zip(means.chunks_exact_mut(points)) {
-                        for ((&[cos, sin], square), mean) in turns.iter().zip(&panel.squares).zip(means) {
+                    for (rotations, means) in panel.rotations.iter().zip(means.chunks_exact_mut(points)) {
+                        for ((&[cos, sin], square), mean) in rotations.iter().zip(&panel.squares).zip(means) {
                             let dx = cos * x1 - sin * y1 - x2;
                             let dy = sin * x1 + cos * y1 - y2;
                             *mean += weight / (dx * dx + dy * dy + square).sqrt();

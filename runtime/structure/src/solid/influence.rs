@@ -197,8 +197,8 @@ impl SolidStructure for ElasticSolid {
             let forces = self.points(loaded, segments).loads(forces);
             if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
                 let through = bore.loads.get(chart.surface as usize).and_then(|table| {
-                    let held = product(table.as_ref(), forces.as_ref());
-                    bore.stresses(surface as usize, tooth, (chart.tooth, &held))
+                    let constrained = product(table.as_ref(), forces.as_ref());
+                    bore.stresses(surface as usize, tooth, (chart.tooth, &constrained))
                 });
                 through.iter().for_each(|through| components += through);
             }
@@ -223,8 +223,8 @@ impl SolidStructure for ElasticSolid {
             let table = self.known(load.chart).zip(bore.loads.get(load.chart.surface as usize));
             let Some((loaded, table)) = table else { continue };
             let forces = self.points(loaded, &[load.segment]).loads(&[load.force]);
-            let held = product(table.as_ref(), forces.as_ref());
-            all += bore.in_body(load.chart.tooth, &held);
+            let constrained = product(table.as_ref(), forces.as_ref());
+            all += bore.in_body(load.chart.tooth, &constrained);
         }
         bore.spline_tooth_forces(&all)
     }

@@ -35,7 +35,7 @@ pub(super) struct MirrorMap {
 pub(super) struct HalfModel {
     pub cuts: Cuts,
     /// Fixed degrees of freedom.
-    pub held: Vec<usize>,
+    pub constrained: Vec<usize>,
     pub loads: ReducedVectors<usize>,
     pub rows: ReducedVectors<Option<(usize, f64)>>,
 }
@@ -170,17 +170,18 @@ impl MirrorMap {
             last: of_half(&sector.cuts.last),
             angle: sector.cuts.angle,
         };
-        let held_nodes = of_half(&sector.held).into_iter().flat_map(|place| 3 * place..3 * place + 3);
+        let constrained_nodes =
+            of_half(&sector.constrained).into_iter().flat_map(|place| 3 * place..3 * place + 3);
         let dofs = 0..3 * self.half.len();
         let still = dofs.filter(|dof| self.is_fixed_by_symmetry(self.half[dof / 3], dof % 3, signs));
-        let mut held: Vec<usize> = held_nodes.chain(still).collect();
-        held.sort_unstable();
-        held.dedup();
+        let mut constrained: Vec<usize> = constrained_nodes.chain(still).collect();
+        constrained.sort_unstable();
+        constrained.dedup();
         let numbers: Vec<usize> =
             (0..exchange.loads.len()).filter(|&load| exchange.odd[load] == odd).collect();
         let vectors = numbers.iter().map(|&load| self.folded(&exchange.loads[load], signs)).collect();
         let rows = self.rows(exchange, signs, if odd { -1.0 } else { 1.0 });
-        HalfModel { cuts, held, loads: ReducedVectors { vectors, numbers }, rows }
+        HalfModel { cuts, constrained, loads: ReducedVectors { vectors, numbers }, rows }
     }
 
     /// Returns true if a node is fixed along an axis in these displacements: it is its own image.

@@ -69,11 +69,11 @@ impl Responses {
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let condensed = |assembled: &Assembled,
-                         held: &[usize],
+                         constrained: &[usize],
                          cuts: &Cuts,
                          loads: &[SparseVector],
                          rows: &[SparseVector]| {
-            let support = Support::for_ring(held, sector.means.as_ref());
+            let support = Support::for_ring(constrained, sector.means.as_ref());
             let condensed = condense(assembled, &support, Some(cuts), loads, rows, interrupt)?;
             let ring = |cut| RingFlexibility::new(cut, sector.sectors, sector.coupled, interrupt);
             let ring = condensed.stiffness.as_ref().map(ring).transpose()?;
@@ -81,16 +81,16 @@ impl Responses {
         };
         let Some(mirrored) = mirrored.filter(|_| sector.means.is_none()) else {
             let assembled = whole(model, interrupt)?;
-            let held = assembled.dofs_of(&sector.held);
+            let constrained = assembled.dofs_of(&sector.constrained);
             let (condensed, mut ring) =
-                condensed(&assembled, &held, &sector.cuts, &exchange.loads, &exchange.rows)?;
+                condensed(&assembled, &constrained, &sector.cuts, &exchange.loads, &exchange.rows)?;
             let released = match (&mut ring, &sector.means) {
                 (Some(ring), Some(means)) => means.release(ring)?,
                 _ => None,
             };
             let bore = released.map(|released| BoreResponse {
-                forces: product(released.holding.as_ref(), condensed.on_cuts.as_ref()),
-                stresses: product(condensed.rows_cuts.as_ref(), released.holding.transpose()),
+                forces: product(released.constraint_forces.as_ref(), condensed.on_cuts.as_ref()),
+                stresses: product(condensed.rows_cuts.as_ref(), released.constraint_forces.transpose()),
                 released,
             });
             return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
@@ -102,7 +102,7 @@ impl Responses {
         let of_half = |(assembled, odd): (Arc<Assembled>, bool)| {
             let half = mirrored.half(odd, sector, exchange);
             let (loads, rows) = (&half.loads.vectors, &half.rows.vectors);
-            let (condensed, ring) = condensed(&assembled, &half.held, &half.cuts, loads, rows)?;
+            let (condensed, ring) = condensed(&assembled, &half.constrained, &half.cuts, loads, rows)?;
             Ok(Part { condensed, ring, loads: half.loads.numbers, rows: half.rows.numbers })
         };
         let parts = equations

@@ -131,7 +131,7 @@ pub fn ring_source(teeth: u32) -> RingSource<'static> {
         sectors: teeth,
         cuts: ["cut_first", "cut_last"],
         bore: "bore",
-        hold: BoreSupport::Rigid,
+        support: BoreSupport::Rigid,
         coupled: 3,
     }
 }

@@ -68,9 +68,9 @@ impl Direct {
 
     /// Builds the solution without the nodes that have no material.
     fn beside(equations: &Assembled, absent: &[usize], motions: &[Vec<f64>], forms: &[SparseVector]) -> Self {
-        let mut held = Constraints::new();
+        let mut constrained = Constraints::new();
         for dof in equations.dofs_of(absent) {
-            held.prescribe(dof, 0.0);
+            constrained.prescribe(dof, 0.0);
         }
         let (axes, positions) = (equations.dofs_per_node, &equations.positions);
         let present: Vec<usize> = (0..positions.len()).filter(|node| !absent.contains(node)).collect();
@@ -79,9 +79,9 @@ impl Direct {
         let of_present: Vec<Vec<f64>> =
             motions.iter().map(|motion| dofs.iter().map(|&dof| motion[dof]).collect()).collect();
         for dof in statically_determinate_support(&positions, &of_present) {
-            held.prescribe(axes * present[dof / axes] + dof % axes, 0.0);
+            constrained.prescribe(axes * present[dof / axes] + dof % axes, 0.0);
         }
-        let solver = Solver::new(&equations.stiffness, held).unwrap();
+        let solver = Solver::new(&equations.stiffness, constrained).unwrap();
         let dofs = equations.stiffness.nrows();
         let forms: Vec<_> = forms.iter().map(|form| form.to_full(dofs)).collect();
         let by_forms = forms.iter().map(|form| solver.solve_one(form).unwrap()).collect();
@@ -165,7 +165,7 @@ fn agree(
 }
 
 #[test]
-fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
+fn condensed_sectors_on_a_bore_constrained_in_the_mean_agree_with_the_whole_mesh() {
     let teeth = 7;
     let pitch = TAU / f64::from(teeth);
     let (sector, _) = toothed_sector(teeth, 1.0, SMALL);
@@ -182,13 +182,13 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations[0], at, along, 0.0)).collect();
     // Terms that are constrained and then released give the same result as terms that are never
     // constrained.
-    for (waves, coupled) in
+    for (harmonics, coupled) in
         [(None, None), (Some(0), None), (Some(1), None), (Some(4), None), (None, Some(4)), (Some(2), Some(3))]
     {
         let means = |model: &PlaneModel, coupled| {
             let bore = model.mesh.chain("bore").unwrap();
             let wanted = RequestedMeans {
-                harmonics: waves,
+                harmonics: harmonics,
                 degree: 0,
                 coupled,
                 spline_teeth: None,
@@ -197,20 +197,20 @@ fn condensed_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
             BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(&sector, coupled);
-        let support = Support::Means { held: &[], means: &of_sector };
+        let support = Support::Means { constrained: &[], means: &of_sector };
         let condensed =
             condense(&equations[0], &support, Some(&cuts), &loads, &loads, &Interrupt::never()).unwrap();
         let mut ring =
             RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 3, &Interrupt::never())
                 .unwrap();
-        assert_eq!(ring.release(of_sector.held, None).unwrap().is_some(), coupled.is_some());
+        assert_eq!(ring.release(of_sector.constrained, None).unwrap().is_some(), coupled.is_some());
         let direct = Direct::new(&equations[1], &whole.rigid_body_modes(), &means(&whole, None).forms);
         agree([&equations[0], &equations[1]], (&condensed, &ring), &direct, &points, pitch);
     }
 }
 
 #[test]
-fn condensed_helical_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mesh() {
+fn condensed_helical_sectors_on_a_bore_constrained_in_the_mean_agree_with_the_whole_mesh() {
     let teeth = 5;
     let helical = |section: &PlaneMesh| {
         let place = |[x, y]: [f64; 2], z: f64| turned([x, y, z], 0.6 * z);
@@ -223,7 +223,7 @@ fn condensed_helical_sectors_on_a_bore_held_in_the_mean_agree_with_the_whole_mes
 
 /// The bore exists only where the web is.
 #[test]
-fn condensed_sectors_on_a_web_held_in_the_mean_at_its_bore_agree_with_the_whole_mesh() {
+fn condensed_sectors_on_a_web_constrained_in_the_mean_at_its_bore_agree_with_the_whole_mesh() {
     let teeth = 5;
     let webbed = |section: &PlaneMesh| {
         let place = |[x, y]: [f64; 2], z: f64| [x, y, z];
@@ -260,12 +260,12 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
         ([0.75, 0.3, 0.1], [1.0, 0.2, -0.8]),
     ];
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations[0], at, along, 0.0)).collect();
-    let held = equations[0].dofs_of(&absent(sector));
-    for (waves, coupled) in [(None, None), (Some(2), None), (Some(1), Some(2))] {
+    let constrained = equations[0].dofs_of(&absent(sector));
+    for (harmonics, coupled) in [(None, None), (Some(2), None), (Some(1), Some(2))] {
         let means = |model: &SolidModel, coupled| {
             let bore = model.mesh.face_set("bore").unwrap();
             let wanted = RequestedMeans {
-                harmonics: waves,
+                harmonics: harmonics,
                 degree: 1,
                 coupled,
                 spline_teeth: None,
@@ -274,13 +274,13 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(sector, coupled);
-        let support = Support::Means { held: &held, means: &of_sector };
+        let support = Support::Means { constrained: &constrained, means: &of_sector };
         let condensed =
             condense(&equations[0], &support, Some(&cuts), &loads, &loads, &Interrupt::never()).unwrap();
         let mut ring =
             RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 2, &Interrupt::never())
                 .unwrap();
-        assert_eq!(ring.release(of_sector.held, None).unwrap().is_some(), coupled.is_some());
+        assert_eq!(ring.release(of_sector.constrained, None).unwrap().is_some(), coupled.is_some());
         let direct = Direct::beside(
             &equations[1],
             &absent(whole),
@@ -321,12 +321,12 @@ struct PlainRing {
 }
 
 impl PlainRing {
-    fn new(radii: [f64; 2], sectors: u32, hold: BoreSupport, points: &[([f64; 3], [f64; 3])]) -> Self {
+    fn new(radii: [f64; 2], sectors: u32, support: BoreSupport, points: &[([f64; 3], [f64; 3])]) -> Self {
         let model = plain_sector(radii, sectors, [2, 2]);
         let equations = Assembled::plane(&model);
         let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
         let pitch = TAU / f64::from(sectors);
-        let (bore, means) = match RequestedMeans::for_ring(hold, sectors, sectors) {
+        let (bore, means) = match RequestedMeans::for_ring(support, sectors, sectors) {
             None => (nodes("bore"), None),
             Some(wanted) => {
                 let bore = model.mesh.chain("bore").unwrap();
@@ -335,8 +335,8 @@ impl PlainRing {
         };
         let cuts =
             match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &bore, pitch).unwrap();
-        let held = equations.dofs_of(&bore);
-        let support = Support::for_ring(&held, means.as_ref());
+        let constrained = equations.dofs_of(&bore);
+        let support = Support::for_ring(&constrained, means.as_ref());
         let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations, at, along, 0.0)).collect();
         let condensed =
             condense(&equations, &support, Some(&cuts), &loads, &[], &Interrupt::never()).unwrap();
@@ -389,8 +389,8 @@ fn torque_goes_through_the_mean_rotation_as_through_a_rigid_bore() {
     let point = [([b, 0.0, 0.0], [0.0, 1.0, 0.0])];
     let shear = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
     let inside = [([0.8, 0.0, 0.0], [0.0, 1.0, 0.0]), point[0]];
-    let mean = |hold| {
-        let ring = PlainRing::new([a, b], sectors, hold, &inside);
+    let mean = |support| {
+        let ring = PlainRing::new([a, b], sectors, support, &inside);
         // Sum over all sectors; those behind are mirror images of those ahead, about the load.
         (0..sectors).map(|offset| ring.between(0, 1, offset.min(sectors - offset))).sum::<f64>()
     };
@@ -406,15 +406,16 @@ fn torque_goes_through_the_mean_rotation_as_through_a_rigid_bore() {
 /// side. If the bore is far away, the number of terms hardly matters.
 #[test]
 fn more_terms_of_the_series_make_a_bore_rigid() {
-    let compliance =
-        |radii, hold| PlainRing::new(radii, 16, hold, &[([1.0, 0.0, 0.0], [1.0, 0.0, 0.0])]).between(0, 0, 0);
+    let compliance = |radii, support| {
+        PlainRing::new(radii, 16, support, &[([1.0, 0.0, 0.0], [1.0, 0.0, 0.0])]).between(0, 0, 0)
+    };
     let rim = [0.85, 1.0];
     let rigid = compliance(rim, BoreSupport::Rigid);
     let mut before = compliance(rim, FREE) - rigid;
     assert!(before > 10.0 * rigid, "a rim of this thickness bends: {before:e}, {rigid:e}");
-    for waves in [0, 2, 4, 8, 16] {
-        let more = compliance(rim, BoreSupport::Means { harmonics: Some(waves), degree: 0 }) - rigid;
-        assert!(more >= 0.0 && more < before, "{waves}: {more:e} of {before:e}");
+    for harmonics in [0, 2, 4, 8, 16] {
+        let more = compliance(rim, BoreSupport::Means { harmonics: Some(harmonics), degree: 0 }) - rigid;
+        assert!(more >= 0.0 && more < before, "{harmonics}: {more:e} of {before:e}");
         before = more;
     }
     assert!(before < 0.03 * rigid, "{before:e} of {rigid:e}");
@@ -427,7 +428,7 @@ fn more_terms_of_the_series_make_a_bore_rigid() {
 fn exchanging_load_and_observer_keeps_every_bit_on_a_free_bore() {
     let teeth = 6;
     let (model, surfaces) = toothed_sector(teeth, 1.0, COARSE);
-    let source = RingSource { hold: FREE, ..ring_source(teeth) };
+    let source = RingSource { support: FREE, ..ring_source(teeth) };
     let structure =
         ElasticStructure::ring(&model, &source, &surfaces, &SplitOptions::default(), &Interrupt::never())
             .unwrap();
@@ -452,7 +453,7 @@ fn distant_teeth_feel_each_other_through_the_bore() {
     let teeth = 16;
     let (model, surfaces) = toothed_sector(teeth, 1.0, COARSE);
     let ring = |coupled| {
-        let source = RingSource { hold: FREE, coupled, ..ring_source(teeth) };
+        let source = RingSource { support: FREE, coupled, ..ring_source(teeth) };
         ElasticStructure::ring(&model, &source, &surfaces, &SplitOptions::default(), &Interrupt::never())
             .unwrap()
     };
@@ -517,7 +518,7 @@ fn a_series_beyond_the_mesh_is_refused() {
         with_clearance: false,
     };
     let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
-    let support = Support::Means { held: &[], means: &means };
+    let support = Support::Means { constrained: &[], means: &means };
     let condensed = condense(&equations, &support, Some(&cuts), &[], &[], &Interrupt::never()).unwrap();
     let ring = RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), 4, 1, &Interrupt::never());
     assert_eq!(ring.unwrap_err(), crate::StructureError::CoarseBore);

@@ -20,7 +20,7 @@ use calyx_numerics::interrupt::Interrupt;
 use std::f64::consts::TAU;
 
 const SMALL: Divisions = Divisions { rim: 2, tooth_root: 2, flank: 3, thickness: 3, grading: 1.0 };
-const HOLDS: [BoreSupport; 4] = [
+const SUPPORTS: [BoreSupport; 4] = [
     BoreSupport::Rigid,
     BoreSupport::Means { harmonics: None, degree: 0 },
     BoreSupport::Means { harmonics: Some(2), degree: 0 },
@@ -31,9 +31,9 @@ fn flanks() -> [String; 2] {
     [0, 1].map(|flank| format!("flank_{flank}"))
 }
 
-fn meshed(teeth: u32, hold: BoreSupport, divisions: Divisions) -> MeshedBody {
+fn meshed(teeth: u32, support: BoreSupport, divisions: Divisions) -> MeshedBody {
     let (model, _) = toothed_sector(teeth, 1.0, divisions);
-    let source = RingSource { hold, ..ring_source(teeth) };
+    let source = RingSource { support, ..ring_source(teeth) };
     MeshedBody::ring(model, &source, &flanks(), &Interrupt::never()).unwrap()
 }
 
@@ -67,21 +67,21 @@ fn every_node_moves_as_in_one_mesh_of_the_whole_ring() {
         forces.iter_mut().zip(turned(&whole, &row, angle)).for_each(|(sum, part)| *sum += part);
     }
     let bore = whole.mesh.chain("bore").unwrap();
-    for hold in &HOLDS[..3] {
-        let expected = match RequestedMeans::for_ring(*hold, SECTORS, SECTORS) {
+    for support in &SUPPORTS[..3] {
+        let expected = match RequestedMeans::for_ring(*support, SECTORS, SECTORS) {
             None => {
-                let mut held = calyx_fe::Constraints::new();
+                let mut constrained = calyx_fe::Constraints::new();
                 whole.mesh.chain_nodes(bore).into_iter().for_each(|node| {
-                    held.fix_node(node);
+                    constrained.fix_node(node);
                 });
-                calyx_fe::Solver::new(&equations.stiffness, held).unwrap().solve_one(&forces).unwrap()
+                calyx_fe::Solver::new(&equations.stiffness, constrained).unwrap().solve_one(&forces).unwrap()
             }
             Some(wanted) => {
                 let means = BoreMeans::plane(&whole, bore, wanted, &Interrupt::never()).unwrap().unwrap();
                 Direct::new(&equations, &whole.rigid_body_modes(), &means.forms).solve(&forces).0
             }
         };
-        let found = under(&meshed(SECTORS, *hold, SMALL), &loads);
+        let found = under(&meshed(SECTORS, *support, SMALL), &loads);
         assert_eq!(
             found.iter().map(|sector| sector.tooth).collect::<Vec<_>>(),
             (0..SECTORS).collect::<Vec<_>>()
@@ -97,7 +97,7 @@ fn every_node_moves_as_in_one_mesh_of_the_whole_ring() {
                 };
                 let node = (0..whole.mesh.nodes.len()).find(same).expect("a node of the whole ring");
                 let error = distance([expected[2 * node], expected[2 * node + 1], 0.0], moved) / largest;
-                assert!(error < 1e-8, "{hold:?}, tooth {}: {error:.1e}", sector.tooth);
+                assert!(error < 1e-8, "{support:?}, tooth {}: {error:.1e}", sector.tooth);
             }
         }
     }
@@ -107,19 +107,19 @@ fn every_node_moves_as_in_one_mesh_of_the_whole_ring() {
 /// structure.
 #[test]
 fn flanks_have_moved_by_what_the_structure_answers() {
-    for hold in HOLDS {
+    for support in SUPPORTS {
         let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
-        let source = RingSource { hold, ..ring_source(TEETH) };
+        let source = RingSource { support, ..ring_source(TEETH) };
         let (options, never) = (SplitOptions::default(), Interrupt::never());
         let structure = ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap();
         let length = surfaces[0].profile.length();
         let load = SurfaceLoad { chart: Chart { tooth: 3, surface: 0 }, s: 0.4 * length, force: 2e5 };
-        let found = under(&meshed(TEETH, hold, COARSE), &[load]);
+        let found = under(&meshed(TEETH, support, COARSE), &[load]);
         let mut largest = 0.0_f64;
         for tooth in [3_u32, 4, 2, 5, 9] {
             // The series couples teeth without a common table, on spline teeth, to within a
             // hundredth of the largest displacement.
-            let beyond = matches!(hold, BoreSupport::SplineTeeth(_))
+            let beyond = matches!(support, BoreSupport::SplineTeeth(_))
                 && tooth.abs_diff(load.chart.tooth) > source.coupled;
             let tolerance = if beyond { 1e-2 } else { 2e-3 };
             let observe = Chart { tooth, surface: 1 };
@@ -145,7 +145,7 @@ fn flanks_have_moved_by_what_the_structure_answers() {
                 let error = (inwards - expected).abs() / largest;
                 assert!(
                     error < tolerance,
-                    "{hold:?}, tooth {tooth}, {s}: {inwards:e} {expected:e} ({error:.1e})"
+                    "{support:?}, tooth {tooth}, {s}: {inwards:e} {expected:e} ({error:.1e})"
                 );
             }
             assert!(seen > 3, "tooth {tooth}: {seen} nodes of its flank");
@@ -156,7 +156,7 @@ fn flanks_have_moved_by_what_the_structure_answers() {
 /// Loads on other teeth cause the same deformation, rotated.
 #[test]
 fn loads_a_pitch_further_turn_the_picture() {
-    let body = meshed(TEETH, HOLDS[1], SMALL);
+    let body = meshed(TEETH, SUPPORTS[1], SMALL);
     let load = |tooth: u32| SurfaceLoad { chart: Chart { tooth, surface: 1 }, s: 0.05, force: 1e5 };
     let [one, next] = [TEETH - 1, 0].map(|tooth| under(&body, &[load(tooth)]));
     let (sin, cos) = (TAU / f64::from(TEETH)).sin_cos();
@@ -183,13 +183,13 @@ fn loads_a_pitch_further_turn_the_picture() {
 /// is that of the structure on such spline teeth.
 #[test]
 fn flanks_move_by_splines_with_clearance_as_spline_teeth_by_them() {
-    let hold = BoreSupport::SplineWithClearance { spline_teeth: FOUR, clearance: 1e-5 };
+    let support = BoreSupport::SplineWithClearance { spline_teeth: FOUR, clearance: 1e-5 };
     let (model, surfaces) = toothed_sector(TEETH, 1.0, COARSE);
     // A series couples distant teeth to within a hundredth; here all are in the tables.
-    let source = RingSource { hold, coupled: TEETH, ..ring_source(TEETH) };
+    let source = RingSource { support, coupled: TEETH, ..ring_source(TEETH) };
     let (options, never) = (SplitOptions::default(), Interrupt::never());
     let structure = ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap();
-    let body = meshed(TEETH, hold, COARSE);
+    let body = meshed(TEETH, support, COARSE);
     let length = surfaces[1].profile.length();
     let on_tooth = SurfaceLoad { chart: Chart { tooth: 3, surface: 0 }, s: 0.4 * length, force: 2e5 };
     let forces = [1.5e5, 0.0, -0.5e5, 0.0];
@@ -237,14 +237,14 @@ fn flanks_move_by_splines_with_clearance_as_spline_teeth_by_them() {
 /// Three dimensions, on a helical ring: the other flanks of the loaded tooth and of its neighbours.
 /// Also on a disc web with a separate mesh.
 #[test]
-fn flanks_in_space_have_moved_by_what_the_structure_answers() {
+fn displacements_of_solid_flanks_equal_the_influence_of_the_structure() {
     let ring = Ring { divisions: COARSE, ratio: 0.3, helix: 0.2, face_width: 0.5, layers: 2, axial_order: 3 };
     let web = disc([0.3 * BORE, BORE], [-0.25, 0.0], BoreSupport::Rigid);
     let free = BoreSupport::Means { harmonics: None, degree: 0 };
-    for (hold, web) in [(BoreSupport::Rigid, None), (free, None), (free, Some(&web))] {
+    for (support, web) in [(BoreSupport::Rigid, None), (free, None), (free, Some(&web))] {
         let (model, surfaces) = ring.sector();
         let profile = toothed_sector(TEETH, 1.0, COARSE).1[1].profile.clone();
-        let source = RingSource { hold, coupled: 1, ..ring_source(TEETH) };
+        let source = RingSource { support, coupled: 1, ..ring_source(TEETH) };
         let (options, never) =
             (SolidSplitOptions { samples: 8, ..SolidSplitOptions::default() }, Interrupt::never());
         let structure = match web {
@@ -281,15 +281,15 @@ fn flanks_in_space_have_moved_by_what_the_structure_answers() {
                     continue;
                 }
                 seen += 1;
-                let mut answers = vec![0.0; loads.len()];
+                let mut responses = vec![0.0; loads.len()];
                 structure.add_compliance(
                     observe,
                     &[SurfaceSegment::from([s, z])],
                     chart,
                     &segments,
-                    &mut answers,
+                    &mut responses,
                 );
-                let expected: f64 = answers.iter().map(|answer| answer * 1e4).sum();
+                let expected: f64 = responses.iter().map(|answer| answer * 1e4).sum();
                 let (sin, cos) = structure.tooth_angle(tooth).sin_cos();
                 let [nx, ny, nz] = structure.surface(1).at(s, z).normal;
                 let normal = [cos * nx - sin * ny, sin * nx + cos * ny, nz];
@@ -298,7 +298,7 @@ fn flanks_in_space_have_moved_by_what_the_structure_answers() {
                 let error = (inwards - expected).abs() / largest;
                 assert!(
                     error < 1e-2,
-                    "{hold:?}, {}, tooth {tooth}, {s} {z}: {inwards:e} {expected:e} ({error:.1e})",
+                    "{support:?}, {}, tooth {tooth}, {s} {z}: {inwards:e} {expected:e} ({error:.1e})",
                     if web.is_some() { "on a web" } else { "without one" }
                 );
             }

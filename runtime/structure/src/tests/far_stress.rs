@@ -35,10 +35,10 @@ pub(super) fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec
 /// where splines are exact. Three teeth on either side have tables; the others are coupled through
 /// their cuts.
 fn agrees_with_the_whole_mesh(teeth: u32, bore: f64, tested: &[u32]) {
-    let hold = BoreSupport::Means { harmonics: None, degree: 0 };
+    let support = BoreSupport::Means { harmonics: None, degree: 0 };
     let (model, surfaces) = sector_on((teeth, bore), 1.0, COARSE);
     let (options, never) = (SplitOptions { samples: 8, ..SplitOptions::default() }, Interrupt::never());
-    let source = RingSource { hold, ..ring_source(teeth) };
+    let source = RingSource { support, ..ring_source(teeth) };
     let structure = ElasticStructure::ring(&model, &source, &surfaces, &options, &never).unwrap();
 
     let whole = PlaneModel::new(ring_on((teeth, bore), COARSE), STEEL, Plane::Strain);

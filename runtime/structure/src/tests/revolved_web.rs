@@ -17,10 +17,10 @@ use std::f64::consts::{PI, TAU};
 
 const FREE: BoreSupport = BoreSupport::Means { harmonics: None, degree: 1 };
 
-pub fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], hold: BoreSupport) -> RevolvedWeb {
+pub fn disc([a, b]: [f64; 2], [from, to]: [f64; 2], support: BoreSupport) -> RevolvedWeb {
     let at = |radius| Station { radius, ends: [from, to] };
     let section = Section::new(vec![at(a), at(b)]).unwrap();
-    RevolvedWeb { section, material: STEEL, hold, harmonics: 3, degree: 2, fineness: 1 }
+    RevolvedWeb { section, material: STEEL, support, harmonics: 3, degree: 2, fineness: 1 }
 }
 
 /// Returns the forces by rigid-body motions of the outer surface, in the order of
@@ -47,10 +47,10 @@ fn torsion_of_a_disc() {
     let shear = 0.5 * STEEL.youngs_modulus / (1.0 + STEEL.poissons_ratio);
     let [a, b] = [0.4, 1.0_f64];
     let expected = |h: f64| 4.0 * PI * shear * h / (a.powi(-2) - b.powi(-2));
-    for hold in [BoreSupport::Rigid, FREE] {
+    for support in [BoreSupport::Rigid, FREE] {
         for h in [0.05, 0.3] {
-            let found = stiffness(&disc([a, b], [0.1, 0.1 + h], hold))[5];
-            assert!((found / expected(h) - 1.0).abs() < 1e-5, "{hold:?}, {h}: {found:e}");
+            let found = stiffness(&disc([a, b], [0.1, 0.1 + h], support))[5];
+            assert!((found / expected(h) - 1.0).abs() < 1e-5, "{support:?}, {h}: {found:e}");
         }
     }
 }
@@ -134,7 +134,7 @@ fn a_ring_on_a_web_is_the_whole() {
     let bore = model.mesh.face_set("bore").unwrap();
     let means =
         BoreMeans::on_web(&model, bore, &web, [sectors, sectors / 2], &Interrupt::never()).unwrap().unwrap();
-    assert_eq!(means.held, 0);
+    assert_eq!(means.constrained, 0);
     // Node of the load, or the nearest one.
     let node = model.mesh.nodes.iter().position(|&at| {
         let [x, y, z] = at;
@@ -145,7 +145,7 @@ fn a_ring_on_a_web_is_the_whole() {
     let turned =
         [cos * direction[0] - sin * direction[1], sin * direction[0] + cos * direction[1], direction[2]];
     let load = (0..3).map(|axis| (3 * node + axis, turned[axis])).collect();
-    let support = Support::Means { held: &[], means: &means };
+    let support = Support::Means { constrained: &[], means: &means };
     let condensed = condense(&equations, &support, Some(&cuts), &[load], &[], &Interrupt::never()).unwrap();
     let mut ring = RingFlexibility::new(
         condensed.stiffness.as_ref().unwrap(),

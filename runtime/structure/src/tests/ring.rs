@@ -33,7 +33,7 @@ fn condensed_sectors_agree_with_the_whole_mesh() {
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&sector, at, along, 0.0)).collect();
     let condensed = condense(
         &assembled,
-        &Support::Held(&assembled.dofs_of(&bore)),
+        &Support::Constrained(&assembled.dofs_of(&bore)),
         Some(&cuts),
         &loads,
         &loads,
@@ -44,14 +44,14 @@ fn condensed_sectors_agree_with_the_whole_mesh() {
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), teeth, 3, &Interrupt::never()).unwrap();
 
     let whole = PlaneModel::new(toothed_ring(teeth, COARSE), STEEL, Plane::Strain);
-    let mut held = Constraints::new();
+    let mut constrained = Constraints::new();
     for (node, [x, y]) in whole.mesh.nodes.iter().enumerate() {
         if (x.hypot(*y) - 0.75).abs() < 1e-9 {
-            held.fix_node(node);
+            constrained.fix_node(node);
         }
     }
     // Nodes of the arcs' quadratic edges lie on the circle.
-    let solver = Solver::new(&whole.stiffness(), held).unwrap();
+    let solver = Solver::new(&whole.stiffness(), constrained).unwrap();
     for (column, &(at, along)) in points.iter().enumerate() {
         let displacement =
             solver.solve_one(&force(&whole, at, along, 0.0).to_full(whole.dof_count())).unwrap();

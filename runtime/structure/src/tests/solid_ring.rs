@@ -58,23 +58,29 @@ fn condensed_helical_sectors_agree_with_the_whole_mesh() {
     let cuts =
         match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &bore, angle).unwrap();
     let loads: Vec<_> = POINTS.iter().map(|&(at, along)| force(&sector, at, along, 0.0)).collect();
-    let held = equations.dofs_of(&bore);
-    let condensed =
-        condense(&equations, &Support::Held(&held), Some(&cuts), &loads, &loads, &Interrupt::never())
-            .unwrap();
+    let constrained = equations.dofs_of(&bore);
+    let condensed = condense(
+        &equations,
+        &Support::Constrained(&constrained),
+        Some(&cuts),
+        &loads,
+        &loads,
+        &Interrupt::never(),
+    )
+    .unwrap();
     let ring =
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), TEETH, 2, &Interrupt::never()).unwrap();
 
     let whole = helical(&toothed_ring(TEETH, SMALL));
-    let mut held = Constraints::new();
+    let mut constrained = Constraints::new();
     for (node, [x, y, _]) in whole.mesh.nodes.iter().enumerate() {
         if (x.hypot(*y) - BORE).abs() < 0.01 {
             for axis in 0..3 {
-                held.prescribe(3 * node + axis, 0.0);
+                constrained.prescribe(3 * node + axis, 0.0);
             }
         }
     }
-    let solver = Solver::new(&whole.stiffness(), held).unwrap();
+    let solver = Solver::new(&whole.stiffness(), constrained).unwrap();
     for (column, &(at, along)) in POINTS.iter().enumerate() {
         let displacement =
             solver.solve_one(&force(&whole, at, along, 0.0).to_full(whole.dof_count())).unwrap();
@@ -98,7 +104,7 @@ fn condensed_helical_sectors_agree_with_the_whole_mesh() {
 /// Loads in equilibrium deform a free body like a supported one, in forms that vanish for
 /// rigid-body motions.
 #[test]
-fn a_free_body_deforms_like_a_held_one_under_balanced_loads() {
+fn a_free_body_deforms_like_a_constrained_one_under_balanced_loads() {
     let sector = helical(&toothed_sector(TEETH, 1.0, SMALL).0.mesh);
     let equations = assembled(&sector);
     let motions = sector.rigid_body_modes();

@@ -27,10 +27,10 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
     let whole = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let ring = Ring::plane(&sector, with_clearance(FIVE), TEETH, &PLANE_POINTS).unwrap();
     let means = plane_means(&whole, with_clearance(FIVE), TEETH, TEETH);
-    assert_eq!(means.held, 3);
+    assert_eq!(means.constrained, 3);
     let equations = Assembled::plane(&whole);
-    let held: Vec<SparseVector> = means.forms[..means.held].to_vec();
-    let direct = Direct::new(&equations, &whole.rigid_body_modes(), &held);
+    let constrained: Vec<SparseVector> = means.forms[..means.constrained].to_vec();
+    let direct = Direct::new(&equations, &whole.rigid_body_modes(), &constrained);
     let form = |spline_tooth: usize| spline_tooth_form(&means, spline_tooth, equations.stiffness.nrows());
     let spline_teeth = ring.coupling.with_clearance.as_ref().unwrap();
     let scale = spline_teeth.compliance[(0, 0)];
@@ -54,7 +54,8 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
             let by_rows = ring.coupling.stresses_by_spline_teeth(0, tooth, unit).unwrap();
             for (point, &(at, along)) in PLANE_POINTS.iter().enumerate() {
                 let expected = force(&equations, at, along, angle).dot(&displacement);
-                let moved = ring.coupling.spline_tooth_displacements(tooth, &ring.felt(point))[(loaded, 0)];
+                let moved = ring.coupling.spline_tooth_displacements(tooth, &ring.constraint_forces(point))
+                    [(loaded, 0)];
                 for found in [moved, by_rows[(point, 0)]] {
                     assert!((found - expected).abs() < 1e-9 * scale, "tooth {tooth}: {found} {expected}");
                 }
@@ -114,12 +115,12 @@ impl LoosenedRing {
         let mut moved = Mat::<f64>::zeros(whole.spline_teeth.len(), 1);
         let (mut load, mut forces) = (vec![0.0; 3], vec![0.0; whole.spline_teeth.len()]);
         for &(point, tooth) in loads {
-            moved += ring.coupling.spline_tooth_displacements(tooth, &ring.felt(point));
+            moved += ring.coupling.spline_tooth_displacements(tooth, &ring.constraint_forces(point));
             let (at, along) = PLANE_POINTS[point];
             let on_nodes = force(&whole.equations, at, along, ring.coupling.pitch * f64::from(tooth));
             load.iter_mut().zip(&whole.motions).for_each(|(sum, motion)| *sum += on_nodes.dot(motion));
-            let held = bound.spline_tooth_forces((point, tooth));
-            forces.iter_mut().zip(held).for_each(|(sum, force)| *sum += force.tangential);
+            let constrained = bound.spline_tooth_forces((point, tooth));
+            forces.iter_mut().zip(constrained).for_each(|(sum, force)| *sum += force.tangential);
         }
         let by_motion = |motion: &Vec<f64>| {
             whole.spline_teeth.iter().map(|spline_tooth| dot(spline_tooth, motion)).collect()

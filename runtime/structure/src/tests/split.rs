@@ -72,7 +72,7 @@ fn direct(divisions: Divisions, strips: &[(u32, Mollifier)], tilt: f64) -> (Cond
     }
     let condensed = condense(
         &assembled,
-        &Support::Held(&assembled.dofs_of(&bore)),
+        &Support::Constrained(&assembled.dofs_of(&bore)),
         Some(&cuts),
         &loads,
         &rows,

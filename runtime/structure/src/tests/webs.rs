@@ -50,8 +50,8 @@ impl Disc {
             with_clearance: false,
         };
         let means = BoreMeans::solid(&model, rim, wanted, &Interrupt::never()).unwrap().unwrap();
-        let held = equations.dofs_of(&bore);
-        let support = Support::Means { held: &held, means: &means };
+        let constrained = equations.dofs_of(&bore);
+        let support = Support::Means { constrained: &constrained, means: &means };
         let condensed = condense(&equations, &support, Some(&cuts), &[], &[], &Interrupt::never()).unwrap();
         let ring =
             RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), sectors, 0, &Interrupt::never())
@@ -132,8 +132,8 @@ fn widening_of_a_thick_ring() {
     let rim = model.mesh.chain("rim").unwrap();
     let means = BoreMeans::plane(&model, rim, wanted, &Interrupt::never()).unwrap().unwrap();
     assert_eq!(means.shared.count, 4, "three motions of the whole, and widening");
-    let held = equations.dofs_of(&bore);
-    let support = Support::Means { held: &held, means: &means };
+    let constrained = equations.dofs_of(&bore);
+    let support = Support::Means { constrained: &constrained, means: &means };
     let condensed = condense(&equations, &support, Some(&cuts), &[], &[], &Interrupt::never()).unwrap();
     let ring =
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), sectors, 0, &Interrupt::never()).unwrap();

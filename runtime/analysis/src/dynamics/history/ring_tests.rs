@@ -36,8 +36,8 @@ impl Ring {
     }
 
     fn plain(ring: Annulus, highest: f64) -> Ring {
-        let hold = BoreSupport::Means { harmonics: None, degree: 0 };
-        let source = RingSource { hold, ..ring_source(ring.sectors) };
+        let support = BoreSupport::Means { harmonics: None, degree: 0 };
+        let source = RingSource { support, ..ring_source(ring.sectors) };
         let options = SplitOptions::default();
         let modes = BodyModes::ring(&ring.sector(), &source, &[], &options, highest, &Interrupt::never());
         Ring { modes: Arc::new(modes.expect("modes")), toothed: false }

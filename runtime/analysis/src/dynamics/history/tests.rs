@@ -438,7 +438,7 @@ fn an_analysis_in_time_sees_what_bearings_damp() {
 
 /// The reaction on a frame is the rate of the total momentum of all that moves on it.
 #[test]
-fn a_held_frame_feels_what_vibrates_on_it() {
+fn a_constrained_frame_feels_what_vibrates_on_it() {
     let stiff = |natural: f64| Some(10.0 * natural);
     let particles =
         swinging().particles.into_iter().map(|p| Particle { natural: p.natural.and_then(stiff), ..p });

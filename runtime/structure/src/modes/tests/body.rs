@@ -17,8 +17,8 @@ use std::sync::Arc;
 
 const TEETH: u32 = 9;
 
-fn modes_of(ring: Annulus, hold: BoreSupport, highest: f64) -> BodyModes {
-    let source = RingSource { hold, ..ring_source(ring.sectors) };
+fn modes_of(ring: Annulus, support: BoreSupport, highest: f64) -> BodyModes {
+    let source = RingSource { support, ..ring_source(ring.sectors) };
     let options = SplitOptions::default();
     BodyModes::ring(&ring.sector(), &source, &[], &options, highest, &Interrupt::never()).unwrap()
 }
@@ -62,12 +62,12 @@ fn a_ring_weighs_what_its_section_does() {
 
 #[test]
 fn the_mass_matrix_is_definite_and_modes_take_up_the_mass() {
-    for hold in [BoreSupport::Rigid, BoreSupport::Means { harmonics: None, degree: 0 }] {
+    for support in [BoreSupport::Rigid, BoreSupport::Means { harmonics: None, degree: 0 }] {
         let ring = Annulus { radii: [0.5, 1.0], elements: [3, 2], ..THIN };
         let left = |highest: f64| {
-            let modes = modes_of(ring, hold, highest);
+            let modes = modes_of(ring, support, highest);
             let smallest = eigenvalues(&whole_mass(&modes))[0];
-            assert!(smallest > 0.0, "{hold:?}: {smallest}");
+            assert!(smallest > 0.0, "{support:?}: {smallest}");
             // Share of the mass in each direction that no mode represents.
             [0, 1, 2].map(|motion| {
                 let moved: f64 = modes.coupling.iter().map(|coupling| coupling[motion].powi(2)).sum();
@@ -77,7 +77,7 @@ fn the_mass_matrix_is_definite_and_modes_take_up_the_mass() {
         let (few, many) = (left(20_000.0), left(200_000.0));
         assert!((few[0] - few[1]).abs() < 1e-9, "one direction is as good as another: {few:?}");
         assert!(few.iter().zip(&many).all(|(few, many)| many < few), "{few:?} {many:?}");
-        if hold == BoreSupport::Rigid {
+        if support == BoreSupport::Rigid {
             assert!(
                 few.iter().all(|&left| left < 0.3) && many.iter().all(|&left| left < 0.05),
                 "{few:?} {many:?}"
@@ -296,8 +296,8 @@ fn a_surface_in_place_of_itself_changes_nothing() {
 
 #[test]
 fn what_cannot_be_had_is_refused() {
-    let of = |hold, highest| {
-        let source = RingSource { hold, ..ring_source(THIN.sectors) };
+    let of = |support, highest| {
+        let source = RingSource { support, ..ring_source(THIN.sectors) };
         let options = SplitOptions::default();
         let modes = BodyModes::ring(&THIN.sector(), &source, &[], &options, highest, &Interrupt::never());
         modes.map(|modes| modes.count()).map_err(EngineError::from)

@@ -26,12 +26,19 @@ impl Annulus {
 /// Returns a sector with a clamped or a free bore.
 pub fn sector_of(model: &PlaneModel, count: u32, clamped: bool) -> Sector {
     let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
-    let held = if clamped { nodes("bore") } else { Vec::new() };
+    let constrained = if clamped { nodes("bore") } else { Vec::new() };
     let assembled = Assembled::plane(model);
     let angle = TAU / f64::from(count);
     let (first, last) = (nodes("cut_first"), nodes("cut_last"));
     // A mesh of the whole ring has no cuts.
-    let cuts = (count > 1).then(|| match_cuts(&assembled.positions, &first, &last, &held, angle).unwrap());
-    let held = assembled.dofs_of(&held);
-    Sector::new((assembled.stiffness, model.mass()), model.mesh.nodes.clone(), &held, count, cuts.as_ref())
+    let cuts =
+        (count > 1).then(|| match_cuts(&assembled.positions, &first, &last, &constrained, angle).unwrap());
+    let constrained = assembled.dofs_of(&constrained);
+    Sector::new(
+        (assembled.stiffness, model.mass()),
+        model.mesh.nodes.clone(),
+        &constrained,
+        count,
+        cuts.as_ref(),
+    )
 }

@@ -20,15 +20,15 @@ const TEETH: u32 = 6;
 
 /// Returns the squares of all natural frequencies of a whole mesh with the support of a ring, by
 /// dense matrices.
-fn of_whole(hold: Option<BoreSupport>) -> Vec<f64> {
+fn of_whole(support: Option<BoreSupport>) -> Vec<f64> {
     let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let assembled = Assembled::plane(&model);
     let bore = model.mesh.chain("bore").unwrap();
-    let held = match hold {
+    let constrained = match support {
         Some(BoreSupport::Rigid) => assembled.dofs_of(&model.mesh.chain_nodes(bore)),
         _ => Vec::new(),
     };
-    let free: Vec<usize> = (0..model.dof_count()).filter(|dof| !held.contains(dof)).collect();
+    let free: Vec<usize> = (0..model.dof_count()).filter(|dof| !constrained.contains(dof)).collect();
     let dense = |sparse: &faer::sparse::SparseColMat<usize, f64>| {
         let full = sparse.to_dense();
         Mat::from_fn(free.len(), free.len(), |row, column| full[(free[row], free[column])])
@@ -36,8 +36,8 @@ fn of_whole(hold: Option<BoreSupport>) -> Vec<f64> {
     let factor = cholesky(dense(&model.mass())).unwrap();
     let half = solve_lower(factor.as_ref(), dense(&assembled.stiffness));
     let mut matrix = solve_lower(factor.as_ref(), half.transpose().to_owned());
-    if let Some(BoreSupport::Means { harmonics: waves, degree }) = hold {
-        let wanted = RequestedMeans::of_means(waves, degree, TEETH, TEETH);
+    if let Some(BoreSupport::Means { harmonics, degree }) = support {
+        let wanted = RequestedMeans::of_means(harmonics, degree, TEETH, TEETH);
         let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
         let forms: Vec<Vec<f64>> = means.forms.iter().map(|form| form.to_full(model.dof_count())).collect();
         let forms = Mat::from_fn(free.len(), forms.len(), |row, column| forms[column][free[row]]);
@@ -48,9 +48,10 @@ fn of_whole(hold: Option<BoreSupport>) -> Vec<f64> {
         matrix = product(product(beside.as_ref(), matrix.as_ref()).as_ref(), beside.as_ref());
     }
     let mut squares = matrix.self_adjoint_eigenvalues(Side::Lower).unwrap();
-    if let Some(BoreSupport::Means { .. }) = hold {
-        let held = squares.iter().filter(|&&square| square.abs() < 1e-6 * squares[squares.len() / 2]).count();
-        squares.drain(..held);
+    if let Some(BoreSupport::Means { .. }) = support {
+        let constrained =
+            squares.iter().filter(|&&square| square.abs() < 1e-6 * squares[squares.len() / 2]).count();
+        squares.drain(..constrained);
     }
     squares
 }
@@ -60,18 +61,18 @@ fn fields(sector: &Sector, highest: f64) -> RingFields<'_> {
 }
 
 /// Returns a ring of sectors, supported or free.
-fn ring(hold: Option<BoreSupport>) -> Sector {
+fn ring(support: Option<BoreSupport>) -> Sector {
     let (model, _) = toothed_sector(TEETH, 1.0, SMALL);
-    match hold {
-        Some(hold) => {
-            let source = crate::RingSource { hold, ..ring_source(TEETH) };
+    match support {
+        Some(support) => {
+            let source = crate::RingSource { support, ..ring_source(TEETH) };
             ring_sector(&model, &source, &Interrupt::never()).unwrap()
         }
         None => sector_of(&model, TEETH, false),
     }
 }
 
-const HOLDS: [Option<BoreSupport>; 4] = [
+const SUPPORTS: [Option<BoreSupport>; 4] = [
     None,
     Some(BoreSupport::Rigid),
     Some(BoreSupport::Means { harmonics: None, degree: 0 }),
@@ -80,19 +81,19 @@ const HOLDS: [Option<BoreSupport>; 4] = [
 
 #[test]
 fn no_mode_of_the_whole_ring_is_missed() {
-    for hold in HOLDS {
-        let whole = of_whole(hold);
+    for support in SUPPORTS {
+        let whole = of_whole(support);
         // Cut-offs between two frequencies, also further up where the spectrum is dense.
         for number in [5, 20, 60] {
             let gap = (number..).find(|&k| whole[k + 1] > 1.001 * whole[k] && whole[k] > 1.0).unwrap();
             let highest = (0.5 * (whole[gap] + whole[gap + 1])).sqrt();
-            let sector = ring(hold);
+            let sector = ring(support);
             let found = fields(&sector, highest).squares;
-            assert_eq!(found.len(), gap + 1, "{hold:?} up to number {gap}");
+            assert_eq!(found.len(), gap + 1, "{support:?} up to number {gap}");
             for (k, (a, b)) in found.iter().zip(&whole).enumerate() {
                 assert!(
                     (a - b).abs() < 1e-9 * b + 1e-14 * whole[whole.len() - 1],
-                    "{hold:?}, mode {k}: {a} against {b}"
+                    "{support:?}, mode {k}: {a} against {b}"
                 );
             }
         }
@@ -101,9 +102,9 @@ fn no_mode_of_the_whole_ring_is_missed() {
 
 #[test]
 fn modes_are_orthogonal_on_the_whole_ring() {
-    for hold in HOLDS {
-        let sector = ring(hold);
-        let highest = of_whole(hold)[40].sqrt();
+    for support in SUPPORTS {
+        let sector = ring(support);
+        let highest = of_whole(support)[40].sqrt();
         let fields = fields(&sector, highest);
         let count = fields.modes.len();
         assert!(count > 35);
@@ -123,11 +124,11 @@ fn modes_are_orthogonal_on_the_whole_ring() {
         for row in 0..count {
             for column in 0..count {
                 let unit = if row == column { 1.0 } else { 0.0 };
-                assert!((mass[(row, column)] - unit).abs() < 1e-9, "{hold:?}: {row} {column}");
+                assert!((mass[(row, column)] - unit).abs() < 1e-9, "{support:?}: {row} {column}");
                 let square = unit * fields.squares[row];
                 let scale = fields.squares[row].max(fields.squares[column]).max(fields.squares[3]);
                 let error = (stiffness[(row, column)] - square).abs() / scale;
-                assert!(error < 1e-9, "{hold:?}: {row} {column}: {error:.1e}");
+                assert!(error < 1e-9, "{support:?}: {row} {column}: {error:.1e}");
             }
         }
     }

@@ -59,7 +59,11 @@ fn spread(structure: &ElasticSolid, strip: &Mollifier) -> Vec<([f64; 2], f64)> {
 
 /// Returns the mean compliance in the three-dimensional model, for loads and observers that are
 /// uniform along the face.
-fn in_space(structure: &ElasticSolid, observed: (Chart, &Mollifier), loaded: (Chart, &Mollifier)) -> f64 {
+fn three_dimensional(
+    structure: &ElasticSolid,
+    observed: (Chart, &Mollifier),
+    loaded: (Chart, &Mollifier),
+) -> f64 {
     let modes = &structure.modes;
     let (rows, columns) = (spread(structure, observed.1), spread(structure, loaded.1));
     let places = |points: &[([f64; 2], f64)]| {
@@ -118,7 +122,8 @@ fn uniform_loads_meet_the_compliance_of_the_plane() {
             for (other, loaded) in &strips {
                 let observe = (Chart { tooth: 4 + offset, surface: *surface }, observed);
                 let load = (Chart { tooth: 4, surface: *other }, loaded);
-                let (flat, spatial) = (in_the_plane(&plane, observe, load), in_space(&solid, observe, load));
+                let (flat, spatial) =
+                    (in_the_plane(&plane, observe, load), three_dimensional(&solid, observe, load));
                 let own = |chart: Chart, strip| in_the_plane(&plane, (chart, strip), (chart, strip));
                 let scale = (own(observe.0, observed) * own(load.0, loaded)).sqrt();
                 worst = worst.max((spatial - flat).abs() / scale);
@@ -137,7 +142,8 @@ fn matching_depth_hardly_matters() {
             ring.structure(&SolidSplitOptions { matching_depth: depth, ..SolidSplitOptions::default() });
         let chart = Chart { tooth: 0, surface: 0 };
         let strips = strips(structure.surface(0).range()[0][1]);
-        let compliance = [1, 3].map(|k| in_space(&structure, (chart, &strips[k].1), (chart, &strips[k].1)));
+        let compliance =
+            [1, 3].map(|k| three_dimensional(&structure, (chart, &strips[k].1), (chart, &strips[k].1)));
         let loads: Vec<SegmentLoad> = spread(&structure, &strips[3].1)
             .into_iter()
             .map(|(place, force)| SegmentLoad { chart, segment: place.into(), force })

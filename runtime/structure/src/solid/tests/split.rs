@@ -145,9 +145,16 @@ fn direct(ring: &Ring, patches: &[Patch], places: &[[f64; 2]]) -> (Condensed, Ri
     let root = model.mesh.face_set("root_0").unwrap();
     let rows: Vec<SparseVector> =
         places.iter().flat_map(|&[s, z]| recovery.rows(root, s, z).unwrap().rows).collect();
-    let held = assembled.dofs_of(&bore);
-    let condensed =
-        condense(&assembled, &Support::Held(&held), Some(&cuts), &loads, &rows, &Interrupt::never()).unwrap();
+    let constrained = assembled.dofs_of(&bore);
+    let condensed = condense(
+        &assembled,
+        &Support::Constrained(&constrained),
+        Some(&cuts),
+        &loads,
+        &rows,
+        &Interrupt::never(),
+    )
+    .unwrap();
     let flexibility =
         RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), TEETH, 3, &Interrupt::never()).unwrap();
     (condensed, flexibility)

@@ -61,7 +61,7 @@ fn close(a: f64, b: f64, tolerance: f64) -> bool {
 }
 
 #[test]
-fn what_is_asked_in_the_plane_is_answered_in_space() {
+fn solid_models_have_every_output_of_plane_models() {
     for helix_angle in [0.0, 0.3_f64] {
         let scene = scene(helix_angle);
         let structure =

@@ -5,17 +5,17 @@
 //! elements.
 
 use super::*;
-use crate::first_day_in_space::{BODIES, MESH as TEETH, scene};
+use crate::first_day_solid::{BODIES, MESH as TEETH, scene};
 use calyx_runtime::observables::{MaxContactPressure, MaxRootStress, MeshStiffness, TransmissionError};
 
 const QUADRATIC: StructureOptions = StructureOptions { order: 2, axial_order: Some(2), ..MESH };
-/// The same as in `first_day_in_space`.
+/// The same as in `first_day_solid`.
 const CUBIC: StructureOptions = StructureOptions { face_elements: Some(2), axial_order: Some(2), ..MESH };
 const SPACE: Setting =
     Setting { fidelity: "medium", structure: QUADRATIC, cells: Some([6, 4]), steps: 2, ..PLANE };
 
 #[test]
-fn of_a_pair_in_space() {
+fn estimates_of_a_solid_pair() {
     let finer = Setting { structure: MESH, estimates: Estimates::None, ..SPACE };
     let cases = [Case { name: "in space", setting: SPACE, parts: &[Part::Discretization] }];
     let wrong = wrong(&PLAIN, &finer, &cases);

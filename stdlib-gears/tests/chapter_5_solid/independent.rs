@@ -40,7 +40,7 @@ fn crowned_flanks_press_as_independent_models_say() {
 /// With Poisson's ratio zero nothing bulges at the side faces, and every section of an unmodified
 /// spur pair is in plane strain.
 #[test]
-fn without_transverse_contraction_a_spur_pair_in_space_is_the_plane_one() {
+fn without_transverse_contraction_a_solid_spur_pair_equals_the_plane_one() {
     let pair = Pair { poissons_ratio: 0.0, ..PLAIN };
     let rolls = [AT_LOWEST, 20.0, AT_HIGHEST];
     let [plane, space] =
@@ -56,9 +56,9 @@ fn without_transverse_contraction_a_spur_pair_in_space_is_the_plane_one() {
     let [plane_sprung, space_sprung] =
         ["plane", "fineroot"].map(|fidelity| sprung.solve(fidelity, StructureOptions::default(), &rolls));
     for k in 0..rolls.len() {
-        let [in_plane, in_space] = [(&plane_sprung, &plane), (&space_sprung, &space)]
-            .map(|(sprung, held)| sprung[k].transmission_error - held[k].transmission_error);
-        near("what the bearing gives", in_space, in_plane, 1e-6);
+        let [in_plane, three_dimensional] = [(&plane_sprung, &plane), (&space_sprung, &space)]
+            .map(|(sprung, constrained)| sprung[k].transmission_error - constrained[k].transmission_error);
+        near("what the bearing gives", three_dimensional, in_plane, 1e-6);
         near("mesh stiffness on it", space_sprung[k].mesh_stiffness, plane_sprung[k].mesh_stiffness, 0.006);
     }
     for (plane, space) in plane.iter().zip(&space) {

@@ -14,7 +14,7 @@ const ROLLS: [f64; 5] = [6.9, 14.8, 15.6, 15.9, 24.6];
 const HERTZ: f64 = 170_224.0;
 
 #[test]
-fn on_and_beside_tip_edges_a_spur_pair_in_space_is_the_plane_one() {
+fn on_and_beside_tip_edges_a_solid_spur_pair_equals_the_plane_one() {
     for tip_corner_contact in [false, true] {
         let pair = Pair { poissons_ratio: 0.0, tip_corner_contact, ..PLAIN };
         let [plane, space] =
