@@ -1,5 +1,6 @@
-//! Tests of tolerances for a roller between plates, whose fidelity levels and meshes are cheap: the
-//! selected setting, its actual error, and unattainable tolerances.
+//! Tests of the tolerance search with a roller between plates, for which all fidelity levels are
+//! cheap: the selected setting and its actual error, tolerances that no setting satisfies, and
+//! cancellation.
 
 use calyx_runtime::analysis::{AnalysisOptions, Event, Observer, Position, quasi_static};
 use calyx_runtime::cache::{Key, OperatorCache};
@@ -20,17 +21,19 @@ use calyx_runtime::tolerance::{ToleranceOutcome, quasi_static_within};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Mutex};
 
+/// Radius of the roller, m.
 const RADIUS: f64 = 0.02;
+/// Face width of roller and plates, m.
 const WIDTH: f64 = 0.01;
 const DISC: Disc = Disc::new(RADIUS, WIDTH, Material::STEEL);
 
-/// Disc that records the options with which it was built.
+/// Disc that records the options of each finite element model that is built.
 #[derive(Default)]
-struct Counted {
+struct RecordingDisc {
     built: Mutex<Vec<StructureOptions>>,
 }
 
-impl Prototype for Counted {
+impl Prototype for RecordingDisc {
     fn build(
         &self,
         options: &StructureOptions,
@@ -55,10 +58,10 @@ impl Prototype for Counted {
     }
 }
 
-/// Creates a roller that a plate of some length presses on another plate, with outputs for the
-/// plate's displacement and the largest pressure.
-fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
-    let roller: Arc<Counted> = Arc::default();
+/// Creates a roller between two plates. A force on the upper plate, of length `plate` (m), presses
+/// them together. The outputs are the displacement of the upper plate and the largest pressure.
+fn roller_between_plates(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<RecordingDisc>) {
+    let roller: Arc<RecordingDisc> = Arc::default();
     let at = |y: f64| SteadyRotation::at_rest([0.0, y]);
     let platen = |length, facing| Arc::new(Platen::new(length, WIDTH, facing));
     let up = &[Component::Uy];
@@ -72,7 +75,7 @@ fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
     scene.add_pair(SurfacePair::new([disc, table], [Disc::BOTTOM, Platen::SURFACE]));
     let outputs = vec![
         OutputRequest::observing("approach", scene.add_observable(Displacement(press, 1))),
-        // On a contact patch that ends with the plate.
+        // Under a short plate, the contact patch ends at the edges of the plate.
         match plate < LONG {
             true => OutputRequest::observing("pressure", scene.add_observable(MaxEdgePressure(pressed))),
             false => OutputRequest::observing("pressure", scene.add_observable(MaxContactPressure(pressed))),
@@ -81,11 +84,13 @@ fn squeezed(plate: f64) -> (Scene, Vec<OutputRequest>, Arc<Counted>) {
     (scene, outputs, roller)
 }
 
+/// Length of a plate that extends beyond the contact patch, m.
 const LONG: f64 = 2.0 * RADIUS;
 
 /// Structure cache of all tests except those that count structures.
 static ROLLERS: LazyLock<Arc<OperatorCache>> = LazyLock::new(|| Arc::new(OperatorCache::new(1 << 30)));
 
+/// Returns options of a search that starts at a fidelity level.
 fn from(fidelity: Fidelity) -> AnalysisOptions {
     let resources = Resources { cache: Some(ROLLERS.clone()), ..Resources::default() };
     AnalysisOptions { fidelity, resources, ..AnalysisOptions::default() }
@@ -96,28 +101,29 @@ fn values(result: &AnalysisResult) -> Vec<f64> {
     result.rows[0].outputs.iter().map(|output| output.value).collect()
 }
 
-/// Rigid bodies have no approach, and a disc has neither a closed form nor a 3-D model: only a
-/// plane mesh meets a tolerance. The actual error of the selected setting is at most twice the
-/// tolerance, the accuracy of the estimates; a tighter tolerance requires more effort.
+/// Rigid bodies have no displacement, and a disc has neither a closed form nor a solid model, so
+/// only a plane mesh satisfies a tolerance. The actual error of the selected setting is at most
+/// twice the tolerance, because estimates are accurate to a factor of two. A tighter tolerance
+/// selects a finer mesh or contact grid.
 #[test]
-fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
-    let (mut scene, outputs, _) = squeezed(LONG);
+fn the_selected_setting_satisfies_the_tolerance() {
+    let (mut scene, outputs, _) = roller_between_plates(LONG);
     let at = [Position::at(0.0)];
     let within = |tolerance: f64| {
         quasi_static_within(tolerance, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut ())
-            .expect("it can be had")
+            .expect("a setting satisfies it")
     };
-    let [with_clearance, tight] = [0.02, 2e-4].map(|tolerance| (tolerance, within(tolerance)));
+    let [loose, tight] = [0.02, 2e-4].map(|tolerance| (tolerance, within(tolerance)));
     let mut finest = from(Fidelity::Plane);
     finest.structure.refinement = 2.0;
     scene.pairs.iter_mut().for_each(|pair| pair.grid.half_cells = Some(192));
     let exact = values(&quasi_static(&scene, &at, &outputs, &finest, &mut ()).expect("equilibrium"));
     let mut effort = Vec::new();
-    for (tolerance, result) in [with_clearance, tight] {
+    for (tolerance, result) in [loose, tight] {
         for (value, exact) in values(&result).iter().zip(&exact) {
             assert!((value / exact - 1.0).abs() <= 2.0 * tolerance, "{tolerance}: {value} {exact}");
         }
-        let chosen = result.chosen.expect("something was chosen");
+        let chosen = result.chosen.expect("an outcome of the search");
         println!("{}", chosen.describe());
         assert_eq!(chosen.setting.fidelity, Fidelity::Plane);
         assert_eq!(
@@ -131,25 +137,26 @@ fn what_is_taken_keeps_to_the_tolerance_and_a_tighter_one_takes_more() {
     assert!(effort[1] > effort[0], "{effort:?}");
 }
 
-/// A rigid roller has no displacement: without another level that estimates the error, this level
-/// is not selected.
+/// A rigid roller has no displacement, and no other level estimates the error of this output. The
+/// search does not select the level.
 #[test]
-fn a_level_that_nothing_judges_is_not_taken() {
-    let (scene, outputs, _) = squeezed(LONG);
+fn a_level_without_an_error_estimate_is_not_selected() {
+    let (scene, outputs, _) = roller_between_plates(LONG);
     let at = [Position::at(0.0)];
     let options = from(Fidelity::Rigid);
-    let result =
-        quasi_static_within(0.05, &scene, &at, &outputs[..1], &options, &mut ()).expect("it can be had");
+    let result = quasi_static_within(0.05, &scene, &at, &outputs[..1], &options, &mut ())
+        .expect("a setting satisfies it");
     assert_eq!(result.plan.fidelity, Fidelity::Plane);
     assert!(values(&result)[0] < -1e-6);
 }
 
 #[test]
 fn no_structure_is_condensed_twice() {
-    let (scene, outputs, roller) = squeezed(LONG);
+    let (scene, outputs, roller) = roller_between_plates(LONG);
     let at = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Position::at);
     let options = AnalysisOptions { resources: Resources::default(), ..from(Fidelity::Plane) };
-    let result = quasi_static_within(1e-3, &scene, &at, &outputs, &options, &mut ()).expect("it can be had");
+    let result =
+        quasi_static_within(1e-3, &scene, &at, &outputs, &options, &mut ()).expect("a setting satisfies it");
     assert!(result.chosen.is_some_and(|chosen| chosen.tried.len() > 1));
     let built = roller.built.lock().expect("nothing panics under the lock");
     for (index, options) in built.iter().enumerate() {
@@ -163,7 +170,7 @@ fn no_structure_is_condensed_twice() {
 #[test]
 fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
     for (plate, tolerance) in [(1e-4, 0.01), (LONG, 1e-9)] {
-        let (scene, outputs, roller) = squeezed(plate);
+        let (scene, outputs, roller) = roller_between_plates(plate);
         let at = [Position::at(0.0)];
         let options = from(Fidelity::Plane);
         let result = quasi_static_within(tolerance, &scene, &at, &outputs, &options, &mut ());
@@ -186,23 +193,22 @@ fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
     }
 }
 
-/// An observer can end the search at any fidelity level.
+/// The error of an observer ends the search, and so does an interrupt.
 #[test]
-fn an_observer_ends_the_search() {
-    struct Full;
-    impl Observer for Full {
+fn observers_and_interrupts_end_the_search() {
+    struct Cancelling;
+    impl Observer for Cancelling {
         fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
             match event {
-                Event::Step { .. } => Err(EngineError::new("E0704", "nobody takes steps any more", "")),
+                Event::Step { .. } => Err(EngineError::new("E0704", "the observer cancelled the run", "")),
                 _ => Ok(()),
             }
         }
     }
-    let (scene, outputs, _) = squeezed(LONG);
+    let (scene, outputs, _) = roller_between_plates(LONG);
     let at = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Position::at);
-    let ended = quasi_static_within(0.05, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut Full);
+    let ended = quasi_static_within(0.05, &scene, &at, &outputs, &from(Fidelity::Rigid), &mut Cancelling);
     assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
-    // So can an interrupt.
     let stopped = Interrupt::new(|| Err(EngineError::new("E0704", "the run was cancelled", "")));
     let resources = Resources { interrupt: stopped, ..Resources::default() };
     let options = AnalysisOptions { resources, ..from(Fidelity::Rigid) };
@@ -210,24 +216,26 @@ fn an_observer_ends_the_search() {
     assert_eq!(ended.err().map(|error| error.code), Some("E0704"));
 }
 
-/// Observer that counts its events, and interrupts a search after the first results.
-struct Ending {
-    ended: Arc<AtomicBool>,
+/// Observer that records the solved positions, and requests the end of the search after the first
+/// results.
+struct CancelAfterFirstResult {
+    cancelled: Arc<AtomicBool>,
+    /// Index and time of each position of the latest list.
     steps: Vec<(usize, f64)>,
 }
 
-impl Observer for Ending {
+impl Observer for CancelAfterFirstResult {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
         match event {
-            Event::SearchProgress(choosing) => {
-                let described = choosing.describe();
+            Event::SearchProgress(progress) => {
+                let described = progress.describe();
                 assert_eq!(
-                    choosing.best.is_some(),
+                    progress.best.is_some(),
                     described.contains("; the best so far is "),
                     "{described}"
                 );
-                let finite = choosing.best.as_ref().is_some_and(|best| best.worst.1.is_finite());
-                self.ended.fetch_or(finite, Ordering::Relaxed);
+                let finite = progress.best.as_ref().is_some_and(|best| best.worst.1.is_finite());
+                self.cancelled.fetch_or(finite, Ordering::Relaxed);
             }
             Event::Step { index, solved, .. } => {
                 // A new list of positions replaces the earlier one.
@@ -242,22 +250,22 @@ impl Observer for Ending {
 
 /// A cancelled search returns its best results, and observers have received their positions.
 #[test]
-fn a_search_that_is_ended_has_the_best_results() {
-    let (scene, outputs, _) = squeezed(LONG);
+fn a_cancelled_search_returns_the_best_results() {
+    let (scene, outputs, _) = roller_between_plates(LONG);
     let at: Vec<Position> = (0..12).map(|time| Position::at(f64::from(time))).collect();
-    let ended = Arc::new(AtomicBool::new(false));
-    let asked = ended.clone();
-    let interrupt = Interrupt::new(move || match asked.load(Ordering::Relaxed) {
+    let cancelled = Arc::new(AtomicBool::new(false));
+    let requested = cancelled.clone();
+    let interrupt = Interrupt::new(move || match requested.load(Ordering::Relaxed) {
         true => Err(EngineError::new("E0704", "the run was cancelled", "")),
         false => Ok(()),
     });
     let cache = Some(ROLLERS.clone());
     let resources = Resources { interrupt, cache, ..Resources::default() };
     let options = AnalysisOptions { resources, ..from(Fidelity::Rigid) };
-    let mut ending = Ending { ended, steps: Vec::new() };
-    let result = quasi_static_within(1e-5, &scene, &at, &outputs, &options, &mut ending);
-    let result = result.expect("there are results when it is ended");
-    let chosen = result.chosen.as_ref().expect("it says what they are of");
+    let mut observer = CancelAfterFirstResult { cancelled, steps: Vec::new() };
+    let result = quasi_static_within(1e-5, &scene, &at, &outputs, &options, &mut observer);
+    let result = result.expect("results of the cancelled search");
+    let chosen = result.chosen.as_ref().expect("an outcome of the search");
     assert_eq!(chosen.ended.as_deref(), Some("the run was cancelled"));
     let taken = &chosen.tried[chosen.taken];
     assert!(taken.worst.1 > 1e-5 && chosen.tried.iter().all(|tried| tried.worst.1 >= taken.worst.1));
@@ -269,5 +277,5 @@ fn a_search_that_is_ended_has_the_best_results() {
     }
     assert!(chosen.describe().starts_with("tolerance 0.001 % not met, because the run was cancelled"));
     let rows: Vec<(usize, f64)> = result.rows.iter().map(|row| row.position.time).enumerate().collect();
-    assert_eq!(ending.steps, rows);
+    assert_eq!(observer.steps, rows);
 }

@@ -1,15 +1,18 @@
-//! Parser of Markdown documents with programs: the language corpus and the reference.
+//! Parser of Markdown documents with test cases: the pages in `tests/language` and the language
+//! reference.
 //!
-//! Fenced blocks:
-//! - `cx` is a model without diagnostics, except those expected by comments: `//~ CODE part of the
-//!   message` on the same line, `//~^` for the line above, `//~ elsewhere CODE ...` for another
-//!   file;
-//! - `cx fragment` is the same, but allows unused variables;
-//! - `cx module NAME` is a file `NAME.cx` that all models of the document may import, `file NAME`
-//!   any other file;
-//! - after a model, in any order: the `types` of its top-level declarations, its `diagnostic`s as
-//!   shown to users, the `text` that it prints and the `error` that it ends with, in the
-//!   interpreter and as machine code.
+//! A case is a fenced block with a model, followed by blocks with its expected results:
+//!
+//! | Info string | Content |
+//! |---|---|
+//! | `cx` | A model. Comments state the expected diagnostics: `//~ CODE part of the message` on the same line, `//~^` for the line above, `//~ elsewhere CODE ...` for another file. Any other diagnostic is a failure. |
+//! | `cx fragment` | The same, but unused variables are allowed. |
+//! | `cx module NAME` | The file `NAME.cx`, which all models of the document may import. |
+//! | `file NAME` | Any other file. |
+//! | `types` | Types of the top-level declarations of the preceding model. |
+//! | `diagnostic` | Diagnostics of the model as users see them. |
+//! | `text` | Text that the model prints, in the interpreter and as machine code. |
+//! | `error` | Error that ends the model, in both. |
 
 use std::fs;
 use std::path::Path;
@@ -17,10 +20,11 @@ use std::path::Path;
 /// Fenced block.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// Line in the document on which its text begins, from 1.
+    /// Line of the document on which the text begins, from 1.
     pub line: usize,
     /// Info string after the opening fence.
     pub kind: String,
+    /// Lines between the fences.
     pub text: String,
 }
 
@@ -36,11 +40,12 @@ pub struct Case {
 }
 
 impl Case {
+    /// Returns the expected result of a kind, such as `types`.
     pub fn expects(&self, kind: &str) -> Option<&Block> {
         self.expected.iter().find(|block| block.kind == kind)
     }
 
-    /// Returns true if unused variables are allowed.
+    /// Returns true if the model may have unused variables.
     pub fn is_fragment(&self) -> bool {
         self.model.kind == "cx fragment"
     }
@@ -49,26 +54,32 @@ impl Case {
 /// Parsed document.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// Name in messages.
+    /// Name for messages.
     pub name: String,
+    /// Complete text.
     pub text: String,
     pub cases: Vec<Case>,
-    /// Other files: name and text.
+    /// Names and texts of files that models can import or read.
     pub files: Vec<(String, String)>,
 }
 
+/// Info strings of expected results.
 const EXPECTATIONS: [&str; 4] = ["types", "diagnostic", "text", "error"];
 
 impl Document {
     /// Reads a document; `name` is its name in messages.
     ///
     /// # Panics
-    /// If it cannot be read, a block is not closed, or a block of expectations follows no model.
+    /// Panics if the file cannot be read, and as [`Document::new`].
     pub fn read(path: &Path, name: &str) -> Document {
         let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         Document::new(name, text)
     }
 
+    /// Parses a document.
+    ///
+    /// # Panics
+    /// Panics if a block is not closed, or if no model precedes an expected result.
     pub fn new(name: &str, text: String) -> Document {
         let mut document =
             Document { name: name.to_owned(), text: String::new(), cases: Vec::new(), files: Vec::new() };
@@ -100,7 +111,7 @@ impl Document {
         document
     }
 
-    /// Adds a block; `heading` is the current one, with the number of models in its section so far.
+    /// Adds a block. `heading` is the current heading and the number of models below it so far.
     fn add(&mut self, block: Block, (heading, count): &mut (String, usize)) {
         if let Some(module) = block.kind.strip_prefix("cx module ") {
             self.files.push((format!("{}.cx", module.replace('.', "/")), block.text));
@@ -117,13 +128,13 @@ impl Document {
             });
         } else if EXPECTATIONS.contains(&block.kind.as_str()) {
             let Some(case) = self.cases.last_mut() else {
-                panic!("{}:{}: nothing to expect this of", self.name, block.line)
+                panic!("{}:{}: no model precedes this expected result", self.name, block.line)
             };
             case.expected.push(block);
         }
     }
 
-    /// Returns the document with some of its blocks replaced.
+    /// Returns the text of the document with other texts in some of its blocks.
     pub fn with_blocks_replaced(&self, replacements: &[(Block, String)]) -> String {
         let mut lines: Vec<&str> = self.text.lines().collect();
         let mut sorted: Vec<&(Block, String)> = replacements.iter().collect();

@@ -1,4 +1,7 @@
-//! The back end that stores code as data.
+//! Back end that stores machine code as data ([`ModuleCode`]), for loading by another process.
+//!
+//! Cranelift identifies functions and data by ids. Stored code identifies them by indices, and the
+//! functions of the engine by their symbols.
 
 use crate::backend::{Backend, Lowered, TargetCpu, position_dependent_isa};
 use crate::code::{
@@ -17,18 +20,21 @@ use cranelift_module::{
 use std::collections::HashMap;
 use std::io;
 
-/// A Cranelift module that stores definitions as they come from the compiler.
+/// Cranelift module that stores the definitions it receives.
 pub struct Recorder {
     isa: OwnedTargetIsa,
     declarations: ModuleDeclarations,
+    /// Defined functions, in order of definition.
     functions: Vec<(FuncId, Recorded)>,
+    /// Defined data, in order of definition.
     data: Vec<(DataId, DataCode)>,
-    /// The signatures of the program's functions.
+    /// Signatures of the program's functions.
     signatures: Vec<Signature>,
+    /// Index of the main function.
     main: u32,
 }
 
-/// A function's code before its relocation targets have indices.
+/// Code of a function, whose relocations refer to Cranelift ids.
 struct Recorded {
     bytes: Vec<u8>,
     alignment: u64,
@@ -36,7 +42,10 @@ struct Recorded {
 }
 
 impl Recorder {
-    /// Starts the code of a program.
+    /// Creates a recorder for the code of a program.
+    ///
+    /// # Errors
+    /// Cranelift does not support the machine.
     pub fn new(program: &Program, cpu: TargetCpu) -> Result<Self, CodegenError> {
         Ok(Recorder {
             isa: position_dependent_isa(cpu)?,
@@ -91,27 +100,32 @@ impl Backend for Recorder {
     }
 }
 
+/// Converts a number of values of a kernel.
 fn count(number: usize) -> Result<u32, CodegenError> {
-    number.try_into().map_err(|_| CodegenError::Malformed("a kernel of billions of values"))
+    number.try_into().map_err(|_| CodegenError::Malformed("a kernel with more than 2^32 values"))
 }
 
-/// Indices for Cranelift's ids.
+/// Indices of functions and data by Cranelift id.
 struct Numbers<'d> {
     functions: HashMap<FuncId, u32>,
     data: HashMap<DataId, u32>,
     declarations: &'d ModuleDeclarations,
+    /// Symbols of the functions of the engine, in order of first use.
     imports: Vec<String>,
     import_numbers: HashMap<FuncId, u32>,
 }
 
 impl Numbers<'_> {
+    /// Returns the index of a defined function.
     fn function(&self, id: FuncId) -> Result<u32, CodegenError> {
         let number = self.functions.get(&id).copied();
         number.ok_or(CodegenError::Malformed("a function that was not defined"))
     }
 
+    /// Converts the target of a relocation.
     fn target(&mut self, name: &ModuleRelocTarget) -> Result<Target, CodegenError> {
-        let foreign = CodegenError::Malformed("a call of what only the system knows");
+        let foreign =
+            CodegenError::Malformed("a call of a function that is neither in the program nor in the engine");
         let ModuleRelocTarget::User { index, .. } = name else { return Err(foreign) };
         if !ModuleDeclarations::is_function(name) {
             let number = self.data.get(&DataId::from_u32(*index)).copied();
@@ -131,11 +145,12 @@ impl Numbers<'_> {
         Ok(Target::Import(number))
     }
 
+    /// Converts a relocation.
     fn relocation(&mut self, relocation: &ModuleReloc) -> Result<Relocation, CodegenError> {
         let ModuleReloc { offset, kind, addend, .. } = *relocation;
         let known = RelocationKind::new(kind);
         let kind = known.ok_or_else(|| {
-            CodegenError::Cranelift(format!("code for this machine has {kind:?}, which cannot be kept"))
+            CodegenError::Cranelift(format!("relocations of kind {kind:?} cannot be stored"))
         })?;
         Ok(Relocation { offset, kind, target: self.target(&relocation.name)?, addend })
     }
@@ -184,7 +199,7 @@ impl Module for Recorder {
         control_plane: &mut ControlPlane,
     ) -> ModuleResult<()> {
         let alignment = context.compile(self.isa(), control_plane)?.buffer.alignment;
-        let code = context.compiled_code().ok_or_else(|| unusual("a function without code"))?;
+        let code = context.compiled_code().ok_or_else(|| unsupported("a function without code"))?;
         let relocations = code.buffer.relocs().iter();
         let relocations =
             relocations.map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id));
@@ -210,9 +225,9 @@ impl Module for Recorder {
     }
 
     fn define_data(&mut self, id: DataId, data: &DataDescription) -> ModuleResult<()> {
-        let Init::Bytes { contents } = &data.init else { return Err(unusual("data without content")) };
+        let Init::Bytes { contents } = &data.init else { return Err(unsupported("data without content")) };
         if !data.function_relocs.is_empty() || !data.data_relocs.is_empty() {
-            return Err(unusual("data with addresses"));
+            return Err(unsupported("data with addresses"));
         }
         let alignment = data.align.unwrap_or(1);
         self.data.push((id, DataCode { bytes: contents.to_vec(), alignment }));
@@ -220,7 +235,8 @@ impl Module for Recorder {
     }
 }
 
-/// Returns the error for an operation that the lowering never requests.
-fn unusual(what: &str) -> ModuleError {
-    ModuleError::Allocation { err: io::Error::other(format!("{what} cannot be kept")) }
+/// Returns the error of an operation that this back end does not support. The lowering never
+/// requests one.
+fn unsupported(what: &str) -> ModuleError {
+    ModuleError::Allocation { err: io::Error::other(format!("{what} cannot be stored")) }
 }

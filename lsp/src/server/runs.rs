@@ -1,5 +1,8 @@
-//! Runs of models in separate processes, so that the editor remains responsive and runs can be
-//! stopped at any time.
+//! Runs and tests of models that the editor starts.
+//!
+//! Each is a process of its own, so that the server stays responsive, and can be stopped at any
+//! time. The module reads the progress of the process from its standard error, shows it in the
+//! editor, and writes everything else to the log.
 
 use super::Shared;
 use calyx_elaborate::results::{RunSummary, default_directory};
@@ -21,15 +24,18 @@ use tower_lsp_server::ls_types::{
     WorkDoneProgressBegin, WorkDoneProgressCreateParams, WorkDoneProgressEnd, WorkDoneProgressReport,
 };
 
-/// Current runs.
+/// Current runs, at most one per model.
 #[derive(Default)]
 pub(crate) struct Runs {
-    under_way: Mutex<HashMap<Uri, Run>>,
+    current: Mutex<HashMap<Uri, Run>>,
     last_token: AtomicU32,
 }
 
+/// A current run.
 struct Run {
+    /// Identifies its progress display.
     token: ProgressToken,
+    /// Notified to stop it.
     stop: Arc<Notify>,
 }
 
@@ -41,10 +47,10 @@ pub(crate) enum Stop {
 
 impl Runs {
     fn lock(&self) -> MutexGuard<'_, HashMap<Uri, Run>> {
-        self.under_way.lock().unwrap_or_else(PoisonError::into_inner)
+        self.current.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Stops a run; returns true if there was one.
+    /// Stops a run. Returns false if there is no such run.
     pub fn stop(&self, which: &Stop) -> bool {
         let runs = self.lock();
         let run = match which {
@@ -54,7 +60,7 @@ impl Runs {
         run.inspect(|run| run.stop.notify_one()).is_some()
     }
 
-    /// Registers a run, unless the model is already running.
+    /// Registers a run. Returns `None` if the model is already running.
     fn enter(&self, uri: &Uri) -> Option<(ProgressToken, Arc<Notify>)> {
         let mut runs = self.lock();
         if runs.contains_key(uri) {
@@ -80,9 +86,11 @@ impl Drop for RegisteredRun<'_> {
     }
 }
 
-/// Results of a run.
+/// A finished run.
 pub(crate) struct Finished {
+    /// Directory of the results.
     pub directory: PathBuf,
+    /// Summary for the user.
     pub message: String,
 }
 
@@ -98,7 +106,11 @@ struct Line {
     message: String,
 }
 
-/// Runs a model to its end. An error states in a sentence why there are no results.
+/// Runs a model, shows its progress, and reads its results.
+///
+/// # Errors
+/// A sentence that states why there are no results: the model is already running, the run was
+/// cancelled, or it failed.
 pub(crate) async fn run(
     shared: &Shared,
     client: &Client,
@@ -109,7 +121,7 @@ pub(crate) async fn run(
     let Some((token, stop)) = shared.runs.enter(uri) else {
         return Err(format!("{name} is running already: cancel that run first"));
     };
-    let _entered = RegisteredRun { runs: &shared.runs, uri };
+    let _registered = RegisteredRun { runs: &shared.runs, uri };
     let bar = Bar::begin(shared, client, token, format!("Running {name}")).await;
     let outcome = tokio::select! {
         outcome = solve(shared, client, model, &bar) => outcome,
@@ -118,7 +130,8 @@ pub(crate) async fn run(
     bar.end(client).await;
     outcome?;
     let directory = default_directory(model);
-    let summary = RunSummary::read(&directory).map_err(|error| format!("{name} left no results: {error}"))?;
+    let summary = RunSummary::read(&directory)
+        .map_err(|error| format!("the results of {name} cannot be read: {error}"))?;
     let positions = match summary.positions {
         0 => "no positions".to_owned(),
         1 => "1 position".to_owned(),
@@ -131,6 +144,7 @@ pub(crate) async fn run(
     Ok(Finished { directory, message })
 }
 
+/// Runs the process of a model to its end. Errors are those of the model, or of the process.
 async fn solve(shared: &Shared, client: &Client, model: &Path, bar: &Bar) -> Result<(), String> {
     let mut child = command(shared, model)
         .args(["run", "--progress", "json", "--message-format", "json"])
@@ -173,13 +187,16 @@ async fn solve(shared: &Shared, client: &Client, model: &Path, bar: &Bar) -> Res
     }
 }
 
-/// Result of a test.
+/// Outcome of a test.
 pub(crate) struct Tested {
     pub passed: bool,
     pub message: String,
 }
 
-/// Runs the tests of a file whose names contain a text.
+/// Runs the tests of a file whose names contain `name`.
+///
+/// # Errors
+/// The process cannot be started or read.
 pub(crate) async fn test(shared: &Shared, model: &Path, name: &str) -> Result<Tested, String> {
     let mut child = command(shared, model)
         .args(["test", "--filter", name])
@@ -237,11 +254,11 @@ async fn refresh(shared: &Shared, client: &Client) {
     if hints.and_then(|hints| hints.refresh_support).unwrap_or(false)
         && let Err(error) = client.inlay_hint_refresh().await
     {
-        shared.log.debug(&format!("hints are not refreshed: {error}"));
+        shared.log.debug(&format!("the client did not refresh the inlay hints: {error}"));
     }
 }
 
-/// Progress display of the client; does nothing if the client has none.
+/// Progress bar in the editor. Does nothing if the client has no progress bars.
 struct Bar {
     token: Option<ProgressToken>,
 }

@@ -1,4 +1,8 @@
-//! Outline, workspace symbols, folding, selection ranges, links.
+//! Requests about the structure of a file: document symbols (the outline), workspace symbols,
+//! folding ranges, selection ranges and document links.
+//!
+//! The modules of `ide` compute the answers as byte offsets. This module converts them to the types
+//! of the protocol. Symbols, folds and links without a position in the client's text are omitted.
 
 use crate::ide::document_links::links;
 use crate::ide::folding::{FoldKind, folds};
@@ -23,6 +27,7 @@ use tower_lsp_server::ls_types::{
     WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 
+/// Adds the capabilities for these requests.
 pub fn offer(capabilities: &mut ServerCapabilities) {
     capabilities.document_symbol_provider = Some(OneOf::Left(true));
     capabilities.workspace_symbol_provider = Some(OneOf::Left(true));
@@ -32,6 +37,7 @@ pub fn offer(capabilities: &mut ServerCapabilities) {
         Some(DocumentLinkOptions { resolve_provider: None, work_done_progress_options: Default::default() });
 }
 
+/// Registers the handlers of these requests.
 pub fn route(router: &mut Router) {
     router.on::<DocumentSymbolRequest>(outline);
     router.on_all::<WorkspaceSymbolRequest>(search);
@@ -40,7 +46,8 @@ pub fn route(router: &mut Router) {
     router.on::<DocumentLinkRequest>(document_links);
 }
 
-/// Converts the kind of a symbol.
+/// Converts the kind of a symbol. The protocol has no kinds for params, outputs, dimensions and
+/// units; their kinds are chosen by the icons of editors.
 pub(super) fn symbol_kind(kind: SymbolKind) -> ls_types::SymbolKind {
     match kind {
         SymbolKind::Param => ls_types::SymbolKind::PROPERTY,
@@ -56,12 +63,14 @@ pub(super) fn symbol_kind(kind: SymbolKind) -> ls_types::SymbolKind {
     }
 }
 
+/// Returns true if the client shows nested symbols.
 fn nests(client: &Client) -> bool {
     let document = client.capabilities.text_document.as_ref();
     let symbols = document.and_then(|document| document.document_symbol.as_ref());
     symbols.and_then(|symbols| symbols.hierarchical_document_symbol_support).unwrap_or(false)
 }
 
+/// Returns the symbols of a file, nested if the client supports it.
 fn outline(view: &View, _: DocumentSymbolParams) -> Result<Option<DocumentSymbolResponse>> {
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     let names = view.snapshot.database.names(&view.file);
@@ -74,6 +83,7 @@ fn outline(view: &View, _: DocumentSymbolParams) -> Result<Option<DocumentSymbol
     Ok(Some(DocumentSymbolResponse::Flat(flat)))
 }
 
+/// Converts symbols with their children.
 fn nested(view: &View, symbols: Vec<Symbol>) -> Vec<DocumentSymbol> {
     let convert = |symbol: Symbol| {
         #[expect(deprecated, reason = "the protocol's struct has the field")]
@@ -91,6 +101,7 @@ fn nested(view: &View, symbols: Vec<Symbol>) -> Vec<DocumentSymbol> {
     symbols.into_iter().filter_map(convert).collect()
 }
 
+/// Appends symbols and their children to a list, each with the name of the symbol that contains it.
 fn flatten(view: &View, symbols: Vec<Symbol>, container: Option<&str>, flat: &mut Vec<SymbolInformation>) {
     for symbol in symbols {
         let Some(location) = view.location(&view.file, symbol.start..symbol.end) else { continue };
@@ -107,8 +118,9 @@ fn flatten(view: &View, symbols: Vec<Symbol>, container: Option<&str>, flat: &mu
     }
 }
 
+/// Returns the symbols of all projects whose names match a query.
 fn search(views: &[View], params: WorkspaceSymbolParams) -> Result<Option<WorkspaceSymbolResponse>> {
-    // Projects may share files, at least those of the library.
+    // A file that several projects share, such as those of the library, is searched once.
     let mut files: HashMap<Arc<str>, (&View, Source<'_>)> = HashMap::new();
     for view in views {
         for name in view.files.keys() {
@@ -134,6 +146,7 @@ fn search(views: &[View], params: WorkspaceSymbolParams) -> Result<Option<Worksp
     Ok(Some(WorkspaceSymbolResponse::Nested(found.into_iter().filter_map(convert).collect())))
 }
 
+/// Returns the ranges that an editor can fold.
 fn folding(view: &View, _: FoldingRangeParams) -> Result<Option<Vec<FoldingRange>>> {
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     let convert = |fold: crate::ide::folding::Fold| {
@@ -154,9 +167,11 @@ fn folding(view: &View, _: FoldingRangeParams) -> Result<Option<Vec<FoldingRange
     Ok(Some(folds(&source).into_iter().filter_map(convert).collect()))
 }
 
+/// Returns for each position the ranges that an editor selects one after the other, each around the
+/// previous one.
 fn selection(view: &View, params: SelectionRangeParams) -> Result<Option<Vec<SelectionRange>>> {
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
-    let mut answers = Vec::new();
+    let mut ranges = Vec::new();
     for position in params.positions {
         let Some(offset) = view.offset(&view.file, position) else { return Ok(None) };
         let mut around: Option<Box<SelectionRange>> = None;
@@ -165,11 +180,12 @@ fn selection(view: &View, params: SelectionRangeParams) -> Result<Option<Vec<Sel
             around = Some(Box::new(SelectionRange { range, parent: around }));
         }
         // Every position requires an answer; the range of the file always exists.
-        answers.push(around.map_or_else(SelectionRange::default, |range| *range));
+        ranges.push(around.map_or_else(SelectionRange::default, |range| *range));
     }
-    Ok(Some(answers))
+    Ok(Some(ranges))
 }
 
+/// Returns the links from names of modules and tables to their files.
 fn document_links(view: &View, _: DocumentLinkParams) -> Result<Option<Vec<DocumentLink>>> {
     let Some(source) = Source::of(&view.snapshot, &view.file) else { return Ok(None) };
     let convert = |link: crate::ide::document_links::Link| {

@@ -80,7 +80,7 @@ impl SolidModel {
                 continue;
             }
             // Data that depend on the position across the surface are computed once for all layers.
-            let first = self.mesh.patch(chart, swept, index, 0);
+            let first = self.mesh.face(chart, swept, index, 0);
             let Interpolation::Axodes { section, axial } = &self.mesh.elements[first.element].interpolation
             else {
                 return None;
@@ -104,16 +104,16 @@ impl SolidModel {
             let firsts = firsts.collect::<Vec<_>>();
             let lines = side.iter().map(|&axode| lobatto(axial[axode])).collect::<Vec<_>>();
             for (layer, zetas) in &layers {
-                let patch = self.mesh.patch(chart, swept, index, *layer);
+                let face = self.mesh.face(chart, swept, index, *layer);
                 // Forces on the nodes of each axode, for each factor.
                 let none = lines.iter().map(|line| vec![[0.0; 3]; line.len()]).collect::<Vec<_>>();
                 let mut forces = vec![none; count];
                 for &(zeta, z_weight) in zetas {
-                    let along = patch.at_axis(zeta);
+                    let along = face.at_axis(zeta);
                     let mut on_axode = vec![[0.0; 3]; side.len()];
                     for (s_weight, shapes, at) in &across {
-                        let force = density(at.s, along.z, &patch.point_of(at, &along));
-                        let weight = s_weight * z_weight * patch.z_per_zeta();
+                        let force = density(at.s, along.z, &face.point_of(at, &along));
+                        let weight = s_weight * z_weight * face.z_per_zeta();
                         for (sum, (shape, _)) in on_axode.iter_mut().zip(shapes) {
                             for axis in 0..3 {
                                 sum[axis] += shape * weight * force[axis];
@@ -132,7 +132,7 @@ impl SolidModel {
                         }
                     }
                 }
-                let nodes = &self.mesh.elements[patch.element].nodes;
+                let nodes = &self.mesh.elements[face.element].nodes;
                 for (entries, forces) in entries.iter_mut().zip(&forces) {
                     for (&axode, forces) in side.iter().zip(forces) {
                         for (node, force) in forces.iter().enumerate() {

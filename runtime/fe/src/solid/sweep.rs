@@ -1,6 +1,10 @@
-//! Solid meshes swept from a plane section: every quadrilateral is extruded along an axis into
-//! elements with axodes, every chain of the section into a set of faces with the coordinates (s,
-//! z), arc length of the chain by axial coordinate.
+//! Solid meshes that are swept from a plane section along an axis.
+//!
+//! Each quadrilateral of the section becomes one element per layer. Each of its nodes becomes an
+//! axode: a line of nodes along the axis. Each chain of edges becomes a set of faces, a chart with
+//! the coordinates `s` (arc length of the chain, m) and `z` (axial coordinate, m).
+//!
+//! See `docs/theory/finite-elements.md`.
 
 use super::interpolation::Interpolation;
 use super::line_interpolation::{equispaced, lobatto};
@@ -16,17 +20,17 @@ pub const FACE_START: &str = "face_start";
 /// Name of the set of faces at the last station.
 pub const FACE_END: &str = "face_end";
 
-/// Reasons why a section cannot be swept. Positions in m.
+/// Errors of a sweep.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[allow(missing_docs, reason = "each says itself in its message")]
+#[allow(missing_docs, reason = "the messages describe the variants")]
 pub enum SweepError {
-    #[error("the axial ends of the elements must ascend, and there must be two at least")]
+    #[error("the stations must be at least two axial coordinates in ascending order")]
     Stations,
     #[error(
         "every axode must have an order of at least 1, and every node of the section must have one order"
     )]
     Orders,
-    #[error("element {element} is folded or turned over at ({}, {}, {})", at[0], at[1], at[2])]
+    #[error("element {element} is folded or inverted at ({}, {}, {}) m", at[0], at[1], at[2])]
     Folded { element: usize, at: [f64; 3] },
 }
 
@@ -34,11 +38,11 @@ impl SolidMesh {
     /// Sweeps a plane section between the stations (axial ends of the elements), with axodes of one
     /// order.
     ///
-    /// `place` maps a point of the section and an axial coordinate to three dimensions; it must
-    /// preserve the orientation. Coordinates are interpolated across as in the section and along
-    /// with `axial_order`, so that rigid-body motions are as exact as in the section. Every chain
-    /// of the section becomes a set of faces of its name, in addition to [`FACE_START`] and
-    /// [`FACE_END`].
+    /// `place` maps a point of the section and an axial coordinate to three dimensions, for example
+    /// onto a helix. It must preserve the orientation. The coordinates are interpolated with the
+    /// orders of the section and with `axial_order`, so that rigid-body motions are as exact as in
+    /// the section. Each chain of the section becomes a set of faces of the same name. The ends of
+    /// the mesh are the sets [`FACE_START`] and [`FACE_END`].
     ///
     /// # Errors
     /// The stations do not ascend, the order is zero or above 255, or an element is folded.
@@ -52,9 +56,10 @@ impl SolidMesh {
         Self::swept_with(section, stations, &vec![order; section.nodes.len()], order, place)
     }
 
-    /// Sweeps as [`SolidMesh::swept`], with an order for the axode of each displacement node of the
-    /// section, and an axial order of the coordinates. Rigid-body motions are exact if the latter
-    /// is no higher than any of the former, or if there is no curvature along the axis.
+    /// Sweeps as [`SolidMesh::swept`] does, with one order per axode (`orders`, by displacement node
+    /// of the section) and an axial order of the coordinates (`coordinate_order`). Rigid-body
+    /// motions are exact if `coordinate_order` does not exceed any of `orders`, or if the mesh is
+    /// straight along the axis.
     ///
     /// # Errors
     /// As for [`SolidMesh::swept`].
@@ -153,7 +158,7 @@ impl SolidMesh {
         }
     }
 
-    /// Sets the displacement nodes to the positions of the coordinate interpolation.
+    /// Places the displacement nodes on the interpolated coordinates of their elements.
     pub(super) fn place_nodes(&mut self) {
         let mut tables = BTreeMap::new();
         let mut positions = vec![None; self.nodes.len()];
@@ -181,17 +186,18 @@ impl SolidMesh {
         }
     }
 
-    /// Returns the point of a chart at arc length `s` and axial coordinate `z`, with its area per
-    /// unit of both. `None` outside the chart, or if the set has none.
+    /// Returns the point of a set of faces at arc length `s` and axial coordinate `z`, with its area
+    /// per unit of both. `None` outside the chart, or if the set has no chart.
     pub fn surface_point(&self, set: &FaceSet, s: f64, z: f64) -> Option<FacePoint> {
         let (chart, swept) = (set.chart.as_ref()?, self.swept.as_ref()?);
         let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
         let (edge, t) = swept.section.locate(&chain, s)?;
         let (layer, zeta) = swept.locate_z(z)?;
-        Some(self.patch(chart, swept, edge, layer).point(t, zeta))
+        Some(self.face(chart, swept, edge, layer).point(t, zeta))
     }
 
-    pub(super) fn patch<'a>(
+    /// Returns the face of a chart at an edge of its chain and a layer.
+    pub(super) fn face<'a>(
         &'a self,
         chart: &'a FaceChart,
         swept: &'a Swept,
@@ -219,7 +225,8 @@ impl SolidMesh {
     }
 }
 
-/// Swept face with coordinates `t` (along the chain, -1 ..= 1) and `zeta`.
+/// Face of one element, with the coordinates `t` (along the chain) and `zeta` (along the axis), both
+/// from -1 to 1.
 pub(super) struct SweptFace<'a> {
     mesh: &'a SolidMesh,
     swept: &'a Swept,
@@ -257,11 +264,12 @@ impl SweptFace<'_> {
         if self.edge.reversed { -t } else { t }
     }
 
+    /// Returns the point at `t` and `zeta`.
     pub fn point(&self, t: f64, zeta: f64) -> FacePoint {
         self.point_of(&self.at_chain(t), &self.at_axis(zeta))
     }
 
-    /// Returns the data of a position along the chain, the same in every layer.
+    /// Evaluates everything that depends on `t` only, for use in all layers.
     pub fn at_chain(&self, t: f64) -> AtChain {
         let own = self.side_coordinate(t);
         AtChain {
@@ -273,11 +281,12 @@ impl SweptFace<'_> {
         }
     }
 
-    /// Returns the data of a position along the axis, the same for every edge.
+    /// Evaluates everything that depends on `zeta` only, for use at all edges.
     pub fn at_axis(&self, zeta: f64) -> AtAxis {
         AtAxis { zeta, z: self.swept.z(self.layer, zeta), shapes: lagrange_with_slopes(&self.lines[1], zeta) }
     }
 
+    /// Returns the point at evaluated coordinates.
     pub fn point_of(&self, across: &AtChain, along: &AtAxis) -> FacePoint {
         let coordinates = &self.mesh.elements[self.element].coordinates;
         let (mut position, mut by_t, mut by_zeta) = ([0.0; 3], [0.0; 3], [0.0; 3]);
@@ -294,19 +303,19 @@ impl SweptFace<'_> {
         let [xi, eta] = across.local;
         let place = SolidElementPoint { element: self.element, local: [xi, eta, along.zeta] };
         let mut point = FacePoint::new(place, position, [by_t, by_zeta]);
-        // On a true profile, areas refer to its arc length: the area per length on the mesh is
-        // taken as that per arc length of the profile.
+        // The chart's `s` may be the arc length of the exact profile instead of the mesh. The area
+        // per unit of `s` is then that per unit of length on the mesh.
         point.area /= across.speed * self.z_per_zeta();
         if self.edge.reversed {
-            // Along the chain instead of along the side; the other tangent stays on the side of
-            // increasing z.
+            // The first tangent has the direction of the chain, the second one that of increasing
+            // z.
             point.tangents[0] = point.tangents[0].map(|part| -part);
         }
         point
     }
 }
 
-/// Data of a position along the chain, see [`SweptFace::at_chain`].
+/// Values at a coordinate `t`, see [`SweptFace::at_chain`].
 pub(super) struct AtChain {
     /// Arc length, m.
     pub s: f64,
@@ -320,7 +329,7 @@ pub(super) struct AtChain {
     shapes: Vec<(f64, f64)>,
 }
 
-/// Data of a position along the axis, see [`SweptFace::at_axis`].
+/// Values at a coordinate `zeta`, see [`SweptFace::at_axis`].
 pub(super) struct AtAxis {
     zeta: f64,
     /// Axial coordinate, m.
