@@ -337,17 +337,17 @@ impl Rotor {
         let mut history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
         history.by_ref().for_each(|row| assert!(row.is_ok()));
         let state = history.state().displacement.clone();
-        let held = history.solved().last().expect("a row").row.outputs.iter().map(|output| output.value);
-        let held: Vec<f64> = held.collect();
+        let values = history.solved().last().expect("a row").row.outputs.iter().map(|output| output.value);
+        let reactions: Vec<f64> = values.collect();
         let mut all = DVector::zeros(self.count());
         let mut own = state.iter();
-        (0..3).filter(|&k| self.free[k]).for_each(|k| all[k] = *own.next().expect("a freedom"));
+        (0..3).filter(|&k| self.free[k]).for_each(|k| all[k] = *own.next().expect("a degree of freedom"));
         for (at, particle) in self.swinging() {
             for k in 0..2 {
                 all[at + k] = own.next().expect("a mode") / (particle.mass / WIDTH).sqrt();
             }
         }
-        (all, [held[0], held[1], held[2]])
+        (all, [reactions[0], reactions[1], reactions[2]])
     }
 
     /// Effect of the load on [`Rotor::found`] and [`Rotor::exact`].
