@@ -51,8 +51,8 @@ struct Group {
 
 impl Dissection {
     /// Orders the unknowns of a stiffness of which only the pattern is read (both triangles; the
-    /// degrees of freedom of a node are adjacent). The `constrained` ones are omitted, those of the nodes
-    /// `kept` come last.
+    /// degrees of freedom of a node are adjacent). The `constrained` ones are omitted, those of the
+    /// nodes `kept` come last.
     pub fn new(
         stiffness: &SparseColMat<usize, f64>,
         positions: &[[f64; 3]],

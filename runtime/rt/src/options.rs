@@ -58,9 +58,9 @@ pub struct RunArguments {
     /// Write field results for every position
     ///
     /// Writes pressure.csv (contact pressure per cell), root_stress.csv (stress along the fillets,
-    /// if an output requires it) and max_locations.csv (location of each maximum). line_load.csv (load
-    /// along the contact lines) is always written, by default for at most 256 positions; with this
-    /// option for all.
+    /// if an output requires it) and max_locations.csv (location of each maximum). line_load.csv
+    /// (load along the contact lines) is always written, by default for at most 256 positions; with
+    /// this option for all.
     #[arg(long, help_heading = RESULTS)]
     pub fields: bool,
     /// Write VTU files for ParaView for every position

@@ -22,8 +22,8 @@
 //! `C' D C + K`, with `D` between zero and `1/S`, and a correction for the rest of the stiffness of
 //! the spline teeth, which may be infinite.
 //!
-//! The series resolves a spline tooth up to [`SplineTeeth::harmonics`] harmonics around the bore. The
-//! pressure of a tooth is therefore not quite uniform and decays beyond its ends over half a
+//! The series resolves a spline tooth up to [`SplineTeeth::harmonics`] harmonics around the bore.
+//! The pressure of a tooth is therefore not quite uniform and decays beyond its ends over half a
 //! wavelength.
 //!
 //! See `docs/theory/substructures.md`.

@@ -33,8 +33,8 @@ pub struct OrderMap {
     pub amplitudes: Vec<Vec<f64>>,
 }
 
-/// Computes order spectra of overlapping segments of `revolutions` revolutions. `angles` (rad) are those of
-/// the shaft at the samples, monotonic. Empty if the shaft rotates by less.
+/// Computes order spectra of overlapping segments of `revolutions` revolutions. `angles` (rad) are
+/// those of the shaft at the samples, monotonic. Empty if the shaft rotates by less.
 ///
 /// Every integer order has a line, on which a sine of that order shows its amplitude. For segments
 /// with a fractional number of revolutions the lines are those of the next integer.
@@ -75,8 +75,9 @@ const BYTES_PER_LINE: u64 = 32;
 /// Resamples the signal at equal steps of the shaft's angle (rad), in its sense of rotation; also
 /// returns the times (s) of these samples. The number per revolution resolves orders up to
 /// `highest`, is at least that of the original samples, and gives an integer number of samples in
-/// segments of `revolutions` revolutions if possible. A few samples at both ends are omitted, because they
-/// have no neighbours. `None` if the shaft is at rest or reverses, or there are too few samples.
+/// segments of `revolutions` revolutions if possible. A few samples at both ends are omitted,
+/// because they have no neighbours. `None` if the shaft is at rest or reverses, or there are too
+/// few samples.
 pub fn resample_by_angle(
     signal: &Uniform,
     angles: &[f64],

@@ -16,8 +16,8 @@ pub struct Spectrogram {
     pub amplitudes: Vec<Vec<f64>>,
 }
 
-/// Computes spectra of overlapping segments of `count` samples; empty if the signal is shorter than a
-/// segment.
+/// Computes spectra of overlapping segments of `count` samples; empty if the signal is shorter than
+/// a segment.
 ///
 /// # Errors
 /// Those of the interrupt, which is polled before each segment.

@@ -145,8 +145,8 @@ fn what_follows_a_shaft_stays_on_its_order() {
     }
 }
 
-/// For any fraction of a revolution as a segment, integer orders have lines, and a sine on one shows
-/// its amplitude.
+/// For any fraction of a revolution as a segment, integer orders have lines, and a sine on one
+/// shows its amplitude.
 #[test]
 fn every_whole_order_has_a_line() {
     let angle = |t: f64| TAU * (8.0 * t + 6.0 * t * t);

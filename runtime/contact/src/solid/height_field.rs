@@ -156,8 +156,8 @@ impl<'a> HeightField<'a> {
         None
     }
 
-    /// Returns the point with coordinate `fixed_axis` at `value` whose x (`axis` 0) or y (1) is `target`;
-    /// `None` if the surface ends before it.
+    /// Returns the point with coordinate `fixed_axis` at `value` whose x (`axis` 0) or y (1) is
+    /// `target`; `None` if the surface ends before it.
     pub fn on_line(
         &self,
         fixed_axis: usize,

@@ -56,8 +56,8 @@ impl SolidMesh {
         Self::swept_with(section, stations, &vec![order; section.nodes.len()], order, place)
     }
 
-    /// Sweeps as [`SolidMesh::swept`] does, with one order per axode (`orders`, by displacement node
-    /// of the section) and an axial order of the coordinates (`coordinate_order`). Rigid-body
+    /// Sweeps as [`SolidMesh::swept`] does, with one order per axode (`orders`, by displacement
+    /// node of the section) and an axial order of the coordinates (`coordinate_order`). Rigid-body
     /// motions are exact if `coordinate_order` does not exceed any of `orders`, or if the mesh is
     /// straight along the axis.
     ///
@@ -186,8 +186,8 @@ impl SolidMesh {
         }
     }
 
-    /// Returns the point of a set of faces at arc length `s` and axial coordinate `z`, with its area
-    /// per unit of both. `None` outside the chart, or if the set has no chart.
+    /// Returns the point of a set of faces at arc length `s` and axial coordinate `z`, with its
+    /// area per unit of both. `None` outside the chart, or if the set has no chart.
     pub fn surface_point(&self, set: &FaceSet, s: f64, z: f64) -> Option<FacePoint> {
         let (chart, swept) = (set.chart.as_ref()?, self.swept.as_ref()?);
         let chain = EdgeChain { edges: chart.edges.clone(), measure: chart.measure };
@@ -225,8 +225,8 @@ impl SolidMesh {
     }
 }
 
-/// Face of one element, with the coordinates `t` (along the chain) and `zeta` (along the axis), both
-/// from -1 to 1.
+/// Face of one element, with the coordinates `t` (along the chain) and `zeta` (along the axis),
+/// both from -1 to 1.
 pub(super) struct SweptFace<'a> {
     mesh: &'a SolidMesh,
     swept: &'a Swept,

@@ -1,7 +1,7 @@
 //! Warnings about contact grids that do not suit their patches.
 //!
-//! `grid_width` and `contact_cells` apply to all patches of a mesh, so the advice does too: an advised
-//! width covers the whole load on any flank, not only the patch that needs a change.
+//! `grid_width` and `contact_cells` apply to all patches of a mesh, so the advice does too: an
+//! advised width covers the whole load on any flank, not only the patch that needs a change.
 
 use super::contact_geometry::{Candidate, ContactGeometry, WidthReport};
 use super::contact_layout::Solver;

@@ -49,7 +49,8 @@ pub(in super::super) struct Sector {
 }
 
 impl Sector {
-    /// Builds a sector. `constrained` are constrained degrees of freedom; `cuts` contain none of them.
+    /// Builds a sector. `constrained` are constrained degrees of freedom; `cuts` contain none of
+    /// them.
     pub fn new(
         (stiffness, mass): (SparseColMat<usize, f64>, SparseColMat<usize, f64>),
         nodes: Vec<[f64; 2]>,
