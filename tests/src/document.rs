@@ -3,16 +3,16 @@
 //!
 //! A case is a fenced block with a model, followed by blocks with its expected results:
 //!
-//! | Info string | Content |
-//! |---|---|
-//! | `cx` | A model. Comments state the expected diagnostics: `//~ CODE part of the message` on the same line, `//~^` for the line above, `//~ elsewhere CODE ...` for another file. Any other diagnostic is a failure. |
-//! | `cx fragment` | The same, but unused variables are allowed. |
-//! | `cx module NAME` | The file `NAME.cx`, which all models of the document may import. |
-//! | `file NAME` | Any other file. |
-//! | `types` | Types of the top-level declarations of the preceding model. |
-//! | `diagnostic` | Diagnostics of the model as users see them. |
-//! | `text` | Text that the model prints, in the interpreter and as machine code. |
-//! | `error` | Error that ends the model, in both. |
+//! - `cx`: a model. Comments state the expected diagnostics: `//~ CODE part of the message` on the
+//!   same line, `//~^` for the line above, `//~ elsewhere CODE ...` for another file. Any other
+//!   diagnostic is a failure.
+//! - `cx fragment`: the same, but unused variables are allowed.
+//! - `cx module NAME`: the file `NAME.cx`, which all models of the document may import.
+//! - `file NAME`: any other file.
+//! - `types`: types of the top-level declarations of the preceding model.
+//! - `diagnostic`: diagnostics of the model as users see them.
+//! - `text`: text that the model prints, in the interpreter and as machine code.
+//! - `error`: error that ends the model, in both.
 
 use std::fs;
 use std::path::Path;
