@@ -21,7 +21,7 @@ fn blank(support: BoreSupport) -> GearBlank {
     let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
     let blank = GearBlank::standard(TEETH, rack);
     let root = blank.root_diameter;
-    let rim = Rim::new(root - MODULE, root - 6.0 * MODULE).expect("a rim").constrained(support);
+    let rim = Rim::new(root - MODULE, root - 6.0 * MODULE).expect("a rim").supported_by(support);
     blank.face_width(5.0 * MODULE).rim(rim)
 }
 

@@ -29,9 +29,9 @@ fn gear(teeth: u32, backup: f64, support: BoreSupport) -> Arc<GearPrototype> {
     let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
     let blank = GearBlank::standard(teeth, rack);
     let (root, height) = (0.5 * blank.root_diameter, 2.25 * MODULE);
-    let constrained = root - backup * height;
+    let bore_radius = root - backup * height;
     let ring = root - 0.5 * MODULE.min(backup * height);
-    let rim = Rim::new(2.0 * ring, 2.0 * constrained).expect("a rim").supported_by(support);
+    let rim = Rim::new(2.0 * ring, 2.0 * bore_radius).expect("a rim").supported_by(support);
     blank.face_width(5.0 * MODULE).rim(rim).cut().expect("a gear")
 }
 

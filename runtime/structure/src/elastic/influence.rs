@@ -141,11 +141,11 @@ impl ElasticStructure {
         } else {
             [(load, loads), (observe, observers)]
         };
-        let constrained = |(chart, points): (Chart, &[Local])| {
+        let forces_of = |(chart, points): (Chart, &[Local])| {
             self.coupling_forces(coupling, chart.surface, points.iter().copied())
         };
         let mut values =
-            coupling.compliance((first.0.tooth, &constrained(first)), (second.0.tooth, &constrained(second)));
+            coupling.compliance((first.0.tooth, &forces_of(first)), (second.0.tooth, &forces_of(second)));
         if order.is_eq() {
             mirror_lower(&mut values);
         }
