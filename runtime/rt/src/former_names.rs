@@ -17,14 +17,14 @@ pub type Seen = crate::NanLog;
 #[deprecated(since = "0.1.0", note = "use `param_assignment`")]
 pub mod given {
     pub use crate::param_assignment::*;
-    #[expect(deprecated, reason = "the former names are there under their former path")]
+    #[allow(deprecated, reason = "the former names are there under their former path")]
     pub use crate::{Given, GivenValue};
 }
 
 /// Former name of [`nan_log`](crate::nan_log).
 #[deprecated(since = "0.1.0", note = "use `nan_log`")]
 pub mod seen {
-    #[expect(deprecated, reason = "the former name is there under its former path")]
+    #[allow(deprecated, reason = "the former name is there under its former path")]
     pub use crate::Seen;
     pub use crate::nan_log::*;
 }
