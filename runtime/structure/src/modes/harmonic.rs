@@ -245,7 +245,7 @@ fn forms(sector: &Sector, nodal_diameters: u32) -> Columns {
             .extend((0..sector.forms.len()).filter(|&form| !paired(form)).map(|form| vec![(form, one)]));
     }
     for &([cosine, sine], own) in &sector.shared.pairs {
-        match (multiple(own + diameters), multiple(own - angle_factor)) {
+        match (multiple(own + diameters), multiple(own - diameters)) {
             (true, true) => constrained.extend([vec![(cosine, one)], vec![(sine, one)]]),
             // Conjugate, because the form is G^H.
             (true, false) => constrained.push(vec![(cosine, one), (sine, c64::new(0.0, -1.0))]),
