@@ -17,7 +17,7 @@ use calyx_runtime::motion::SteadyRotation;
 use calyx_runtime::observables::{Equilibrium, MaxContactPressure, Observable, Quantity};
 use calyx_runtime::observed::Observed;
 use calyx_runtime::profile::{Profile, ProfilePoint};
-use calyx_runtime::prototype::no_model_in_space;
+use calyx_runtime::prototype::no_solid_model;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{
     Body, Component, Fidelity, PairId, Prototype, Scene, StructureOptions, SurfacePair,
@@ -88,8 +88,8 @@ impl Cam {
 }
 
 impl Prototype for Cam {
-    fn check(&self, _: &StructureOptions, in_space: bool) -> Result<(), EngineError> {
-        if in_space { Err(no_model_in_space()) } else { Ok(()) }
+    fn check(&self, _: &StructureOptions, three_dimensional: bool) -> Result<(), EngineError> {
+        if three_dimensional { Err(no_solid_model()) } else { Ok(()) }
     }
 
     fn build(&self, _: &StructureOptions, _: &Interrupt) -> Result<Arc<dyn Structure>, EngineError> {
