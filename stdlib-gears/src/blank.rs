@@ -175,7 +175,7 @@ impl Rim {
         match (self.web, self.support) {
             (Some(_), _) => BoreSupport::Rigid,
             // A plane model has a single position along the axis.
-            (None, BoreSupport::Means { harmonics: harmonics, .. }) => {
+            (None, BoreSupport::Means { harmonics, .. }) => {
                 BoreSupport::Means { harmonics: harmonics, degree: 0 }
             }
             (None, BoreSupport::SplineTeeth(spline_teeth)) => {

@@ -23,7 +23,7 @@ calyx_abi::externs! {
             };
             constrained[at] = true;
         }
-        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, constrained };
+        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, fixed: constrained };
         Ok(keep(&mut host(context)?.lumped_members, member))
     }
 

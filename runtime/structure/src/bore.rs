@@ -131,7 +131,7 @@ impl RequestedMeans {
         let means = |harmonics, degree| Self::of_means(harmonics, degree, sectors, coupled);
         match support {
             BoreSupport::Rigid => None,
-            BoreSupport::Means { harmonics: harmonics, degree } => Some(means(harmonics, degree)),
+            BoreSupport::Means { harmonics, degree } => Some(means(harmonics, degree)),
             BoreSupport::SplineTeeth(spline_teeth) => {
                 Some(Self { spline_teeth: Some(spline_teeth), ..means(None, 0) })
             }
