@@ -15,15 +15,15 @@ calyx_abi::externs! {
         context, mass: f64, inertia: f64, radius: f64, support_stiffness: f64, torsional_stiffness: f64,
         fixed: Vec<String>,
     ) -> Handle {
-        let mut constrained = [false; 3];
+        let mut is_fixed = [false; 3];
         for name in &fixed {
             let Some(at) = DOF_NAMES.iter().position(|known| known == name) else {
                 return Err(refusal("E0670", "fixed", &format!("\"{name}\" is not a degree of freedom of a lumped member"),
                     "they are \"u_x\", \"u_y\" and \"theta_z\""));
             };
-            constrained[at] = true;
+            is_fixed[at] = true;
         }
-        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, fixed: constrained };
+        let member = LumpedMember { mass, inertia, radius, support_stiffness, torsional_stiffness, fixed: is_fixed };
         Ok(keep(&mut host(context)?.lumped_members, member))
     }
 
