@@ -11,7 +11,7 @@ mod zones;
 
 use crate::chapter_5_solid::pair::{CHAPTER_5, PLAIN, Pair};
 use crate::common::resources;
-use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
+use calyx_runtime::analysis::{AnalysisOptions, Position, mesh_cycle, quasi_static};
 use calyx_runtime::estimate::{Estimates, Part, Statistics};
 use calyx_runtime::observables::LoadShare;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
@@ -35,7 +35,17 @@ fn analyse(pair: &Pair, setting: &Setting) -> (AnalysisResult, Vec<String>) {
 }
 
 fn analyse_scene(
-    (mut scene, cycle): (Scene, &GearMesh),
+    (scene, cycle): (Scene, &GearMesh),
+    outputs: &[OutputRequest],
+    setting: &Setting,
+) -> (AnalysisResult, Vec<String>) {
+    analyse_at(&mesh_cycle(cycle, setting.steps), scene, outputs, setting)
+}
+
+/// Analyses a scene at other positions than those of the setting.
+fn analyse_at(
+    positions: &[Position],
+    mut scene: Scene,
     outputs: &[OutputRequest],
     setting: &Setting,
 ) -> (AnalysisResult, Vec<String>) {
@@ -51,8 +61,7 @@ fn analyse_scene(
         resources: resources(),
         ..AnalysisOptions::default()
     };
-    let positions = mesh_cycle(cycle, setting.steps);
-    let result = quasi_static(&scene, &positions, outputs, &options, &mut ()).expect("it runs");
+    let result = quasi_static(&scene, positions, outputs, &options, &mut ()).expect("it runs");
     (result, outputs.iter().map(|output| output.name.clone()).collect())
 }
 
@@ -93,19 +102,26 @@ fn wrong(pair: &Pair, finer: &Setting, cases: &[Case]) -> Vec<String> {
     let exact = analyse(pair, finer);
     let wrong = |case: &Case| {
         let (own, _) = analyse(pair, &case.setting);
-        effectivities(case.name, case.parts, &own, &exact)
+        wrong_of(effectivities(case.name, case.parts, &own, &exact))
     };
     cases.iter().flat_map(wrong).collect()
 }
 
-/// The same for one run.
+/// Returns the descriptions of effectivities that are out of range.
+fn wrong_of(all: Vec<(String, f64)>) -> Vec<String> {
+    let wrong = all.into_iter().filter(|(_, effectivity)| !(0.5..=5.0).contains(effectivity));
+    wrong.map(|(text, _)| text).collect()
+}
+
+/// Compares every statistic of every output of a run with that of a finer one; returns the
+/// effectivities with their descriptions.
 fn effectivities(
     name: &str,
     parts: &[Part],
     own: &AnalysisResult,
     (exact, names): &(AnalysisResult, Vec<String>),
-) -> Vec<String> {
-    let mut wrong = Vec::new();
+) -> Vec<(String, f64)> {
+    let mut all = Vec::new();
     for ((output, own), exact) in names.iter().zip(&own.summaries).zip(&exact.summaries) {
         // Some fidelity levels do not provide every output.
         if !OUTPUTS.contains(&output.as_str()) || own.max.is_nan() {
@@ -132,12 +148,28 @@ fn effectivities(
                 "{name}, {output}, {statistic}: estimate {estimate:.1e}, true {off:.1e}, effectivity {effectivity:.2}"
             );
             println!("{text}");
-            if !(0.5..=5.0).contains(&effectivity) {
-                wrong.push(format!("{text}: {told:?}"));
-            }
+            all.push((format!("{text}: {told:?}"), effectivity));
         }
     }
-    wrong
+    all
+}
+
+/// Asserts the goal for a few runs together: no effectivity is below 0.3, and 95 % of them lie
+/// between 0.5 and 5.
+fn assert_goal(all: Vec<(String, f64)>) {
+    let low: Vec<&String> = all.iter().filter(|(_, own)| *own < 0.3).map(|(text, _)| text).collect();
+    let (count, few) = (all.len(), format!("{} of {} are below 0.3: {low:#?}", low.len(), all.len()));
+    assert!(count > 0 && low.is_empty(), "{few}");
+    let wrong = wrong_of(all);
+    assert!(20 * wrong.len() <= count, "{} of {count}: {wrong:#?}", wrong.len());
+}
+
+/// Asserts that the median of effectivities lies within a factor of two.
+fn assert_median(all: &[(String, f64)]) {
+    let mut sorted: Vec<f64> = all.iter().map(|(_, own)| *own).collect();
+    sorted.sort_by(f64::total_cmp);
+    let median = sorted[sorted.len() / 2];
+    assert!((0.5..=2.0).contains(&median), "{median}");
 }
 
 const FINER: Setting = Setting {

@@ -32,7 +32,7 @@ pub(crate) use time_integration::BaseMotion;
 pub use crate::results::{ErrorEstimate, Part, Statistics};
 
 use crate::observables::Observable;
-use crate::results::OutputSummary;
+use crate::results::{DirectedErrors, OutputSummary};
 use crate::rows::StepRow;
 use crate::summary;
 use calyx_model::observed::OutputRequest;
@@ -75,7 +75,7 @@ const FEWEST: usize = 3;
 pub(crate) struct ErrorPart {
     pub part: Part,
     /// Errors by output.
-    pub errors: Result<Vec<Statistics>, String>,
+    pub errors: Result<Vec<DirectedErrors>, String>,
 }
 
 /// Data for the error estimates.
@@ -112,22 +112,24 @@ pub(crate) fn attach(
             (Some(course), Some(finer)) => {
                 let own = ends(rows, index);
                 let errors = course.errors(&own, (&finer, &ends(known, index)), closed);
-                Ok(bounds::within(errors, &own, bounds::of(request, observables)))
+                let size = bounds::within(errors.size, &own, bounds::of(request, observables));
+                Ok(DirectedErrors { size, ..errors })
             }
             _ => Err("the positions do not go anywhere".to_owned()),
         };
         let own = |ErrorPart { part, errors }: &ErrorPart| {
-            let error = errors.as_ref().map(|errors| errors.get(index).copied().unwrap_or(Statistics::NONE));
+            let error =
+                errors.as_ref().map(|errors| errors.get(index).copied().unwrap_or(DirectedErrors::NONE));
             (*part, error.map_err(String::clone))
         };
-        let mut all: Vec<(Part, Result<Statistics, String>)> = found.iter().map(own).collect();
+        let mut all: Vec<(Part, Result<DirectedErrors, String>)> = found.iter().map(own).collect();
         all.push((Part::Positions, between));
         all.sort_by_key(|(part, _)| *part);
         let mut parts = Vec::new();
         let mut not_estimated = Vec::new();
         for (part, error) in all {
             match error {
-                Ok(error) if error.is_finite() => parts.push((part, error)),
+                Ok(error) if error.size.is_finite() => parts.push((part, error)),
                 Ok(_) => not_estimated.push((part, "not all values are finite".to_owned())),
                 Err(reason) => not_estimated.push((part, reason)),
             }

@@ -8,6 +8,7 @@ pub use calyx_model::observed::{Location, Observed, OutputRequest};
 pub use calyx_model::structure_building::StructureCounts;
 pub use chosen::{Attempt, SearchProgress, Setting, ToleranceOutcome};
 pub(crate) use chosen::{EXHAUSTED, LARGER, percent};
+pub(crate) use error_estimate::DirectedErrors;
 pub use error_estimate::{ErrorEstimate, Part, Statistics};
 
 use crate::observables::ModesTable;

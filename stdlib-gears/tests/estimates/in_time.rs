@@ -60,7 +60,7 @@ fn wrong_by_steps(
         moved(scene, outputs, &moving(vec![range], scheme), estimates)
     };
     let (own, _) = run(1, Estimates::Cheap);
-    effectivities(name, &[Part::TimeStep], &own, &run(FINER_STEPS, Estimates::None))
+    wrong_of(effectivities(name, &[Part::TimeStep], &own, &run(FINER_STEPS, Estimates::None)))
 }
 
 #[test]

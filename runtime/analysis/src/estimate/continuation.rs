@@ -58,15 +58,15 @@ impl Continuations {
     /// Continues a time history between two positions, from the points on either side, nearest
     /// first.
     ///
-    /// `limited` keeps a parabola from rising or falling faster than the line through the two
-    /// nearest points. If the third point lies behind a kink, the parabola bends away without
-    /// bound, while the line does not.
-    pub fn new(points: &[Vec<Point>; 2], [from, to]: [f64; 2], limited: bool) -> Continuations {
+    /// A parabola neither rises nor falls faster than the line through the two nearest points. If
+    /// the third point lies behind a kink or a jump, the parabola bends away without bound, while
+    /// the line does not.
+    pub fn new(points: &[Vec<Point>; 2], [from, to]: [f64; 2]) -> Continuations {
         let at = |points: &[Point], part: usize| {
             let x = from + part as f64 / PARTS as f64 * (to - from);
             let parabola = lagrange(points, x);
             match points {
-                [nearest, next, _] if limited => {
+                [nearest, next, _] => {
                     let line = lagrange(&[*nearest, *next], x);
                     nearest.1 + common_to(line - nearest.1, parabola - nearest.1)
                 }

@@ -25,12 +25,14 @@ const LEAST_AXIAL_ORDER: usize = 2;
 const MOST_AXIAL_ORDER: usize = 8;
 /// Elements of this order or more are compared with those of one order less, in three dimensions.
 const CUBIC: usize = 3;
-/// Factors in three dimensions on the difference between elements of order three and two, for the
-/// former, and on that from the next higher order, for elements of a lower order.
-const OF_LOWER_ORDER: [f64; 2] = [1.3, 1.0];
+/// Factors in three dimensions on the difference between cubic elements and 1.5 times as many
+/// quadratic ones along every direction, for the former, and on that from the next higher order,
+/// for elements of a lower order.
+const OF_LOWER_ORDER: [f64; 2] = [2.0, 1.6];
 const OF_HIGHER_ORDER: [f64; 2] = [1.3, 1.6];
-/// Ratio of elements along every direction in three dimensions, if the other order fails: in whole
-/// numbers, templates have more of them then along every direction.
+/// Ratio of elements along every direction in three dimensions: in whole numbers, templates have
+/// more of them then along every direction. Quadratic elements have as many degrees of freedom then
+/// as cubic ones.
 const FINER_SOLID: f64 = 1.5;
 
 /// Mesh for a comparison.
@@ -39,6 +41,9 @@ pub(super) struct MeshVariant {
     pub(super) structure: StructureOptions,
     /// Factors on the difference: deflections and forces, and stresses.
     factors: [f64; 2],
+    /// Direction of the error of the analysis relative to the difference of this mesh from it: -1
+    /// for a more accurate mesh; 0, unknown, for another one.
+    pub(super) direction: f64,
 }
 
 impl MeshVariant {
@@ -48,8 +53,10 @@ impl MeshVariant {
     /// coarse one would have too few elements then: it is compared with a finer one, which is
     /// cheap.
     /// Solid meshes have as few elements as they can, so they are compared with elements of another
-    /// order: cubic elements with quadratic ones, and others with those of the next higher order.
-    /// Linear elements lock, so they show no error of quadratic ones.
+    /// order: quadratic ones with cubic ones, and cubic ones with more quadratic ones, which are
+    /// equally expensive. The same number of quadratic elements would show no error of the layers
+    /// that recovered stress is fitted to. Linear elements lock, so they show no error of quadratic
+    /// ones.
     pub(super) fn of(fidelity: Fidelity, structure: StructureOptions) -> [MeshVariant; 2] {
         match fidelity {
             Fidelity::Solid(_) => {
@@ -57,15 +64,18 @@ impl MeshVariant {
                     true => MeshVariant {
                         structure: of_order(structure, structure.order + 1),
                         factors: OF_HIGHER_ORDER,
+                        direction: -1.0,
                     },
                     false => MeshVariant {
-                        structure: of_order(structure, structure.order - 1),
+                        structure: with_elements(of_order(structure, structure.order - 1), FINER_IN_SPACE),
                         factors: OF_LOWER_ORDER,
+                        direction: 0.0,
                     },
                 };
                 let finer = MeshVariant {
                     structure: with_elements(structure, FINER_SOLID),
                     factors: OF_HIGHER_ORDER,
+                    direction: -1.0,
                 };
                 [other, finer]
             }
@@ -74,8 +84,13 @@ impl MeshVariant {
                 let finer = MeshVariant {
                     structure: StructureOptions { order, ..with_elements(structure, FINER) },
                     factors: [OF_FINER_MESH; 2],
+                    direction: -1.0,
                 };
-                let coarser = MeshVariant { structure: with_elements(structure, COARSER), factors: OF_MESH };
+                let coarser = MeshVariant {
+                    structure: with_elements(structure, COARSER),
+                    factors: OF_MESH,
+                    direction: 0.0,
+                };
                 if structure.refinement <= COARSE { [finer, coarser] } else { [coarser, finer] }
             }
         }

@@ -41,7 +41,7 @@ pub(crate) fn perturbed_solves_of(
     };
     let mut all = vec![
         perturbed_solve(own.clone(), samples, true, false),
-        perturbed_solve(own, added_positions(positions, three_dimensional), false, false),
+        perturbed_solve(own, added_positions(positions, fidelity, three_dimensional), false, false),
     ];
     if fidelity.body_model() == BodyModel::Elements {
         let others = MeshVariant::of(fidelity, structure).map(|other| (fidelity, other.structure));

@@ -6,6 +6,7 @@ use super::{
     Ends, ErrorPart, Estimates, Evidence, Part, Statistics, bounds, ends, is_stress, rounding, within,
 };
 use crate::observables::Observe;
+use crate::results::DirectedErrors;
 use crate::rows::StepRow;
 use crate::scene::Scene;
 use crate::summary::is_closed;
@@ -38,7 +39,9 @@ const OF_SUMS: f64 = 0.2;
 /// Number of positions per additional position between two, and the number of additional positions
 /// up to which there may be more.
 const PER_ADDED: usize = 2;
-const FEW_ADDED: usize = 8;
+const FEW_ADDED: usize = 16;
+/// Number of positions on plane grids of half the cells that take the time of one position.
+const COARSE_PER_POSITION: usize = 4;
 /// Number of rounds of division; each uses the results of the previous ones.
 const ROUNDS: usize = 4;
 
@@ -94,16 +97,17 @@ pub(crate) fn quasi_static_perturbed_solves(
     if fidelity.body_model() == BodyModel::Elements {
         let (meshed, other) = judged.on_another_mesh(compared, &samples)?;
         let factor = |output: usize| other.factor(is_stress(&judged.outputs[output], &scene.observables));
-        found.push(judged.found(Part::Discretization, &samples, meshed, base, factor));
+        found.push(judged.found(Part::Discretization, &samples, meshed, base, (factor, other.direction)));
     }
     if fidelity != Fidelity::Rigid {
-        found.push(judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, |_| OF_GRID));
+        // The coarse grid deviates in the direction of the error.
+        found.push(judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, (|_| OF_GRID, 1.0)));
     }
     let level = match estimates {
         Estimates::Full => judged.level_above(&samples)?,
         _ => Err("error_estimates = \"full\" estimates it, at more than the cost of the run".to_owned()),
     };
-    found.push(judged.found(Part::Level, &samples, level, &own, |_| 1.0));
+    found.push(judged.found(Part::Level, &samples, level, &own, (|_| 1.0, 0.0)));
     Ok(Evidence { found, rows: judged.with_some_between()?, rounding })
 }
 
@@ -120,10 +124,13 @@ pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) 
 /// Returns the number of positions that are solved between those of an analysis.
 ///
 /// The estimates take at most about the time of the analysis, without structures, which may be
-/// cached. Few positions are all solved again, twice on grids of half the cells along every
-/// direction: each at a quarter of the time, and in three dimensions at a sixteenth.
-pub(super) fn added_positions(positions: usize, three_dimensional: bool) -> usize {
-    let on_coarse_grids = if three_dimensional { 0 } else { SAMPLES.min(positions).div_ceil(2) };
+/// cached. Few positions are all solved again on grids of half the cells along every direction, and
+/// once more on another mesh if there is one: each at a quarter of the time, and in three
+/// dimensions at a sixteenth.
+pub(super) fn added_positions(positions: usize, fidelity: Fidelity, three_dimensional: bool) -> usize {
+    let solved_again = if fidelity.body_model() == BodyModel::Elements { 2 } else { 1 };
+    let on_coarse_grids =
+        if three_dimensional { 0 } else { (solved_again * SAMPLES.min(positions)).div_ceil(COARSE_PER_POSITION) };
     positions.div_ceil(PER_ADDED).max((positions - on_coarse_grids).min(FEW_ADDED))
 }
 
@@ -268,7 +275,7 @@ impl BaseAnalysis<'_, '_> {
         let bounds = |output| bounds::of(output, &self.scene.observables);
         let bounds: Vec<[f64; 2]> = self.outputs.iter().map(bounds).collect();
         let mut all = self.rows.to_vec();
-        let mut left = added_positions(self.rows.len(), self.plan.three_dimensional);
+        let mut left = added_positions(self.rows.len(), self.plan.fidelity, self.plan.three_dimensional);
         for round in 0..ROUNDS {
             let course =
                 |(output, &closed)| SamplingContext::of(within(&all, self.rows, closed), Some(output));
@@ -308,18 +315,21 @@ impl BaseAnalysis<'_, '_> {
         if unnamed.is_empty() { all.collect() } else { unnamed }
     }
 
-    /// Computes a part of the error from samples with and without its setting changed.
+    /// Computes a part of the error from samples with and without its setting changed. The
+    /// direction is 1 if the changed setting has an error of the same direction as the analysis, -1
+    /// if its error is small, and 0 if directions are unknown.
     fn found(
         &self,
         part: Part,
         samples: &[usize],
         turned: Result<Values, String>,
         base: &Values,
-        factor: impl Fn(usize) -> f64,
+        (factor, direction): (impl Fn(usize) -> f64, f64),
     ) -> ErrorPart {
         let error = |output: usize, turned: &[Ends]| {
             let rows = ends(self.rows, output);
-            differences(&rows, samples, &self.between(samples), turned, &base[output]).times(factor(output))
+            differences(&rows, samples, &self.between(samples), turned, &base[output])
+                .times(factor(output), direction)
         };
         let of_outputs = |turned: Values| turned.iter().enumerate().map(|(o, t)| error(o, t)).collect();
         ErrorPart { part, errors: turned.map(of_outputs) }
@@ -371,18 +381,19 @@ fn samples(rows: &[StepRow], outputs: usize) -> Vec<usize> {
     samples
 }
 
-/// Returns the differences of the statistics over `rows` between two solutions of samples.
+/// Returns the differences of the statistics over `rows` between two solutions of samples; the
+/// directions are those of their averages.
 fn differences(
     rows: &[Ends],
     samples: &[usize],
     between: &[usize],
     one: &[Ends],
     other: &[Ends],
-) -> Statistics {
+) -> DirectedErrors {
     // `max` ignores NaN.
     let values = rows.iter().chain(one).chain(other);
     if !values.into_iter().all(|end| (end.value + end.low + end.high).is_finite()) {
-        return Statistics::NONE;
+        return DirectedErrors::NONE;
     }
     let most = rows.iter().map(|end| end.high).fold(f64::NEG_INFINITY, f64::max);
     let least = rows.iter().map(|end| end.low).fold(f64::INFINITY, f64::min);
@@ -419,10 +430,15 @@ fn differences(
             between.iter().copied().min_by_key(|&sample| samples[sample].abs_diff(row)).unwrap_or(0);
         mean += value(nearest) / rows.len() as f64;
     }
-    Statistics {
+    let size = Statistics {
         min,
         max,
         mean: mean.abs().max(OF_SUMS * rms(&mut all().map(value))),
         peak_to_peak: peak_to_peak.max(of_both),
-    }
+    };
+    let average = |samples: &[usize], of: &dyn Fn(usize) -> f64| {
+        samples.iter().map(|&sample| of(sample)).sum::<f64>() / samples.len() as f64
+    };
+    let (min, max) = (average(&at_least, &low), average(&at_most, &high));
+    DirectedErrors::new(size, Statistics { min, max, mean, peak_to_peak: max - min })
 }

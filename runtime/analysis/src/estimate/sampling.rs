@@ -15,6 +15,7 @@
 
 use super::continuation::{Continuations, Point};
 use super::{Ends, Statistics, ends};
+use crate::results::DirectedErrors;
 use crate::rows::StepRow;
 use calyx_model::position::Position;
 use std::borrow::Cow;
@@ -173,18 +174,17 @@ impl SamplingContext {
         interval: isize,
         of: impl Fn(isize) -> f64,
         closed: bool,
-        limited: bool,
     ) -> (Continuations, [bool; 2]) {
         let (stencils, alone) = self.stencils(interval, closed);
         let points =
             stencils.map(|stencil| stencil.iter().map(|&i| (self.place(i), of(i))).collect::<Vec<Point>>());
         let ends = [interval, interval + 1].map(|end| self.place(end));
-        (Continuations::new(&points, ends, limited), alone)
+        (Continuations::new(&points, ends), alone)
     }
 
     /// Evaluates the largest value in an interval relative to a level.
     fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Extrapolation {
-        let (continued, alone) = self.continued(interval, of, closed, true);
+        let (continued, alone) = self.continued(interval, of, closed);
         let missed = missed(&continued, alone);
         let both = alone.iter().all(|&alone| alone);
         let more = continued.misses().into_iter().map(f64::abs).fold(0.0, f64::max);
@@ -202,7 +202,7 @@ impl SamplingContext {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let largest = |i| self.continued(i, of, closed, true).0.largest(most).expected;
+        let largest = |i| self.continued(i, of, closed).0.largest(most).expected;
         self.intervals(closed).map(largest).fold(most, f64::max)
     }
 
@@ -219,7 +219,7 @@ impl SamplingContext {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
         let above_chord = |interval| {
-            let (continued, _) = self.continued(interval, of, closed, false);
+            let (continued, _) = self.continued(interval, of, closed);
             continued.above_chord() * (self.place(interval + 1) - self.place(interval))
         };
         self.intervals(closed).map(above_chord).sum()
@@ -232,8 +232,7 @@ impl SamplingContext {
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let missed = |interval: isize| {
-            // The mean uses parabolas without a limit, and so does their miss distance.
-            let (continued, alone) = self.continued(interval, of, closed, false);
+            let (continued, alone) = self.continued(interval, of, closed);
             let missed = missed(&continued, alone).min(most - least);
             missed * (self.place(interval + 1) - self.place(interval))
         };
@@ -247,7 +246,7 @@ impl SamplingContext {
         ends: &[Ends],
         known: (&SamplingContext, &[Ends]),
         closed: bool,
-    ) -> Statistics {
+    ) -> DirectedErrors {
         let beyond = |of: &dyn Fn(&Ends) -> f64| {
             let most = ends.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
             known.0.above(&known.1.iter().map(of).collect::<Vec<_>>(), closed) - most
@@ -257,8 +256,11 @@ impl SamplingContext {
         let course = known.0;
         let beside = course.chords(&more, closed) + course.area(&more, closed) - self.chords(&own, closed);
         let missed = MISSED_MEAN * course.missed_area(&more, closed);
-        let mean = beside.hypot(missed) / self.span(closed);
-        Statistics { min: below, max: above, mean, peak_to_peak: above + below }
+        let [mean, beside] = [beside.hypot(missed), beside].map(|area| area / self.span(closed));
+        let peak_to_peak = above + below;
+        // Positions miss extremes; they never exceed them.
+        let directed = Statistics { min: below, max: -above, mean: -beside, peak_to_peak: -peak_to_peak };
+        DirectedErrors::new(Statistics { min: below, max: above, mean, peak_to_peak }, directed)
     }
 }
 

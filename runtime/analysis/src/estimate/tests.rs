@@ -41,7 +41,7 @@ fn estimated_and_true(
             0.5 * (after - before) * values[i].value
         })
         .sum();
-    (course.errors(&values, (&course, &values), true), [largest - found, (mean - sum).abs()])
+    (course.errors(&values, (&course, &values), true).size, [largest - found, (mean - sum).abs()])
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn measured(at: &[(f64, &'static str)], more: usize, course: impl Fn(f64) -> f64
     }
     let finer = SamplingContext::of(&all, Some(0)).expect("it goes somewhere");
     [own.errors(&values, (&own, &values), true), own.errors(&values, (&finer, &ends(&all, 0)), true)]
-        .map(|errors| errors.max / (largest - most))
+        .map(|errors| errors.size.max / (largest - most))
 }
 
 /// Load is taken up inside an interval and levels off before the next position: extrapolation shows
@@ -210,7 +210,7 @@ fn jumps_that_positions_enclose_are_no_error() {
     let rows = rows(&at, step);
     let course = SamplingContext::of(&rows, Some(0)).expect("it goes somewhere");
     let values = ends(&rows, 0);
-    let errors = course.errors(&values, (&course, &values), false);
+    let errors = course.errors(&values, (&course, &values), false).size;
     assert!(errors.max < 1e-9 && errors.min < 1e-9 && errors.mean < 1e-9, "{errors:?}");
 }
 
@@ -237,8 +237,9 @@ fn rows_that_go_nowhere_say_nothing_of_what_lies_between() {
 
 #[test]
 fn parts_add_up_but_for_the_mesh_which_the_level_above_sees_too() {
-    let all =
-        |error: f64| Statistics { min: error, max: 2.0 * error, mean: 0.5 * error, peak_to_peak: error };
+    let all = |error: f64| -> DirectedErrors {
+        Statistics { min: error, max: 2.0 * error, mean: 0.5 * error, peak_to_peak: error }.into()
+    };
     let parts = vec![
         (Part::Discretization, all(1.0)),
         (Part::ContactGrid, all(0.25)),
@@ -246,7 +247,44 @@ fn parts_add_up_but_for_the_mesh_which_the_level_above_sees_too() {
         (Part::Level, all(3.0)),
     ];
     let estimate = ErrorEstimate::new(parts, Vec::new(), 0.0);
-    assert_eq!(estimate.total, all(3.75));
+    assert_eq!(estimate.total, all(3.75).size);
+}
+
+/// Parts span an interval: those of opposite directions extend it at different ends, and one of
+/// unknown direction at both.
+#[test]
+fn parts_of_opposite_directions_do_not_add_up() {
+    let all = |error: f64| Statistics { min: error, max: error, mean: error, peak_to_peak: error };
+    let total = |parts: [(f64, f64); 2]| {
+        let parts = [Part::ContactGrid, Part::Positions].into_iter().zip(parts);
+        let errors = |(size, directed)| DirectedErrors::new(all(size), all(directed));
+        ErrorEstimate::new(parts.map(|(part, own)| (part, errors(own))).collect(), Vec::new(), 0.0).total.max
+    };
+    assert_eq!(total([(4.0, 4.0), (1.0, 1.0)]), 5.0);
+    assert_eq!(total([(4.0, 4.0), (1.0, -1.0)]), 4.0);
+    assert_eq!(total([(4.0, -4.0), (5.0, 5.0)]), 5.0);
+    assert_eq!(total([(4.0, 0.0), (1.0, -1.0)]), 5.0);
+    // Most of the error has no direction.
+    assert_eq!(total([(4.0, 2.0), (1.0, -1.0)]), 5.0);
+}
+
+/// An output that jumps twice between positions: parabolas through points behind the jumps would
+/// hide from the mean how wide the dip is.
+#[test]
+fn the_mean_of_a_course_that_jumps_is_seen() {
+    let dip = |x: f64| if (0.803..0.897).contains(&x) { 2.24 } else { 3.5 - 0.8 * (x - 0.35).powi(2) };
+    let at: Vec<(f64, &'static str)> =
+        [0.0, 0.04, 0.1667, 0.3333, 0.5, 0.6667, 0.7031, 0.7356, 0.8333, 0.8493, 0.8646, 0.9583]
+            .map(|x| (x, ""))
+            .to_vec();
+    let own: Vec<(f64, &'static str)> = uniform(6);
+    let [own, known] = [own, at].map(|at| rows(&at, dip));
+    let course = |rows: &[StepRow]| SamplingContext::of(rows, Some(0)).expect("it goes somewhere");
+    let errors = course(&own).errors(&ends(&own, 0), (&course(&known), &ends(&known, 0)), true).size;
+    let mean = (0..100_000).map(|k| dip(k as f64 / 1e5)).sum::<f64>() / 1e5;
+    let found = ends(&own, 0).iter().map(|end| end.value).sum::<f64>() / 6.0;
+    let effectivity = errors.mean / (mean - found).abs();
+    assert!((0.5..3.0).contains(&effectivity), "{effectivity}");
 }
 
 /// A value counts as rounding only if its error does too.
@@ -255,7 +293,7 @@ fn rounding_has_no_part_that_is_wrong_and_hides_no_error() {
     let of = |value: f64, error: f64| {
         let summary = OutputSummary { min: -value, max: value, mean: 0.0, ..OutputSummary::none() };
         let error = Statistics { min: error, max: error, mean: error, peak_to_peak: error };
-        let estimate = ErrorEstimate::new(vec![(Part::ContactGrid, error)], Vec::new(), 1e-12);
+        let estimate = ErrorEstimate::new(vec![(Part::ContactGrid, error.into())], Vec::new(), 1e-12);
         (estimate.is_rounding(&summary), estimate.relative(&summary))
     };
     assert_eq!(of(1e-14, 5e-15), (true, None));

@@ -11,6 +11,7 @@
 use super::mesh_variants::MeshVariant;
 use super::perturbed_solves::{OF_GRID, coarser_grids};
 use super::{Ends, ErrorPart, Estimates, Evidence, Part, Statistics, ends, is_stress};
+use crate::results::DirectedErrors;
 use crate::rows::StepRow;
 use crate::scene::Scene;
 use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions};
@@ -166,7 +167,7 @@ impl BaseMotion<'_> {
             let error = |output: usize| {
                 let weights = weights(&base);
                 let [own, other] = [&base, &turned].map(|rows| ends(rows, output));
-                differences(&weights, &own, &other).times(factor(output))
+                DirectedErrors::from(differences(&weights, &own, &other).times(factor(output)))
             };
             Ok((0..self.outputs.len()).map(error).collect())
         });

@@ -69,12 +69,13 @@ impl Statistics {
         [self.min, self.max, self.mean, self.peak_to_peak].iter().all(|error| error.is_finite())
     }
 
-    fn with(self, other: Statistics, combine: impl Fn(f64, f64) -> f64) -> Statistics {
+    /// Evaluates a function of each statistic.
+    pub(crate) fn of_each(value: impl Fn(fn(&Statistics) -> f64) -> f64) -> Statistics {
         Statistics {
-            min: combine(self.min, other.min),
-            max: combine(self.max, other.max),
-            mean: combine(self.mean, other.mean),
-            peak_to_peak: combine(self.peak_to_peak, other.peak_to_peak),
+            min: value(|of| of.min),
+            max: value(|of| of.max),
+            mean: value(|of| of.mean),
+            peak_to_peak: value(|of| of.peak_to_peak),
         }
     }
 
@@ -88,27 +89,72 @@ impl Statistics {
     }
 }
 
+/// Magnitudes and directions of the errors of an output's statistics.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct DirectedErrors {
+    /// Magnitudes.
+    pub size: Statistics,
+    /// 1 if the value is too large, -1 if it is too small, 0 if the direction is unknown.
+    pub direction: Statistics,
+}
+
+impl DirectedErrors {
+    /// Errors of NaN values.
+    pub const NONE: DirectedErrors = DirectedErrors { size: Statistics::NONE, direction: Statistics::NONE };
+
+    /// Creates errors from magnitudes and the parts of them that have a direction. The direction
+    /// counts as known if that part is no smaller than the rest, in quadrature.
+    pub fn new(size: Statistics, directed: Statistics) -> DirectedErrors {
+        let direction = Statistics::of_each(|of| {
+            let (size, directed) = (of(&size), of(&directed));
+            let rest = size * size - directed * directed;
+            if directed != 0.0 && directed * directed >= rest { directed.signum() } else { 0.0 }
+        });
+        DirectedErrors { size, direction }
+    }
+
+    /// Multiplies the magnitudes by one factor and the directions by another one, which is 1, -1 or
+    /// 0.
+    pub fn times(self, factor: f64, direction: f64) -> DirectedErrors {
+        let directions = Statistics::of_each(|of| direction * of(&self.direction));
+        DirectedErrors { size: self.size.times(factor), direction: directions }
+    }
+}
+
+impl From<Statistics> for DirectedErrors {
+    /// Errors of unknown direction.
+    fn from(size: Statistics) -> DirectedErrors {
+        DirectedErrors { size, direction: Statistics::default() }
+    }
+}
+
 /// Estimated error of an output.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorEstimate {
     /// Estimated parts, in the order of [`Part::ALL`].
     pub parts: Vec<(Part, Statistics)>,
-    /// Total: the sum of the parts, with the larger of mesh error and model error, because the next
-    /// fidelity level includes both.
+    /// Total: the larger end of the interval that the parts span. A part whose direction is known
+    /// extends it at one end, any other part at both. Of mesh error and model error the larger one
+    /// counts, because the next fidelity level includes both.
     pub total: Statistics,
     /// Parts that exist but were not estimated, with the reason.
     pub not_estimated: Vec<(Part, String)>,
     /// Magnitude up to which a value may consist of rounding, SI.
     pub rounding: f64,
+    /// Directions of the parts, in their order; those that are missing are unknown.
+    pub(crate) directions: Vec<Statistics>,
 }
 
 impl ErrorEstimate {
     pub(crate) fn new(
-        parts: Vec<(Part, Statistics)>,
+        parts: Vec<(Part, DirectedErrors)>,
         not_estimated: Vec<(Part, String)>,
         rounding: f64,
     ) -> ErrorEstimate {
-        let mut estimate = ErrorEstimate { parts, total: Statistics::default(), not_estimated, rounding };
+        let directions = parts.iter().map(|(_, errors)| errors.direction).collect();
+        let parts = parts.into_iter().map(|(part, errors)| (part, errors.size)).collect();
+        let total = Statistics::default();
+        let mut estimate = ErrorEstimate { parts, total, not_estimated, rounding, directions };
         estimate.total = estimate.within(&Part::ALL);
         estimate
     }
@@ -116,12 +162,23 @@ impl ErrorEstimate {
     /// Returns the total of some parts, as in [`ErrorEstimate::total`].
     pub fn within(&self, wanted: &[Part]) -> Statistics {
         let part = |one: Part| {
-            let own = self.parts.iter().find(|(part, _)| *part == one && wanted.contains(part));
-            own.map_or(Statistics::default(), |(_, error)| *error)
+            let own = self.parts.iter().position(|(part, _)| *part == one && wanted.contains(part));
+            own.map_or(DirectedErrors::default(), |own| DirectedErrors {
+                size: self.parts[own].1,
+                direction: self.directions.get(own).copied().unwrap_or_default(),
+            })
         };
-        let model = part(Part::Discretization).with(part(Part::Level), f64::max);
-        let others = [Part::ContactGrid, Part::Positions, Part::TimeStep].map(part);
-        others.into_iter().fold(model, |sum, error| sum.with(error, |a, b| a + b))
+        let all = Part::ALL.map(part);
+        Statistics::of_each(|of| {
+            let [mesh, grid, positions, level, step] =
+                all.map(|errors| (of(&errors.size), of(&errors.direction)));
+            let model = if level.0 > mesh.0 { level } else { mesh };
+            let towards = |sign: f64| {
+                let parts = [model, grid, positions, step].into_iter();
+                parts.filter(|(_, direction)| sign * direction >= 0.0).map(|(size, _)| size).sum::<f64>()
+            };
+            towards(1.0).max(towards(-1.0))
+        })
     }
 
     /// Returns whether the model error of the fidelity level is included. Without it the estimate
