@@ -1,7 +1,7 @@
 //! Tests of the `calyx` command from the user's side. The pages in `cli/` specify its messages;
 //! this file tests its output files. A second run condenses nothing.
 
-mod pages;
+pub mod pages;
 
 use pages::hold;
 use serde_json::Value;

@@ -6,6 +6,7 @@
 //! `, followed by the terminal output: standard output and standard error in order. A line `...`
 //! matches any lines. Blocks of other kinds (`sh`, `text`) are not compared.
 
+use crate::cli::pages::words;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -26,23 +27,6 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
             found.push(path);
         }
     }
-}
-
-/// Splits a command line into words; blanks between quotes are part of a word.
-fn words(line: &str) -> Vec<String> {
-    let (mut words, mut word, mut quoted) = (Vec::new(), None::<String>, false);
-    for c in line.chars() {
-        match c {
-            '"' => {
-                quoted = !quoted;
-                word.get_or_insert_default();
-            }
-            ' ' if !quoted => words.extend(word.take()),
-            _ => word.get_or_insert_default().push(c),
-        }
-    }
-    words.extend(word);
-    words
 }
 
 /// Terminal session of a reader: its current directory, and a directory for its cache.

@@ -60,7 +60,7 @@ fn cases(page: &str) -> Vec<Case> {
 }
 
 /// Splits a command line into words; blanks between quotes are part of a word.
-fn words(line: &str) -> Vec<String> {
+pub fn words(line: &str) -> Vec<String> {
     let (mut words, mut word, mut quoted) = (Vec::new(), None::<String>, false);
     for c in line.chars() {
         match c {
