@@ -150,11 +150,16 @@ impl ContactProblem {
         if self.compliance.len() != n * n || self.arms.len() != n * m || self.stiffness.len() != m * m {
             return Err(ContactError::Invalid("sizes of the arrays do not match"));
         }
-        let finite = [&self.compliance, &self.arms, &self.gaps, &self.stiffness, &self.load]
-            .iter()
-            .all(|values| values.iter().all(|v| v.is_finite()));
-        if !finite {
-            return Err(ContactError::Invalid("a number is not finite"));
+        let all = [
+            (&self.compliance, "a compliance is not finite"),
+            (&self.arms, "a direction of a rigid-body motion is not finite"),
+            (&self.gaps, "a gap is not finite"),
+            (&self.stiffness, "a stiffness of a bearing is not finite"),
+            (&self.load, "a load is not finite"),
+        ];
+        let broken = |(values, _): &&(&Vec<f64>, &str)| !values.iter().all(|value| value.is_finite());
+        if let Some((_, what)) = all.iter().find(broken) {
+            return Err(ContactError::Invalid(what));
         }
         match (0..n).find(|&i| self.compliance[i * n + i] <= 0.0) {
             Some(cell) => Err(ContactError::DependentCells { cell }),
