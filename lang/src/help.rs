@@ -131,8 +131,13 @@ const BUILTINS: &[Help] = &[
         "function equation(in x, in area) := x^2 - area;\nvar side := solve(equation, 1 mm, 2 mm^2);\nprint(side);",
     ),
     help(
+        "minimize",
+        "The first argument for which a symbolic function has a local minimum, found from a guess by Newton's method on the gradient; the second derivatives verify it. The arguments after the guess are those of the function's other parameters. The result has exact derivatives.",
+        "function energy(in x, in load) := (2 N/mm) * x^2 / 2 - load * x;\nvar deflection := minimize(energy, 0 mm, 3 N);\nprint(deflection);",
+    ),
+    help(
         "spline",
-        "The natural cubic spline through points, with exact derivatives: twice continuously differentiable, with a straight line beyond both ends. The points are constant.",
+        "The natural cubic spline through points, with exact derivatives: twice continuously differentiable, with a straight line beyond both ends. Arrays are captured when the expression is bound.",
         "const positions = [0 s, 1 s, 2 s];\nvar lift := spline(positions, [0 mm, 3 mm, 1 mm], Time);\nprint(lift at Time = 1 s, derivative(lift, Time) at Time = 1 s);",
     ),
     help("len", "The number of elements of an array.", "print(len([1 mm, 2 mm]));"),

@@ -10,6 +10,7 @@
 use crate::span::Span;
 use calyx_abi::description::Exponents;
 use calyx_abi::display::Display;
+use calyx_abi::newton::Search;
 use calyx_abi::{Purity, Repr};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -195,24 +196,38 @@ pub struct Capture {
     /// Number, Bool, Vector or Transform; a tuple for a record, in which no expression reads the
     /// texts. For an observable, `Symbolic(Number)` with `observable`
     /// set. For an expression (the value of a site that is a [`Site::part`]), `Symbolic` of Number,
-    /// Vector or Transform.
+    /// Vector or Transform; a tuple may contain such expressions.
     pub repr: Repr,
     pub observable: bool,
 }
 
 impl Capture {
-    /// Returns `true` for an expression: the outputs of its site's kernel are inputs of the
-    /// capturing kernel.
+    /// Returns `true` for an expression, or a record with one: the outputs of its site's kernel are
+    /// inputs of the capturing kernel.
     pub fn is_part(&self) -> bool {
-        !self.observable && matches!(self.repr, Repr::Symbolic(_))
+        fn has_expression(repr: &Repr) -> bool {
+            match repr {
+                Repr::Symbolic(_) => true,
+                Repr::Tuple(parts) => parts.iter().any(has_expression),
+                _ => false,
+            }
+        }
+        !self.observable && has_expression(&self.repr)
     }
 
     /// Returns the number of kernel inputs that it takes.
     pub fn inputs(&self, program: &Program) -> usize {
-        match &self.repr {
-            Repr::Symbolic(inner) if !self.observable => inner.slots() * 3 * (1 + program.graph_params.len()),
-            repr => repr.slots(),
-        }
+        if self.observable { self.repr.slots() } else { captured_inputs(&self.repr, program) }
+    }
+}
+
+/// Returns the number of kernel inputs for a captured value that is no observable: of an
+/// expression, all outputs of its kernel.
+pub fn captured_inputs(repr: &Repr, program: &Program) -> usize {
+    match repr {
+        Repr::Symbolic(inner) => inner.slots() * 3 * (1 + program.graph_params.len()),
+        Repr::Tuple(parts) => parts.iter().map(|part| captured_inputs(part, program)).sum(),
+        repr => repr.slots(),
     }
 }
 
@@ -269,9 +284,10 @@ impl SymExpr {
             | SymKind::Capture(_)
             | SymKind::Argument(_)
             | SymKind::Shared(_) => Vec::new(),
-            SymKind::Op(_, all) | SymKind::Call(_, all) | SymKind::Solve(_, all) | SymKind::Brackets(all) => {
-                all.iter().collect()
-            }
+            SymKind::Op(_, all)
+            | SymKind::Call(_, all)
+            | SymKind::Solve(_, _, all)
+            | SymKind::Brackets(all) => all.iter().collect(),
             SymKind::If(a, b, c) => vec![a, b, c],
             SymKind::Derivative(a, _) | SymKind::Element(a, _) | SymKind::Table(_, a) => vec![a],
             SymKind::At(a, _, b) => vec![a, b],
@@ -302,10 +318,10 @@ pub enum SymKind {
     /// A call of a symbolic function. In its body, the numbers of its arguments are independent
     /// symbols.
     Call(SymbolicFunctionId, Vec<SymExpr>),
-    /// The unknown for which a symbolic function is zero: the guess, then the arguments of the
-    /// function after the unknown. The unknown has the form of the guess; the result of the
-    /// function has as many numbers.
-    Solve(SymbolicFunctionId, Vec<SymExpr>),
+    /// The unknown for which a symbolic function is zero or has a minimum: the guess, then the
+    /// arguments of the function after the unknown. The unknown has the form of the guess; the
+    /// result of the function has as many numbers, or is the number to minimize.
+    Solve(Search, SymbolicFunctionId, Vec<SymExpr>),
     /// The value of a piecewise polynomial ([`calyx_abi::piecewise`]) at a number.
     Table(Arc<[f64]>, Box<SymExpr>),
     Brackets(Vec<SymExpr>),
@@ -551,6 +567,9 @@ pub enum Op {
     Floor,
     Ceil,
     Round,
+    /// N,N -> N: the value of a registered table ([`calyx_abi::piecewise::registered`]) at a
+    /// number.
+    Spline,
     /// N,N -> N
     Atan2,
     Min,

@@ -308,6 +308,12 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
         if let Instruction::Solution(solve, unknown) = instruction {
             return self.solution(solve, unknown);
         }
+        if let Instruction::Lookup(order, table, x) = instruction {
+            let operands = [self.operand(table)?, self.operand(x)?];
+            self.done += 1;
+            let (module, builder) = (&mut *self.module, &mut self.builder);
+            return operation::lookup(module, builder, &mut self.references, (types::F64X2, order), operands);
+        }
         if let Instruction::Piecewise(table, x) = instruction {
             let x = self.operand(x)?;
             self.done += 1;
@@ -343,7 +349,8 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
             };
             let operands =
                 solved.operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
-            let newton = Newton { residual, unknowns: solved.system.unknowns };
+            let system = &solved.system;
+            let newton = Newton { search: system.search, residual, unknowns: system.unknowns };
             let mut lane = |lane: u8| {
                 let builder = &mut self.builder;
                 let operands: Vec<Value> =

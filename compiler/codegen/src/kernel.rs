@@ -10,6 +10,7 @@ use crate::error::CodegenError;
 use crate::function::{SLOT, TRUSTED};
 use crate::module::ModuleLowering;
 use crate::operation::{self, References};
+use calyx_abi::newton::Search;
 use calyx_symbolic::{Instruction, System, Tape};
 use cranelift_codegen::ir::{
     AbiParam, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
@@ -95,6 +96,7 @@ pub fn residuals<M: Module>(
 
 /// A call of [`calyx_abi::newton::newton`].
 pub struct Newton {
+    pub search: Search,
     pub residual: FuncId,
     pub unknowns: usize,
 }
@@ -119,7 +121,11 @@ impl Newton {
         let address = builder.ins().stack_addr(types::I64, buffer, 0);
         let [unknowns, count] =
             [self.unknowns, operands.len()].map(|number| builder.ins().iconst(types::I64, number as i64));
-        let function = operation::reference(module, builder, references, "calyx_math_newton")?;
+        let symbol = match self.search {
+            Search::Root => "calyx_math_newton",
+            Search::Minimum => "calyx_math_minimum",
+        };
+        let function = operation::reference(module, builder, references, symbol)?;
         // Without convergence, the unknowns are NaN.
         builder.ins().call(function, &[residual, unknowns, address, count]);
         let load = |place| builder.ins().stack_load(types::I64, types::F64, buffer, (place * SLOT) as i32);
@@ -381,6 +387,17 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
                 }
             }
             Instruction::Solution(solve, unknown) => return self.solution(solve, unknown),
+            Instruction::Lookup(order, table, x) => {
+                let operands = [self.operand(table)?, self.operand(x)?];
+                let (module, builder) = (&mut *self.module, &mut self.builder);
+                return operation::lookup(
+                    module,
+                    builder,
+                    &mut self.references,
+                    (types::F64, order),
+                    operands,
+                );
+            }
             Instruction::Piecewise(table, x) => {
                 let x = self.operand(x)?;
                 let tables = &self.tape.tables;
@@ -414,7 +431,7 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
             let operands =
                 solved.operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
             let count = solved.system.unknowns;
-            let newton = Newton { residual, unknowns: count };
+            let newton = Newton { search: solved.system.search, residual, unknowns: count };
             let found = newton.solve(self.module, &mut self.builder, &mut self.references, &operands)?;
             self.solved.insert(solve, found);
         }

@@ -80,6 +80,29 @@ pub fn piecewise<M: Module>(
     Ok(builder.ins().insertlane(both, second, 1))
 }
 
+/// Returns the value of a registered table at operands of type `ty`, `F64` or `F64X2`: its number
+/// and the argument.
+pub fn lookup<M: Module>(
+    module: &mut ModuleLowering<M>,
+    builder: &mut FunctionBuilder,
+    references: &mut References,
+    (ty, order): (Type, u8),
+    [table, x]: [Value; 2],
+) -> Result<Value, CodegenError> {
+    let function = reference(module, builder, references, "calyx_math_spline")?;
+    let order = builder.ins().f64const(f64::from(order));
+    if ty == types::F64 {
+        return call(builder, function, &[table, order, x]);
+    }
+    let mut lane = |lane: u8| {
+        let [table, x] = [table, x].map(|operand| builder.ins().extractlane(operand, lane));
+        call(builder, function, &[table, order, x])
+    };
+    let (first, second) = (lane(0)?, lane(1)?);
+    let both = builder.ins().splat(types::F64X2, first);
+    Ok(builder.ins().insertlane(both, second, 1))
+}
+
 /// Returns the value of an operation on operands of type `ty`, `F64` or `F64X2`. Constants and
 /// inputs are not operations.
 pub fn lower<M: Module>(

@@ -42,7 +42,7 @@ const SPECIAL: [f64; 16] = [
     f64::NAN,
 ];
 
-const OPERATIONS: [Op; 48] = {
+const OPERATIONS: [Op; 49] = {
     use Op::*;
     [
         Add,
@@ -50,6 +50,7 @@ const OPERATIONS: [Op; 48] = {
         Multiply,
         Divide,
         Power,
+        Spline,
         Negate,
         Not,
         Less,

@@ -42,8 +42,14 @@ fn tape() -> Tape {
     let second = g.subtract(difference, a);
     let guess = [c, g.constant(0.1)];
     let pair = g.solve(&X[1..], &[first, second], &guess).unwrap();
-    let mut outputs = vec![one, two, pair[0], pair[1]];
-    for at in 0..8 {
+    // A minimum: the gradient and the Hessian are one kernel.
+    let (product, distance) = (g.multiply(b, x), g.subtract(x, c));
+    let (cosine, square) = (g.cos(product), g.multiply(distance, distance));
+    let wave = g.scale(0.2, cosine);
+    let objective = g.add(square, wave);
+    let minimum = g.minimize(&X[1..2], objective, &[c]).unwrap()[0];
+    let mut outputs = vec![one, two, pair[0], pair[1], minimum];
+    for at in 0..10 {
         let next = g.derivative(outputs[at], (at % INPUTS) as u32);
         outputs.push(next);
     }

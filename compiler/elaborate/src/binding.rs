@@ -84,6 +84,7 @@ pub fn binding(program: &Program, id: DefinitionId) -> Option<Binding> {
             | Node::Binary(..)
             | Node::Select(..)
             | Node::Piecewise(..)
+            | Node::Lookup(..)
             | Node::Solution(..) => operations += 1,
         }
     }
@@ -118,7 +119,7 @@ fn literals(program: &Program, id: DefinitionId) -> Option<HashMap<u64, String>>
                     }
                 }
             }
-            SymKind::Call(function, _) | SymKind::Solve(function, _) if functions.insert(*function) => {
+            SymKind::Call(function, _) | SymKind::Solve(_, function, _) if functions.insert(*function) => {
                 let (body, shared) = definition_expressions(program, DefinitionId::Function(*function))?;
                 pending.extend(shared.iter().chain([body]));
             }

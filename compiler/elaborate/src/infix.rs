@@ -2,6 +2,7 @@
 //! repeatedly are named.
 
 use crate::shown::rounded;
+use calyx_abi::newton::Search;
 use calyx_lower::kernels::{DefinitionGraph, Shape};
 use calyx_symbolic::{Binary, Factor, Node, NodeId, Unary};
 use std::collections::HashMap;
@@ -172,13 +173,20 @@ impl Writer<'_> {
                     binding: Binding::Choice,
                 }
             }
-            Node::Piecewise(_, x) => InfixText::atom(format!("spline({})", self.piece(x).text)),
+            Node::Piecewise(_, x) | Node::Lookup(_, _, x) => {
+                InfixText::atom(format!("spline({})", self.piece(x).text))
+            }
             Node::Solution(_, unknown) => {
                 let operands = self.definition.graph.operands(id).map(|operand| self.piece(operand).text);
                 let operands: Vec<String> = operands.collect();
-                let unknowns = self.definition.graph.system(id).map_or(1, |system| system.unknowns);
+                let system = self.definition.graph.system(id);
+                let unknowns = system.map_or(1, |system| system.unknowns);
+                let function = match system.map(|system| system.search) {
+                    Some(Search::Minimum) => "minimize",
+                    _ => "solve",
+                };
                 let element = if unknowns > 1 { format!("[{unknown}]") } else { String::new() };
-                InfixText::atom(format!("solve({}){element}", operands.join(", ")))
+                InfixText::atom(format!("{function}({}){element}", operands.join(", ")))
             }
         }
     }

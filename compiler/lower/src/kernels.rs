@@ -3,7 +3,9 @@
 
 use crate::nan::{self, NanSource};
 use calyx_abi::Repr;
-use calyx_lang::ir::{Capture, Op, Program, Site, SiteId, SymExpr, SymKind, Symbol, SymbolicFunctionId};
+use calyx_lang::ir::{
+    Capture, Op, Program, Site, SiteId, SymExpr, SymKind, Symbol, SymbolicFunctionId, captured_inputs,
+};
 use calyx_lang::span::Span;
 use calyx_symbolic::{Binary, Frame, Graph, Node, NodeId, Pose, Tape, Unary, Vector3};
 use functions::{Free, Scope};
@@ -161,7 +163,7 @@ pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanS
         Node::Symbol(index) => Some(index),
         _ => None,
     };
-    Some(NanSource { span, made_by: nan::node_text(found.node, &found.operands), input })
+    Some(NanSource { span, made_by: nan::node_text(&found), input })
 }
 
 /// Returns the numbers, followed by all their first time derivatives, and so on up to `order`.
@@ -266,9 +268,9 @@ impl<'a> Lowering<'a> {
                 let arguments = arguments.iter().map(|a| self.value(a)).collect::<Result<Vec<_>, _>>()?;
                 self.call(*function, &arguments, expr.span)?
             }
-            SymKind::Solve(function, arguments) => {
+            SymKind::Solve(search, function, arguments) => {
                 let arguments = arguments.iter().map(|a| self.value(a)).collect::<Result<Vec<_>, _>>()?;
-                self.solution(*function, &arguments, expr.span)?
+                self.solution(*search, *function, &arguments, expr.span)?
             }
             SymKind::Table(table, x) => {
                 let x = self.number(x)?;
@@ -368,7 +370,7 @@ impl<'a> Lowering<'a> {
                 let mut values = Vec::with_capacity(parts.len());
                 for part in parts {
                     values.push(self.captured(part, first, span)?);
-                    first += part.slots() as u32;
+                    first += captured_inputs(part, self.program) as u32;
                 }
                 Ok(Value::Brackets(values))
             }
@@ -418,6 +420,7 @@ impl<'a> Lowering<'a> {
         let value = match (op, operands) {
             (_, [N(a)]) if let Some(unary) = unary(op) => N(g.unary(unary, *a)),
             (_, [N(a), N(b)]) if let Some(binary) = binary(op) => N(g.binary(binary, *a, *b)),
+            (Op::Spline, [N(table), N(x)]) => N(g.lookup(0, *table, *x)),
             (Op::Greater, [N(a), N(b)]) => N(g.binary(Binary::Less, *b, *a)),
             (Op::GreaterEqual, [N(a), N(b)]) => N(g.binary(Binary::LessEqual, *b, *a)),
             (Op::Equal, [a, b]) if let Some(equal) = equal(g, a, b) => N(equal),

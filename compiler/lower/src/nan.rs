@@ -1,9 +1,10 @@
 //! Description of a NaN: the expression and the operation that produced it.
 
+use calyx_abi::newton::Search;
 use calyx_abi::text::number;
 use calyx_lang::ir::Op;
 use calyx_lang::span::Span;
-use calyx_symbolic::{Binary, Node, Unary};
+use calyx_symbolic::{Binary, FirstNan, Node, Unary};
 
 /// The origin of a NaN.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,10 +31,11 @@ pub fn operation_text(op: Op, operands: &[f64]) -> String {
     text(name, operands)
 }
 
-/// Returns the text of a graph operation with the values of its operands; `None` for constants and
-/// inputs.
-pub fn node_text(node: Node, operands: &[f64]) -> Option<String> {
-    let name = match node {
+/// Returns the text of the graph operation that produced a NaN, with the values of its operands;
+/// `None` for constants and inputs.
+pub fn node_text(found: &FirstNan) -> Option<String> {
+    let operands = found.operands.as_slice();
+    let name = match found.node {
         Node::Constant(_) | Node::Symbol(_) => return None,
         Node::Unary(Unary::Negate, _) | Node::Binary(Binary::Subtract, ..) => "-".to_owned(),
         Node::Unary(operation, _) => format!("{operation:?}").to_lowercase(),
@@ -43,10 +45,14 @@ pub fn node_text(node: Node, operands: &[f64]) -> Option<String> {
         Node::Binary(Binary::Power, ..) => "^".into(),
         Node::Binary(operation, ..) => format!("{operation:?}").to_lowercase(),
         Node::Select(..) => "if".into(),
-        Node::Piecewise(..) => "spline".into(),
+        Node::Piecewise(..) | Node::Lookup(..) => "spline".into(),
         Node::Solution(_, unknown) => {
             let guess = operands.get(unknown as usize).copied().unwrap_or(f64::NAN);
-            return Some(format!("no solution was found from the guess {}", number(guess)));
+            let point = match found.search {
+                Some(Search::Minimum) => "minimum",
+                Some(Search::Root) | None => "solution",
+            };
+            return Some(format!("no {point} was found from the guess {}", number(guess)));
         }
     };
     Some(text(&name, operands))

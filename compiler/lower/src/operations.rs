@@ -49,6 +49,7 @@ pub fn is_scalar(op: Op) -> bool {
             | Floor
             | Ceil
             | Round
+            | Spline
             | Atan2
             | Min
             | Max

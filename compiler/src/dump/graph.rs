@@ -1,5 +1,6 @@
 //! Expression graphs of symbolic sites: every distinct operation once, operands before their uses.
 
+use calyx_abi::newton::Search;
 use calyx_abi::text::number;
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lower::kernels::{KernelError, SiteGraph, site_graph};
@@ -51,7 +52,8 @@ fn dot(title: &str, site: &SiteGraph) -> String {
             Node::Binary(operation, ..) => format!("{operation:?}").to_lowercase(),
             Node::Select(..) => "select".into(),
             Node::Piecewise(table, _) => format!("table {table}"),
-            Node::Solution(_, unknown) => format!("solve {unknown}"),
+            Node::Lookup(order, ..) => format!("spline {order}"),
+            Node::Solution(_, unknown) => format!("{} {unknown}", search(site, *id)),
         };
         let shape = if site.outputs.contains(id) { ", shape = box" } else { "" };
         out += &format!("  {} [label = {label:?}{shape}];\n", name(site, *id));
@@ -84,9 +86,18 @@ fn node(site: &SiteGraph, id: NodeId) -> String {
         }
         Node::Select(c, a, b) => format!("select {} {} {}", operand(c), operand(a), operand(b)),
         Node::Piecewise(table, a) => format!("table {table} {}", operand(a)),
+        Node::Lookup(order, table, a) => format!("spline {order} {} {}", operand(table), operand(a)),
         Node::Solution(_, unknown) => {
             let operands: Vec<String> = site.graph.operands(id).map(operand).collect();
-            format!("solve {unknown} {}", operands.join(" "))
+            format!("{} {unknown} {}", search(site, id), operands.join(" "))
         }
+    }
+}
+
+/// Returns the name of the function that a solution is a value of.
+fn search(site: &SiteGraph, id: NodeId) -> &'static str {
+    match site.graph.system(id).map(|system| system.search) {
+        Some(Search::Minimum) => "minimize",
+        _ => "solve",
     }
 }

@@ -77,6 +77,7 @@ impl Graph {
             let derivative = match node {
                 Node::Solution(applied, unknown) => self.solution_derivative(applied, unknown, &derivatives),
                 Node::Piecewise(table, x) => self.piecewise_derivative(table, x, a),
+                Node::Lookup(order, table, x) => self.lookup_derivative(order, table, x, b),
                 Node::Constant(_) => zero,
                 Node::Symbol(index) if index == symbol => self.constant(1.0),
                 Node::Symbol(index) => self.rates.get(&(index, symbol)).copied().unwrap_or(zero),
@@ -113,6 +114,7 @@ impl Graph {
                 }
                 Node::Select(c, a, b) => self.select(c, of(a), of(b)),
                 Node::Piecewise(table, a) => self.piecewise_derivative(table, a, of(a)),
+                Node::Lookup(order, table, x) => self.lookup_derivative(order, table, x, of(x)),
                 Node::Solution(applied, unknown) => {
                     let derivatives: Vec<NodeId> = self.operands(id).map(of).collect();
                     self.solution_derivative(applied, unknown, &derivatives)
@@ -212,6 +214,7 @@ impl Graph {
                 Node::Binary(operation, a, b) => self.binary(operation, of(a), of(b)),
                 Node::Select(c, a, b) => self.select(of(c), of(a), of(b)),
                 Node::Piecewise(table, a) => self.piecewise_of(table, of(a)),
+                Node::Lookup(order, table, x) => self.lookup(order, of(table), of(x)),
                 Node::Solution(applied, unknown) => {
                     let operands = self.operands(id).map(of).collect();
                     self.solution(applied, unknown, operands)

@@ -123,6 +123,9 @@ pub enum Node {
     Select(NodeId, NodeId, NodeId),
     /// The value of a table of the graph, by index. See [`Graph::piecewise`].
     Piecewise(u32, NodeId),
+    /// The derivative of this order of a registered table, whose number is the first operand, at
+    /// the second operand. See [`Graph::lookup`].
+    Lookup(u8, NodeId, NodeId),
     /// An unknown of an implicit function: an index of the graph's applied systems, and the index
     /// of the unknown. See [`Graph::solve`].
     Solution(u32, u32),
@@ -135,7 +138,7 @@ impl Node {
         match self {
             Node::Constant(_) | Node::Symbol(_) | Node::Solution(..) => [None; 3],
             Node::Unary(_, a) | Node::Piecewise(_, a) => [Some(a), None, None],
-            Node::Binary(_, a, b) => [Some(a), Some(b), None],
+            Node::Binary(_, a, b) | Node::Lookup(_, a, b) => [Some(a), Some(b), None],
             Node::Select(c, a, b) => [Some(c), Some(a), Some(b)],
         }
     }
@@ -187,6 +190,7 @@ impl Node {
             }
             Node::Select(c, a, b) => I::Select(place(c), place(a), place(b)),
             Node::Piecewise(table, a) => I::Piecewise(table, place(a)),
+            Node::Lookup(order, table, x) => I::Lookup(order, place(table), place(x)),
             Node::Solution(applied, unknown) => I::Solution(applied, unknown),
         }
     }

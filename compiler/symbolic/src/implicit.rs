@@ -19,7 +19,7 @@
 
 use crate::graph::{Graph, Node, NodeId};
 use crate::tape::{Instruction, Solve, System, Tape};
-use calyx_abi::newton::MOST_UNKNOWNS;
+use calyx_abi::newton::{MOST_UNKNOWNS, Search};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -46,8 +46,8 @@ struct Applied {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Implicit {
     templates: Vec<Template>,
-    /// Templates by their residuals and number of arguments.
-    known: HashMap<(Vec<NodeId>, usize), u32>,
+    /// Templates by their residuals, number of arguments and kind.
+    known: HashMap<(Vec<NodeId>, usize, Search), u32>,
     applied: Vec<Applied>,
     ids: HashMap<(u32, Vec<NodeId>), u32>,
 }
@@ -69,6 +69,25 @@ impl Graph {
     /// symbols that only the residuals contain; their numbers must be equal, at most
     /// [`MOST_UNKNOWNS`]. Returns `None` if they are not.
     pub fn solve(&mut self, unknowns: &[u32], residuals: &[NodeId], guess: &[NodeId]) -> Option<Vec<NodeId>> {
+        self.search(Search::Root, unknowns, residuals, guess)
+    }
+
+    /// Returns the unknowns at which an expression has a local minimum, found from a guess: its
+    /// gradient vanishes there and its Hessian is positive definite. The derivatives of the minimum
+    /// are those of the root of the gradient. Otherwise as [`Graph::solve`].
+    pub fn minimize(&mut self, unknowns: &[u32], objective: NodeId, guess: &[NodeId]) -> Option<Vec<NodeId>> {
+        let gradient: Vec<NodeId> =
+            unknowns.iter().map(|&unknown| self.derivative(objective, unknown)).collect();
+        self.search(Search::Minimum, unknowns, &gradient, guess)
+    }
+
+    fn search(
+        &mut self,
+        search: Search,
+        unknowns: &[u32],
+        residuals: &[NodeId],
+        guess: &[NodeId],
+    ) -> Option<Vec<NodeId>> {
         let count = unknowns.len();
         if !(1..=MOST_UNKNOWNS).contains(&count) || residuals.len() != count || guess.len() != count {
             return None;
@@ -82,7 +101,7 @@ impl Graph {
             replacements.push((argument, self.symbol(local)));
         }
         let residuals = self.replace_all(residuals, &replacements);
-        let template = self.template(residuals, arguments.len());
+        let template = self.template(search, residuals, arguments.len());
         let operands: Vec<NodeId> = guess.iter().copied().chain(arguments).collect();
         Some((0..count as u32).map(|unknown| self.applied(template, unknown, operands.clone())).collect())
     }
@@ -111,8 +130,8 @@ impl Graph {
     }
 
     /// Returns the template with these residuals in local symbols.
-    fn template(&mut self, residuals: Vec<NodeId>, arguments: usize) -> u32 {
-        let key = (residuals.clone(), arguments);
+    fn template(&mut self, search: Search, residuals: Vec<NodeId>, arguments: usize) -> u32 {
+        let key = (residuals.clone(), arguments, search);
         if let Some(&known) = self.implicit.known.get(&key) {
             return known;
         }
@@ -134,7 +153,7 @@ impl Graph {
             other => other,
         };
         let instructions = tape.instructions.iter().map(local).collect();
-        let system = Arc::new(System { unknowns, residual: Tape { instructions, ..tape } });
+        let system = Arc::new(System { search, unknowns, residual: Tape { instructions, ..tape } });
         let id = self.implicit.templates.len() as u32;
         self.implicit.templates.push(Template { residuals, jacobian, system });
         self.implicit.known.insert(key, id);

@@ -49,6 +49,23 @@ impl Graph {
         }
     }
 
+    /// Returns the value of a registered table ([`calyx_abi::piecewise::registered`]), given by its
+    /// number, or its derivative of an order below 4.
+    pub fn lookup(&mut self, order: u8, table: NodeId, x: NodeId) -> NodeId {
+        self.intern(Node::Lookup(order, table, x))
+    }
+
+    /// Returns the derivative of [`Graph::lookup`], given that of its argument. The number of the
+    /// table is constant.
+    pub(crate) fn lookup_derivative(&mut self, order: u8, table: NodeId, x: NodeId, dx: NodeId) -> NodeId {
+        // The fourth derivative of a cubic vanishes.
+        if self.is_zero(dx) || order >= 3 {
+            return self.constant(0.0);
+        }
+        let slope = self.lookup(order + 1, table, x);
+        self.multiply(slope, dx)
+    }
+
     /// Returns the derivative of a table's value, given that of its argument.
     pub(crate) fn piecewise_derivative(&mut self, table: u32, x: NodeId, dx: NodeId) -> NodeId {
         if self.is_zero(dx) {

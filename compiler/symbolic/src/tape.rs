@@ -1,8 +1,8 @@
 //! A kernel as a list of scalar instructions without branches, scheduled for locality. Tapes are
 //! interpreted or compiled.
 
-use calyx_abi::newton::{MOST_UNKNOWNS, MOST_VALUES, newton};
-use calyx_abi::piecewise::{is_table, piecewise};
+use calyx_abi::newton::{MOST_UNKNOWNS, MOST_VALUES, Search, newton};
+use calyx_abi::piecewise::{is_table, piecewise, registered};
 use calyx_abi::{Kernel, math};
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -50,6 +50,9 @@ pub enum Instruction {
     Select(ValueId, ValueId, ValueId),
     /// The value of a table of [`Tape::tables`], by index. See [`calyx_abi::piecewise`].
     Piecewise(u32, ValueId),
+    /// The derivative of this order of a registered table, whose number is the first operand, at
+    /// the second operand. See [`calyx_abi::piecewise::registered`].
+    Lookup(u8, ValueId, ValueId),
     /// An unknown of an implicit function: an index of [`Tape::solves`], and the index of the
     /// unknown. Its operands are those of the [`Solve`].
     Solution(u32, u32),
@@ -89,7 +92,8 @@ impl Instruction {
             | I::LessEqual(a, b)
             | I::Equal(a, b)
             | I::And(a, b)
-            | I::Or(a, b) => ([a, b, 0], 2),
+            | I::Or(a, b)
+            | I::Lookup(_, a, b) => ([a, b, 0], 2),
             I::Select(a, b, c) => ([a, b, c], 3),
         };
         operands.into_iter().take(count)
@@ -131,6 +135,7 @@ impl Instruction {
             I::Or(a, b) => I::Or(place(a), place(b)),
             I::Select(c, a, b) => I::Select(place(c), place(a), place(b)),
             I::Piecewise(table, a) => I::Piecewise(table, place(a)),
+            I::Lookup(order, table, x) => I::Lookup(order, place(table), place(x)),
         }
     }
 
@@ -177,14 +182,18 @@ impl Instruction {
             I::And(a, b) => math::and(v(a), v(b)),
             I::Or(a, b) => math::or(v(a), v(b)),
             I::Select(c, a, b) => math::select(v(c), v(a), v(b)),
+            I::Lookup(order, table, x) => registered(v(table), f64::from(order), v(x)),
             I::Piecewise(..) | I::Solution(..) => f64::NAN,
         }
     }
 }
 
-/// Equations that define an implicit function: the unknowns at which all residuals vanish.
+/// Equations that define an implicit function: the unknowns at which all residuals vanish. For a
+/// minimum, the residuals are the gradient of a function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
+    /// The kind of point that solves the equations.
+    pub search: Search,
     /// Number of unknowns and of residuals, at most [`MOST_UNKNOWNS`].
     pub unknowns: usize,
     /// Inputs: the unknowns, then the arguments. Outputs: the residuals, then their derivatives
@@ -207,7 +216,7 @@ impl System {
     /// arguments.
     fn solve(&self, inputs: &mut [f64]) {
         let mut scratch = Vec::new();
-        newton(self.unknowns, inputs, |inputs, values: &mut [f64; MOST_VALUES]| {
+        newton(self.search, self.unknowns, inputs, |inputs, values: &mut [f64; MOST_VALUES]| {
             self.residual.eval(inputs, &mut scratch, values);
         });
     }

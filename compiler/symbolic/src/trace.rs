@@ -5,11 +5,14 @@
 //! followed back through its operands.
 
 use crate::graph::{Graph, Node, NodeId};
+use calyx_abi::newton::Search;
 
 /// The operation that produced a NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FirstNan {
     pub node: Node,
+    /// For a solution, the kind of point that was not found.
+    pub search: Option<Search>,
     /// The mark set by [`Graph::set_origin`].
     pub origin: u32,
     /// Values of the operands; none of them is NaN.
@@ -41,7 +44,8 @@ impl Graph {
                 Some(operand) => at = *operand,
                 None => {
                     let operands = operands.into_iter().map(value).collect();
-                    return Some(FirstNan { node, origin: self.origin(at), operands });
+                    let search = self.system(at).map(|system| system.search);
+                    return Some(FirstNan { node, search, origin: self.origin(at), operands });
                 }
             }
         }

@@ -125,6 +125,55 @@ fn four_unknowns_are_solved_together() {
 }
 
 #[test]
+fn minima_have_derivatives_of_any_order() {
+    let mut g = Graph::new();
+    let (s, t) = (g.symbol(0), g.symbol(1));
+    let (x, y) = (g.symbol(UNKNOWNS[0]), g.symbol(UNKNOWNS[1]));
+    let half = g.constant(0.5);
+    // exp(x) - s x + t x^4
+    let (two, four) = (g.constant(2.0), g.constant(4.0));
+    let (exponential, fourth) = (g.unary(Unary::Exp, x), g.power(x, four));
+    let (linear, quartic) = (g.multiply(s, x), g.multiply(t, fourth));
+    let difference = g.subtract(exponential, linear);
+    let valley = g.add(difference, quartic);
+    let minimum = g.minimize(&UNKNOWNS[..1], valley, &[half]).unwrap()[0];
+    assert_derivatives(&mut g, minimum, "valley", [2.1, 0.3]);
+    // (x - s)^2 + t (y - x^2)^2 + cos(x y)/5
+    let distance = g.subtract(x, s);
+    let square = g.power(x, two);
+    let bend = g.subtract(y, square);
+    let (distance, bend) = (g.power(distance, two), g.power(bend, two));
+    let product = g.multiply(x, y);
+    let cosine = g.cos(product);
+    let (bend, wave) = (g.multiply(t, bend), g.scale(0.2, cosine));
+    let sum = g.add(distance, bend);
+    let basin = g.add(sum, wave);
+    let guess = [g.constant(1.2), g.constant(1.6)];
+    let minima = g.minimize(&UNKNOWNS[..2], basin, &guess).unwrap();
+    assert_derivatives(&mut g, minima[0], "basin.0", [0.8, 1.4]);
+    assert_derivatives(&mut g, minima[1], "basin.1", [0.8, 1.4]);
+    assert_eq!(g.schedule(2, &minima).solves.len(), 1);
+}
+
+#[test]
+fn a_maximum_is_not_taken_for_a_minimum() {
+    let mut g = Graph::new();
+    let (s, x) = (g.symbol(0), g.symbol(UNKNOWNS[0]));
+    let sine = g.sin(x);
+    // Stationary points of the sine are maxima at pi/2 and minima at -pi/2.
+    let minimum = g.minimize(&UNKNOWNS[..1], sine, &[s]).unwrap()[0];
+    assert_close(evaluate(&g, &[minimum], &[-1.5])[0], -std::f64::consts::FRAC_PI_2, 1e-15, "minimum");
+    assert!(evaluate(&g, &[minimum], &[1.5])[0].is_nan());
+    let found = g.first_nan(&[minimum], &[1.5]).unwrap();
+    assert_eq!(found.search, Some(calyx_abi::newton::Search::Minimum));
+    // The root of the same derivative is another system.
+    let cosine = g.cos(x);
+    let root = g.solve(&UNKNOWNS[..1], &[cosine], &[s]).unwrap()[0];
+    assert_ne!(root, minimum);
+    assert_close(evaluate(&g, &[root], &[1.5])[0], std::f64::consts::FRAC_PI_2, 1e-15, "root");
+}
+
+#[test]
 fn a_solution_follows_the_chain_rule_and_substitution() {
     let mut g = Graph::new();
     let (s, t) = (g.symbol(0), g.symbol(1));

@@ -61,6 +61,7 @@ impl<'a> Checker<'a> {
                 self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
                 let place = Place { variable: id, steps: Vec::new(), ty, span: decl.name.span };
                 self.assigned(&place, &value);
+                self.note_length(id, &value);
                 StmtKind::Assign(place, value)
             }
         }
@@ -86,7 +87,14 @@ impl<'a> Checker<'a> {
         };
         let ty = target.as_ref().map_or(Type::Error, |target| target.ty.clone());
         self.may_be_absent = matches!(self.store.shallow(&ty), Type::Optional(_));
-        let value = self.stored(value);
+        let expression = match self.store.shallow(&ty) {
+            Type::Symbolic(_) => self.expression_for(&ty, value),
+            _ => None,
+        };
+        let value = match expression {
+            Some(expression) => expression,
+            None => self.stored(value),
+        };
         let Some(target) = target else { return StmtKind::Nothing };
         let Some(value) = self.expect_stored(&target, value) else { return StmtKind::Nothing };
         self.assigned_presence(&target, place, &value);
@@ -175,7 +183,14 @@ impl<'a> Checker<'a> {
             return StmtKind::Nothing;
         };
         let place = self.place(array);
-        let value = self.stored(value);
+        let element = match place.as_ref().map(|place| self.store.shallow(&place.ty)) {
+            Some(Type::Array(element)) => *element,
+            _ => Type::Error,
+        };
+        let value = match self.expression_for(&element, value) {
+            Some(expression) => expression,
+            None => self.stored(value),
+        };
         let Some(place) = place else { return StmtKind::Nothing };
         let cause = (place.span, format!("this is {}", with_article(&self.store.show(&place.ty))));
         let element = match self.store.shallow(&place.ty) {

@@ -54,10 +54,12 @@ pub(super) fn has_symbols(e: &Expr) -> bool {
             | Kind::Def(_)
             | Kind::Chosen(_)
             | Kind::SymbolicCall(_)
+            | Kind::Applied(_)
             | Kind::At(..)
             | Kind::Derivative(..)
             | Kind::Gradient(..)
             | Kind::Observe(_)
+            | Kind::Part(_)
             | Kind::Spline(_)
             | Kind::Error
     );

@@ -25,7 +25,7 @@ impl<'a> Checker<'a> {
             Builtin::Sqrt => self.square_root(&name.name, arguments, span),
             Builtin::Derivative => self.derivative(arguments, span),
             Builtin::Gradient => self.gradient(arguments, span),
-            Builtin::Solve => self.solution(arguments, span),
+            Builtin::Solve(search) => self.solution(search, arguments, span),
             Builtin::Spline => self.spline(arguments, span),
             Builtin::Print => {
                 self.refuse_names("print", arguments);

@@ -6,6 +6,7 @@ use crate::analysis::{CallParameter, Callable, NameKind};
 use crate::ast::Mode;
 use crate::dimension::{Base, Dimension};
 use crate::ir::Op;
+use calyx_abi::newton::Search;
 
 /// A built-in function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +18,8 @@ pub enum Builtin {
     Sqrt,
     Derivative,
     Gradient,
-    Solve,
+    /// `solve` or `minimize`.
+    Solve(Search),
     Spline,
     Print,
     Assert,
@@ -116,7 +118,8 @@ const SPECIAL: &[(&str, Builtin)] = &[
     ("sqrt", Builtin::Sqrt),
     ("derivative", Builtin::Derivative),
     ("gradient", Builtin::Gradient),
-    ("solve", Builtin::Solve),
+    ("solve", Builtin::Solve(Search::Root)),
+    ("minimize", Builtin::Solve(Search::Minimum)),
     ("spline", Builtin::Spline),
     ("print", Builtin::Print),
     ("assert", Builtin::Assert),
@@ -148,6 +151,7 @@ const SHOWN: &[ShownBuiltin] = &[
     ("derivative", &[("expression", "T"), ("symbol", "a")], false, Some("T/a")),
     ("gradient", &[("expression", "a"), ("symbols", "[b, ...]")], false, Some("[a/b, ...]")),
     ("solve", &[("f", "function"), ("guess", "T"), ("argument", "U")], true, Some("T")),
+    ("minimize", &[("f", "function"), ("guess", "T"), ("argument", "U")], true, Some("T")),
     ("spline", &[("xs", "Array(a)"), ("ys", "Array(b)"), ("x", "a")], false, Some("b")),
     ("print", &[("value", "T")], true, None),
     ("assert", &[("condition", "Bool"), ("message", "String")], false, None),

@@ -50,6 +50,9 @@ impl<'a> Checker<'a> {
             Some(Resolution::Record(id)) => self.record_call(id, arguments, span),
             Some(Resolution::Extern(id)) => self.extern_call(id, name, arguments, span),
             Some(Resolution::Builtin(builtin)) => self.builtin_call(builtin, name, arguments, span),
+            Some(Resolution::Var(id)) if self.may_be_function(id) => {
+                self.parameter_call(id, name, arguments, span)
+            }
             Some(Resolution::Unknown) | None => {
                 // Check the arguments for further errors.
                 if self.names.uses.contains_key(&name.span) || !matches!(callee.kind, ExprKind::Field { .. })
@@ -68,7 +71,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn not_callable(&mut self, what: &str, span: Span) -> Expr {
+    pub(super) fn not_callable(&mut self, what: &str, span: Span) -> Expr {
         self.report(
             Diagnostic::error("E0306", format!("{what} is not a function"), span, "cannot be called")
                 .help("only functions are called; write `*` to multiply")
@@ -159,7 +162,9 @@ impl<'a> Checker<'a> {
         parameter: &ast::Ident,
         argument: &'a ast::Argument,
     ) -> Expr {
-        if let Some((name, Bind::Symbolic)) = &argument.name {
+        if let Some((name, Bind::Symbolic)) = &argument.name
+            && !matches!(self.store.known(ty), Type::Symbolic(_))
+        {
             let between = Span { start: name.span.end, end: argument.value.span.start, ..name.span };
             self.report(
                 Diagnostic::error(
@@ -289,6 +294,11 @@ impl<'a> Checker<'a> {
                         self.hand_over(variable, &value);
                         value
                     }
+                    Type::Function(..) => {
+                        let value = self.function_argument(ty, &parameter.name, argument);
+                        self.refuse_time(&value, &name.name);
+                        value
+                    }
                     _ => self.explained_argument(ty, &parameter.name, argument, &callee),
                 },
                 (Mode::In, None) if fields.contains_key(&parameter.name.name) => {
@@ -341,7 +351,7 @@ impl<'a> Checker<'a> {
             copy_back,
             perhaps_same,
             demands,
-            solves: false,
+            search: None,
         };
         let call = Expr { kind: Kind::Call(Box::new(call)), ty: result.clone(), span };
         self.observed(match stored {
@@ -381,7 +391,7 @@ impl<'a> Checker<'a> {
         value: Expr,
         stored: &mut StoredArguments,
     ) -> Expr {
-        if matches!(value.kind, Kind::MakeSymbolic(_) | Kind::Error) {
+        if matches!(value.kind, Kind::MakeSymbolic(_) | Kind::Function(_) | Kind::Error) {
             return value;
         }
         let written = value.span;

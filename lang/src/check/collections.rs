@@ -69,6 +69,9 @@ impl<'a> Checker<'a> {
 
     /// Checks `[element for variable in values if condition]`.
     pub(super) fn comprehension(&mut self, parts: &'a Comprehension, span: Span) -> Expr {
+        if self.instance_sites.contains(&parts.element.span) && self.makes_instances(&parts.element) {
+            return self.instances_for_each(parts, span);
+        }
         let variable = &parts.variable;
         let Some(Resolution::Var(declared)) = self.names.uses.get(&variable.span).copied() else {
             return Expr::error(span);

@@ -7,7 +7,7 @@
 //! correct derivative, but it accepts no incorrect one.
 
 use super::runtime_definitions::RuntimeDefinitions;
-use super::tree::{Call, Def, DefId, Expr, FuncId, Function, Kind, Place, Sym, VarId};
+use super::tree::{Call, Def, DefId, Expr, FuncId, Function, Kind, PassedFunction, Place, Sym, VarId};
 use crate::ast::BinaryOp;
 use crate::ir::Op;
 use crate::span::Span;
@@ -445,6 +445,15 @@ impl Named {
             Kind::Call(call) | Kind::SymbolicCall(call) => {
                 self.functions.insert(call.function);
             }
+            Kind::Function(PassedFunction::Declared(function, _)) => {
+                self.functions.insert(*function);
+            }
+            Kind::Function(PassedFunction::Parameter(id)) => {
+                self.captured.insert(*id);
+            }
+            Kind::Applied(applied) => {
+                self.captured.insert(applied.parameter);
+            }
             Kind::At(inner, Sym::Param(param), at) if replaced.len() < MOST_REPLACED => {
                 let mut more = replaced.to_vec();
                 more.push(*param);
@@ -522,6 +531,15 @@ fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
         Kind::Call(call) | Kind::SymbolicCall(call) => {
             found.insert(Node::Function(call.function));
         }
+        Kind::Function(PassedFunction::Declared(function, _)) => {
+            found.insert(Node::Function(*function));
+        }
+        Kind::Function(PassedFunction::Parameter(id)) => {
+            found.insert(Node::Variable(*id));
+        }
+        Kind::Applied(applied) => {
+            found.insert(Node::Variable(applied.parameter));
+        }
         _ => {}
     }
     e.children().into_iter().for_each(|child| sources(child, found));
@@ -533,6 +551,7 @@ fn can_fail(e: &Expr) -> bool {
         e.kind,
         Kind::Index(..)
             | Kind::Call(_)
+            | Kind::Applied(_)
             | Kind::CallExtern(..)
             | Kind::Standard(..)
             | Kind::Assert(_)

@@ -206,7 +206,8 @@ impl<'a> Checker<'a> {
         value
     }
 
-    /// Converts an observable in a `:=` to its value as a number.
+    /// Converts an observable in a `:=` to its value as a number, and an expression that is stored
+    /// as a value to the expression.
     pub(super) fn observed(&mut self, e: Expr) -> Expr {
         if self.symbolic {
             self.solve_open_constraints(std::iter::once(&e.ty));
@@ -215,6 +216,10 @@ impl<'a> Checker<'a> {
             (true, Type::Observable(dim)) => {
                 let span = e.span;
                 Expr { kind: Kind::Observe(Box::new(e)), ty: Type::Number(dim), span }
+            }
+            (true, Type::Symbolic(inner)) => {
+                let span = e.span;
+                Expr { kind: Kind::Part(Box::new(e)), ty: *inner, span }
             }
             _ => e,
         }
@@ -299,7 +304,7 @@ impl<'a> Checker<'a> {
 
     /// Checks a bracket expression: an array, unless the types of its elements differ.
     fn list(&mut self, elements: &'a [ast::Expr], given: Position, span: Span) -> Expr {
-        let elements: Vec<Expr> = elements.iter().map(|e| self.expr_at(e, given)).collect();
+        let elements: Vec<Expr> = elements.iter().map(|e| self.element(e, given)).collect();
         self.solve_open_constraints(elements.iter().map(|e| &e.ty));
         let elements = self.all_alike(elements);
         let first = elements.first().map(|e| e.ty.clone());

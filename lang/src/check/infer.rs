@@ -113,6 +113,11 @@ pub struct Checker<'a> {
     /// Variables of the enclosing comprehensions, and the hidden variables that stand for them. A
     /// comprehension in a default belongs to the function that evaluates the default.
     pub(super) elements: HashMap<VarId, VarId>,
+    /// Variables of the enclosing comprehensions of instances, and their values in the current
+    /// pass.
+    pub(super) unrolled: HashMap<VarId, Expr>,
+    /// Lengths of arrays that are declared with brackets.
+    pub(super) array_lengths: HashMap<VarId, usize>,
     /// Names of arguments, and the declarations of the parameters or fields that they refer to.
     pub(super) named_parts: Vec<(Span, Span)>,
     /// Current names of arguments that are written with former names.
@@ -199,6 +204,8 @@ impl<'a> Checker<'a> {
             tests_presence: false,
             zero_starts: HashMap::new(),
             elements: HashMap::new(),
+            unrolled: HashMap::new(),
+            array_lengths: HashMap::new(),
             named_parts: Vec::new(),
             current_names: HashMap::new(),
             parameter_types: HashMap::new(),

@@ -6,7 +6,8 @@
 //! params of every instance, so the instances of a program must be known before it runs: they are
 //! the declarations `var name = Component(...)` at the top level of the model and of components.
 
-use super::infer::Checker;
+use super::infer::{Checker, Reaching};
+use super::stored_expressions::is_stored;
 use super::symbols::{Resolution, VarKind};
 use super::tree::*;
 use super::types::Type;
@@ -80,6 +81,11 @@ impl<'a> Checker<'a> {
                     members.push((name.name.clone(), member));
                     continue;
                 }
+                Some(Resolution::Var(variable)) if self.variable(variable).kind == VarKind::Symbolic => {
+                    let member = self.expression_member(variable, name.span);
+                    members.extend(member.map(|member| (name.name.clone(), member)));
+                    continue;
+                }
                 Some(Resolution::Param(param)) => {
                     let ty = self.params[param as usize].ty.clone();
                     Expr { kind: Kind::Param(param), ty, span: name.span }
@@ -106,6 +112,25 @@ impl<'a> Checker<'a> {
         self.note_evaluated(&result);
         self.dependence.returned(id, &result);
         Stmt { kind: StmtKind::Return(Some(result)), span }
+    }
+
+    /// Returns the value of a name bound with `:=` as a member: an expression if it depends on
+    /// `Time`.
+    /// `None` if its expression is selected at run time.
+    fn expression_member(&mut self, variable: VarId, span: Span) -> Option<Expr> {
+        let Some(Reaching::One(def)) = self.reaching.get(&variable).copied() else { return None };
+        let found = &self.defs[def.0 as usize];
+        let ty = self.store.shallow(&found.expr.ty);
+        let (on_time, observes) = (found.on_time, found.observes);
+        if !found.chosen.is_empty() || observes && !matches!(ty, Type::Number(_)) {
+            return None;
+        }
+        if !on_time || observes {
+            return Some(self.as_value(|c| c.evaluated(def, span)));
+        }
+        let (name, ty) = (self.variable(variable).name.clone(), found_type(&ty)?);
+        let expression = Expr { kind: Kind::Def(def), ty, span };
+        Some(self.as_value(|c| c.as_expression(&name, expression)))
     }
 
     fn member_value(&mut self, kind: Kind, variable: VarId, span: Span) -> Expr {
@@ -209,6 +234,10 @@ impl<'a> Checker<'a> {
             }
             ExprKind::Paren(inner) => self.note_instance_site(inner),
             ExprKind::List(elements) => elements.iter().for_each(|element| self.note_instance_site(element)),
+            ExprKind::Comprehension(parts) => {
+                self.instance_sites.insert(parts.element.span);
+                self.note_instance_site(&parts.element);
+            }
             _ => {}
         }
     }
@@ -300,6 +329,11 @@ impl<'a> Checker<'a> {
             );
         }
     }
+}
+
+/// Returns the type of an expression that is stored.
+fn found_type(ty: &Type) -> Option<Type> {
+    is_stored(ty).then(|| ty.clone())
 }
 
 /// Returns the names that a statement of a component declares.

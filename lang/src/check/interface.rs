@@ -72,6 +72,10 @@ impl Renaming<'_> {
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(&inner))),
             Type::Optional(inner) => Type::optional(self.ty(&inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.ty(part)).collect()),
+            Type::Function(parts, result) => {
+                let parts = parts.iter().map(|part| self.ty(part)).collect();
+                Type::Function(parts, Box::new(self.ty(&result)))
+            }
             Type::Record(id) => match (self.record)(id) {
                 Some(id) => Type::Record(id),
                 None => {

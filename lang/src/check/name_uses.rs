@@ -17,6 +17,10 @@ impl Checker<'_> {
     pub(super) fn name(&mut self, name: &ast::Ident, span: Span) -> Expr {
         let res = self.names.uses.get(&name.span).copied().unwrap_or(Resolution::Unknown);
         let (kind, ty) = match res {
+            Resolution::Var(id) if self.unrolled.contains_key(&id) => {
+                let value = &self.unrolled[&id];
+                (value.kind.clone(), value.ty.clone())
+            }
             Resolution::Var(id) if self.elements.contains_key(&id) => {
                 let id = self.elements[&id];
                 (Kind::Var(id), self.variable_type(id))

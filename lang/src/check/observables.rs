@@ -8,6 +8,7 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
+use super::stored_expressions::is_stored;
 use super::symbols::Resolution;
 use super::tree::*;
 use super::types::Type;
@@ -35,6 +36,9 @@ impl Checker<'_> {
         }
         match (self.store.shallow(expected), self.store.shallow(&e.ty), e.kind) {
             (Type::Observable(_), Type::Number(_), kind) => self.as_observable(Expr { kind, ..e }),
+            (Type::Symbolic(_), found, kind) if is_stored(&found) => {
+                self.as_expression("expression", Expr { kind, ..e })
+            }
             (Type::Array(expected), Type::Array(_), Kind::Array(elements))
                 if self.is_observable(&expected) =>
             {
@@ -58,7 +62,8 @@ impl Checker<'_> {
 
     /// As [`Self::alike`], for the elements of an array.
     pub(super) fn all_alike(&mut self, elements: Vec<Expr>) -> Vec<Expr> {
-        let observable = elements.iter().find(|e| self.is_observable(&e.ty)).map(|e| e.ty.clone());
+        let stored = |ty: &Type| matches!(self.store.shallow(ty), Type::Observable(_) | Type::Symbolic(_));
+        let observable = elements.iter().find(|e| stored(&e.ty)).map(|e| e.ty.clone());
         let Some(ty) = observable.filter(|_| !self.symbolic) else { return elements };
         elements.into_iter().map(|element| self.fitted(&ty, element)).collect()
     }
@@ -196,7 +201,7 @@ impl Checker<'_> {
     }
 
     /// Returns the type of a variable, a part of it, or the result of a call, if it is known.
-    fn written_type(&self, e: &ast::Expr) -> Option<Type> {
+    pub(super) fn written_type(&self, e: &ast::Expr) -> Option<Type> {
         let meaning = |name: &ast::Ident| self.names.uses.get(&name.span).copied();
         match &e.kind {
             ExprKind::Name(name) => match meaning(name)? {

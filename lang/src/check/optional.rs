@@ -32,6 +32,11 @@ impl<'a> Checker<'a> {
 
     /// Checks an expression for a place of a type, which may be an optional type.
     pub(super) fn whole_for(&mut self, ty: &Type, e: &'a ast::Expr) -> Expr {
+        if matches!(self.store.known(ty), Type::Symbolic(_))
+            && let Some(expression) = self.expression_for(ty, e)
+        {
+            return expression;
+        }
         self.may_be_absent = matches!(self.store.shallow(ty), Type::Optional(_));
         self.whole(e)
     }

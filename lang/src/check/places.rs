@@ -85,6 +85,8 @@ impl<'a> Checker<'a> {
         match &e.kind {
             ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
                 Some(Resolution::Var(id)) if self.variable(id).kind != VarKind::Symbolic => {
+                    // Its length may change.
+                    self.array_lengths.remove(&id);
                     Some(Place { variable: id, steps: Vec::new(), ty: self.variable_type(id), span: e.span })
                 }
                 Some(Resolution::Var(id)) => {

@@ -55,7 +55,7 @@ impl<'a> Checker<'a> {
                 self.store.records[id.0 as usize].fields[at].1 = Type::optional(inner);
             }
             if let Some(annotation) = &field.annotation {
-                let annotated = self.in_file(file, |c| c.annotation(annotation, false));
+                let annotated = self.in_file(file, |c| c.annotation(annotation, true));
                 let annotated = if optional { Type::optional(annotated) } else { annotated };
                 if self.store.unify(&self.field_type(id, at), &annotated).is_err() {
                     // Infinite or too large, which `refuse_endless_records` reports.
@@ -90,7 +90,10 @@ impl<'a> Checker<'a> {
             let around = self.constant_place.replace("the default of a field");
             self.making.push(id);
             self.in_file(file, |c| {
-                let value = c.as_value(|c| c.whole_for(&ty, default));
+                let value = c.as_value(|c| {
+                    let value = c.whole_for(&ty, default);
+                    c.fitted(&ty, value)
+                });
                 let what = format!("the default of `{}`", field.name.name);
                 match c.store.unify(&ty, &value.ty) {
                     Err(Mismatch::Infinite) if c.holds(&value.ty, id) => c.endless_record(id, at),
@@ -222,6 +225,7 @@ impl<'a> Checker<'a> {
                     let value = self.in_file(file, |c| {
                         c.as_value(|c| {
                             let value = c.whole_for(&wanted, default);
+                            let value = c.fitted(&wanted, value);
                             c.expect(&wanted, &value, "the default", None);
                             value
                         })
@@ -241,7 +245,12 @@ impl<'a> Checker<'a> {
         let value = self.whole(&argument.value);
         let shown = with_article(&self.store.show(ty));
         let cause = Some((field.span, format!("`{}` takes {shown}", field.name)));
-        self.expect(ty, &value, &format!("`{}`", field.name), cause);
+        // Within an expression, the field is the expression itself.
+        let ty = match self.store.shallow(ty) {
+            Type::Symbolic(inner) => *inner,
+            _ => ty.clone(),
+        };
+        self.expect(&ty, &value, &format!("`{}`", field.name), cause);
         value
     }
 

@@ -91,7 +91,9 @@ rules! {
     UnifyObservables "Observable(a) unifies with Observable(b) if a unifies with b"
     UnifyArrays "Array(S) unifies with Array(T) if S unifies with T"
     UnifyOptionals "optional types unify if their values do"
+    UnifyExpressions "expressions that are stored as values unify if their types do"
     UnifyTuples "tuples unify if their elements do"
+    UnifyFunctions "functions unify if their parameters and results do"
     UnifySame "Bool, String, Transform, the unit type, handles and records unify with themselves"
     UnifyKind "types of different kinds do not unify"
     UnifyDimension "types with different dimensions do not unify"
@@ -238,9 +240,9 @@ pub(super) fn unified(a: &Type, b: &Type, result: &Result<(), Mismatch>) {
         (Ok(()), Type::Observable(_), _) => UnifyObservables,
         (Ok(()), Type::Array(_), _) => UnifyArrays,
         (Ok(()), Type::Tuple(_), _) => UnifyTuples,
+        (Ok(()), Type::Function(..), _) => UnifyFunctions,
         (Ok(()), Type::Optional(_), _) => UnifyOptionals,
-        // Only parameters have such types, and parameters are not unified with each other.
-        (Ok(()), Type::Symbolic(_), _) => return,
+        (Ok(()), Type::Symbolic(_), _) => UnifyExpressions,
         (
             Ok(()),
             Type::Unit

@@ -96,6 +96,10 @@ impl Letters<'_> {
                 let parts: Vec<String> = parts.iter().map(|part| self.ty(part)).collect();
                 format!("[{}]", parts.join(", "))
             }
+            Type::Function(parts, result) => {
+                let parts: Vec<String> = parts.iter().map(|part| self.ty(part)).collect();
+                format!("Function({}) -> {}", parts.join(", "), self.ty(&result))
+            }
             closed => self.store.show(&closed),
         }
     }

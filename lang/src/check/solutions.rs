@@ -1,7 +1,8 @@
-//! Checks `solve(f, guess, ...)`: the unknown for which a symbolic function is zero.
+//! Checks `solve(f, guess, ...)` and `minimize(f, guess, ...)`: the unknown for which a symbolic
+//! function is zero or has a minimum.
 //!
 //! The first parameter of the function is the unknown; the others receive the arguments that follow
-//! the guess.
+//! the guess. The function is given by its name, or is a parameter of the enclosing function.
 
 use super::infer::Checker;
 use super::symbols::{Resolution, with_article};
@@ -10,25 +11,41 @@ use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, FunctionBody, Mode};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
+use calyx_abi::newton::Search;
+
+/// Returns the name of the built-in function.
+pub(super) fn builtin_name(search: Search) -> &'static str {
+    match search {
+        Search::Root => "solve",
+        Search::Minimum => "minimize",
+    }
+}
 
 impl<'a> Checker<'a> {
-    pub(super) fn solution(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
+    pub(super) fn solution(&mut self, search: Search, arguments: &'a [ast::Argument], span: Span) -> Expr {
+        let called = builtin_name(search);
         let (Some((function, rest)), true) = (arguments.split_first(), arguments.len() >= 2) else {
             self.check_loosely(arguments.get(1..).unwrap_or_default());
             self.report(
                 Diagnostic::error(
                     "E0206",
-                    "`solve` takes a function and a guess",
+                    format!("`{called}` takes a function and a guess"),
                     span,
                     "an argument is missing",
                 )
-                .help("write `solve(f, guess)`; the other arguments of `f` follow the guess"),
+                .help(format!("write `{called}(f, guess)`; the other arguments of `f` follow the guess")),
             );
             return Expr::error(span);
         };
-        let Some(id) = self.function_to_solve(function) else {
-            self.check_loosely(rest);
-            return Expr::error(span);
+        let id = match self.function_to_solve(search, function) {
+            Some(PassedFunction::Declared(id, _)) => id,
+            Some(PassedFunction::Parameter(id)) => {
+                return self.solution_of_parameter(search, id, (function, rest), span);
+            }
+            None => {
+                self.check_loosely(rest);
+                return Expr::error(span);
+            }
         };
         let info = &self.names.functions[id.0 as usize];
         let (Some(decl), file, name) = (info.decl, info.file, info.name.clone()) else {
@@ -42,11 +59,11 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0206",
-                        "the second argument of `solve` is the guess",
+                        format!("the second argument of `{called}` is the guess"),
                         place,
                         "not a guess",
                     )
-                    .help("write `solve(f, guess)`; the other arguments of `f` follow the guess"),
+                    .help(format!("write `{called}(f, guess)`; the other arguments of `f` follow the guess")),
                 );
                 return Expr::error(span);
             }
@@ -56,7 +73,7 @@ impl<'a> Checker<'a> {
             self.report(
                 Diagnostic::error(
                     "E0861",
-                    format!("`{name}` has no parameter, so there is nothing to solve for"),
+                    format!("`{name}` has no parameter, so it has no unknown"),
                     function.value.span,
                     "has no unknown",
                 )
@@ -83,7 +100,7 @@ impl<'a> Checker<'a> {
         let others = types.get(1..).unwrap_or_default();
         let mut values = vec![guess];
         values.extend(self.symbolic_arguments(parameters, others, (given, fields), (id, file, span)));
-        self.check_residual(&ty, &result, function.value.span);
+        self.check_residual(search, &ty, &result, function.value.span);
         let call = Call {
             function: id,
             instance,
@@ -91,14 +108,38 @@ impl<'a> Checker<'a> {
             copy_back: Vec::new(),
             perhaps_same: Vec::new(),
             demands: Vec::new(),
-            solves: true,
+            search: Some(search),
         };
         let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty, span };
-        if self.symbolic { call } else { self.evaluate_now(call, "solve") }
+        if self.symbolic { call } else { self.evaluate_now(call, called) }
+    }
+
+    /// Checks the search of a root or minimum of a function that is a parameter. Its arguments have
+    /// no names.
+    fn solution_of_parameter(
+        &mut self,
+        search: Search,
+        id: VarId,
+        (function, rest): (&'a ast::Argument, &'a [ast::Argument]),
+        span: Span,
+    ) -> Expr {
+        let mut written = &function.value;
+        while let ExprKind::Paren(inner) = &written.kind {
+            written = inner;
+        }
+        let ExprKind::Name(name) = &written.kind else { return Expr::error(span) };
+        let call = self.as_symbolic(|c| c.parameter_call(id, name, rest, span));
+        let Kind::Applied(applied) = call.kind else { return Expr::error(span) };
+        let ty = applied.arguments.first().map_or(Type::Error, |guess| guess.ty.clone());
+        self.check_residual(search, &ty, &call.ty, function.value.span);
+        let applied = Applied { search: Some(search), ..*applied };
+        let found = Expr { kind: Kind::Applied(Box::new(applied)), ty, span };
+        if self.symbolic { found } else { self.evaluate_now(found, builtin_name(search)) }
     }
 
     /// Returns the function that is the first argument.
-    fn function_to_solve(&mut self, argument: &'a ast::Argument) -> Option<FuncId> {
+    fn function_to_solve(&mut self, search: Search, argument: &'a ast::Argument) -> Option<PassedFunction> {
+        let called = builtin_name(search);
         let mut written = &argument.value;
         while let ExprKind::Paren(inner) = &written.kind {
             written = inner;
@@ -120,30 +161,45 @@ impl<'a> Checker<'a> {
                             .all(|p| p.mode == Mode::In && !matches!(p.default, Some((Bind::Symbolic, _))))
                 });
                 if usable {
-                    return Some(id);
+                    // The caller instantiates it.
+                    return Some(PassedFunction::Declared(id, UseId(0)));
                 }
-                "`solve` needs a symbolic function"
+                format!("`{called}` needs a symbolic function")
+            }
+            Some(Resolution::Var(id)) if self.may_be_function(id) => {
+                return Some(PassedFunction::Parameter(id));
             }
             Some(Resolution::Unknown) => return None,
             _ => {
                 if meant.is_none() || matches!(meant, Some(Resolution::Var(_) | Resolution::Param(_))) {
                     self.as_symbolic(|c| c.expr(&argument.value));
                 }
-                "the first argument of `solve` is the name of a function"
+                format!("the first argument of `{called}` is the name of a function")
             }
         };
         self.report(
             Diagnostic::error("E0861", diagnostic, argument.value.span, "not a symbolic function").help(
-                "declare `function f(in x, in a) := ...;`, which is zero at the solution `x`, and write \
-                 `solve(f, guess, a)`",
+                match search {
+                    Search::Root => {
+                        "declare `function f(in x, in a) := ...;`, which is zero at the solution `x`, and write \
+                         `solve(f, guess, a)`"
+                    }
+                    Search::Minimum => {
+                        "declare `function f(in x, in a) := ...;`, which is a number, and write \
+                         `minimize(f, guess, a)`"
+                    }
+                },
             ),
         );
         None
     }
 
-    /// Requires that a residual has the form of the unknown. Its dimension may be any.
-    fn check_residual(&mut self, unknown: &Type, residual: &Type, span: Span) {
+    /// Requires that a residual has the form of the unknown, and that a function to minimize
+    /// returns a number. Its dimension may be any.
+    fn check_residual(&mut self, search: Search, unknown: &Type, residual: &Type, span: Span) {
+        self.solve_open_constraints(std::iter::once(residual));
         let expected = match self.store.shallow(unknown) {
+            _ if search == Search::Minimum => self.fresh_number(),
             Type::Number(_) => self.fresh_number(),
             Type::Vector(_) => self.fresh_vector().0,
             // Brackets are compared when their numbers of elements are known.

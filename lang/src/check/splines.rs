@@ -1,13 +1,16 @@
-//! Checks `spline(xs, ys, x)`: the natural cubic spline through constant points.
+//! Checks `spline(xs, ys, x)`: the natural cubic spline through points.
+//!
+//! The coefficients of constant points are data of the kernel. Those of other points are computed
+//! when the expression is bound; the kernel receives the number of their table.
 
 use super::constant;
 use super::infer::Checker;
 use super::tree::*;
 use super::types::{Store, Type};
 use crate::ast;
-use crate::diagnostic::Diagnostic;
+use crate::ir::Op;
 use crate::span::Span;
-use calyx_abi::piecewise::natural_spline;
+use calyx_abi::piecewise::{natural_spline, refusal};
 
 impl<'a> Checker<'a> {
     pub(super) fn spline(&mut self, arguments: &'a [ast::Argument], span: Span) -> Expr {
@@ -16,35 +19,34 @@ impl<'a> Checker<'a> {
         };
         let (across, along) = (self.fresh_number(), self.fresh_number());
         let [xs, ys] = [(xs, &across, "xs"), (ys, &along, "ys")].map(|(written, ty, name)| {
-            let points = self.as_symbolic(|c| c.whole(written));
+            let points = self.as_value(|c| c.whole(written));
             self.expect(&Type::array(ty.clone()), &points, &format!("`{name}`"), None);
-            self.check_constant_points(&points);
             points
         });
         let x = self.as_symbolic(|c| c.expr(x));
         let cause = Some((xs.span, "the spline has these abscissas".to_string()));
         self.expect(&across, &x, "the argument of the spline", cause);
-        let spline = Expr { kind: Kind::Spline(Box::new([xs, ys, x])), ty: along, span };
+        let is_constant = has_constant_points(&xs) && has_constant_points(&ys);
+        let kind = match is_constant {
+            true => Kind::Spline(Box::new([xs, ys, x])),
+            false => {
+                let place = Span { end: ys.span.end, ..xs.span };
+                let table = Kind::Standard(Standard::SplineTable, vec![xs, ys]);
+                let table = Expr { kind: table, ty: Type::number(), span: place };
+                Kind::Op(Op::Spline, vec![table, x])
+            }
+        };
+        let spline = Expr { kind, ty: along, span };
         if self.symbolic { spline } else { self.evaluate_now(spline, "spline") }
     }
+}
 
-    fn check_constant_points(&mut self, points: &Expr) {
-        let variable = match &points.kind {
-            Kind::Error => None,
-            Kind::Array(all) => all.iter().find(|point| !is_constant(point)),
-            _ => Some(points),
-        };
-        if let Some(variable) = variable {
-            self.report(
-                Diagnostic::error(
-                    "E0864",
-                    "the points of a spline must be constant",
-                    variable.span,
-                    "known only when the program runs",
-                )
-                .help("write the numbers in brackets, or declare them with `const`"),
-            );
-        }
+/// Returns `true` for brackets of constant numbers, and for invalid points, which are reported.
+fn has_constant_points(points: &Expr) -> bool {
+    match &points.kind {
+        Kind::Error => true,
+        Kind::Array(all) => all.iter().all(is_constant),
+        _ => false,
     }
 }
 
@@ -75,16 +77,5 @@ pub fn table(xs: &Expr, ys: &Expr, store: &Store) -> Option<Result<Vec<f64>, Str
         _ => None,
     };
     let (xs, ys) = (numbers(xs)?, numbers(ys)?);
-    Some(natural_spline(&xs, &ys).ok_or_else(|| {
-        if xs.len() != ys.len() {
-            return format!("the spline has {} abscissas and {} ordinates", xs.len(), ys.len());
-        }
-        if xs.len() < 2 {
-            return "a spline needs at least two points".to_string();
-        }
-        match xs.windows(2).position(|pair| pair[0] >= pair[1]) {
-            Some(at) => format!("the abscissas of a spline must ascend, and number {} does not", at + 2),
-            None => "the points of a spline must be finite".to_string(),
-        }
-    }))
+    Some(natural_spline(&xs, &ys).ok_or_else(|| refusal(&xs, &ys)))
 }

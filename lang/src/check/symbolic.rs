@@ -80,7 +80,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Returns the value of a definition that does not depend on time.
-    fn evaluated(&mut self, def: DefId, span: Span) -> Expr {
+    pub(super) fn evaluated(&mut self, def: DefId, span: Span) -> Expr {
         let found = &self.defs[def.0 as usize];
         let (ty, name, bound) = (found.expr.ty.clone(), found.name.clone(), found.span);
         if found.observes {
@@ -303,11 +303,18 @@ impl<'a> Checker<'a> {
                 kind
             }
             Kind::SymbolicCall(mut call) => {
-                if let Some(body) = self.functions.get(&call.function).and_then(|f| f.definition.as_ref()) {
-                    to.on_time |= self.defs[body.def.0 as usize].on_time;
-                }
+                to.on_time |= self.depends_on_time(call.function);
                 call.arguments = call.arguments.into_iter().map(|a| self.split(a, to)).collect();
                 Kind::SymbolicCall(call)
+            }
+            Kind::Function(PassedFunction::Declared(function, _)) => {
+                to.on_time |= self.depends_on_time(function);
+                kind
+            }
+            Kind::Function(PassedFunction::Parameter(_)) => kind,
+            Kind::Applied(mut applied) => {
+                applied.arguments = applied.arguments.into_iter().map(|a| self.split(a, to)).collect();
+                Kind::Applied(applied)
             }
             Kind::Array(all) => Kind::Array(all.into_iter().map(|a| self.split(a, to)).collect()),
             Kind::Tuple(all) => Kind::Tuple(all.into_iter().map(|a| self.split_field(a, to)).collect()),
@@ -362,6 +369,16 @@ impl<'a> Checker<'a> {
                 return self.capture(Expr { kind: Kind::UnitAxis(inner), ty, span }, to);
             }
             Kind::UnitAxis(inner) => Kind::UnitAxis(self.split_box(inner, to)),
+            // An argument of a symbolic function, or a part of brackets.
+            Kind::Part(inner) if self.is_brackets_part(&inner) => {
+                let inner = self.split(*inner, to);
+                return Expr { kind: inner.kind, ty, span };
+            }
+            Kind::Part(inner) => {
+                to.on_time = true;
+                let captured = self.capture(*inner, to);
+                return Expr { kind: captured.kind, ty, span };
+            }
             Kind::Observe(inner) => {
                 to.observes = true;
                 let inner = self.capture(*inner, to);

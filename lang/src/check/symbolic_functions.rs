@@ -108,7 +108,7 @@ impl<'a> Checker<'a> {
             copy_back: Vec::new(),
             perhaps_same: Vec::new(),
             demands: Vec::new(),
-            solves: false,
+            search: None,
         };
         let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty: result, span };
         if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
@@ -126,6 +126,9 @@ impl<'a> Checker<'a> {
         let mut values = Vec::new();
         for ((parameter, argument), ty) in parameters.iter().zip(given).zip(types) {
             let value = match (argument, &parameter.default) {
+                (Some(argument), _) if self.is_function(ty) => {
+                    self.function_argument(ty, &parameter.name, argument)
+                }
                 (Some(argument), _) => {
                     let value = self.as_symbolic(|c| c.whole(&argument.value));
                     let shown = self.store.show(ty);
@@ -254,8 +257,10 @@ impl<'a> Checker<'a> {
                         .decl
                         .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_))),
                     Some(Resolution::Builtin(builtin)) => {
-                        matches!(builtin, Builtin::Gradient | Builtin::Derivative | Builtin::Solve)
+                        matches!(builtin, Builtin::Gradient | Builtin::Derivative | Builtin::Solve(_))
                     }
+                    // A parameter that is a function.
+                    Some(Resolution::Var(_)) => true,
                     _ => false,
                 }
             }
@@ -270,14 +275,18 @@ impl<'a> Checker<'a> {
 
     pub(super) fn is_brackets(&self, e: &Expr) -> bool {
         match &e.kind {
-            Kind::Array(_) | Kind::Tuple(_) | Kind::SymbolicCall(_) | Kind::Gradient(..) => true,
+            Kind::Array(_)
+            | Kind::Tuple(_)
+            | Kind::SymbolicCall(_)
+            | Kind::Applied(_)
+            | Kind::Gradient(..) => true,
             Kind::Def(def) => self.is_brackets(&self.defs[def.0 as usize].expr),
             Kind::Var(id) if self.variable(*id).kind == VarKind::Hidden => {
                 // A captured record or tuple has a known number of values, unlike an array.
                 matches!(self.store.shallow(&e.ty), Type::Record(_) | Type::Tuple(_))
             }
             Kind::Var(id) => self.is_of_symbolic_function(*id),
-            Kind::Block(_, result) => self.is_brackets(result),
+            Kind::Block(_, result) | Kind::Part(result) => self.is_brackets(result),
             Kind::Index(base, _)
             | Kind::TupleElement(base, _)
             | Kind::Field(base, _)
@@ -297,8 +306,22 @@ impl<'a> Checker<'a> {
                 && self.is_brackets(e)
     }
 
+    /// Returns `true` for an element of symbolic brackets.
+    pub(super) fn is_brackets_part(&self, e: &Expr) -> bool {
+        match &e.kind {
+            Kind::Index(base, _) | Kind::TupleElement(base, _) | Kind::Field(base, _) => {
+                self.is_brackets(base)
+            }
+            _ => false,
+        }
+    }
+
     fn is_brackets_of_values(&self, ty: &Type) -> bool {
         match self.store.known(ty) {
+            // The expression itself.
+            Type::Symbolic(inner) => self.is_brackets_of_values(inner),
+            // No expression can use a text of a record.
+            Type::String => true,
             Type::Array(element) => self.is_brackets_of_values(element),
             Type::Tuple(parts) => parts.iter().all(|part| self.is_brackets_of_values(part)),
             Type::Record(id) => self

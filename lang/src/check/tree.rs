@@ -10,6 +10,7 @@ use crate::dimension::Dimension;
 use crate::ir::{DisplayUnit, Op};
 use crate::span::Span;
 use crate::units::UnitSystem;
+use calyx_abi::newton::Search;
 use std::collections::BTreeSet;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -66,6 +67,8 @@ pub enum Kind {
     Eval(DefId, Option<Box<Expr>>),
     /// An observable in a symbolic expression.
     Observe(Box<Expr>),
+    /// The expression that a value of the type `Symbolic` contains, within a symbolic expression.
+    Part(Box<Expr>),
     Unary(UnaryOp, Box<Expr>),
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// A built-in function, by its operation.
@@ -74,6 +77,10 @@ pub enum Kind {
     Call(Box<Call>),
     /// A call of a symbolic function in a symbolic expression.
     SymbolicCall(Box<Call>),
+    /// A function as an argument.
+    Function(PassedFunction),
+    /// A call of a parameter that is a function.
+    Applied(Box<Applied>),
     /// A call of a library function: its index, its arguments, and the domains of arguments by
     /// position.
     CallExtern(u32, Vec<Expr>, Vec<(usize, ArgumentRange)>),
@@ -115,6 +122,24 @@ pub enum Kind {
     Block(Vec<(VarId, Expr)>, Box<Expr>),
 }
 
+/// A function that a call passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PassedFunction {
+    Declared(FuncId, UseId),
+    /// A parameter of the enclosing function.
+    Parameter(VarId),
+}
+
+/// A call of a parameter that is a function. The calls of the enclosing function determine the
+/// function, so it is known when the enclosing function is lowered for one of them.
+#[derive(Clone, Debug)]
+pub struct Applied {
+    pub parameter: VarId,
+    pub arguments: Vec<Expr>,
+    /// See [`Call::search`].
+    pub search: Option<Search>,
+}
+
 /// A function of the runtime that expressions call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standard {
@@ -129,6 +154,8 @@ pub enum Standard {
     Largest,
     /// The elements of an array of numbers in ascending order.
     Sort,
+    /// The number of the table of a spline, given the abscissas and the ordinates.
+    SplineTable,
 }
 
 #[derive(Clone, Debug)]
@@ -168,9 +195,10 @@ pub struct Call {
     pub perhaps_same: Vec<(usize, usize)>,
     /// The domains of arguments, by position.
     pub demands: Vec<(usize, ArgumentRange)>,
-    /// `true` for `solve(f, guess, ...)` in a symbolic expression: the value is the first argument
-    /// for which the function is zero. The guess takes the place of this argument.
-    pub solves: bool,
+    /// Set for `solve(f, guess, ...)` and `minimize(f, guess, ...)` in a symbolic expression: the
+    /// value is the first argument for which the function is zero or has a minimum. The guess takes
+    /// the place of this argument.
+    pub search: Option<Search>,
 }
 
 /// The domain of a parameter, with the types of one call.
@@ -415,6 +443,7 @@ impl Expr {
             | Kind::Updated(_)
             | Kind::Zero
             | Kind::None
+            | Kind::Function(_)
             | Kind::MakeSymbolic(_) => Vec::new(),
             Kind::Sequence(statements, value) => {
                 let mut all = Vec::new();
@@ -424,6 +453,7 @@ impl Expr {
             }
             Kind::Eval(_, time) => time.iter().map(|e| &**e).collect(),
             Kind::Observe(a)
+            | Kind::Part(a)
             | Kind::Unary(_, a)
             | Kind::TupleElement(a, _)
             | Kind::Field(a, _)
@@ -445,6 +475,7 @@ impl Expr {
             Kind::Call(call) | Kind::SymbolicCall(call) => {
                 call.arguments.iter().chain(call.copy_back.iter().flat_map(Place::indices)).collect()
             }
+            Kind::Applied(applied) => applied.arguments.iter().collect(),
             Kind::Spline(parts) => parts.iter().collect(),
             Kind::Block(bindings, result) => {
                 bindings.iter().map(|(_, value)| value).chain([&**result]).collect()

@@ -60,6 +60,11 @@ impl Walk<'_> {
                     add(self.extent(part, around + 1)?);
                 }
             }
+            Type::Function(parts, result) => {
+                for part in parts.iter().chain([&**result]) {
+                    add(self.extent(part, around + 1)?);
+                }
+            }
             Type::Record(id) => match self.records.get(id) {
                 // `None` in the map: the record contains itself.
                 Some(known) => return *known,

@@ -33,6 +33,8 @@ pub enum Type {
     Observable(Dim),
     /// An expression that is passed to the engine without evaluation.
     Symbolic(Box<Type>),
+    /// A function that is an argument: the types of its parameters and of its result.
+    Function(Vec<Type>, Box<Type>),
     /// An object created by the engine.
     Handle(String),
     Record(RecordId),
@@ -73,6 +75,10 @@ impl Type {
             Type::Symbolic(inner) => Type::Symbolic(Box::new(inner.with_records(number))),
             Type::Optional(inner) => Type::optional(inner.with_records(number)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| part.with_records(number)).collect()),
+            Type::Function(parts, result) => Type::Function(
+                parts.iter().map(|part| part.with_records(number)).collect(),
+                Box::new(result.with_records(number)),
+            ),
             other => other.clone(),
         }
     }
@@ -138,6 +144,7 @@ impl Store {
             Type::Record(_) => true,
             Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => self.has_record(&inner),
             Type::Tuple(parts) => parts.iter().any(|part| self.has_record(part)),
+            Type::Function(parts, result) => parts.iter().chain([&*result]).any(|part| self.has_record(part)),
             _ => false,
         }
     }
@@ -224,6 +231,10 @@ impl Store {
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.resolve(&inner))),
             Type::Optional(inner) => Type::optional(self.resolve(&inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.resolve(part)).collect()),
+            Type::Function(parts, result) => Type::Function(
+                parts.iter().map(|part| self.resolve(part)).collect(),
+                Box::new(self.resolve(&result)),
+            ),
             other => other,
         }
     }
@@ -297,6 +308,9 @@ impl Store {
             (Type::Tuple(x), Type::Tuple(y)) if x.len() == y.len() => {
                 x.iter().zip(&y).any(|(x, y)| self.differ(x, y))
             }
+            (Type::Function(x, of_x), Type::Function(y, of_y)) if x.len() == y.len() => {
+                x.iter().zip(&y).any(|(x, y)| self.differ(x, y)) || self.differ(&of_x, &of_y)
+            }
             (a, b) => a != b,
         }
     }
@@ -322,6 +336,10 @@ impl Store {
             (Type::Tuple(x), Type::Tuple(y)) if x.len() == y.len() => {
                 x.iter().zip(y).try_for_each(|(x, y)| self.unify(x, y))
             }
+            (Type::Function(x, of_x), Type::Function(y, of_y)) if x.len() == y.len() => {
+                x.iter().zip(y).try_for_each(|(x, y)| self.unify(x, y))?;
+                self.unify(of_x, of_y)
+            }
             _ if a == b => Ok(()),
             _ => Err(Mismatch::Kind),
         }
@@ -338,6 +356,10 @@ impl Store {
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.closed(&inner))),
             Type::Optional(inner) => Type::optional(self.closed(&inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.closed(part)).collect()),
+            Type::Function(parts, result) => Type::Function(
+                parts.iter().map(|part| self.closed(part)).collect(),
+                Box::new(self.closed(&result)),
+            ),
             other => other,
         }
     }
@@ -359,6 +381,9 @@ impl Store {
                 self.unknowns(inner, types, dims)
             }
             Type::Tuple(parts) => parts.iter().for_each(|part| self.unknowns(part, types, dims)),
+            Type::Function(parts, result) => {
+                parts.iter().chain([&**result]).for_each(|part| self.unknowns(part, types, dims));
+            }
             _ => {}
         }
     }
@@ -378,6 +403,8 @@ impl Store {
             Type::Optional(inner) => Repr::Tuple(vec![Repr::Bool, self.repr(&inner)]),
             Type::Observable(_) => Repr::Symbolic(Box::new(Repr::Number)),
             Type::Symbolic(inner) => Repr::Symbolic(Box::new(self.repr(&inner))),
+            // Calls determine functions when they are compiled, so no value represents them.
+            Type::Function(..) => Repr::Tuple(Vec::new()),
             Type::Handle(_) => Repr::Handle,
             Type::Record(id) => {
                 let fields = self.record(id).into_iter().flat_map(|record| &record.fields);
@@ -406,6 +433,10 @@ impl Store {
             Type::Observable(dim) => format!("Observable({})", self.show_dim(&dim)),
             Type::Symbolic(inner) => format!("Symbolic({})", self.show(&inner)),
             Type::Optional(inner) => format!("{} or none", self.show(&inner)),
+            Type::Function(parts, result) => {
+                let parts: Vec<String> = parts.iter().map(|part| self.show(part)).collect();
+                format!("Function({}) -> {}", parts.join(", "), self.show(&result))
+            }
             Type::Handle(name) => name,
             Type::Enum(of) => of.name.clone(),
             Type::Record(id) => self.record(id).map_or_else(|| "_".into(), |record| record.name.clone()),
@@ -440,6 +471,10 @@ impl Substitution {
             Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(store, &inner))),
             Type::Optional(inner) => Type::optional(self.ty(store, &inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.ty(store, part)).collect()),
+            Type::Function(parts, result) => Type::Function(
+                parts.iter().map(|part| self.ty(store, part)).collect(),
+                Box::new(self.ty(store, &result)),
+            ),
             other => other,
         }
     }

@@ -69,7 +69,7 @@ The formatter's is 4."
     "round" "dot" "cross" "norm" "Translate" "Rotate" "inverse" "origin" "direction"
     "velocity" "acceleration" "angular_velocity" "angular_acceleration" "min" "max"
     "sqrt" "derivative" "gradient" "print" "assert" "len" "push"
-    "sum" "sort" "solve" "spline")
+    "sum" "sort" "solve" "minimize" "spline")
   "Functions of the language.")
 
 (defconst calyx--types

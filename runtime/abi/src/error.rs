@@ -123,6 +123,8 @@ pub mod codes {
     pub const OBSERVABLE: &str = "E0706";
     /// An equation of `solve` has no solution near the guess.
     pub const NO_SOLUTION: &str = "E0863";
+    /// The points of a spline are invalid.
+    pub const SPLINE: &str = "E0864";
     /// The limit on time or memory was reached.
     pub const EXHAUSTED: &str = "E0707";
     /// A limit of a range or a slice is not an integer.

@@ -71,6 +71,7 @@ impl Fingerprint {
                 MathFn::SincosColumns(_) => 4,
                 MathFn::Newton(_) => 5,
                 MathFn::Piecewise(_) => 6,
+                MathFn::Registered(_) => 7,
             };
             hash = hash.text(symbol).number(kind);
             i += 1;

@@ -341,12 +341,20 @@ pub fn eval_symbolic(
     let outputs = value.evaluate(time, &ctx.params, &|_| f64::NAN);
     let outputs = outputs.ok_or_else(|| malformed("a kernel of another size"))?;
     // The arm of a conditional expression that is not selected may have no solution.
-    if newton::failures() != failures && outputs.iter().any(|output| output.is_nan()) {
-        return Err(RuntimeError::new(
-            codes::NO_SOLUTION,
-            "an equation has no solution near the guess of `solve`",
-            "choose a guess closer to the solution, and check that the equation has one for these values",
-        ));
+    let failed = newton::failures();
+    if failed != failures && outputs.iter().any(|output| output.is_nan()) {
+        return Err(match failed.minima == failures.minima {
+            true => RuntimeError::new(
+                codes::NO_SOLUTION,
+                "an equation has no solution near the guess of `solve`",
+                "choose a guess closer to the solution, and check that the equation has one for these values",
+            ),
+            false => RuntimeError::new(
+                codes::NO_SOLUTION,
+                "a function has no minimum near the guess of `minimize`",
+                "choose a guess where the function is convex, and check that it has a minimum for these values",
+            ),
+        });
     }
     let mut slots = Vec::with_capacity(result.len());
     pack(ctx, &value.repr, repr, &mut outputs.into_iter(), &mut slots)?;

@@ -15,8 +15,8 @@
 //! operation traps.
 
 use crate::call::KernelFn;
-use crate::newton::calyx_math_newton;
-use crate::piecewise::calyx_math_piecewise;
+use crate::newton::{calyx_math_minimum, calyx_math_newton};
+use crate::piecewise::{calyx_math_piecewise, calyx_math_spline};
 
 /// Tolerance of the length of a unit vector. It covers components rounded to six digits.
 pub const UNIT_TOLERANCE: f64 = 1e-6;
@@ -158,6 +158,8 @@ pub enum MathFn {
     ///
     /// See [`calyx_math_piecewise`] for safety.
     Piecewise(unsafe extern "C" fn(*const f64, f64) -> f64),
+    /// Arguments: number of a registered table, order of the derivative, number.
+    Registered(extern "C" fn(f64, f64, f64) -> f64),
     /// Arguments: residual kernel, number of unknowns, pointer to the guess and the arguments of
     /// the kernel, their number.
     ///
@@ -175,6 +177,7 @@ impl MathFn {
             MathFn::SincosColumns(function) => function as *const u8,
             MathFn::Newton(function) => function as *const u8,
             MathFn::Piecewise(function) => function as *const u8,
+            MathFn::Registered(function) => function as *const u8,
         }
     }
 }
@@ -203,7 +206,9 @@ macro_rules! called {
             ("calyx_math_sincos", MathFn::Sincos(calyx_math_sincos)),
             ("calyx_math_sincos_columns", MathFn::SincosColumns(calyx_math_sincos_columns)),
             ("calyx_math_newton", MathFn::Newton(calyx_math_newton)),
+            ("calyx_math_minimum", MathFn::Newton(calyx_math_minimum)),
             ("calyx_math_piecewise", MathFn::Piecewise(calyx_math_piecewise)),
+            ("calyx_math_spline", MathFn::Registered(calyx_math_spline)),
         ];
     };
 }

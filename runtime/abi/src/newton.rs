@@ -8,6 +8,16 @@
 use crate::call::KernelFn;
 use std::cell::Cell;
 
+/// The kind of point that an iteration finds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Search {
+    /// A point at which all residuals vanish.
+    Root,
+    /// A minimum: the residuals are the gradient of a function and the Jacobian is its Hessian,
+    /// which must be positive definite at the solution.
+    Minimum,
+}
+
 /// Limit of the number of unknowns of one system.
 pub const MOST_UNKNOWNS: usize = 4;
 
@@ -30,12 +40,21 @@ const NOISE: f64 = 1e-11;
 /// The same bound for a solution at zero, SI units.
 const NOISE_AT_ZERO: f64 = 1e-15;
 
-thread_local! {
-    static FAILURES: Cell<u64> = const { Cell::new(0) };
+/// Numbers of unsuccessful iterations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Failures {
+    /// Searches of a root that did not converge.
+    pub roots: u64,
+    /// Searches of a minimum that did not converge, or converged to another stationary point.
+    pub minima: u64,
 }
 
-/// Returns the number of iterations on this thread that did not converge.
-pub fn failures() -> u64 {
+thread_local! {
+    static FAILURES: Cell<Failures> = const { Cell::new(Failures { roots: 0, minima: 0 }) };
+}
+
+/// Returns the numbers of unsuccessful iterations on this thread.
+pub fn failures() -> Failures {
     FAILURES.get()
 }
 
@@ -45,28 +64,78 @@ pub fn failures() -> u64 {
 /// writes the residuals, followed by their derivatives with respect to the unknowns, row by row.
 /// The residual at the last iterate verifies the solution: the correction that follows the last
 /// one is estimated to be smaller than a rounding error of the unknowns, or the corrections no
-/// longer decrease and are rounding errors of the residual.
+/// longer decrease and are rounding errors of the residual. The Hessian at a minimum is evaluated
+/// at the solution itself.
 ///
-/// Returns `false`, and NaN for all unknowns, if the iteration does not converge. Does not
-/// allocate or panic.
+/// Returns `false`, and NaN for all unknowns, if the iteration does not converge, or if the
+/// solution is not a minimum although one is searched. Does not allocate or panic.
 pub fn newton(
+    search: Search,
     unknowns: usize,
     inputs: &mut [f64],
     evaluate: impl FnMut(&[f64], &mut [f64; MOST_VALUES]),
 ) -> bool {
-    let converged = inputs.len() >= unknowns
+    let found = inputs.len() >= unknowns
         && match unknowns {
-            1 => iterate::<1>(inputs, evaluate),
-            2 => iterate::<2>(inputs, evaluate),
-            3 => iterate::<3>(inputs, evaluate),
-            4 => iterate::<4>(inputs, evaluate),
+            1 => find::<1>(search, inputs, evaluate),
+            2 => find::<2>(search, inputs, evaluate),
+            3 => find::<3>(search, inputs, evaluate),
+            4 => find::<4>(search, inputs, evaluate),
             _ => false,
         };
-    if !converged {
-        FAILURES.set(FAILURES.get().wrapping_add(1));
+    if !found {
+        let mut failures = FAILURES.get();
+        let count = match search {
+            Search::Root => &mut failures.roots,
+            Search::Minimum => &mut failures.minima,
+        };
+        *count = count.wrapping_add(1);
+        FAILURES.set(failures);
         inputs.iter_mut().take(unknowns).for_each(|unknown| *unknown = f64::NAN);
     }
-    converged
+    found
+}
+
+fn find<const N: usize>(
+    search: Search,
+    inputs: &mut [f64],
+    mut evaluate: impl FnMut(&[f64], &mut [f64; MOST_VALUES]),
+) -> bool {
+    if !iterate::<N>(inputs, &mut evaluate) {
+        return false;
+    }
+    match search {
+        Search::Root => true,
+        Search::Minimum => {
+            let mut values = [0.0; MOST_VALUES];
+            evaluate(inputs, &mut values);
+            is_positive_definite::<N>(&values)
+        }
+    }
+}
+
+/// Returns `true` if the Hessian that follows the gradient is positive definite: all pivots of its
+/// factorization `L D L^T` are positive, by more than their rounding errors.
+fn is_positive_definite<const N: usize>(values: &[f64; MOST_VALUES]) -> bool {
+    let mut matrix = [[0.0; N]; N];
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row.copy_from_slice(&values[N + i * N..N + (i + 1) * N]);
+    }
+    let diagonal: [f64; N] = std::array::from_fn(|i| matrix[i][i]);
+    for k in 0..N {
+        let pivot = matrix[k][k];
+        // A NaN is not greater either.
+        if !(pivot > diagonal[k] * (N as f64 * f64::EPSILON)) || !pivot.is_finite() {
+            return false;
+        }
+        for i in k + 1..N {
+            let factor = matrix[i][k] / pivot;
+            for j in k + 1..N {
+                matrix[i][j] -= factor * matrix[k][j];
+            }
+        }
+    }
+    true
 }
 
 fn iterate<const N: usize>(
@@ -212,12 +281,40 @@ pub unsafe extern "C" fn calyx_math_newton(
     count: usize,
 ) -> i32 {
     // SAFETY: guaranteed by the caller.
+    unsafe { search(Search::Root, residual, unknowns, (inputs, count)) }
+}
+
+/// As [`calyx_math_newton`], for a minimum: the residual kernel returns the gradient of a function
+/// and its Hessian.
+///
+/// # Safety
+/// As for [`calyx_math_newton`].
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn calyx_math_minimum(
+    gradient: KernelFn,
+    unknowns: usize,
+    inputs: *mut f64,
+    count: usize,
+) -> i32 {
+    // SAFETY: guaranteed by the caller.
+    unsafe { search(Search::Minimum, gradient, unknowns, (inputs, count)) }
+}
+
+/// # Safety
+/// As for [`calyx_math_newton`].
+unsafe fn search(
+    search: Search,
+    residual: KernelFn,
+    unknowns: usize,
+    (inputs, count): (*mut f64, usize),
+) -> i32 {
+    // SAFETY: guaranteed by the caller.
     let inputs = unsafe { std::slice::from_raw_parts_mut(inputs, count) };
-    let converged = newton(unknowns, inputs, |inputs, values| {
+    let found = newton(search, unknowns, inputs, |inputs, values| {
         // SAFETY: guaranteed by the caller.
         unsafe { residual(inputs.as_ptr(), values.as_mut_ptr()) };
     });
-    i32::from(!converged)
+    i32::from(!found)
 }
 
 #[cfg(test)]
@@ -227,7 +324,7 @@ mod tests {
     /// Solves one equation and returns the solution and the number of evaluations.
     fn root(guess: f64, f: impl Fn(f64) -> (f64, f64)) -> (f64, usize) {
         let (mut inputs, mut count) = ([guess], 0);
-        newton(1, &mut inputs, |x, values| {
+        newton(Search::Root, 1, &mut inputs, |x, values| {
             count += 1;
             (values[0], values[1]) = f(x[0]);
         });
@@ -269,16 +366,44 @@ mod tests {
         assert!(root(f64::NAN, |x| (x, 1.0)).0.is_nan());
         assert!(root(1.0, |_| (f64::NAN, f64::NAN)).0.is_nan());
         assert!(root(1.0, |x| (x, f64::INFINITY)).0.is_nan());
-        assert_eq!(failures(), before + 5);
-        assert!(!newton(5, &mut [0.0; 5], |_, _| ()));
-        assert!(!newton(2, &mut [0.0], |_, _| ()));
+        assert_eq!(failures(), Failures { roots: before.roots + 5, ..before });
+        assert!(!newton(Search::Root, 5, &mut [0.0; 5], |_, _| ()));
+        assert!(!newton(Search::Root, 2, &mut [0.0], |_, _| ()));
+    }
+
+    #[test]
+    fn only_a_minimum_satisfies_the_second_order_condition() {
+        // The stationary points of x^4 - 2 x^2 are a maximum at 0 and minima at -1 and 1.
+        let minimum = |guess: f64| {
+            let mut inputs = [guess];
+            let found = newton(Search::Minimum, 1, &mut inputs, |x, values| {
+                let x = x[0];
+                (values[0], values[1]) = (4.0 * x * (x * x - 1.0), 12.0 * x * x - 4.0);
+            });
+            (found, inputs[0])
+        };
+        assert_eq!(minimum(1.3), (true, 1.0));
+        assert_eq!(minimum(-0.9), (true, -1.0));
+        let before = failures();
+        assert!(!minimum(0.1).0 && minimum(0.1).1.is_nan());
+        assert_eq!(failures(), Failures { minima: before.minima + 2, ..before });
+        // x^2 + a y^2 + b x y has a minimum at the origin for 4 a > b^2, otherwise a saddle point.
+        let quadratic = |a: f64, b: f64| {
+            newton(Search::Minimum, 2, &mut [0.3, -0.2], |x, values| {
+                let [x, y] = [x[0], x[1]];
+                let all = [2.0 * x + b * y, 2.0 * a * y + b * x, 2.0, b, b, 2.0 * a];
+                values[..6].copy_from_slice(&all);
+            })
+        };
+        assert!(quadratic(1.0, 0.5) && quadratic(1e-6, 1e-4) && quadratic(1e6, 1.9e3));
+        assert!(!quadratic(-1.0, 0.5) && !quadratic(1.0, 2.5) && !quadratic(1.0, 2.0));
     }
 
     #[test]
     fn systems_are_solved_whatever_the_scale_of_their_residuals() {
         // A circle and a parabola, the equations scaled by 1e12 and 1e-9.
         let mut inputs = [0.5, 2.0];
-        assert!(newton(2, &mut inputs, |x, values| {
+        assert!(newton(Search::Root, 2, &mut inputs, |x, values| {
             let [a, b] = [x[0], x[1]];
             let residuals = [(a * a + b * b - 4.0) * 1e12, (b - a * a) * 1e-9];
             let jacobian = [2e12 * a, 2e12 * b, -2e-9 * a, 1e-9];
@@ -292,7 +417,7 @@ mod tests {
         let matrix = [[0.0, 2.0, 1.0, 0.0], [1.0, 0.0, 0.0, 3.0], [0.0, 0.0, 4.0, 1.0], [2.0, 1.0, 0.0, 0.0]];
         let expected = [1.0, -2.0, 0.5, 3.0];
         let mut inputs = [0.0; 4];
-        assert!(newton(4, &mut inputs, |x, values| {
+        assert!(newton(Search::Root, 4, &mut inputs, |x, values| {
             for (i, row) in matrix.iter().enumerate() {
                 values[i] = (0..4).map(|j| row[j] * (x[j] - expected[j])).sum();
                 values[4 + 4 * i..8 + 4 * i].copy_from_slice(row);

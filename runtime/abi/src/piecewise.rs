@@ -5,6 +5,13 @@
 //! the first piece lies before all points, the last one after them. The polynomial of a piece is
 //! `((c3 t + c2) t + c1) t + c0`, where `t` is the distance from the first point of the piece; for
 //! the first piece, from the first point of the table.
+//!
+//! The tables of constant points are data of the compiled kernels. Tables of points that a program
+//! computes are registered when it runs; kernels receive their numbers as inputs.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::sync::{PoisonError, RwLock};
 
 /// Returns the value of a table at `x`; NaN for a NaN. A malformed table gives NaN.
 pub fn piecewise(table: &[f64], x: f64) -> f64 {
@@ -84,6 +91,80 @@ pub fn natural_spline(xs: &[f64], ys: &[f64]) -> Option<Vec<f64>> {
     Some(table)
 }
 
+/// Returns the reason why there is no [`natural_spline`] through points.
+pub fn refusal(xs: &[f64], ys: &[f64]) -> String {
+    if xs.len() != ys.len() {
+        return format!("the spline has {} abscissas and {} ordinates", xs.len(), ys.len());
+    }
+    if xs.len() < 2 {
+        return "a spline needs at least two points".to_string();
+    }
+    if !xs.iter().chain(ys).all(|number| number.is_finite()) {
+        return "the points of a spline must be finite".to_string();
+    }
+    match xs.windows(2).position(|pair| pair[0] >= pair[1]) {
+        Some(at) => format!("the abscissas of a spline must ascend, and number {} does not", at + 2),
+        None => "the spline is too large".to_string(),
+    }
+}
+
+/// Tables that a program computed while it ran, by number. Equal tables are stored once, and a
+/// table remains for the life of the process, because kernels refer to it by its number.
+static TABLES: RwLock<Registered> = RwLock::new(Registered { tables: Vec::new(), ids: BTreeMap::new() });
+
+struct Registered {
+    /// Each table with its three derivatives.
+    tables: Vec<&'static [Vec<f64>; 4]>,
+    ids: BTreeMap<Vec<u64>, usize>,
+}
+
+thread_local! {
+    /// A copy of the list, so that evaluation takes no lock.
+    static SEEN: RefCell<Vec<&'static [Vec<f64>; 4]>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Registers a table, and returns its number.
+pub fn register(table: Vec<f64>) -> f64 {
+    let bits: Vec<u64> = table.iter().map(|number| number.to_bits()).collect();
+    let mut registered = TABLES.write().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = registered.ids.get(&bits) {
+        return *known as f64;
+    }
+    let first = derivative(&table);
+    let second = derivative(&first);
+    let third = derivative(&second);
+    let number = registered.tables.len();
+    registered.tables.push(Box::leak(Box::new([table, first, second, third])));
+    registered.ids.insert(bits, number);
+    number as f64
+}
+
+/// Returns the value at `x` of a registered table, or of one of its first three derivatives. NaN if
+/// there is no such table.
+pub fn registered(table: f64, order: f64, x: f64) -> f64 {
+    let number = table as usize;
+    if table != number as f64 {
+        return f64::NAN;
+    }
+    let found = SEEN.with_borrow_mut(|seen| {
+        if number >= seen.len() {
+            let registered = TABLES.read().unwrap_or_else(PoisonError::into_inner);
+            seen.extend_from_slice(registered.tables.get(seen.len()..).unwrap_or_default());
+        }
+        seen.get(number).copied()
+    });
+    match found.and_then(|orders| orders.get(order as usize)) {
+        Some(table) => piecewise(table, x),
+        None => f64::NAN,
+    }
+}
+
+/// [`registered`] for machine code.
+#[unsafe(no_mangle)]
+pub extern "C" fn calyx_math_spline(table: f64, order: f64, x: f64) -> f64 {
+    registered(table, order, x)
+}
+
 /// [`piecewise`] for machine code.
 ///
 /// # Safety
@@ -120,6 +201,24 @@ mod tests {
         assert!((piecewise(&table, -1.0) - (1.0 - piecewise(&first, 0.0))).abs() < 1e-15);
         // SAFETY: this is a table.
         assert_eq!(unsafe { calyx_math_piecewise(table.as_ptr(), 0.3) }, piecewise(&table, 0.3));
+    }
+
+    #[test]
+    fn registered_tables_have_three_derivatives() {
+        let table = natural_spline(&[0.0, 0.7, 1.5, 2.0], &[1.0, -0.5, 2.0, 2.5]).unwrap();
+        let number = register(table.clone());
+        assert_eq!(register(table.clone()), number);
+        let mut of_order = table;
+        for order in 0..4 {
+            assert_eq!(registered(number, f64::from(order), 0.9), piecewise(&of_order, 0.9));
+            of_order = derivative(&of_order);
+        }
+        let other = std::thread::spawn(move || calyx_math_spline(number, 0.0, 0.9)).join().unwrap();
+        assert_eq!(other, registered(number, 0.0, 0.9));
+        for wrong in [-1.0, 0.5, f64::NAN, 1e300] {
+            assert!(registered(wrong, 0.0, 0.9).is_nan());
+        }
+        assert!(registered(number, 4.0, 0.9).is_nan());
     }
 
     #[test]

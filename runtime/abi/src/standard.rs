@@ -118,6 +118,20 @@ crate::externs! {
         Err(RuntimeError::new(codes::LENGTHS, message, help))
     }
 
+    /// Registers the natural cubic spline through points, and returns the number of its table.
+    /// Fails with E0864 if the abscissas do not ascend, for example.
+    Pure fn calyx_std_spline_table(context, xs: Vec<f64>, ys: Vec<f64>) -> f64 {
+        let bytes = 20 * size_of::<f64>() as u64 * xs.len() as u64;
+        limits::request_memory(context, bytes)?;
+        match crate::piecewise::natural_spline(&xs, &ys) {
+            Some(table) => Ok(crate::piecewise::register(table)),
+            None => {
+                let help = "give as many ordinates as abscissas, in the order of ascending abscissas";
+                Err(RuntimeError::new(codes::SPLINE, crate::piecewise::refusal(&xs, &ys), help))
+            }
+        }
+    }
+
     /// The smallest number of an array. Fails with E0854 if the array is empty.
     Pure fn calyx_std_smallest(context, values: Vec<f64>) -> f64 {
         let _ = context;

@@ -6,6 +6,7 @@
 
 use super::rows;
 use calyx_abi::display::Display;
+use calyx_abi::newton::Search;
 use calyx_lang::ir::*;
 use std::collections::BTreeSet;
 
@@ -72,7 +73,8 @@ rows!(symbolic(SymKind) {
     SymKind::Argument(_) => "argument of a symbolic function",
     SymKind::Shared(_) => "shared part",
     SymKind::Call(..) => "symbolic function in an expression",
-    SymKind::Solve(..) => "unknown of an equation",
+    SymKind::Solve(Search::Root, ..) => "unknown of an equation",
+    SymKind::Solve(Search::Minimum, ..) => "unknown of a minimum",
     SymKind::Table(..) => "spline",
     SymKind::Brackets(_) => "symbolic brackets",
     SymKind::Element(..) => "element of symbolic brackets",
@@ -114,6 +116,7 @@ rows!(operation(Op) {
     Op::Ceil => "Ceil",
     Op::Round => "Round",
     Op::Atan2 => "Atan2",
+    Op::Spline => "Spline",
     Op::Min => "Min",
     Op::Max => "Max",
     Op::Vector => "Vector",
@@ -304,7 +307,7 @@ impl Walk {
                     self.differentiated_parts.insert(*index as usize);
                 }
             }
-            SymKind::Call(function, parts) | SymKind::Solve(function, parts) => {
+            SymKind::Call(function, parts) | SymKind::Solve(_, function, parts) => {
                 if differentiated {
                     self.differentiated_functions.insert(function.0 as usize);
                 }
@@ -341,7 +344,7 @@ fn varies(e: &SymExpr) -> bool {
         SymKind::Element(inner, _) | SymKind::Table(_, inner) => varies(inner),
         SymKind::Op(_, operands)
         | SymKind::Call(_, operands)
-        | SymKind::Solve(_, operands)
+        | SymKind::Solve(_, _, operands)
         | SymKind::Brackets(operands) => operands.iter().any(varies),
         SymKind::If(a, b, c) => [a, b, c].into_iter().any(|e| varies(e)),
         SymKind::Derivative(inner, _) => varies(inner),

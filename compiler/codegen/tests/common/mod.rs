@@ -148,7 +148,7 @@ pub fn evaluates(locals: Vec<Repr>, statements: Vec<Statement>, value: Expr) -> 
 pub fn signature(op: Op) -> (Vec<Repr>, Repr) {
     use Op::*;
     match op {
-        Add | Subtract | Multiply | Divide | Power | Atan2 | Min | Max => (vec![N, N], N),
+        Add | Subtract | Multiply | Divide | Power | Spline | Atan2 | Min | Max => (vec![N, N], N),
         Negate | Sqrt | Abs | Sin | Cos | Tan | Asin | Acos | Atan | Exp | Log | Floor | Ceil | Round => {
             (vec![N], N)
         }

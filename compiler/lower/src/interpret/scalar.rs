@@ -1,6 +1,7 @@
 //! Scalar operations on slots, as [`calyx_abi::math`] defines them.
 
 use crate::operations::Scalars;
+use calyx_abi::piecewise::registered;
 use calyx_abi::{Slot, math};
 use calyx_lang::ir::Op;
 
@@ -48,6 +49,7 @@ impl Scalars for SlotScalars {
             Op::Floor => number(math::floor(x(0))),
             Op::Ceil => number(math::ceil(x(0))),
             Op::Round => number(math::round(x(0))),
+            Op::Spline => number(registered(x(0), 0.0, x(1))),
             Op::Atan2 => number(math::atan2(x(0), x(1))),
             Op::Min => number(math::min(x(0), x(1))),
             Op::Max => number(math::max(x(0), x(1))),

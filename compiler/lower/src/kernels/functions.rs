@@ -11,6 +11,7 @@
 
 use super::{KernelError, Lowering, TIME, Value, broken};
 use calyx_abi::Repr;
+use calyx_abi::newton::Search;
 use calyx_lang::ir::{Program, SymExpr, SymbolicFunction, SymbolicFunctionId};
 use calyx_lang::span::Span;
 use calyx_symbolic::{Frame, NodeId, Pose, Tape};
@@ -157,10 +158,12 @@ impl<'a> Lowering<'a> {
         Ok(value)
     }
 
-    /// Lowers `solve(f, guess, ...)`: the unknown for which a symbolic function is zero. `given`
-    /// are the guess and the other arguments of the function.
+    /// Lowers `solve(f, guess, ...)` and `minimize(f, guess, ...)`: the unknown for which a
+    /// symbolic function is zero or has a minimum. `given` are the guess and the other arguments of
+    /// the function.
     pub(super) fn solution(
         &mut self,
+        search: Search,
         id: SymbolicFunctionId,
         given: &[Value],
         span: Span,
@@ -178,13 +181,21 @@ impl<'a> Lowering<'a> {
         guess.for_each(|node| start.push(node));
         let independent = |residual: &NodeId| !self.graph.depends_on(&[*residual], |s| symbols.contains(&s));
         if residuals.iter().any(independent) {
+            let what = match search {
+                Search::Root => "equation",
+                Search::Minimum => "function to minimize",
+            };
             return Err(KernelError {
-                message: "the equation does not depend on the unknown".into(),
+                message: format!("the {what} does not depend on the unknown"),
                 help: "the first parameter of the function is the unknown; use it in the result".into(),
                 span,
             });
         }
-        let found = self.graph.solve(&symbols, &residuals, &start);
+        let found = match (search, residuals.as_slice()) {
+            (Search::Root, residuals) => self.graph.solve(&symbols, residuals, &start),
+            (Search::Minimum, [objective]) => self.graph.minimize(&symbols, *objective, &start),
+            (Search::Minimum, _) => None,
+        };
         let mut found =
             found.ok_or_else(|| broken("equations and unknowns differ in number", span))?.into_iter();
         Ok(guess.map(&mut |node| found.next().unwrap_or(node)))

@@ -130,6 +130,7 @@ pub fn complex_step(graph: &Graph, node: NodeId, inputs: &[f64], by: usize) -> f
             | I::And(..)
             | I::Or(..)
             | I::Piecewise(..)
+            | I::Lookup(..)
             | I::Solution(..) => of_reals(),
         });
     }

@@ -1,6 +1,7 @@
 //! Lowers one function: converts statements to a graph of basic blocks.
 
 use super::Lowering;
+use super::function_values::{FunctionValue, Passed};
 use super::sequence::calls;
 use crate::ast::Mode;
 use crate::check::flow;
@@ -29,6 +30,8 @@ pub(super) struct Body<'l, 'c> {
     pub(super) lowering: &'l mut Lowering<'c>,
     /// The types of the scheme's variables in this instance.
     pub(super) types: Substitution,
+    /// The functions that were passed for parameters.
+    pub(super) functions: HashMap<VarId, FunctionValue>,
     /// Source range of the current statement.
     pub(super) span: Span,
     pub(super) function: FuncId,
@@ -59,6 +62,7 @@ impl<'l, 'c> Body<'l, 'c> {
         Body {
             lowering,
             types,
+            functions: HashMap::new(),
             span: Span::default(),
             function,
             locals: Vec::new(),
@@ -84,9 +88,15 @@ impl<'l, 'c> Body<'l, 'c> {
     }
 
     /// Lowers a function and checks its control flow.
-    pub(super) fn lower(lowering: &'l mut Lowering<'c>, id: FuncId, types: Substitution) -> Function {
+    pub(super) fn lower(
+        lowering: &'l mut Lowering<'c>,
+        id: FuncId,
+        types: Substitution,
+        passed: &Passed,
+    ) -> Function {
         let checker = lowering.checker;
         let mut body = Body::new(lowering, id, types);
+        body.receive(passed);
         let Some(function) = checker.functions.get(&id) else {
             return body.finish("", Vec::new(), Repr::Unit, Span::default());
         };
@@ -130,6 +140,16 @@ impl<'l, 'c> Body<'l, 'c> {
             lowering.report(diagnostic);
         }
         lowered
+    }
+
+    /// Receives the functions that a call passes.
+    pub(super) fn receive(&mut self, passed: &Passed) {
+        let Some(function) = self.lowering.checker.functions.get(&self.function) else { return };
+        for (at, value) in passed {
+            if let Some((parameter, _)) = function.parameters.get(*at) {
+                self.functions.insert(*parameter, value.clone());
+            }
+        }
     }
 
     fn begin(&mut self, span: Span) {

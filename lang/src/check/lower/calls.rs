@@ -59,7 +59,8 @@ impl Body<'_, '_> {
     /// Evaluates arguments and the indices of places from left to right, each once.
     fn pass(&mut self, call: &Call, span: Span) -> PassedArguments {
         let types = self.types.clone();
-        let function = self.lowering.used(call.function, call.instance, &types);
+        let passed = self.passed_functions(&call.arguments);
+        let function = self.lowering.used(call.function, call.instance, &types, passed);
         let modes = self.lowering.modes(call.function);
         let demands: Vec<(usize, ArgumentRange)> =
             self.demands(&call.arguments, &call.demands).cloned().collect();

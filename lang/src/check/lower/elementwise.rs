@@ -22,6 +22,7 @@ pub(super) fn declaration(function: Standard) -> Declaration {
         Standard::SliceEnd => {
             ("slice_end", vec![("start", n.clone()), ("end", n.clone()), ("length", n.clone())], n)
         }
+        Standard::SplineTable => ("spline_table", vec![("xs", numbers()), ("ys", numbers())], n),
         Standard::Smallest => ("smallest", vec![("values", numbers())], n),
         Standard::Largest => ("largest", vec![("values", numbers())], n),
         Standard::Sort => ("sorted", vec![("values", numbers())], numbers()),

@@ -31,7 +31,7 @@ impl Lowering<'_> {
         for (_, _, unit, id) in all {
             self.within(unit, |lowering| lowering.host_function(id));
             self.hosts.insert((unit, id), HostId(self.program.host_functions.len() as u32 - 1));
-            self.instance(unit, id, Substitution::default(), None);
+            self.instance(unit, id, Substitution::default(), (None, Vec::new()));
         }
     }
 

@@ -6,6 +6,7 @@
 //! they refer to the params of the instance.
 
 use super::body::Body;
+use super::function_values::Passed;
 use super::{Linked, Lowering, known_dimension, relocation};
 use crate::check::tree::{Call, Expr, FuncId, Kind, Stmt, StmtKind, UseId, VarId};
 use crate::check::types::Substitution;
@@ -274,9 +275,10 @@ impl<'c> Lowering<'c> {
         around: Around,
         function: FuncId,
         types: Substitution,
+        passed: &Passed,
     ) -> ir::Function {
         let outside = std::mem::replace(&mut self.around, around);
-        let mut lowered = Body::lower(self, function, types);
+        let mut lowered = Body::lower(self, function, types, passed);
         if let Some(places) = self.places() {
             relocation::function(&mut lowered, places);
         }

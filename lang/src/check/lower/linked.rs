@@ -195,7 +195,7 @@ pub fn flow(unit: &Unit, functions: &[FuncId]) -> Vec<Diagnostic> {
         let function = unit.typed.functions.get(id);
         // Functions with only a header, and symbolic functions, have no control flow.
         if !unit.foreign.contains_key(id) && function.is_some_and(|function| function.definition.is_none()) {
-            super::body::Body::lower(&mut lowering, *id, Substitution::default());
+            super::body::Body::lower(&mut lowering, *id, Substitution::default(), &Vec::new());
         }
     }
     lowering.diagnostics

@@ -8,6 +8,7 @@ mod calls;
 mod closures;
 mod elementwise;
 mod errors;
+mod function_values;
 mod hosts;
 mod instances;
 mod jumps;
@@ -37,6 +38,7 @@ use crate::units::UnitSystem;
 
 use calyx_abi::{Purity, Repr};
 pub use closures::Closure;
+use function_values::Passed;
 use instances::Around;
 pub use linked::{Linked, flow};
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -48,12 +50,13 @@ struct PendingInstance {
     function: FuncId,
     types: Substitution,
     around: Around,
+    passed: Passed,
     target: FunctionId,
 }
 
 /// A function of a unit, the representations of its scheme's variables, dimensions if they affect
-/// the code, and the instance of the component that contains it.
-type Instance = (usize, FuncId, Vec<Repr>, Vec<String>, Around);
+/// the code, the instance of the component that contains it, and the functions that are passed.
+type Instance = (usize, FuncId, Vec<Repr>, Vec<String>, Around, Passed);
 
 pub(super) struct Lowering<'c> {
     linked: &'c Linked<'c>,
@@ -104,7 +107,7 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
         lowering.interface();
     });
     lowering.host_functions();
-    let main = lowering.instance(0, FuncId(0), Substitution::default(), None);
+    let main = lowering.instance(0, FuncId(0), Substitution::default(), (None, Vec::new()));
     lowering.program.main = main;
     lowering.work();
     lowering.export_symbolic_functions();
@@ -178,14 +181,21 @@ impl<'c> Lowering<'c> {
     fn work(&mut self) {
         while let Some(wanted) = self.wanted.pop() {
             let function = self.within(wanted.unit, |lowering| {
-                lowering.lower_around(wanted.around, wanted.function, wanted.types)
+                lowering.lower_around(wanted.around, wanted.function, wanted.types, &wanted.passed)
             });
             self.program.functions[wanted.target.0 as usize] = function;
         }
     }
 
-    /// Returns the instance of a function for the given, resolved types of its scheme's variables.
-    fn instance(&mut self, unit: usize, function: FuncId, types: Substitution, around: Around) -> FunctionId {
+    /// Returns the instance of a function for the given, resolved types of its scheme's variables,
+    /// the instance of the component that contains it, and the functions that are passed to it.
+    fn instance(
+        &mut self,
+        unit: usize,
+        function: FuncId,
+        types: Substitution,
+        (around, passed): (Around, Passed),
+    ) -> FunctionId {
         let linked: &'c Linked<'c> = self.linked;
         let typed = linked.typed.get(unit).unwrap_or(self.checker);
         let scheme = typed.functions.get(&function).map(|f| f.scheme.clone()).unwrap_or_default();
@@ -216,7 +226,7 @@ impl<'c> Lowering<'c> {
                 scheme.dims.iter().filter_map(|v| types.dims.get(v)).map(|d| typed.store.show_dim(d)),
             );
         }
-        let key = (unit, function, reprs.collect(), shown, around);
+        let key = (unit, function, reprs.collect(), shown, around, passed.clone());
         if let Some(known) = self.instances.get(&key) {
             return *known;
         }
@@ -230,7 +240,7 @@ impl<'c> Lowering<'c> {
             span: Default::default(),
         });
         self.instances.insert(key, target);
-        self.wanted.push(PendingInstance { unit, function, types, around, target });
+        self.wanted.push(PendingInstance { unit, function, types, around, passed, target });
         target
     }
 
@@ -273,11 +283,17 @@ impl<'c> Lowering<'c> {
 
     /// Returns the instance of a function used at `instance`; `types` are those of the calling
     /// body.
-    fn used(&mut self, function: FuncId, instance: UseId, types: &Substitution) -> FunctionId {
+    fn used(
+        &mut self,
+        function: FuncId,
+        instance: UseId,
+        types: &Substitution,
+        passed: Passed,
+    ) -> FunctionId {
         match self.callee(function, instance, types) {
             Some((unit, function, types)) if !self.alone() => {
                 let around = self.around_callee(unit, function, instance);
-                self.instance(unit, function, types, around)
+                self.instance(unit, function, types, (around, passed))
             }
             // In a single unit, calls are not resolved.
             _ => FunctionId(0),

@@ -121,7 +121,7 @@ fn symbolic(e: &mut SymExpr, places: &Places<'_>) {
         | SymKind::Shared(_) => {}
         SymKind::Op(_, parts)
         | SymKind::Call(_, parts)
-        | SymKind::Solve(_, parts)
+        | SymKind::Solve(_, _, parts)
         | SymKind::Brackets(parts) => {
             parts.iter_mut().for_each(|part| symbolic(part, places));
         }

@@ -204,7 +204,7 @@ enum Effect {
 fn effect(e: &Expr) -> Effect {
     let own = match &e.kind {
         Kind::Number(_) | Kind::Bare(..) | Kind::Bool(_) | Kind::Text(_) => Effect::Nothing,
-        Kind::Call(_) => Effect::Assigns,
+        Kind::Call(_) | Kind::Applied(_) => Effect::Assigns,
         Kind::CallExtern(..)
         | Kind::Print(..)
         | Kind::Index(..)
@@ -219,6 +219,6 @@ fn effect(e: &Expr) -> Effect {
 
 /// Returns `true` if an expression contains a call.
 pub(super) fn calls(e: &Expr) -> bool {
-    matches!(e.kind, Kind::Call(_) | Kind::CallExtern(..) | Kind::Print(..))
+    matches!(e.kind, Kind::Call(_) | Kind::Applied(_) | Kind::CallExtern(..) | Kind::Print(..))
         || e.children().into_iter().any(calls)
 }

@@ -170,6 +170,8 @@ impl Body<'_, '_> {
                 self.symbolic_node(&Expr { kind: Kind::SymbolicCall(call.clone()), ..e.clone() }, captures)
             }
             Kind::SymbolicCall(call) => self.symbolic_call(call, span, captures),
+            Kind::Applied(applied) => self.symbolic_applied(applied, span, captures),
+            Kind::Function(_) => make(SymKind::Brackets(Vec::new()), Repr::Tuple(Vec::new())),
             Kind::Spline(parts) => self.symbolic_spline(parts, span, captures),
             Kind::Block(bindings, result) => self.symbolic_block(bindings, result, captures),
             Kind::Field(base, name) => self.symbolic_field(base, name, span, captures),
@@ -243,11 +245,7 @@ impl Body<'_, '_> {
             captures.all.len() as u32 - 1
         });
         let local = self.local(variable);
-        let repr = match self.local_repr(local) {
-            Repr::Symbolic(inner) => *inner,
-            repr => repr,
-        };
-        make(SymKind::Capture(index), repr)
+        make(SymKind::Capture(index), of_expressions(self.local_repr(local)))
     }
 
     fn symbolic_unary(
@@ -332,6 +330,16 @@ impl Body<'_, '_> {
             return SymExpr { kind: SymKind::Number(f64::NAN), repr: Repr::Number, span };
         };
         SymExpr { kind: SymKind::Element(Box::new(base), at as u32), repr, span }
+    }
+}
+
+/// Returns the representation of a captured value in an expression, where stored expressions are
+/// the expressions themselves.
+fn of_expressions(repr: Repr) -> Repr {
+    match repr {
+        Repr::Symbolic(inner) => *inner,
+        Repr::Tuple(parts) => Repr::Tuple(parts.into_iter().map(of_expressions).collect()),
+        repr => repr,
     }
 }
 

@@ -2,6 +2,7 @@
 //! functions of the model.
 
 use super::body::Body;
+use super::function_values::Passed;
 use super::instances::Around;
 use super::sites::Captures;
 use super::{Lowering, known_dimension};
@@ -18,10 +19,10 @@ use std::collections::HashMap;
 /// Limit of the nesting depth of calls of symbolic functions.
 const MOST_NESTED: usize = 64;
 
-/// The functions lowered so far, by function and representation of the arguments.
+/// The functions lowered so far, by function, representation of the arguments and passed functions.
 #[derive(Default)]
 pub(super) struct Instances {
-    known: HashMap<(usize, FuncId, Vec<Repr>, Around), SymbolicFunctionId>,
+    known: HashMap<(usize, FuncId, Vec<Repr>, Around, Passed), SymbolicFunctionId>,
     /// An ordinary function that cannot be inlined, and whether it is a host function.
     refused: Option<(String, bool)>,
     /// Number of functions being lowered, each within the previous one.
@@ -103,8 +104,10 @@ impl Body<'_, '_> {
         span: Span,
     ) -> Option<SymbolicFunctionId> {
         let (unit, function, types) = self.lowering.callee(call.function, call.instance, &self.types)?;
-        let found =
-            self.lowering.within(unit, |lowering| lowering.symbolic_function(function, types, given, span));
+        let passed = self.passed_functions(&call.arguments);
+        let found = self
+            .lowering
+            .within(unit, |lowering| lowering.symbolic_function(function, types, (given, &passed), span));
         // The function may be in another unit; the error is reported at the call.
         if let Some((name, host)) = self.lowering.symbolic_functions.refused.take() {
             self.lowering.report(not_plain(&name, host, span));
@@ -115,11 +118,11 @@ impl Body<'_, '_> {
 
 impl Lowering<'_> {
     /// Lowers a symbolic function. Returns `None` if it is invalid, which is reported.
-    fn symbolic_function(
+    pub(super) fn symbolic_function(
         &mut self,
         id: FuncId,
         types: Substitution,
-        reprs: &[Repr],
+        (reprs, passed): (&[Repr], &Passed),
         span: Span,
     ) -> Option<SymbolicFunctionId> {
         let checker = self.checker;
@@ -135,7 +138,8 @@ impl Lowering<'_> {
         if reprs.len() != parameter_types.len() {
             return None;
         }
-        if let Some(known) = self.symbolic_functions.known.get(&(self.unit, id, reprs.to_vec(), around)) {
+        let key = (self.unit, id, reprs.to_vec(), around, passed.clone());
+        if let Some(known) = self.symbolic_functions.known.get(&key) {
             return Some(*known);
         }
         for ((variable, _), (repr, ty)) in function.parameters.iter().zip(reprs.iter().zip(&parameter_types))
@@ -185,12 +189,12 @@ impl Lowering<'_> {
         };
         self.symbolic_functions.depth += 1;
         let outside = std::mem::replace(&mut self.around, around);
-        let lowered = Body::lower_symbolic(self, id, &body, types, (&parameter_types, reprs));
+        let lowered = Body::lower_symbolic(self, (id, passed), &body, types, (&parameter_types, reprs));
         self.around = outside;
         self.symbolic_functions.depth -= 1;
         let target = SymbolicFunctionId(self.program.symbolic_functions.len() as u32);
         self.program.symbolic_functions.push(lowered);
-        self.symbolic_functions.known.insert((self.unit, id, reprs.to_vec(), around), target);
+        self.symbolic_functions.known.insert(key, target);
         Some(target)
     }
 
@@ -236,7 +240,7 @@ impl Lowering<'_> {
         if !reprs.iter().all(|repr| matches!(repr, Repr::Number | Repr::Bool | Repr::Vector)) {
             return;
         }
-        let exported = self.symbolic_function(id, Substitution::default(), &reprs, found.span);
+        let exported = self.symbolic_function(id, Substitution::default(), (&reprs, &Vec::new()), found.span);
         let function = exported.and_then(|id| self.program.symbolic_functions.get_mut(id.0 as usize));
         if let (Some(function), Some(body)) = (function, &found.definition) {
             function.exported = body.exported;
@@ -249,7 +253,7 @@ impl<'l, 'c> Body<'l, 'c> {
     /// Lowers the expression of a symbolic function for given types of its scheme's variables.
     fn lower_symbolic(
         lowering: &'l mut Lowering<'c>,
-        id: FuncId,
+        (id, passed): (FuncId, &Passed),
         text: &FunctionText<'_>,
         types: Substitution,
         (parameter_types, reprs): (&[Type], &[Repr]),
@@ -261,6 +265,7 @@ impl<'l, 'c> Body<'l, 'c> {
             captures.arguments.insert(*variable, (index, repr.clone()));
         }
         let mut body = Body::new(lowering, id, types);
+        body.receive(passed);
         let result = match text {
             FunctionText::Symbolic(definition) => &checker.defs[definition.def.0 as usize].expr,
             FunctionText::Plain(variables, result) => {

@@ -4,13 +4,14 @@
 use super::body::Body;
 use super::sites::Captures;
 use crate::check::expr::component;
+use crate::check::solutions::builtin_name;
 use crate::check::splines;
 use crate::check::tree::{Call, Expr, VarId};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{SymExpr, SymKind};
+use crate::ir::{SymExpr, SymKind, SymbolicFunctionId};
 use crate::span::Span;
 use calyx_abi::Repr;
-use calyx_abi::newton::MOST_UNKNOWNS;
+use calyx_abi::newton::{MOST_UNKNOWNS, Search};
 
 impl Body<'_, '_> {
     pub(super) fn symbolic_call(&mut self, call: &Call, span: Span, captures: &mut Captures) -> SymExpr {
@@ -21,27 +22,41 @@ impl Body<'_, '_> {
             return make(SymKind::Number(f64::NAN), Repr::Number);
         };
         let repr = self.lowering.program.symbolic_functions[function.0 as usize].result.clone();
-        match reprs.into_iter().next() {
-            Some(unknown) if call.solves => {
-                self.check_equations(&unknown, &repr, span);
-                make(SymKind::Solve(function, arguments), unknown)
+        self.call_or_search((function, repr), arguments, call.search, span)
+    }
+
+    /// Returns the call of a lowered function with its result, or the point that `solve` or
+    /// `minimize` finds.
+    pub(super) fn call_or_search(
+        &mut self,
+        (function, result): (SymbolicFunctionId, Repr),
+        arguments: Vec<SymExpr>,
+        search: Option<Search>,
+        span: Span,
+    ) -> SymExpr {
+        let make = |kind, repr| SymExpr { kind, repr, span };
+        match (search, arguments.first().map(|unknown| unknown.repr.clone())) {
+            (Some(search), Some(unknown)) => {
+                self.check_equations(search, &unknown, &result, span);
+                make(SymKind::Solve(search, function, arguments), unknown)
             }
-            _ => make(SymKind::Call(function, arguments), repr),
+            _ => make(SymKind::Call(function, arguments), result),
         }
     }
 
-    /// Reports an equation with unknowns that are not numbers, too many unknowns, or a number of
-    /// residuals that differs from that of the unknowns.
-    fn check_equations(&mut self, unknown: &Repr, residual: &Repr, span: Span) {
+    /// Reports unknowns that are not numbers, too many unknowns, and a number of residuals that
+    /// differs from that of the unknowns.
+    fn check_equations(&mut self, search: Search, unknown: &Repr, residual: &Repr, span: Span) {
+        let called = builtin_name(search);
         let (Some(unknowns), Some(residuals)) = (numbers(unknown), numbers(residual)) else {
             self.lowering.report(
                 Diagnostic::error(
                     "E0862",
-                    "the unknowns and the residuals of `solve` must be numbers",
+                    format!("the unknowns of `{called}` and the result of its function must be numbers"),
                     span,
                     "a guess or a result of another kind",
                 )
-                .help("solve for a number, a vector or an array of numbers"),
+                .help("make the unknown a number, a vector or an array of numbers"),
             );
             return;
         };
@@ -49,12 +64,12 @@ impl Body<'_, '_> {
         let diagnostic = if !(1..=most).contains(&unknowns) {
             Diagnostic::error(
                 "E0862",
-                format!("`solve` takes at most {most} unknowns, not {unknowns}"),
+                format!("`{called}` takes at most {most} unknowns, not {unknowns}"),
                 span,
                 "too many unknowns",
             )
-            .help("solve for some of them within the equation of the others")
-        } else if unknowns != residuals {
+            .help("search some of them within the function of the others")
+        } else if search == Search::Root && unknowns != residuals {
             Diagnostic::error(
                 "E0862",
                 format!("`solve` has {unknowns} unknowns and {residuals} equations"),

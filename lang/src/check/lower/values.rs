@@ -33,8 +33,11 @@ impl Body<'_, '_> {
             | Kind::At(..)
             | Kind::SymbolicCall(_)
             | Kind::Block(..)
+            | Kind::Part(_)
             | Kind::Spline(_)
             | Kind::Assert(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
+            Kind::Function(_) => make(ExprKind::Tuple(Vec::new()), self.repr(&e.ty)),
+            Kind::Applied(applied) => self.applied_value(applied, &e.ty, span),
             _ if self.is_observable_operation(e) => self.observable_operation(e),
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),
             Kind::Bare(value, dim, system) => {

@@ -11,7 +11,7 @@ impl<'a> Resolver<'a> {
         });
         for decl in declared.flatten() {
             if let Some(Resolution::Var(id)) = self.names.uses.get(&decl.name.span)
-                && self.names.variables[id.0 as usize].kind == VarKind::Value
+                && matches!(self.names.variables[id.0 as usize].kind, VarKind::Value | VarKind::Symbolic)
             {
                 self.names.variables[id.0 as usize].reads += 1;
             }

@@ -38,7 +38,7 @@ syn match calyxUserLabel "\%(\<goto\s\+\)\@<=\K\k*"
 " Names of the language.
 syn keyword calyxBuiltin sin cos tan asin acos atan atan2 exp log abs floor ceil round dot cross norm
 syn keyword calyxBuiltin Translate Rotate inverse origin direction velocity acceleration angular_velocity
-syn keyword calyxBuiltin angular_acceleration max sqrt derivative gradient print assert len push sum sort solve spline
+syn keyword calyxBuiltin angular_acceleration max sqrt derivative gradient print assert len push sum sort solve minimize spline
 syn match calyxBuiltin "\<min\>\ze\s*("
 syn keyword calyxConstant Time e1 e2 e3 pi inf nan
 syn keyword calyxDimension Number Length Mass Angle Temperature Area Volume SecondMomentOfArea Curvature Velocity
