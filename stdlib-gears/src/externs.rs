@@ -322,7 +322,11 @@ fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {
 }
 
 pub(crate) fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError> {
-    context.host().ok_or_else(|| defect("the gear library was called without its state"))
+    let instance = context.instance.clone();
+    let host: Option<&mut ModelHost> = context.host();
+    let host = host.ok_or_else(|| defect("the gear library was called without its state"))?;
+    host.instance = instance;
+    Ok(host)
 }
 
 pub(crate) fn entry<T>(table: &[T], handle: Handle) -> Result<&T, RuntimeError> {

@@ -139,6 +139,8 @@ pub struct ModelHost {
     pub result: Option<AnalysisResult>,
     /// Number of analyses that ended with an error, which the program may have caught.
     pub failed_analyses: usize,
+    /// Path of the instance of a component that is being built; empty outside of components.
+    pub instance: String,
 }
 
 impl ModelHost {
@@ -167,11 +169,17 @@ impl ModelHost {
     /// Converts an error of the engine, located at the call that created the object in question.
     pub fn engine_error(&self, error: EngineError) -> RuntimeError {
         let analysis = || self.asked.map(|asked| asked.place);
-        RuntimeError {
+        self.in_instance(RuntimeError {
             argument: error.argument.map(str::to_owned),
             place: error.subject.and_then(|subject| self.place_of(subject)).or_else(analysis),
             ..RuntimeError::new(error.code, error.message, error.help)
-        }
+        })
+    }
+
+    /// Records the instance of a component that is being built.
+    fn in_instance(&self, mut error: RuntimeError) -> RuntimeError {
+        error.details.instance.clone_from(&self.instance);
+        error
     }
 
     /// Returns the source location of the call that created an object of the scene.
@@ -202,7 +210,7 @@ impl ModelHost {
             format!("nobody provides a {what} called \"{name}\", so {instead}"),
             "it comes from a Rust program that embeds the model; `calyx run`, `calyx check` and executables know none",
         );
-        let error = RuntimeError { place: Some(place), ..error.of_argument(argument) };
+        let error = self.in_instance(RuntimeError { place: Some(place), ..error.of_argument(argument) });
         let finding = Finding { severity: Severity::Warning, error };
         if !self.findings.contains(&finding) {
             self.findings.push(finding);
@@ -229,7 +237,7 @@ impl ModelHost {
             [&error.message, &error.help].map(|text| text.in_unit(name, metres).to_string());
         let reported = RuntimeError::new(error.code, message, help).of_argument(error.argument);
         let place = error.subject.and_then(|subject| self.place_of(subject)).unwrap_or(place);
-        RuntimeError { place: Some(place), ..reported }
+        self.in_instance(RuntimeError { place: Some(place), ..reported })
     }
 
     /// Stores findings that do not stop the model.

@@ -15,11 +15,16 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 
 /// Converts a run-time error to a diagnostic at its source location.
 pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
+    labelled(error, |path| format!("`{path}` cannot be built"))
+}
+
+/// Converts a run-time error; `label` returns the label at the declaration of an instance.
+fn labelled(error: &RuntimeError, label: impl Fn(&str) -> String) -> Diagnostic {
     let instance = error.details.calls.iter().rfind(|call| call.instance().is_some());
     let instance = instance.filter(|call| Some(call.place) == error.place).and_then(|call| call.instance());
     let argument = error.argument.as_deref().filter(|argument| !argument.is_empty());
     let label = match (instance, argument) {
-        (Some(path), _) => format!("`{path}` cannot be built"),
+        (Some(path), _) => label(path),
         (None, Some(argument)) => format!("caused by `{argument}`"),
         (None, None) => cause(error),
     };
@@ -46,10 +51,10 @@ pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
 pub fn finding_diagnostic(finding: &Finding, sites: &CallSites) -> Diagnostic {
     let mut error = finding.error.clone();
     sites.blame(&mut error);
-    let found = diagnostic(&error);
     match finding.severity {
-        FindingSeverity::Error => found,
+        FindingSeverity::Error => diagnostic(&error),
         FindingSeverity::Warning => {
+            let found = labelled(&error, |path| format!("in `{path}`"));
             Diagnostic { severity: Severity::Warning, code: found.code.replacen('E', "W", 1), ..found }
         }
     }

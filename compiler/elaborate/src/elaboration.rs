@@ -197,6 +197,7 @@ fn elaborate_with(
         }
         // An error after a failed call may be a consequence of that failure.
         Err(Error::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
+        host.instance.clear();
         Err(Error::Model(_)) => {}
         Err(Error::Given(why)) => match params {
             Params::Given(..) => refused = Some(why),

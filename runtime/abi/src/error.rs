@@ -26,6 +26,9 @@ pub struct Details {
     /// Call stack of the program's functions, innermost first; each caller adds its entry as the
     /// error passes.
     pub calls: Vec<Call>,
+    /// Path of the instance of a component that was being built, for a finding, which has no call
+    /// stack; empty outside of components.
+    pub instance: String,
     /// Number at fault, if the program that threw the error named one.
     pub value: Option<f64>,
     /// Origin of the error as stated by the program that threw it; empty if not stated.

@@ -44,6 +44,10 @@ pub fn problem(severity: Severity, error: &RuntimeError, description: &ModelDesc
     for line in call_lines(&error.details.calls, shown_place) {
         text += &format!("  {line}\n");
     }
+    let instance = &error.details.instance;
+    if !instance.is_empty() && error.details.calls.iter().all(|call| call.instance().is_none()) {
+        text += &format!("  in `{instance}`\n");
+    }
     visible(&text).into_owned()
 }
 

@@ -20,6 +20,8 @@ pub struct CallSites {
     inside: HashMap<Place, Place>,
     /// Library functions by location: the name, and the locations of the calls.
     callers: HashMap<Place, (String, BTreeSet<Place>)>,
+    /// Calls that create instances of components, by the path of the instance.
+    instances: HashMap<String, Call>,
 }
 
 impl CallSites {
@@ -76,6 +78,10 @@ impl CallSites {
         around: Span,
     ) {
         let Some(callee) = program.functions.get(callee.0 as usize) else { return };
+        let call = Call { function: callee.name.clone(), place: place(span) };
+        if let Some(path) = call.instance() {
+            self.instances.insert(path.to_owned(), call);
+        }
         if !self.is_library(callee.span) {
             return;
         }
@@ -140,7 +146,18 @@ impl CallSites {
         {
             error.details.calls = self.only_chain(at);
         }
+        // A finding has no call stack of its own.
+        if !error.details.calls.iter().any(|call| call.instance().is_some()) {
+            error.details.calls.extend(self.instance_calls(&error.details.instance));
+        }
         attribute(error, self.calls.values(), |file| self.library.contains(&file));
+    }
+
+    /// Returns the calls that create an instance and the instances around it, innermost first.
+    fn instance_calls(&self, path: &str) -> Vec<Call> {
+        let around =
+            std::iter::successors(Some(path), |path| path.rsplit_once('.').map(|(around, _)| around));
+        around.filter_map(|path| self.instances.get(path).cloned()).collect()
     }
 
     /// Returns the calls that lead to a location in the library, if all of them begin at the same

@@ -67,7 +67,7 @@ impl MeshVariant {
                         direction: -1.0,
                     },
                     false => MeshVariant {
-                        structure: with_elements(of_order(structure, structure.order - 1), FINER_IN_SPACE),
+                        structure: with_elements(of_order(structure, structure.order - 1), FINER_SOLID),
                         factors: OF_LOWER_ORDER,
                         direction: 0.0,
                     },
