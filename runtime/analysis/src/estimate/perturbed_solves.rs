@@ -129,8 +129,11 @@ pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) 
 /// dimensions at a sixteenth.
 pub(super) fn added_positions(positions: usize, fidelity: Fidelity, three_dimensional: bool) -> usize {
     let solved_again = if fidelity.body_model() == BodyModel::Elements { 2 } else { 1 };
-    let on_coarse_grids =
-        if three_dimensional { 0 } else { (solved_again * SAMPLES.min(positions)).div_ceil(COARSE_PER_POSITION) };
+    let on_coarse_grids = if three_dimensional {
+        0
+    } else {
+        (solved_again * SAMPLES.min(positions)).div_ceil(COARSE_PER_POSITION)
+    };
     positions.div_ceil(PER_ADDED).max((positions - on_coarse_grids).min(FEW_ADDED))
 }
 
