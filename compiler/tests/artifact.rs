@@ -65,6 +65,17 @@ fn a_loaded_model_gives_the_same_bits() {
     }
 }
 
+#[test]
+fn a_loaded_calculation_gives_the_same_bits() {
+    let text = "param d = 20 mm; output area := pi * d^2 / 4; output all := [d / i for i in 1 .. 3];";
+    let module = compiled(check_text("model.cx", text));
+    let set = [("d", "0.3 inch")];
+    let expected = outcome(&module, &set);
+    assert!(expected.as_ref().is_ok_and(|(table, _)| table.lines().count() == 2), "{expected:?}");
+    let loaded = loaded(&module.serialize_for(TargetCpu::Baseline).unwrap());
+    assert_eq!(outcome(&loaded, &set), expected);
+}
+
 /// Params of every kind, kernels, and an imported module that is deleted before the artifact is
 /// loaded.
 #[test]

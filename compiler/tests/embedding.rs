@@ -418,6 +418,22 @@ fn panics_end_the_run_that_they_are_in() {
 }
 
 #[test]
+fn a_model_without_an_analysis_has_one_step() {
+    let engine = Engine::default();
+    let text = "param d = 20 mm; output area := pi * d^2 / 4; output twice := 2 * area;";
+    let mut instance = Module::from_text(&engine, "m.cx", text).unwrap().instantiate();
+    instance.set("d", 0.01).unwrap();
+    let mut run = instance.run().unwrap();
+    let steps: Vec<_> = run.by_ref().collect::<Result<_, _>>().unwrap();
+    let results = run.finish().unwrap();
+    assert!(results.analysis().is_none());
+    let [step] = steps.as_slice() else { panic!("{} steps", steps.len()) };
+    let area = step.si("area").unwrap();
+    assert_eq!((step.count(), step.position().time, step.si("twice").unwrap()), (1, 0.0, 2.0 * area));
+    assert_eq!((results.steps().len(), results.summary_si("area").unwrap().mean), (1, area));
+}
+
+#[test]
 fn instances_outlive_what_they_came_from() {
     let instance = {
         let engine = Engine::default();

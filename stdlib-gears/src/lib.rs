@@ -114,6 +114,7 @@ mod axes;
 pub mod bearing_externs;
 pub mod blank;
 pub mod body_externs;
+pub mod calculation;
 pub mod cutting_externs;
 pub mod derived_quantities;
 pub mod deviation;

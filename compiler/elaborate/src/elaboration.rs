@@ -9,7 +9,8 @@ use crate::printed::Printed;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::{FileDescription, ModelDescription};
-use calyx_abi::{Cancel, Context, Purity, RuntimeError};
+use calyx_abi::{Cancel, Context, Kernel, Purity, RuntimeError};
+use calyx_gears::calculation::calculate;
 use calyx_gears::externs::{check_plan, check_unrestrained};
 use calyx_gears::host::ModelHost;
 use calyx_gears::signal_externs::check as check_signals;
@@ -18,7 +19,6 @@ use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::lower_site;
-use calyx_rt::results::no_analysis;
 use calyx_rt::{Error, InvalidParam, NanLog, ParamAssignment, Program as _, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
@@ -176,6 +176,7 @@ fn elaborate_with(
             outputs = Some(host.outputs.iter().map(|output| output.name.clone()).collect::<Vec<_>>());
         }
         // An incomplete scene has no meaningful analysis.
+        host.instance.clear();
         if ran.is_ok() && survived.is_empty() {
             let (plan, errors) = check_analysis(host, description, cancel);
             planned = plan;
@@ -197,7 +198,6 @@ fn elaborate_with(
         }
         // An error after a failed call may be a consequence of that failure.
         Err(Error::Model(error)) if survived.is_empty() => found.push(at_place(&error)),
-        host.instance.clear();
         Err(Error::Model(_)) => {}
         Err(Error::Given(why)) => match params {
             Params::Given(..) => refused = Some(why),
@@ -244,9 +244,7 @@ fn check_analysis(
     // An analysis checks this itself, but the model may not have one yet.
     if host.asked.is_none() {
         errors.extend(check_signals(host).err());
-        if !description.outputs.is_empty() {
-            errors.push(no_analysis(description, false));
-        }
+        errors.extend(calculate(host).err());
     }
     (planned, errors)
 }

@@ -114,7 +114,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0708" "an unknown `extern` function" "`extern` declares functions of the engine. Define your own functions with a body, without `extern`."
     "E0709" "an expression that cannot be compiled to a kernel" "The message names the part of the symbolic expression that has no meaning as a formula."
     "E0710" "a frame is NaN at some time" "An operation in the frame's expression gave NaN, such as the square root of a negative number or 0/0. The message shows the operation and its operands."
-    "E0711" "the model has no analysis" "A model with outputs ends with `analyze(...)`, which defines the positions and the fidelity level. Without it a run has no results, so a check reports it too."
+    "E0711" "an output without an analysis" "An output that depends on an observable or on `Time` has values at the positions of an analysis only. A model with such outputs ends with `analyze(...)`, which defines the positions and the fidelity level. A model without an analysis is a calculation: its outputs are expressions of params and values."
     "E0712" "results cannot be written" "The directory cannot be created or written. Choose another one with `--out`."
     "E0713" "the scene has no contact" "An analysis requires at least one mesh."
     "E0714" "the contacts cannot balance the load" "Contacts transmit compressive forces only. The load separates the bodies, or acts in a direction without contact."

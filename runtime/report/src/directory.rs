@@ -4,6 +4,7 @@
 use crate::field_tables::{self, FieldTables};
 use crate::former_keys::{self, ResultFile};
 use crate::journal::{FoundJournal, Journal};
+use crate::results::Results;
 use crate::stress_range::StressRange;
 use crate::vtu::{self, VtuFiles};
 use calyx_abi::RuntimeError;
@@ -11,10 +12,11 @@ use calyx_abi::description::{
     FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
 };
 use calyx_abi::units::from_si;
+use calyx_runtime::analysis::Position;
 use calyx_runtime::estimate::{ErrorEstimate, Statistics};
 use calyx_runtime::observables::Fields;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
+use calyx_runtime::results::{OutputSummary, Solved, StepRow, StructureCounts, Timing};
 use calyx_runtime::settings_override::Override;
 use calyx_runtime::summary::Harmonic;
 use calyx_runtime::tolerance::{Attempt, Setting, ToleranceOutcome};
@@ -256,13 +258,11 @@ fn column_json(output: &OutputDescription) -> Value {
 }
 
 /// Writes `run.json` and `timing.json` of a finished run with the subject `run` (see [`head`]).
-/// `result` is `None` for a model without an analysis; `signals` are those of
-/// [`crate::signals::list`].
+/// `signals` are those of [`crate::signals::list`].
 pub fn write_run(
     directory: &Path,
     mut run: Value,
-    description: &ModelDescription,
-    result: Option<&AnalysisResult>,
+    results: &Results,
     signals: Value,
     warnings: &[String],
     stages: &Stages,
@@ -271,16 +271,22 @@ pub fn write_run(
     if let Some(run) = run.as_object_mut() {
         run.remove(COLUMNS);
     }
+    let result = results.analysis();
+    if !results.rows().is_empty() || result.is_some() {
+        let summaries = results.description().outputs.iter().zip(results.summaries());
+        let position = |summary: &OutputSummary| {
+            Some(&results.rows().get(summary.at_max)?.position).filter(|_| result.is_some())
+        };
+        let outputs = summaries
+            .map(|(output, summary)| (output.name.clone(), output_json(output, summary, position(summary))));
+        run["positions"] = json!(results.rows().len());
+        run["outputs"] = json!(outputs.collect::<Map<_, _>>());
+    }
     if let Some(result) = result {
-        let summaries = description.outputs.iter().zip(&result.summaries);
-        let outputs =
-            summaries.map(|(output, summary)| (output.name.clone(), output_json(output, summary, result)));
         let ignored =
             result.plan.ignored.iter().map(|ignored| (ignored.input.clone(), json!(ignored.reason)));
         run["fidelity"] = json!(result.plan.fidelity.name());
         run["plan"] = plan_json(&result.plan);
-        run["positions"] = json!(result.rows.len());
-        run["outputs"] = json!(outputs.collect::<Map<_, _>>());
         run["certificate"] = json!({
             "complementarity": result.certificate.complementarity,
             "penetration": result.certificate.penetration,
@@ -338,9 +344,9 @@ fn plan_json(plan: &Plan) -> Value {
     json!({ "bodies": bodies.collect::<Map<_, _>>(), "bearings": bearings.collect::<Map<_, _>>() })
 }
 
-fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &AnalysisResult) -> Value {
+/// Returns the summary of an output. `position` is that of its maximum; `None` without an analysis.
+fn output_json(output: &OutputDescription, summary: &OutputSummary, position: Option<&Position>) -> Value {
     let shown = |si: f64| from_si(si, output.unit.factor);
-    let row = &result.rows[summary.at_max].position;
     let harmonics = summary.harmonics.iter().map(|Harmonic { order, amplitude, phase }| {
         json!({ "order": order, "amplitude": amplitude, "phase": phase, "display": shown(*amplitude) })
     });
@@ -362,9 +368,9 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, result: &Ana
         },
         "max_at": {
             "step": summary.at_max,
-            "time": row.time,
-            "roll_angle": row.roll,
-            "point": row.name,
+            "time": position.map(|at| at.time),
+            "roll_angle": position.map(|at| at.roll),
+            "point": position.map_or("", |at| at.name.as_ref()),
             "location": summary.place,
         },
     });

@@ -3,7 +3,7 @@
 use calyx_abi::description::ModelDescription;
 use calyx_abi::units::{from_si, shortest};
 use calyx_runtime::estimate::Part;
-use calyx_runtime::results::{AnalysisResult, Location, OutputSummary};
+use calyx_runtime::results::{AnalysisResult, Location, OutputSummary, StepRow};
 
 /// Formats one line per output, in the model's units, with the position of its maximum.
 pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> String {
@@ -39,6 +39,17 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     }
     let chosen = result.chosen.as_ref().map(|chosen| chosen.describe() + "\n");
     without_level.unwrap_or_default() + &align(&rows) + &chosen.unwrap_or_default()
+}
+
+/// Formats one line per output of a model without an analysis, which has one row.
+pub fn values(description: &ModelDescription, rows: &[StepRow]) -> String {
+    let Some(row) = rows.first() else { return String::new() };
+    let mut lines = vec![["output", "unit", "value", ""].map(String::from).to_vec()];
+    for (output, observed) in description.outputs.iter().zip(&row.outputs) {
+        let value = number(from_si(observed.value, output.unit.factor));
+        lines.push(vec![output.name.clone(), output.unit.name.clone(), value, String::new()]);
+    }
+    align(&lines)
 }
 
 /// Returns the line above the table that states which errors its column excludes; `None` if it

@@ -15,7 +15,9 @@ use crate::watcher::{Watcher, interrupt};
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::limits::Limits;
 use calyx_abi::{Cancel, Context, Status, stack};
+use calyx_gears::calculation;
 use calyx_gears::host::ModelHost;
+use calyx_runtime::analysis::Event;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
 use calyx_runtime::results::Solved;
@@ -434,7 +436,22 @@ impl Job {
                 return Err(error.into());
             }
         }
+        let calculated = calculate(&mut context)?;
         let time = started.elapsed();
-        Results::of(self.setup.program, self.setup.shape, params, &mut context, time)
+        Ok(Results::of(self.setup.program, self.setup.shape, params, &mut context, (calculated, time)))
     }
+}
+
+/// Computes the outputs of a model without an analysis, and passes them on as its only position.
+fn calculate(context: &mut Context) -> Result<Option<Solved>, Error> {
+    let Some(host) = context.host::<ModelHost>().filter(|host| host.result.is_none()) else {
+        return Ok(None);
+    };
+    host.instance.clear();
+    let calculated = calculation::calculate(host)?;
+    if let (Some(solved), Some(mut observer)) = (&calculated, host.observer.take()) {
+        let event = Event::Step { index: 0, count: 1, solved, fields: None };
+        observer.observe(event).map_err(|error| host.engine_error(error))?;
+    }
+    Ok(calculated)
 }

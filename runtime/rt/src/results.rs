@@ -4,49 +4,70 @@ use crate::error::Error;
 use crate::names::{Names, Output, OutputName};
 use crate::program::Program;
 use crate::stepping::{Step, factor};
+use calyx_abi::Context;
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::units::from_si;
-use calyx_abi::{Context, RuntimeError};
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::results::{AnalysisResult, OutputSummary, Timing};
+use calyx_runtime::results::{AnalysisResult, Observed, OutputSummary, Solved, StepRow, Timing};
 use calyx_runtime::signal::Signal;
 use calyx_runtime::summary::Harmonic;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Results of a run; for a model without an analysis only findings and printed lines.
+/// Results of a run; for a model without an analysis its calculated outputs, findings and printed
+/// lines.
 pub struct Results {
     program: Arc<dyn Program>,
     shape: u64,
     params: Vec<ParamValue>,
     analysis: Option<AnalysisResult>,
+    calculated: Option<Calculated>,
     findings: Vec<Finding>,
     signals: Vec<Signal>,
     time: Duration,
 }
 
+/// Outputs of a model without an analysis.
+struct Calculated {
+    /// The only row, at time zero.
+    row: StepRow,
+    summaries: Vec<OutputSummary>,
+}
+
+impl Calculated {
+    fn new(row: StepRow) -> Calculated {
+        let constant = |output: &Observed| OutputSummary {
+            min: output.value,
+            max: output.value,
+            mean: output.value,
+            peak_to_peak: 0.0,
+            ..OutputSummary::none()
+        };
+        let summaries = row.outputs.iter().map(constant).collect();
+        Calculated { row, summaries }
+    }
+}
+
 impl Results {
-    /// Takes the results that the program has left in a context.
+    /// Takes the results that the program has left in a context. `calculated` has the outputs of a
+    /// model without an analysis.
     pub(crate) fn of(
         program: Arc<dyn Program>,
         shape: u64,
         params: Vec<ParamValue>,
         context: &mut Context,
-        time: Duration,
-    ) -> Result<Results, Error> {
-        let (mut analysis, mut findings, mut signals, mut failed) = (None, Vec::new(), Vec::new(), false);
+        (calculated, time): (Option<Solved>, Duration),
+    ) -> Results {
+        let (mut analysis, mut findings, mut signals) = (None, Vec::new(), Vec::new());
         if let Some(host) = context.host::<ModelHost>() {
             analysis = host.result.take();
             findings = std::mem::take(&mut host.findings);
             signals = std::mem::take(&mut host.signals);
-            failed = host.failed_analyses > 0;
         }
-        if analysis.is_none() && !program.description().outputs.is_empty() {
-            return Err(no_analysis(program.description(), failed).into());
-        }
-        Ok(Results { program, shape, params, analysis, findings, signals, time })
+        let calculated = calculated.map(|solved| Calculated::new(solved.row));
+        Results { program, shape, params, analysis, calculated, findings, signals, time }
     }
 
     pub fn description(&self) -> &ModelDescription {
@@ -75,9 +96,29 @@ impl Results {
         self.analysis.as_ref()
     }
 
-    /// Returns the solved positions, in order.
+    /// Returns the rows by position, in order; one row for a model without an analysis that has
+    /// outputs.
+    pub(crate) fn rows(&self) -> &[StepRow] {
+        match (&self.analysis, &self.calculated) {
+            (Some(result), _) => &result.rows,
+            (None, Some(calculated)) => std::slice::from_ref(&calculated.row),
+            (None, None) => &[],
+        }
+    }
+
+    /// Returns the summaries by output.
+    pub(crate) fn summaries(&self) -> &[OutputSummary] {
+        match (&self.analysis, &self.calculated) {
+            (Some(result), _) => &result.summaries,
+            (None, Some(calculated)) => &calculated.summaries,
+            (None, None) => &[],
+        }
+    }
+
+    /// Returns the solved positions, in order. The outputs of a model without an analysis are one
+    /// position at time zero.
     pub fn steps(&self) -> impl ExactSizeIterator<Item = Step> + '_ {
-        let rows = self.analysis.as_ref().map_or(&[][..], |result| &result.rows);
+        let rows = self.rows();
         rows.iter().enumerate().map(|(index, row)| Step {
             program: self.program.clone(),
             shape: self.shape,
@@ -117,9 +158,8 @@ impl Results {
 
     fn summarised(&self, output: impl OutputName) -> Result<(usize, &OutputSummary), Error> {
         let index = output.index_in(self.names())?;
-        let summary = self.analysis.as_ref().and_then(|result| result.summaries.get(index));
-        let summary = summary.ok_or_else(|| Error::from(no_analysis(self.description(), false)))?;
-        Ok((index, summary))
+        let summary = self.summaries().get(index);
+        Ok((index, summary.ok_or_else(|| Error::given("the run has no results", ""))?))
     }
 
     /// Returns the signals in the frequency domain that the model requests, in SI.
@@ -177,23 +217,4 @@ fn shown(summary: &OutputSummary, unit: f64) -> OutputSummary {
         harmonics: summary.harmonics.iter().map(harmonic).collect(),
         ..summary.clone()
     }
-}
-
-/// Returns the error of a model that declares outputs without an analysis of them. `failed` states
-/// that the model caught the error of an analysis. The location is the end of the model, where an
-/// analysis would be.
-pub fn no_analysis(description: &ModelDescription, failed: bool) -> RuntimeError {
-    let end = description.files.first().map_or(0, |file| file.text.trim_end().len() as u32);
-    let (message, help) = match failed {
-        true => (
-            "the model declares outputs, and its analysis failed",
-            "the model caught the error of the analysis; print it there to see what it was",
-        ),
-        false => (
-            "the model declares outputs and analyses nothing",
-            "end it with `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 32));`",
-        ),
-    };
-    let error = RuntimeError::new("E0711", message, help);
-    RuntimeError { place: Some((0, end.saturating_sub(1), end)), ..error }
 }

@@ -89,7 +89,7 @@ pub enum RunError {
 /// Text for the user about a finished run.
 #[derive(Default)]
 pub struct RunReport {
-    /// Table of outputs; empty for a model without an analysis.
+    /// Table of outputs; empty for a model without outputs.
     pub summary: String,
     /// Warnings about the results.
     pub warnings: Vec<String>,
@@ -223,7 +223,7 @@ fn write_results(
     directory.claim_all(signals::files(results.signals()))?;
     signals::write(path, description, results.signals())?;
     let listed = signals::list(description, results.signals());
-    write_run(path, head, description, result, listed, &warnings, stages)?;
+    write_run(path, head, results, listed, &warnings, stages)?;
     journal::remove(path)?;
     directory.claim_all(page::FILES)?;
     page::write_with_advice(path)
@@ -237,8 +237,10 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
     let ignored =
         ignored.map(|ignored| format!("`{}` is not used as given: {}", ignored.input, ignored.reason));
     RunReport {
-        summary: result.map(|result| summary_table::summary(description, result)).unwrap_or_default()
-            + &modes.map(modes_table::summary).unwrap_or_default()
+        summary: result.map_or_else(
+            || summary_table::values(description, results.rows()),
+            |result| summary_table::summary(description, result),
+        ) + &modes.map(modes_table::summary).unwrap_or_default()
             + &signals::summary(description, results.signals()),
         warnings: ignored.chain(results.warnings()).collect(),
         findings: results.findings().to_vec(),

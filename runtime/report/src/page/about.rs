@@ -16,7 +16,9 @@ pub fn facts(run: &Run) -> Markup {
         p.facts {
             span { "model " code { (run.text("model")) } }
             @if !run.text("fidelity").is_empty() { span { "fidelity " b { (run.text("fidelity")) } } }
-            @if !run.positions.is_empty() { span { b { (run.positions.len()) } " positions" } }
+            @if !run.positions.is_empty() && !run.is_calculation() {
+                span { b { (run.positions.len()) } " positions" }
+            }
             span { "Calyx " (run.text("calyx")) }
         }
     }

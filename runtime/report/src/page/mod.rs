@@ -62,6 +62,7 @@ pub fn is_run(directory: &Path) -> bool {
 /// Returns the heading of the output plots, which names their abscissa.
 fn plots_heading(run: &Run) -> &'static str {
     match run.positions.len() {
+        _ if run.is_calculation() => "Values",
         0 | 1 => "Positions",
         _ if by_time(run) => "Over time",
         _ => "Over the mesh cycle",
@@ -238,6 +239,9 @@ fn summary(run: &Run) -> Markup {
     if run.outputs.is_empty() {
         return PreEscaped(String::new());
     }
+    if run.is_calculation() {
+        return values(run);
+    }
     let estimated = run.outputs.iter().any(|output| output.error.is_some());
     html! {
         table.numbers {
@@ -271,6 +275,20 @@ fn summary(run: &Run) -> Markup {
         (accuracy::without_level(run))
         @if run.end != End::Finished {
             p.note { "Statistics of the positions solved so far; the mean is available after the last position." }
+        }
+    }
+}
+
+/// Shows the outputs of a model without an analysis.
+fn values(run: &Run) -> Markup {
+    html! {
+        table.numbers {
+            thead { tr { th { "output" } th.word { "unit" } th { "value" } } }
+            tbody { @for output in &run.outputs { tr {
+                th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
+                td.word { (output.unit) }
+                td.main { (number(output.statistics.max)) }
+            } } }
         }
     }
 }

@@ -252,6 +252,11 @@ impl Run {
         })
     }
 
+    /// Returns true for the outputs of a model without an analysis.
+    pub fn is_calculation(&self) -> bool {
+        self.end == End::Finished && self.head["fidelity"].is_null()
+    }
+
     /// Returns a text of the head; empty if it has none.
     pub fn text(&self, name: &str) -> &str {
         self.head[name].as_str().unwrap_or_default()
