@@ -1,8 +1,8 @@
 //! Finds the declaration of a name in a syntax tree, and extracts its text.
 
 use crate::ast::{
-    Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Module, Parameter, RecordDecl, RecordField,
-    Stmt, StmtKind, StringPart, Values, VarDecl,
+    Domain, EnumChoice, EnumDecl, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Module, Parameter,
+    RecordDecl, RecordField, Stmt, StmtKind, StringPart, Values, VarDecl,
 };
 use crate::span::Span;
 use crate::walk::Node;
@@ -15,6 +15,7 @@ pub enum Declared<'t> {
     Variable(&'t Stmt, &'t VarDecl),
     Parameter(&'t FunctionDecl, &'t Parameter),
     Field(&'t RecordDecl, &'t RecordField),
+    Choice(&'t EnumDecl, &'t EnumChoice),
     /// The variable of a `catch` clause.
     Caught(&'t Stmt),
     /// The variable of a comprehension or of a loop over values, with the statement around it.
@@ -73,6 +74,10 @@ fn named(statement: &Stmt, offset: u32) -> Option<Declared<'_>> {
         StmtKind::Record(decl) if !here(&decl.name) => {
             let field = decl.fields.iter().find(|field| here(&field.name))?;
             Some(Declared::Field(decl, field))
+        }
+        StmtKind::Enum(decl) if !here(&decl.name) => {
+            let choice = decl.choices.iter().find(|choice| here(&choice.name))?;
+            Some(Declared::Choice(decl, choice))
         }
         StmtKind::Var(decls) => {
             let decl = decls.iter().find(|decl| here(&decl.name))?;
@@ -196,8 +201,13 @@ pub fn former(declared: Declared<'_>) -> Option<&Ident> {
         Declared::Statement(Stmt { kind: StmtKind::Function(decl), .. }) => decl.former.as_ref(),
         Declared::Statement(Stmt { kind: StmtKind::Record(decl), .. }) => decl.former.as_ref(),
         Declared::Parameter(_, parameter) => parameter.former.as_ref(),
+        Declared::Choice(decl, choice) => format!("{}.{}", decl.name.name, choice.name.name),
         Declared::Field(_, field) => field.former.as_ref(),
-        Declared::Statement(_) | Declared::Variable(..) | Declared::Caught(_) | Declared::Element(..) => None,
+        Declared::Statement(_)
+        | Declared::Variable(..)
+        | Declared::Choice(..)
+        | Declared::Caught(_)
+        | Declared::Element(..) => None,
     }
 }
 
@@ -217,6 +227,7 @@ fn domain_span(domain: &Domain) -> Span {
     }
 }
 
+        Declared::Choice(_, choice) => choice.doc.as_deref(),
 /// Returns the limits of a range as written.
 pub fn range(domain: Option<&Domain>, text: &str) -> Option<String> {
     let Some(Domain::Range { low, high, .. }) = domain else { return None };

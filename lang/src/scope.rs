@@ -189,7 +189,7 @@ impl Scan<'_> {
                 self.pending.extend(self.name(index + 1).map(|span| (span, named)));
                 return index + 2;
             }
-            Kind::Const | Kind::Record | Kind::Dimension | Kind::Unit => {
+            Kind::Const | Kind::Record | Kind::Enum | Kind::Dimension | Kind::Unit => {
                 if let Some(span) = self.name(index + 1) {
                     self.declare(span, hoisted_kind(kind));
                 }

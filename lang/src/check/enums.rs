@@ -34,8 +34,10 @@ impl<'a> Checker<'a> {
     /// Checks `Hand.left`.
     pub(super) fn choice(&mut self, id: u32, choice: &ast::Ident, span: Span) -> Expr {
         let ty = self.enum_type(id);
+        let declared = self.names.enums[id as usize].decl.choices.iter().find(|c| c.name.name == choice.name);
+        self.named_parts.extend(declared.map(|declared| (choice.span, declared.name.span)));
         if let Type::Enum(of) = &ty
-            && !of.choices.contains(&choice.name)
+            && declared.is_none()
         {
             self.report(unknown_choice(&of.name, &of.choices, &choice.name, choice.span, ""));
         }

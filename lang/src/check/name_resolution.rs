@@ -83,6 +83,13 @@ impl NameTable {
                 parts.insert(field.name.span, field.name.span);
             }
         }
+        for info in &names.enums {
+            for choice in &info.decl.choices {
+                let ty = info.decl.name.name.clone();
+                part_types.insert(choice.name.span, (NameKind::Const, ty, None));
+                parts.insert(choice.name.span, choice.name.span);
+            }
+        }
         for info in &names.externs {
             for parameter in &info.decl.parameters {
                 let ty = parameter.annotation.as_ref().map_or("", |a| checker.text(a.span));

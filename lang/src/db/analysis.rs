@@ -495,6 +495,7 @@ fn written_kind(found: Declared<'_>) -> NameKind {
         },
         Declared::Parameter(..) => NameKind::Parameter,
         Declared::Field(..) => NameKind::Field,
+        Declared::Choice(..) => NameKind::Const,
         Declared::Caught(_) | Declared::Element(..) => NameKind::Variable,
         Declared::Statement(statement) => match &statement.kind {
             StmtKind::Function(decl) => match decl.body {

@@ -84,7 +84,7 @@ fn item(snapshot: &Snapshot, place: &SourceRange) -> Option<Range<u32>> {
         | Declared::Variable(statement, _)
         | Declared::Caught(statement)
         | Declared::Element(statement, ..) => statement.span,
-        Declared::Parameter(..) | Declared::Field(..) => {
+        Declared::Parameter(..) | Declared::Field(..) | Declared::Choice(..) => {
             let around = EnclosingNodes::new(&tree.module, place.start..place.end);
             around.statements().next_back().map_or(top.span, |inner| inner.span)
         }

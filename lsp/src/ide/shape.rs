@@ -30,6 +30,8 @@ impl Shape {
     /// Parses the type of a value.
     pub fn read(text: &str) -> Shape {
         let text = text.trim();
+        // A value fits where it is optional.
+        let text = text.strip_suffix(" or none").unwrap_or(text);
         if let Some((head, inner)) = applied(text) {
             return match head {
                 "Vector" => Shape::Vector(dimension(inner)),

@@ -20,6 +20,8 @@ pub enum Display {
     Tuple(Vec<Display>),
     /// Name, and names of the fields of a value stored as a tuple.
     Record(String, Vec<(String, Display)>),
+    /// Style of an optional value, stored as a tuple of a Boolean and the value.
+    Optional(Box<Display>),
 }
 
 /// Display style of a number.
@@ -71,6 +73,10 @@ impl Display {
                 code.extend((parts.len() as u32).to_le_bytes());
                 parts.iter().for_each(|part| part.append(code));
             }
+            Display::Optional(value) => {
+                code.push(b'o');
+                value.append(code);
+            }
             Display::Record(name, fields) => {
                 code.push(b'r');
                 append_name(name, code);
@@ -112,6 +118,7 @@ fn take(rest: &mut &[u8]) -> Option<Display> {
             Display::Number(NumberStyle { factor, unit, width, digits, scientific: flags & 2 != 0 })
         }
         b'a' => Display::Array(Box::new(take(rest)?)),
+        b'o' => Display::Optional(Box::new(take(rest)?)),
         b't' => {
             let count = u32::from_le_bytes(bytes(rest)?);
             Display::Tuple((0..count).map(|_| take(rest)).collect::<Option<_>>()?)
@@ -161,6 +168,7 @@ mod tests {
             Display::Text { width: 3 },
             Display::Number(NumberStyle::default()),
             Display::Tuple(vec![]),
+            Display::Optional(Box::new(Display::Plain)),
         ]);
         let code = all.encode();
         assert_eq!(Display::decode(&code), Some(all));

@@ -131,7 +131,13 @@ impl<'t> BoundedText<'t> {
                 }
                 self.push("]")
             }
-            Repr::Tuple(parts) => self.append_parts(heap, parts, slots, display),
+            Repr::Tuple(parts) => match (display, parts.as_slice(), slots.split_first()) {
+                (Display::Optional(_), _, Some((0, _))) => self.push("none"),
+                (Display::Optional(shown), [_, value], Some((_, slots))) => {
+                    self.append(heap, value, slots, shown)
+                }
+                _ => self.append_parts(heap, parts, slots, display),
+            },
             Repr::Symbolic(_) => self.push("(symbolic)"),
             Repr::Handle => self.push(&format!("#{}", first()?)),
         }

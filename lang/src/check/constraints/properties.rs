@@ -56,7 +56,7 @@ impl Checker<'_> {
             | Type::Vector(_)
             | Type::Transform
             | Type::Error => Outcome::Solved,
-            Type::Array(part) => self.every_part(vec![*part], Printable, constraint),
+            Type::Array(part) | Type::Optional(part) => self.every_part(vec![*part], Printable, constraint),
             Type::Tuple(parts) => self.every_part(parts, Printable, constraint),
             Type::Record(id) => self.every_part(self.field_types(id), Printable, constraint),
             Type::Observable(_) => Outcome::failed(self.observable_as_value(constraint.span)),

@@ -328,6 +328,7 @@ impl Body<'_, '_> {
                 number(Some(system.unit_of(length)))
             }
             Type::Array(element) => Display::Array(Box::new(self.display(&element, style, system))),
+            Type::Optional(value) => Display::Optional(Box::new(self.display(&value, style, system))),
             Type::Tuple(parts) => {
                 Display::Tuple(parts.iter().map(|part| self.display(part, style, system)).collect())
             }

@@ -115,6 +115,7 @@ fn offer(request: &Request<'_>, asked: &CompletionTrigger<'_>, items: &mut Vec<I
             let name = request.source(base);
             match request.find(name) {
                 Some(known) if known.kind == NameKind::Module => names::members(request, name, value, items),
+                _ if words::choices_of_enumeration(request, name, items) => {}
                 _ => words::parts(request, &request.shape_of(base), items),
             }
         }

@@ -8,6 +8,8 @@ use crate::ide::callee;
 use crate::ide::cursor::BlockKind;
 use crate::ide::shape::Shape;
 use calyx_lang::analysis::NameKind;
+use calyx_lang::ast::{Stmt, StmtKind};
+use calyx_lang::declared::{Declared, find};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::lexer::Kind;
 use calyx_lang::units::UnitSystem;
@@ -192,6 +194,32 @@ pub fn parts(request: &Request<'_>, shape: &Shape, items: &mut Vec<Item>) {
         item.subject = field.declared.clone().map(Subject::Declaration);
         items.push(item);
     }
+}
+
+/// Offers the choices of an enumeration, `Name` or `module.Name`. Returns false for other names.
+pub fn choices_of_enumeration(request: &Request<'_>, name: &str, items: &mut Vec<Item>) -> bool {
+    let (module, own) = name.rsplit_once('.').map_or((None, name), |(module, own)| (Some(module), own));
+    let declared = match module {
+        None => request.find(own).filter(|known| known.kind == NameKind::Enum).cloned(),
+        Some(module) => callee::module_path(request.database, &request.visible, module).and_then(|path| {
+            let members = request.database.members(&path);
+            members.into_iter().find(|known| known.kind == NameKind::Enum && *known.name == *own)
+        }),
+    };
+    let Some(place) = declared.and_then(|known| known.declared) else { return false };
+    let Some(tree) = request.database.around(&place.file, place.start) else { return false };
+    let Some((_, Declared::Statement(Stmt { kind: StmtKind::Enum(decl), .. }))) =
+        find(&tree.module, place.start)
+    else {
+        return false;
+    };
+    for (order, choice) in decl.choices.iter().enumerate() {
+        let rank = Rank { order: order as u32, ..Rank::default() };
+        let mut item = Item::new(choice.name.name.clone(), ItemKind::Value, rank);
+        item.detail = choice.doc.as_deref().and_then(|doc| doc.lines().next()).unwrap_or(own).to_string();
+        items.push(item);
+    }
+    true
 }
 
 /// Offers the allowed texts, with quotes if the cursor is not between quotes.

@@ -23,6 +23,9 @@ pub(super) fn of(snapshot: &Snapshot, at: &Position, name: &Name) -> Option<Stri
     }
     let declaration = database.declaration(place)?;
     let system = database.system(&at.file).unwrap_or_default();
+    if let Some(choice) = choice(database, place) {
+        return Some(choice);
+    }
     if let Some(parameter) = parameter(database, place) {
         return Some(of_parameter(&parameter, &declaration, system));
     }
@@ -83,6 +86,17 @@ fn of_language(name: &Name) -> Option<String> {
     };
     let help = help::builtin(&name.text)?;
     Some(paragraphs([Some(code(&head)), Some(card(help))]))
+}
+
+/// Describes the choice of an enumeration that is declared at a position: its comment, then the
+/// enumeration and its comment.
+fn choice(database: &Database, place: &SourceRange) -> Option<String> {
+    let tree = database.around(&place.file, place.start)?;
+    let (statement, Declared::Choice(of, choice)) = find(&tree.module, place.start)? else { return None };
+    let head = code(&format!("{}.{}", of.name.name, choice.name.name));
+    let all: Vec<String> = of.choices.iter().map(|choice| format!("`{}`", choice.name.name)).collect();
+    let of = format!("a choice of `{}`: {}", of.name.name, all.join(", "));
+    Some(paragraphs([Some(head), Some(of), choice.doc.clone(), statement.doc.clone()]))
 }
 
 /// Returns the parameter or field declared at a position.
