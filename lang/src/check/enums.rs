@@ -61,8 +61,10 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Reports the comparison of a param or parameter that has choices with another text.
+    /// Reports a comparison that is never true: of a param or parameter that has choices with
+    /// another text, or of two values without a common choice.
     pub(super) fn check_compared(&mut self, a: &Expr, b: &Expr) {
+        self.check_common_choice(a, b);
         let sides = [(a, b), (b, a)];
         for (value, text) in sides {
             let (Some(known), Some((name, choices))) = (constant::text(text), self.choices_of(value)) else {
@@ -73,6 +75,99 @@ impl<'a> Checker<'a> {
                 self.report(diagnostic);
             }
         }
+    }
+
+    fn check_common_choice(&mut self, a: &Expr, b: &Expr) {
+        let is_enum = |ty: &Type| matches!(self.store.known(ty), Type::Enum(_));
+        // Values of two enumerations have different types, which is reported.
+        if is_enum(&a.ty) && is_enum(&b.ty) {
+            return;
+        }
+        let (Some((first, of_first)), Some((second, of_second))) =
+            (self.known_choices(a), self.known_choices(b))
+        else {
+            return;
+        };
+        if of_first.iter().any(|choice| of_second.contains(choice)) {
+            return;
+        }
+        let message = format!("`{first}` and `{second}` have no choice in common, so they are never equal");
+        let label = |choices: &[String]| format!("one of {}", listed(choices, "\""));
+        let problem =
+            Diagnostic::error("E0879", message, b.span, label(&of_second)).label(a.span, label(&of_first));
+        let near =
+            |choice: &String| Some((choice.clone(), similar(choice, of_first.iter().map(String::as_str))?));
+        let help = match of_second.iter().find_map(near) {
+            Some((choice, near)) => format!("does `{choice}` stand for `{near}`? Use one spelling for both"),
+            None => "compare values that have a choice in common".into(),
+        };
+        self.report(problem.help(help));
+    }
+
+    /// Returns the choices of a value that is not constant, if they are known, and what has them.
+    fn known_choices(&self, e: &Expr) -> Option<(String, Vec<String>)> {
+        match self.store.known(&e.ty) {
+            _ if constant::text(e).is_some() => None,
+            Type::Enum(of) => Some((of.name.clone(), of.choices.clone())),
+            _ => self.choices_of(e).filter(|(_, choices)| !choices.is_empty()),
+        }
+    }
+
+    /// Reports a `switch` over an enumeration that has neither all choices nor a `default`.
+    pub(super) fn check_all_choices(&mut self, value: &Expr, cases: &[Expr], body: &ast::Stmt) {
+        let Type::Enum(of) = self.store.known(&value.ty) else { return };
+        let texts: Vec<&str> = cases.iter().filter_map(constant::text).collect();
+        let known = |text: &&str| of.choices.iter().any(|choice| choice == text);
+        // Cases that are not constant may be any choice; misspelt ones are reported.
+        if has_default(body) || texts.len() < cases.len() || !texts.iter().all(|text| known(&text)) {
+            return;
+        }
+        let missing: Vec<String> =
+            of.choices.iter().filter(|choice| !texts.contains(&choice.as_str())).cloned().collect();
+        if missing.is_empty() {
+            return;
+        }
+        let shown = listed(&missing, "");
+        let verb = if missing.len() == 1 { "is" } else { "are" };
+        let message = format!("`switch` has no case for {shown} of `{}`", of.name);
+        let problem = Diagnostic::error("E0880", message, value.span, format!("{shown} {verb} not handled"))
+            .help("add the missing cases, or a `default`");
+        let (place, added) = self.added_cases(cases, &missing, body);
+        let everything_else = self.added(body, &["default".into()]);
+        let (last, default) = everything_else;
+        self.report(problem.fix("add the missing cases", place, added).suggest(
+            "add a `default`",
+            last,
+            default,
+        ));
+    }
+
+    fn added_cases(&self, cases: &[Expr], missing: &[String], body: &ast::Stmt) -> (Span, String) {
+        // Written as the first case: `Hand.left` or `"left"`.
+        let first = cases.first().map_or("", |case| self.text(case.span));
+        let path = first.rfind('.').map(|dot| &first[..dot]);
+        let case = |choice: &String| match path {
+            Some(path) => format!("case {path}.{choice}"),
+            None => format!("case \"{choice}\""),
+        };
+        self.added(body, &missing.iter().map(case).collect::<Vec<_>>())
+    }
+
+    /// Returns the insertion of labels that do nothing at the end of the body of a `switch`.
+    fn added(&self, body: &ast::Stmt, labels: &[String]) -> (Span, String) {
+        let end = body.span.end.saturating_sub(1);
+        let text = self.text(Span { end, ..body.span });
+        let place = Span { start: end, end, ..body.span };
+        let indent = text.rsplit_once('\n').map(|(_, line)| line).filter(|line| line.trim().is_empty());
+        let added = match indent {
+            Some(indent) => {
+                let lines =
+                    labels.iter().map(|label| format!("    {label}:\n{indent}        break;\n{indent}"));
+                lines.collect()
+            }
+            None => labels.iter().map(|label| format!("{label}: break; ")).collect(),
+        };
+        (place, added)
     }
 
     /// Returns the name and the choices of a param or parameter of texts.
@@ -93,10 +188,26 @@ impl<'a> Checker<'a> {
     }
 }
 
+/// Returns `true` if the body of a `switch` has a `default`.
+fn has_default(statement: &ast::Stmt) -> bool {
+    match &statement.kind {
+        ast::StmtKind::Default(_) => true,
+        ast::StmtKind::Block(all) => all.iter().any(has_default),
+        ast::StmtKind::Case { statement, .. } | ast::StmtKind::Label { statement, .. } => {
+            has_default(statement)
+        }
+        _ => false,
+    }
+}
+
+fn listed(choices: &[String], quote: &str) -> String {
+    let all: Vec<String> = choices.iter().map(|choice| format!("`{quote}{choice}{quote}`")).collect();
+    all.join(", ")
+}
+
 /// Returns the error for a text or name that is none of the choices.
 fn unknown_choice(of: &str, choices: &[String], found: &str, span: Span, quote: &str) -> Diagnostic {
     let shown = |choice: &str| format!("{quote}{choice}{quote}");
-    let all: Vec<String> = choices.iter().map(|choice| format!("`{}`", shown(choice))).collect();
     let message = format!("`{}` is not a choice of `{of}`", shown(found));
     let diagnostic = Diagnostic::error("E0857", message, span, "no such choice");
     match similar(found, choices.iter().map(String::as_str)) {
@@ -105,6 +216,6 @@ fn unknown_choice(of: &str, choices: &[String], found: &str, span: Span, quote: 
             span,
             shown(&near),
         ),
-        None => diagnostic.help(format!("the choices are {}", all.join(", "))),
+        None => diagnostic.help(format!("the choices are {}", listed(choices, quote))),
     }
 }

@@ -211,10 +211,12 @@ impl<'a> Checker<'a> {
         self.dependence.open(Region::Switch);
         self.dependence.decides(&value);
         self.switches.push((value.clone(), Vec::new()));
-        let body = self.repeated(&[body], |c| c.boxed(body));
-        self.switches.pop();
+        let checked = self.repeated(&[body], |c| c.boxed(body));
+        if let Some((_, cases)) = self.switches.pop() {
+            self.check_all_choices(&value, &cases, body);
+        }
         self.dependence.close();
-        StmtKind::Switch(value, body)
+        StmtKind::Switch(value, checked)
     }
 
     fn units(&mut self, name: &ast::Ident) {

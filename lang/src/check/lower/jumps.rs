@@ -1,8 +1,10 @@
 //! Lowers `switch` and `goto`, and `break` and `continue` outside of loops.
 
 use super::body::{Body, Exit};
+use crate::check::constant;
 use crate::check::symbols::similar;
 use crate::check::tree::{Expr, Stmt, StmtKind};
+use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, ExprKind, Op};
 use crate::span::Span;
@@ -11,6 +13,7 @@ use std::collections::HashMap;
 
 impl Body<'_, '_> {
     pub(super) fn switch(&mut self, value: &Expr, body: &Stmt) {
+        let switched = value;
         let value = self.value(value);
         let span = value.span;
         let repr = value.repr.clone();
@@ -53,7 +56,13 @@ impl Body<'_, '_> {
                 }
             }
         }
-        for (case, block) in tests {
+        let is_covered = default.is_none() && self.covers_all_choices(switched, &tests);
+        let last = tests.len().saturating_sub(1);
+        for (index, (case, block)) in tests.into_iter().enumerate() {
+            if is_covered && index == last {
+                self.jump(block);
+                break;
+            }
             let next = self.new_block();
             let left = ir::Expr { kind: ExprKind::Local(local), repr: repr.clone(), span };
             let right = self.value(case);
@@ -61,7 +70,9 @@ impl Body<'_, '_> {
             self.branch_on(ir::Expr { kind, repr: Repr::Bool, span: case.span }, block, next);
             self.start(next);
         }
-        self.jump(default.unwrap_or(after));
+        if !is_covered {
+            self.jump(default.unwrap_or(after));
+        }
         self.cases.push(cases);
         self.exits.push(Exit { on_break: after, on_continue: None });
         self.block(statements);
@@ -69,6 +80,17 @@ impl Body<'_, '_> {
         self.cases.pop();
         self.jump(after);
         self.start(after);
+    }
+
+    /// Returns `true` if the cases of a `switch` over an enumeration are all of its choices.
+    fn covers_all_choices(&self, value: &Expr, cases: &[(&Expr, usize)]) -> bool {
+        let checker = self.lowering.checker;
+        let Type::Enum(of) = checker.store.shallow(&self.types.ty(&checker.store, &value.ty)) else {
+            return false;
+        };
+        let has_case =
+            |choice: &String| cases.iter().any(|(case, _)| constant::text(case) == Some(choice.as_str()));
+        of.choices.iter().all(has_case)
     }
 
     pub(super) fn goto(&mut self, name: &str, span: Span) {
