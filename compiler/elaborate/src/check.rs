@@ -34,6 +34,10 @@ pub struct Checked {
     pub refused: Option<InvalidParam>,
     /// The last lines that the model printed before its first failure.
     pub printed: Vec<String>,
+    /// Number of basic blocks that the program entered.
+    pub blocks: u64,
+    /// `true` if the model makes gears.
+    pub makes_gears: bool,
 }
 
 impl Checked {
@@ -130,6 +134,8 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         plan: None,
         refused: None,
         printed: Vec::new(),
+        blocks: 0,
+        makes_gears: false,
     };
     // No other code has access to this switch, so the elaboration cannot be cancelled.
     if let Some(program) = &result.program
@@ -140,6 +146,8 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         result.plan = elaboration.plan;
         result.refused = elaboration.refused;
         result.printed = elaboration.printed;
+        result.blocks = elaboration.blocks;
+        result.makes_gears = !elaboration.geometry.gears.is_empty();
         if !elaboration.runnable {
             result.program = None;
         }
@@ -181,5 +189,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         plan: None,
         refused: None,
         printed: Vec::new(),
+        blocks: 0,
+        makes_gears: false,
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::diagnostics::{diagnostic, finding_diagnostic, place};
 use crate::geometry::Geometry;
-use crate::interpreted::{Interpreted, no_kernel};
+use crate::interpreted::{Interpreted, kernel, no_kernel};
 use crate::nan::{explain, note, of_default};
 use crate::plan::Planned;
 use crate::printed::Printed;
@@ -91,6 +91,8 @@ pub struct Elaboration {
     pub geometry: Geometry,
     /// The last lines that the program printed before its first failure.
     pub printed: Vec<String>,
+    /// Number of basic blocks that the program entered.
+    pub blocks: u64,
 }
 
 /// Runs a program without solving anything. Problems of the model are collected in the result, and
@@ -102,8 +104,40 @@ pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<E
     let lines = Printed::default();
     let printed = lines.clone();
     let print = Box::new(move |line: &str| printed.push(line));
-    let elaboration = elaborate_with(program, params, cancel, print, false)?;
+    let elaboration = match kernels(program, cancel)? {
+        Ok(kernels) => elaborate_with(program, kernels, params, cancel, (print, false))?,
+        Err(unrunnable) => *unrunnable,
+    };
     Ok(Elaboration { printed: lines.lines(), ..elaboration })
+}
+
+/// As [`elaborate`], for a program with the kernels of all sites; returns the problems only.
+pub(crate) fn problems_with(
+    program: &Program,
+    kernels: &[Arc<dyn Kernel>],
+    given: &[ParamAssignment],
+    cancel: &Cancel,
+) -> Result<Vec<Diagnostic>, Cancelled> {
+    let params = Params::Given(given, Override::default(), None);
+    let print = Box::new(|_: &str| {});
+    Ok(elaborate_with(program, kernels.to_vec(), params, cancel, (print, false))?.found)
+}
+
+/// Lowers the kernels of all sites, in order; or returns the result of a program that has a site
+/// without a kernel.
+pub(crate) fn kernels(
+    program: &Program,
+    cancel: &Cancel,
+) -> Result<Result<Vec<Arc<dyn Kernel>>, Box<Elaboration>>, Cancelled> {
+    let mut kernels = Vec::with_capacity(program.sites.len());
+    for site in (0..program.sites.len() as u32).map(SiteId) {
+        ensure_running(cancel)?;
+        match lower_site(program, site) {
+            Ok(tape) => kernels.push(kernel(tape)),
+            Err(error) => return Ok(Err(Box::new(unrunnable(no_kernel(&error))))),
+        }
+    }
+    Ok(Ok(kernels))
 }
 
 /// Elaborates a program with the defaults of its params. Returns the lines it prints and the
@@ -116,31 +150,31 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
             lines.push(line.to_owned());
         }
     };
-    let elaboration = elaborate_with(program, Params::Defaults, &Cancel::default(), Box::new(print), true);
+    let cancel = Cancel::default();
+    let found = kernels(program, &cancel).and_then(|kernels| match kernels {
+        Ok(kernels) => {
+            let print: PrintLine = Box::new(print);
+            Ok(elaborate_with(program, kernels, Params::Defaults, &cancel, (print, true))?.found)
+        }
+        Err(unrunnable) => Ok(unrunnable.found),
+    });
     let lines = lines.lock().map(|lines| lines.clone()).unwrap_or_default();
-    (lines, elaboration.map(|elaboration| elaboration.found).unwrap_or_default())
+    (lines, found.unwrap_or_default())
 }
 
 /// A callback that receives each line that a program prints.
 type PrintLine = Box<dyn FnMut(&str) + Send>;
 
-/// As [`elaborate`]; `keeps_output` if all printed lines count as memory of the program.
+/// As [`elaborate`], with the kernels of all sites; `keeps_output` if all printed lines count as
+/// memory of the program.
 fn elaborate_with(
     program: &Program,
+    kernels: Vec<Arc<dyn Kernel>>,
     params: Params,
     cancel: &Cancel,
-    print: PrintLine,
-    keeps_output: bool,
+    (print, keeps_output): (PrintLine, bool),
 ) -> Result<Elaboration, Cancelled> {
-    let mut tapes = Vec::with_capacity(program.sites.len());
-    for site in (0..program.sites.len() as u32).map(SiteId) {
-        ensure_running(cancel)?;
-        match lower_site(program, site) {
-            Ok(tape) => tapes.push(tape),
-            Err(error) => return Ok(unrunnable(no_kernel(&error))),
-        }
-    }
-    let mut interpreted = match Interpreted::with_tapes(program, Purity::Scene, tapes) {
+    let mut interpreted = match Interpreted::with_kernels(program, Purity::Scene, kernels) {
         Ok(interpreted) => interpreted.recovering(),
         Err(found) => return Ok(unrunnable(found)),
     };
@@ -175,8 +209,8 @@ fn elaborate_with(
         if !description.declared_outputs.is_empty() && ran.is_ok() {
             outputs = Some(host.outputs.iter().map(|output| output.name.clone()).collect::<Vec<_>>());
         }
-        // An incomplete scene has no meaningful analysis.
         host.instance.clear();
+        // An incomplete scene has no meaningful analysis.
         if ran.is_ok() && survived.is_empty() {
             let (plan, errors) = check_analysis(host, description, cancel);
             planned = plan;
@@ -223,6 +257,7 @@ fn elaborate_with(
         values,
         geometry,
         printed: Vec::new(),
+        blocks: FUEL.saturating_sub(context.fuel.saturating_add(context.granted)),
     })
 }
 

@@ -13,6 +13,11 @@ use calyx_rt::program::ParamFunction;
 use calyx_symbolic::{Tape, TapeKernel};
 use std::sync::Arc;
 
+/// Returns the kernel that evaluates a tape.
+pub(crate) fn kernel(tape: Tape) -> Arc<dyn Kernel> {
+    Arc::new(TapeKernel(tape))
+}
+
 /// A checked model and its interpreter.
 pub struct Interpreted<'p> {
     program: &'p Program,
@@ -29,20 +34,20 @@ impl<'p> Interpreted<'p> {
     /// no kernel.
     pub fn new(program: &'p Program, allow: Purity) -> Result<Self, Box<Diagnostic>> {
         let tapes = lower_sites(program).map_err(|error| no_kernel(&error))?;
-        Self::with_tapes(program, allow, tapes)
+        let kernels = tapes.into_iter().map(kernel).collect();
+        Self::with_kernels(program, allow, kernels)
     }
 
     /// Prepares a model with the kernels of all sites, in order.
-    pub(crate) fn with_tapes(
+    pub(crate) fn with_kernels(
         program: &'p Program,
         allow: Purity,
-        tapes: Vec<Tape>,
+        kernels: Vec<Arc<dyn Kernel>>,
     ) -> Result<Self, Box<Diagnostic>> {
         let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| {
             Diagnostic::error("E0708", error.to_string(), error.span, "declared here")
                 .help("`extern` declares functions of the engine; write your own without it, with a body")
         })?;
-        let kernels = tapes.into_iter().map(|tape| Arc::new(TapeKernel(tape)) as Arc<dyn Kernel>).collect();
         let description = calyx_lang::description::describe(program, FINGERPRINT);
         Ok(Interpreted { program, interpreter, kernels, description })
     }

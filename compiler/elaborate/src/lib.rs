@@ -56,5 +56,5 @@ pub use infix::Infix;
 pub use interpreted::{Interpreted, param_function};
 pub use loader::{ModelLoader, allowed_path, read_module};
 pub use plan::{Planned, PlannedWork};
-pub use ranges::{Ranges, check_ranges};
+pub use ranges::{Extent, Ranges, check_ranges};
 pub use values::Value;

@@ -1,22 +1,41 @@
 //! Builds a model at the other values of its integer, Boolean and choice params.
 
 use crate::check::Checked;
-use crate::elaboration::{Cancelled, Params, elaborate};
-use calyx_abi::Cancel;
-use calyx_abi::Repr;
+use crate::elaboration::{Cancelled, kernels, problems_with};
 use calyx_abi::description::{ParamDescription, ParamValue};
+use calyx_abi::{Cancel, Kernel, Repr};
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::Program;
-use calyx_rt::{Override, ParamAssignment};
+use calyx_lang::span::Span;
+use calyx_rt::ParamAssignment;
+use std::sync::Arc;
 
 /// Limit of the values of one param.
 const MOST_VALUES: usize = 32;
 
-/// Limit of the models built.
+/// Limit of the models built with one param varied, and of those with two.
 const MOST_MODELS: usize = 256;
+
+/// The same limits for a check that is not asked for ranges.
+const MOST_VALUES_BY_DEFAULT: usize = 8;
+const MOST_MODELS_BY_DEFAULT: usize = 16;
+
+/// Largest number of basic blocks that a model without gears enters at its defaults if its ranges
+/// are checked by default.
+const MOST_BLOCKS_BY_DEFAULT: u64 = 2_000;
 
 /// The code of an assertion of the model: it refuses a value on purpose.
 const ASSERTION: &str = "E0705";
+
+/// Values of params that a check of ranges covers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// A few values of each param, if the model is cheap to build: it makes no gears and runs
+    /// briefly.
+    Cheap,
+    /// Many values of each param, and of pairs of params.
+    Pairs,
+}
 
 /// The result of [`check_ranges`].
 #[derive(Debug, Default, PartialEq)]
@@ -28,6 +47,8 @@ pub struct Ranges {
     /// The params of which some values were not tried: name, and number of values tried and
     /// allowed.
     pub cut: Vec<(String, usize, usize)>,
+    /// Number of combinations of two params tried and allowed, if some were not tried.
+    pub cut_pairs: Option<(usize, usize)>,
 }
 
 /// Builds a model, without solving, at the values of its integer, Boolean and choice params; the
@@ -36,58 +57,184 @@ pub struct Ranges {
 ///
 /// # Errors
 /// The elaboration was cancelled.
-pub fn check_ranges(checked: &Checked, cancel: &Cancel) -> Result<Ranges, Cancelled> {
+pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Result<Ranges, Cancelled> {
     let mut ranges = Ranges::default();
     let Some(program) = checked.program.as_ref().filter(|_| !checked.has_errors()) else {
         return Ok(ranges);
     };
+    let (most_values, most_models) = match extent {
+        Extent::Cheap if checked.makes_gears || checked.blocks > MOST_BLOCKS_BY_DEFAULT => return Ok(ranges),
+        Extent::Cheap => (MOST_VALUES_BY_DEFAULT, MOST_MODELS_BY_DEFAULT),
+        Extent::Pairs => (MOST_VALUES, MOST_MODELS),
+    };
     let params = &checked.description.params;
     let discrete: Vec<(usize, Values)> =
         params.iter().enumerate().filter_map(|(index, param)| Some((index, Values::of(param)?))).collect();
-    let each = (MOST_MODELS / discrete.len().max(1)).clamp(2, MOST_VALUES);
-    for (index, values) in discrete {
-        let (Some(param), Some(declared)) = (params.get(index), program.params.get(index)) else { continue };
+    if discrete.is_empty() {
+        return Ok(ranges);
+    }
+    let Ok(kernels) = kernels(program, cancel)? else { return Ok(ranges) };
+    let builder = Builder { program, kernels, cancel };
+    let each = (most_models / discrete.len()).clamp(2, most_values);
+    let mut valid: Vec<Varied<'_>> = Vec::new();
+    for (index, values) in &discrete {
+        let (Some(param), Some(declared)) = (params.get(*index), program.params.get(*index)) else {
+            continue;
+        };
         let tried = values.at_most(each);
         if tried.len() < values.count() {
             ranges.cut.push((param.name.clone(), tried.len(), values.count()));
         }
-        let mut problems: Vec<(Diagnostic, Vec<String>)> = Vec::new();
+        let mut problems = Problems::default();
+        let mut varied = Varied { param, declared: declared.span, values, valid: Vec::new(), refused: 0 };
         for value in tried.into_iter().filter(|value| Some(value) != param.default.as_ref()) {
             ranges.models += 1;
-            let shown = shown(&value);
-            for problem in problems_at(program, &param.name, value, cancel)? {
-                let alike = |(known, _): &&mut (Diagnostic, Vec<String>)| {
-                    (&known.code, known.primary.span) == (&problem.code, problem.primary.span)
-                };
-                match problems.iter_mut().find(alike) {
-                    Some((_, values)) => values.push(shown.clone()),
-                    None => problems.push((problem, vec![shown.clone()])),
-                }
+            let found = builder.problems_at(&[(param, &value)])?;
+            if found.is_empty() {
+                varied.valid.push(value);
+            } else {
+                varied.refused += 1;
+                problems.add(found, shown(&value));
             }
         }
-        ranges.found.extend(problems.into_iter().map(|(problem, values)| Diagnostic {
-            severity: Severity::Warning,
-            code: "W0877".into(),
-            message: format!("`{}` = {} is allowed, but {}", param.name, listed(&values), problem.message),
-            ..problem.label(declared.span, format!("declares `{}`", param.name))
-        }));
+        valid.push(varied);
+        let named = |values: &[String]| format!("`{}` = {}", param.name, listed(values));
+        ranges.found.extend(problems.warnings(named, &[(declared.span, &param.name)]));
+    }
+    if extent == Extent::Pairs {
+        check_pairs(&builder, &valid, &mut ranges)?;
     }
     Ok(ranges)
 }
 
-/// Builds the model at a value of a param and returns the errors.
-fn problems_at(
-    program: &Program,
-    name: &str,
-    value: ParamValue,
-    cancel: &Cancel,
-) -> Result<Vec<Diagnostic>, Cancelled> {
-    let given =
-        ParamAssignment { name: name.to_owned(), value: value.into(), origin: None, name_origin: None };
-    let elaboration = elaborate(program, Params::Given(&[given], Override::default(), None), cancel)?;
-    let mut problems = elaboration.found;
-    problems.retain(|found| found.severity == Severity::Error && found.code != ASSERTION);
-    Ok(problems)
+/// Builds the model at combinations of the values of two params at which it is valid if the other
+/// param has its default.
+fn check_pairs(builder: &Builder<'_>, valid: &[Varied<'_>], ranges: &mut Ranges) -> Result<(), Cancelled> {
+    let pairs: Vec<(&Varied<'_>, &Varied<'_>)> = valid
+        .iter()
+        .enumerate()
+        .flat_map(|(index, first)| valid[index + 1..].iter().map(move |second| (first, second)))
+        .filter(|(first, second)| !first.valid.is_empty() && !second.valid.is_empty())
+        .collect();
+    let each = MOST_MODELS / pairs.len().max(1);
+    let (mut tried, mut allowed) = (0, 0);
+    for (first, second) in pairs {
+        let others = |varied: &Varied<'_>| varied.values.count().saturating_sub(1 + varied.refused);
+        allowed += others(first) * others(second);
+        // Equal numbers of values of both params, unless one has few.
+        let few = first.valid.len().min(second.valid.len()).min(each.isqrt()).max(1);
+        let many = (each / few).max(1);
+        let (of_first, of_second) = match first.valid.len() <= second.valid.len() {
+            true => (spread(&first.valid, few), spread(&second.valid, many)),
+            false => (spread(&first.valid, many), spread(&second.valid, few)),
+        };
+        let mut problems = Problems::default();
+        for a in &of_first {
+            for b in &of_second {
+                (tried, ranges.models) = (tried + 1, ranges.models + 1);
+                let found = builder.problems_at(&[(first.param, a), (second.param, b)])?;
+                problems.add(
+                    found,
+                    format!(
+                        "`{}` = {} and `{}` = {}",
+                        first.param.name,
+                        shown(a),
+                        second.param.name,
+                        shown(b)
+                    ),
+                );
+            }
+        }
+        let named = |values: &[String]| match values {
+            [only] => only.clone(),
+            [first, others @ ..] => format!("{first} (and {} more combinations)", others.len()),
+            [] => String::new(),
+        };
+        let declared = [(first.declared, &first.param.name), (second.declared, &second.param.name)];
+        ranges.found.extend(problems.warnings(named, &declared));
+    }
+    if tried < allowed {
+        ranges.cut_pairs = Some((tried, allowed));
+    }
+    Ok(())
+}
+
+/// A param with the values at which the model is valid, other than the default.
+struct Varied<'p> {
+    param: &'p ParamDescription,
+    declared: Span,
+    values: &'p Values,
+    valid: Vec<ParamValue>,
+    /// Number of values at which the model fails.
+    refused: usize,
+}
+
+/// Problems by code and location, with the values that have them.
+#[derive(Default)]
+struct Problems(Vec<(Diagnostic, Vec<String>)>);
+
+impl Problems {
+    fn add(&mut self, found: Vec<Diagnostic>, shown: String) {
+        for problem in found {
+            let alike = |(known, _): &&mut (Diagnostic, Vec<String>)| {
+                (&known.code, known.primary.span) == (&problem.code, problem.primary.span)
+            };
+            match self.0.iter_mut().find(alike) {
+                Some((_, values)) => values.push(shown.clone()),
+                None => self.0.push((problem, vec![shown.clone()])),
+            }
+        }
+    }
+
+    /// Returns the warnings. `named` describes the values; `declared` are the params.
+    fn warnings(
+        self,
+        named: impl Fn(&[String]) -> String,
+        declared: &[(Span, &String)],
+    ) -> impl Iterator<Item = Diagnostic> {
+        self.0.into_iter().map(move |(problem, values)| {
+            let verb = if declared.len() == 1 { "is" } else { "are" };
+            let warning = Diagnostic {
+                severity: Severity::Warning,
+                code: "W0877".into(),
+                message: format!("{} {verb} allowed, but {}", named(&values), problem.message),
+                ..problem
+            };
+            declared
+                .iter()
+                .fold(warning, |warning, (span, name)| warning.label(*span, format!("declares `{name}`")))
+        })
+    }
+}
+
+/// Builds a program at given values of params.
+struct Builder<'p> {
+    program: &'p Program,
+    kernels: Vec<Arc<dyn Kernel>>,
+    cancel: &'p Cancel,
+}
+
+impl Builder<'_> {
+    /// Builds the model and returns the errors.
+    fn problems_at(&self, given: &[(&ParamDescription, &ParamValue)]) -> Result<Vec<Diagnostic>, Cancelled> {
+        let assignment = |(param, value): &(&ParamDescription, &ParamValue)| ParamAssignment {
+            name: param.name.clone(),
+            value: (*value).clone().into(),
+            origin: None,
+            name_origin: None,
+        };
+        let given: Vec<ParamAssignment> = given.iter().map(assignment).collect();
+        let mut problems = problems_with(self.program, &self.kernels, &given, self.cancel)?;
+        problems.retain(|found| found.severity == Severity::Error && found.code != ASSERTION);
+        Ok(problems)
+    }
+}
+
+/// Returns all values, or some of them at equal distances, with the first and the last.
+fn spread(values: &[ParamValue], most: usize) -> Vec<ParamValue> {
+    let number = values.len().min(most);
+    let at = |index: usize| if number < 2 { 0 } else { index * (values.len() - 1) / (number - 1) };
+    (0..number).filter_map(|index| values.get(at(index)).cloned()).collect()
 }
 
 /// The values of a param with finitely many.
@@ -162,29 +309,56 @@ mod tests {
     use crate::check::check_text;
 
     fn ranges(text: &str) -> Ranges {
-        check_ranges(&check_text("model.cx", text), &Cancel::default()).expect("not cancelled")
+        check(text, Extent::Pairs)
+    }
+
+    fn check(text: &str, extent: Extent) -> Ranges {
+        check_ranges(&check_text("model.cx", text), extent, &Cancel::default()).expect("not cancelled")
     }
 
     #[test]
     fn every_value_of_a_range_is_tried() {
-        let found = ranges(
-            "param count = 3 in 2 .. 5; param shape = \"a\" in [\"a\", \"b\"]; param on = TRUE;
-             var all = [1, 2, 3, 4]; print(all[count - 1], shape, on);",
-        );
-        assert_eq!(found.models, 3 + 1 + 1);
+        let text = "param count = 3 in 2 .. 5; param shape = \"a\" in [\"a\", \"b\"]; param on = TRUE;
+             var all = [1, 2, 3, 4]; print(all[count - 1], shape, on);";
+        let found = ranges(text);
+        // Pairs: two valid counts with a shape and with a truth value, and these two.
+        assert_eq!(found.models, 3 + 1 + 1 + 2 + 2 + 1);
         assert_eq!(found.found.len(), 1, "{found:?}");
         let warning = &found.found[0];
         assert_eq!((warning.code.as_str(), warning.severity), ("W0877", Severity::Warning));
         assert!(warning.message.starts_with("`count` = 5 is allowed, but "), "{}", warning.message);
         assert!(found.cut.is_empty());
+        let by_default = check(text, Extent::Cheap);
+        assert_eq!((by_default.models, by_default.found.len()), (3 + 1 + 1, 1));
+    }
+
+    #[test]
+    fn pairs_of_params_are_tried() {
+        let text = "param rows = 2 in 1 .. 3; param columns = 2 in 1 .. 3;
+             var all = [0, 1, 2, 3, 4, 5]; if (rows * columns > 0) print(all[rows * columns - 1]);";
+        let found = ranges(text);
+        assert_eq!(found.models, 2 + 2 + 4);
+        let [warning] = found.found.as_slice() else { panic!("{found:?}") };
+        let message = "`rows` = 3 and `columns` = 3 are allowed, but index 8 of an array of 6 elements";
+        assert!(warning.message.starts_with(message), "{}", warning.message);
+        assert_eq!(check(text, Extent::Cheap).found, []);
     }
 
     #[test]
     fn long_ranges_are_sampled_with_both_ends() {
-        let found = ranges("param count = 3 in 1 .. 1000; var all = [1]; print(all[0 * count]);");
-        assert_eq!(found.cut, [("count".to_owned(), MOST_VALUES, 1000)]);
+        let text = "param count = 3 in 1 .. 1000; var all = [1]; print(all[0 * count]);";
+        assert_eq!(ranges(text).cut, [("count".to_owned(), MOST_VALUES, 1000)]);
+        assert_eq!(check(text, Extent::Cheap).models, MOST_VALUES_BY_DEFAULT);
         let values = Values::Integers(1, 1000).at_most(4);
         assert_eq!(values, [1.0, 334.0, 667.0, 1000.0].map(ParamValue::Number));
+    }
+
+    #[test]
+    fn models_that_run_long_are_not_checked_by_default() {
+        let text =
+            "param count = 3 in 1 .. 5; var sum = 0; for (i in 0 .. 5000) sum += i * count; print(sum);";
+        assert_eq!(check(text, Extent::Cheap).models, 0);
+        assert_eq!(ranges(text).models, 4);
     }
 
     #[test]

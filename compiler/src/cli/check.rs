@@ -2,7 +2,7 @@
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat};
-use calyx::elaborate::{Cancel, Ranges, check_ranges};
+use calyx::elaborate::{Cancel, Extent, check_ranges};
 use calyx::fix::{Applied, fix_file};
 use calyx::{Checked, check_file_allowing};
 use calyx_lang::diagnostic::Severity;
@@ -28,8 +28,9 @@ pub struct Check {
     fix: bool,
     /// Build the model also at the other values of its integer, Boolean and choice params
     ///
-    /// One param is varied at a time. Of a range with many values, 32 are tried, or fewer if there
-    /// are many params.
+    /// One param is varied at a time, then two. Of a range with many values, 32 are tried, or fewer
+    /// if there are many params. Without this option, a few values of each param are tried if the
+    /// model makes no gears and runs briefly.
     #[arg(long)]
     ranges: bool,
     #[command(flatten)]
@@ -51,14 +52,17 @@ impl Check {
             Err(error) => return format.unreadable(&self.file, &error),
         };
         MessageFormat::printed_before_error(&checked, false);
-        let ranges = match self.ranges {
-            true => check_ranges(&checked, &Cancel::default()).unwrap_or_default(),
-            false => Ranges::default(),
-        };
+        let extent = if self.ranges { Extent::Pairs } else { Extent::Cheap };
+        let ranges = check_ranges(&checked, extent, &Cancel::default()).unwrap_or_default();
         checked.diagnostics.extend(ranges.found);
         format.diagnostics(&checked.diagnostics, &checked.files);
-        for (param, tried, allowed) in &ranges.cut {
-            format.note(&format!("`{param}` was checked at {tried} of its {allowed} values\n"));
+        if self.ranges {
+            for (param, tried, allowed) in &ranges.cut {
+                format.note(&format!("`{param}` was checked at {tried} of its {allowed} values\n"));
+            }
+            if let Some((tried, allowed)) = ranges.cut_pairs {
+                format.note(&format!("{tried} of {allowed} combinations of two params were checked\n"));
+            }
         }
         format.note(&self.summary(&checked));
         if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS }

@@ -188,5 +188,5 @@ pub const CODES: &[Explanation] = codes! {
     "E0852" "a slice outside of its array" "The limits of a slice lie between 0 and the length of the array, and its start is not greater than its end. Limit a computed end with `min(end, len(array))`."
     "E0853" "a sum of arrays of different lengths" "`+` and `-` add arrays element by element, so both need the same length. Use a slice of the longer one."
     "E0854" "the extreme of an empty array" "An empty array has neither a smallest nor a largest element. Test `len(array) > 0` before."
-    "W0877" "a value that a range allows and the model cannot have" "`calyx check --ranges` builds the model at the other values of its integer, Boolean and choice params, one param at a time. Narrow the range, or make the model valid for the value: `if` evaluates only the branch taken, also in an output. A value that an `assert` of the model refuses is not reported."
+    "W0877" "a value that a range allows and the model cannot have" "`calyx check` builds a model without gears at other values of its integer, Boolean and choice params, one param at a time; `calyx check --ranges` does so for every model, and with two params at a time. Narrow the range, or make the model valid for the value: `if` evaluates only the branch taken, also in an output. A value that an `assert` of the model refuses is not reported."
 };
