@@ -188,6 +188,7 @@ pub fn header(declared: Declared<'_>, text: &str) -> String {
             let end = ends.into_iter().flatten().max().unwrap_or_default();
             format!("{}.{}", record.name.name, slice(field.name.span.start, end))
         }
+        Declared::Choice(decl, choice) => format!("{}.{}", decl.name.name, choice.name.name),
         Declared::Caught(_) => "catch (Error)".into(),
         Declared::Element(_, variable, values) => {
             format!("for {}", slice(variable.span.start, values.span().end))
@@ -201,7 +202,6 @@ pub fn former(declared: Declared<'_>) -> Option<&Ident> {
         Declared::Statement(Stmt { kind: StmtKind::Function(decl), .. }) => decl.former.as_ref(),
         Declared::Statement(Stmt { kind: StmtKind::Record(decl), .. }) => decl.former.as_ref(),
         Declared::Parameter(_, parameter) => parameter.former.as_ref(),
-        Declared::Choice(decl, choice) => format!("{}.{}", decl.name.name, choice.name.name),
         Declared::Field(_, field) => field.former.as_ref(),
         Declared::Statement(_)
         | Declared::Variable(..)
@@ -217,6 +217,7 @@ pub fn doc(declared: Declared<'_>) -> Option<&str> {
         Declared::Statement(statement) | Declared::Variable(statement, _) => statement.doc.as_deref(),
         Declared::Parameter(_, parameter) => parameter.doc.as_deref(),
         Declared::Field(_, field) => field.doc.as_deref(),
+        Declared::Choice(_, choice) => choice.doc.as_deref(),
         Declared::Caught(_) | Declared::Element(..) => None,
     }
 }
@@ -227,7 +228,6 @@ fn domain_span(domain: &Domain) -> Span {
     }
 }
 
-        Declared::Choice(_, choice) => choice.doc.as_deref(),
 /// Returns the limits of a range as written.
 pub fn range(domain: Option<&Domain>, text: &str) -> Option<String> {
     let Some(Domain::Range { low, high, .. }) = domain else { return None };

@@ -4,7 +4,6 @@
 use crate::field_tables::{self, FieldTables};
 use crate::former_keys::{self, ResultFile};
 use crate::journal::{FoundJournal, Journal};
-use crate::results::Results;
 use crate::stress_range::StressRange;
 use crate::vtu::{self, VtuFiles};
 use calyx_abi::RuntimeError;
@@ -16,7 +15,7 @@ use calyx_runtime::analysis::Position;
 use calyx_runtime::estimate::{ErrorEstimate, Statistics};
 use calyx_runtime::observables::Fields;
 use calyx_runtime::plan::Plan;
-use calyx_runtime::results::{OutputSummary, Solved, StepRow, StructureCounts, Timing};
+use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, StructureCounts, Timing};
 use calyx_runtime::settings_override::Override;
 use calyx_runtime::summary::Harmonic;
 use calyx_runtime::tolerance::{Attempt, Setting, ToleranceOutcome};
@@ -257,12 +256,23 @@ fn column_json(output: &OutputDescription) -> Value {
     json!({ "doc": output.doc, "unit": output.si, "display": display })
 }
 
+/// Outputs of a finished run: the positions of an analysis, or the only row of a calculation.
+#[derive(Clone, Copy)]
+pub struct RunOutputs<'a> {
+    /// Description of the model.
+    pub description: &'a ModelDescription,
+    /// A row per position.
+    pub rows: &'a [StepRow],
+    /// A summary per output, in their order.
+    pub summaries: &'a [OutputSummary],
+}
+
 /// Writes `run.json` and `timing.json` of a finished run with the subject `run` (see [`head`]).
 /// `signals` are those of [`crate::signals::list`].
 pub fn write_run(
     directory: &Path,
     mut run: Value,
-    results: &Results,
+    (outputs, result): (RunOutputs, Option<&AnalysisResult>),
     signals: Value,
     warnings: &[String],
     stages: &Stages,
@@ -271,16 +281,15 @@ pub fn write_run(
     if let Some(run) = run.as_object_mut() {
         run.remove(COLUMNS);
     }
-    let result = results.analysis();
-    if !results.rows().is_empty() || result.is_some() {
-        let summaries = results.description().outputs.iter().zip(results.summaries());
+    if !outputs.rows.is_empty() || result.is_some() {
+        let summaries = outputs.description.outputs.iter().zip(outputs.summaries);
         let position = |summary: &OutputSummary| {
-            Some(&results.rows().get(summary.at_max)?.position).filter(|_| result.is_some())
+            Some(&outputs.rows.get(summary.at_max)?.position).filter(|_| result.is_some())
         };
-        let outputs = summaries
+        let json = summaries
             .map(|(output, summary)| (output.name.clone(), output_json(output, summary, position(summary))));
-        run["positions"] = json!(results.rows().len());
-        run["outputs"] = json!(outputs.collect::<Map<_, _>>());
+        run["positions"] = json!(outputs.rows.len());
+        run["outputs"] = json!(json.collect::<Map<_, _>>());
     }
     if let Some(result) = result {
         let ignored =

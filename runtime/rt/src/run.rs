@@ -13,7 +13,7 @@ use calyx_abi::description::{ModelDescription, OutputDescription};
 use calyx_abi::{Cancel, RuntimeError, Status};
 use calyx_gears::host::Finding;
 use calyx_report::directory::{
-    Details, REPORT, Record, SIGNALS, StageTimes, Stages, head, write_run, write_unfinished,
+    Details, REPORT, Record, RunOutputs, SIGNALS, StageTimes, Stages, head, write_run, write_unfinished,
 };
 use calyx_report::journal::FoundJournal;
 use calyx_report::{field_tables, journal, modes_table, page, signals, stress_range, summary_table, vtu};
@@ -223,7 +223,8 @@ fn write_results(
     directory.claim_all(signals::files(results.signals()))?;
     signals::write(path, description, results.signals())?;
     let listed = signals::list(description, results.signals());
-    write_run(path, head, results, listed, &warnings, stages)?;
+    let outputs = RunOutputs { description, rows: results.rows(), summaries: results.summaries() };
+    write_run(path, head, (outputs, result), listed, &warnings, stages)?;
     journal::remove(path)?;
     directory.claim_all(page::FILES)?;
     page::write_with_advice(path)
