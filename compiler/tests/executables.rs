@@ -85,6 +85,36 @@ fn a_bundle_runs_alone_and_writes_the_same_bits() {
     runs_alone_and_writes_the_same_bits(&model, &["steps=2", "fidelity=plane"], &[], &["--bundle"]);
 }
 
+/// A calculation: outputs without an analysis, optional arguments of the library, and a `switch`
+/// over an enumeration.
+#[test]
+fn a_calculation_runs_alone_and_writes_the_same_bits() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = directory.path().join("calculation.cx");
+    fs::write(
+        &model,
+        "import gears; units mm_N_s; enum Fit { loose, tight }
+         param fit = Fit.loose; param addendum = 0 mm in 0 mm .. 5 mm; param d = 20 mm;
+         function play(in fit: Fit) {
+             var play;
+             switch (fit) { case Fit.loose: play = 0.1; break; case Fit.tight: play = 1 / 3; }
+             return play;
+         }
+         var shaper = gears.shaper(teeth = 20, module = 2 mm, tip_radius = 0.4 mm,
+             addendum = if (addendum == 0 mm) none else addendum);
+         var blank = gears.internal(teeth = 60, shaper = shaper, face_width = 20 mm, minor_diameter = 117 mm,
+             root_diameter = 125 mm, material = gears.material(206 GPa, 0.3),
+             rim = gears.outer_rim(diameter = 130 mm, outer_diameter = 140 mm));
+         output radius := gears.base_radius(blank) * play(fit);
+         output stress := [16 * 100 N*m / (pi * (d * i)^3) for i in 1 .. 4];",
+    )
+    .unwrap();
+    for how in [&[][..], &["--bundle"][..]] {
+        runs_alone_and_writes_the_same_bits(&model, &["fit=tight", "d=30 mm"], &[], how);
+    }
+    runs_alone_and_writes_the_same_bits(&model, &["addendum=2.5"], &[], &[]);
+}
+
 /// Compares an executable with `calyx run` for a model with the given params, run options and build
 /// options.
 fn runs_alone_and_writes_the_same_bits(model: &Path, set: &[&str], options: &[&str], how: &[&str]) {

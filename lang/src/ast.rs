@@ -282,6 +282,8 @@ pub struct Parameter {
     /// `= default`, or `:= default` for a parameter that takes a symbolic value. `Some((Symbolic,
     /// None))` is written `in frame :=` and has no default.
     pub default: Option<(Bind, Option<Expr>)>,
+    /// The value in `= none was value`, which meant `none` in earlier versions and is deprecated.
+    pub former_none: Option<Expr>,
     pub domain: Option<Domain>,
     pub doc: Option<String>,
 }

@@ -122,23 +122,33 @@ pub fn children(statement: &Stmt) -> Vec<&Stmt> {
     found
 }
 
-/// Returns the source text of a declaration without its body and without former names.
+/// Returns the source text of a declaration without its body and without former names and values.
 pub fn header(declared: Declared<'_>, text: &str) -> String {
     let mut former: Vec<Span> = Vec::new();
-    let mut add = |name: &Ident, was: &Option<Ident>| {
-        former.extend(was.as_ref().map(|was| Span { start: name.span.end, ..was.span }));
+    let name = |name: &Ident, was: &Option<Ident>| {
+        was.as_ref().map(|was| Span { start: name.span.end, ..was.span })
+    };
+    let value = |parameter: &Parameter| {
+        let (_, default) = parameter.default.as_ref()?;
+        Some(Span { start: default.as_ref()?.span.end, ..parameter.former_none.as_ref()?.span })
     };
     match declared {
         Declared::Statement(Stmt { kind: StmtKind::Function(decl), .. }) => {
-            add(&decl.name, &decl.former);
-            decl.parameters.iter().for_each(|parameter| add(&parameter.name, &parameter.former));
+            former.extend(name(&decl.name, &decl.former));
+            for parameter in &decl.parameters {
+                former.extend(name(&parameter.name, &parameter.former));
+                former.extend(value(parameter));
+            }
         }
         Declared::Statement(Stmt { kind: StmtKind::Record(decl), .. }) => {
-            add(&decl.name, &decl.former);
-            decl.fields.iter().for_each(|field| add(&field.name, &field.former));
+            former.extend(name(&decl.name, &decl.former));
+            decl.fields.iter().for_each(|field| former.extend(name(&field.name, &field.former)));
         }
-        Declared::Parameter(_, parameter) => add(&parameter.name, &parameter.former),
-        Declared::Field(_, field) => add(&field.name, &field.former),
+        Declared::Parameter(_, parameter) => {
+            former.extend(name(&parameter.name, &parameter.former));
+            former.extend(value(parameter));
+        }
+        Declared::Field(_, field) => former.extend(name(&field.name, &field.former)),
         _ => {}
     }
     let slice = |start: u32, end: u32| {

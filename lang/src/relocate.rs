@@ -177,6 +177,9 @@ pub fn function_header(decl: &mut FunctionDecl, visit: &mut Visit<'_>) {
         if let Some((_, Some(default))) = &mut parameter.default {
             expr(default, visit);
         }
+        if let Some(former) = &mut parameter.former_none {
+            expr(former, visit);
+        }
         domain(&mut parameter.domain, visit);
     }
     if let Some(result) = &mut decl.result {

@@ -229,6 +229,9 @@ fn parameter(p: &Parameter) -> String {
     if let Some((bind, default)) = &p.default {
         text.push_str(&format!(" {}{}", bind_text(*bind), optional(default)));
     }
+    if let Some(former) = &p.former_none {
+        text.push_str(&format!(" was {}", expr(former)));
+    }
     text.push_str(&domain(&p.domain));
     if let Some(doc) = &p.doc {
         text.push_str(&format!(" {doc:?}"));

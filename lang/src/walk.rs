@@ -63,7 +63,7 @@ impl<'t> Node<'t> {
                 visit(Node::Name(&parameter.name));
                 parameter.annotation.iter().for_each(|ty| visit(Node::Type(ty)));
                 let default = parameter.default.iter().filter_map(|(_, value)| value.as_ref());
-                default.for_each(|value| visit(Node::Expression(value)));
+                default.chain(&parameter.former_none).for_each(|value| visit(Node::Expression(value)));
                 parameter.domain.iter().for_each(|domain| visit(Node::Domain(domain)));
             }
             Node::Field(field) => {

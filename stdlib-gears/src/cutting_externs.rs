@@ -20,7 +20,8 @@ use std::sync::Arc;
 
 calyx_abi::externs! {
     Pure fn calyx_gears_rack(
-        context, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64, plane: String,
+        context, module: Option<f64>, diametral_pitch: Option<f64>, pressure_angle: f64, tip_radius: f64,
+        plane: String,
     ) -> Handle {
         let module = module_of("rack", module, diametral_pitch)?;
         let (place, host) = (context.place, host(context)?);
@@ -30,11 +31,12 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_shaper(
-        context, teeth: f64, module: f64, diametral_pitch: f64, pressure_angle: f64, tip_radius: f64, addendum: f64,
+        context, teeth: f64, module: Option<f64>, diametral_pitch: Option<f64>, pressure_angle: f64,
+        tip_radius: f64, addendum: Option<f64>,
     ) -> Handle {
         let teeth = whole_teeth(teeth)?;
         let module = module_of("shaper", module, diametral_pitch)?;
-        let addendum = if addendum == 0.0 { Shaper::USUAL_ADDENDUM * module } else { addendum };
+        let addendum = addendum.unwrap_or(Shaper::USUAL_ADDENDUM * module);
         let (place, host) = (context.place, host(context)?);
         let shaper = Shaper::new(teeth, module, pressure_angle, addendum, tip_radius)
             .map_err(|error| host.runtime_error(&error, place))?;
@@ -64,26 +66,25 @@ calyx_abi::externs! {
 
     Pure fn calyx_gears_disc_web(
         context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64,
-        web_thickness_at_hub: f64, web_offset: f64, dish: f64, hub_diameter: f64, hub_width: f64, hub_offset: f64,
-        web_youngs_modulus: f64, web_poissons_ratio: f64, bore: String, bore_harmonics: f64, bore_axial_degree: f64,
-        interface_harmonics: f64, interface_axial_degree: f64,
+        web_thickness_at_hub: Option<f64>, web_offset: f64, dish: f64, hub_diameter: Option<f64>,
+        hub_width: Option<f64>, hub_offset: f64, web_youngs_modulus: Option<f64>, web_poissons_ratio: f64,
+        bore: String, bore_harmonics: f64, bore_axial_degree: f64, interface_harmonics: Option<f64>,
+        interface_axial_degree: f64,
     ) -> Handle {
         let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
-        whole_orders(["interface_harmonics", "interface_axial_degree"], [interface_harmonics, interface_axial_degree])?;
-        let material = match web_youngs_modulus {
-            0.0 => None,
-            modulus => Some(web_material(modulus, web_poissons_ratio)?),
-        };
+        let orders = [interface_harmonics.unwrap_or_default(), interface_axial_degree];
+        whole_orders(["interface_harmonics", "interface_axial_degree"], orders)?;
+        let material = web_youngs_modulus.map(|modulus| web_material(modulus, web_poissons_ratio)).transpose()?;
         let disc = DiscWeb {
-            inner_thickness: if web_thickness_at_hub == 0.0 { web_thickness } else { web_thickness_at_hub },
+            inner_thickness: web_thickness_at_hub.unwrap_or(web_thickness),
             inner_offset: web_offset + dish,
-            hub: (hub_diameter != 0.0 || hub_width != 0.0).then_some(Hub {
-                radius: 0.5 * hub_diameter,
-                width: hub_width,
+            hub: hub_diameter.or(hub_width).map(|_| Hub {
+                radius: 0.5 * hub_diameter.unwrap_or_default(),
+                width: hub_width.unwrap_or_default(),
                 offset: hub_offset,
             }),
             material,
-            harmonics: (interface_harmonics > 0.0).then_some(interface_harmonics as u16),
+            harmonics: interface_harmonics.map(|harmonics| harmonics as u16),
             degree: interface_axial_degree as u8,
         };
         let (place, host) = (context.place, host(context)?);
@@ -103,16 +104,15 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_splined(
-        context, rim: Handle, teeth: f64, width: f64, first_angle: f64, centring: String, stiffness: f64,
-        radial_stiffness: f64, axial_degree: f64, clearance: f64,
+        context, rim: Handle, teeth: f64, width: Option<f64>, first_angle: f64, centring: String,
+        stiffness: Option<f64>, radial_stiffness: Option<f64>, axial_degree: f64, clearance: f64,
     ) -> Handle {
         for (name, number) in [("teeth", teeth), ("axial_degree", axial_degree)] {
             if number.fract() != 0.0 {
                 return Err(refusal("E0655", name, &format!("`{name}` cannot be {number}"), "give a whole number"));
             }
         }
-        let given = |stiffness: f64| (stiffness != 0.0).then_some(stiffness);
-        let radial = match (centring.as_str(), given(radial_stiffness)) {
+        let radial = match (centring.as_str(), radial_stiffness) {
             ("diameter", stiffness) => Some(RadialFit { stiffness }),
             (_, None) => None,
             (_, Some(_)) => return Err(refusal(
@@ -124,9 +124,9 @@ calyx_abi::externs! {
         };
         let spline = SplineSupport {
             spline_teeth: teeth as u16,
-            width: given(width),
+            width,
             first: first_angle,
-            stiffness: given(stiffness),
+            stiffness,
             radial,
             axial_order: axial_degree as u8,
             clearance,
@@ -139,8 +139,9 @@ calyx_abi::externs! {
 
     Pure fn calyx_gears_external(
         context, teeth: f64, rack: Handle, face_width: f64, outer_diameter: f64, root_diameter: f64,
-        material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
-        modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
+        material: Handle, rim: Handle, tooth_thickness: Option<f64>, profile_shift: f64,
+        tip_edge_radius: Option<f64>, modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64,
+        hand: String,
     ) -> Handle {
         let given = GearArguments {
             teeth, diameters: [outer_diameter, root_diameter], face_width, material, rim, tooth_thickness,
@@ -151,8 +152,9 @@ calyx_abi::externs! {
 
     Pure fn calyx_gears_internal(
         context, teeth: f64, shaper: Handle, face_width: f64, minor_diameter: f64, root_diameter: f64,
-        material: Handle, rim: Handle, tooth_thickness: f64, profile_shift: f64, tip_edge_radius: f64,
-        modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64, hand: String,
+        material: Handle, rim: Handle, tooth_thickness: Option<f64>, profile_shift: f64,
+        tip_edge_radius: Option<f64>, modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64,
+        hand: String,
     ) -> Handle {
         let given = GearArguments {
             teeth, diameters: [minor_diameter, root_diameter], face_width, material, rim, tooth_thickness,
@@ -166,17 +168,17 @@ calyx_abi::externs! {
 type Place = (u32, u32, u32);
 
 /// Module of a tool, given as the module or as the diametral pitch.
-fn module_of(tool: &str, module: f64, diametral_pitch: f64) -> Result<f64, RuntimeError> {
-    match (module != 0.0, diametral_pitch != 0.0) {
-        (true, false) => Ok(module),
-        (false, true) => Ok(1.0 / diametral_pitch),
-        (true, true) => Err(refusal(
+fn module_of(tool: &str, module: Option<f64>, diametral_pitch: Option<f64>) -> Result<f64, RuntimeError> {
+    match (module, diametral_pitch) {
+        (Some(module), None) => Ok(module),
+        (None, Some(pitch)) => Ok(1.0 / pitch),
+        (Some(_), Some(_)) => Err(refusal(
             "E0663",
             "diametral_pitch",
             &format!("the {tool} has both a module and a diametral pitch"),
             "give one of them: the diametral pitch is 1 divided by the module",
         )),
-        (false, false) => Err(refusal(
+        (None, None) => Err(refusal(
             "E0664",
             "module",
             &format!("the {tool} has neither a module nor a diametral pitch"),
@@ -252,9 +254,9 @@ struct GearArguments {
     face_width: f64,
     material: Handle,
     rim: Handle,
-    tooth_thickness: f64,
+    tooth_thickness: Option<f64>,
     profile_shift: f64,
-    tip_edge_radius: f64,
+    tip_edge_radius: Option<f64>,
     modifications: Vec<Handle>,
     pitch_errors: Vec<f64>,
     helix_angle: f64,
@@ -283,7 +285,7 @@ fn cut_gear(
         material: *entry(&host.materials, given.material)?,
         rim: *entry(&host.rims, given.rim)?,
         thickness,
-        tip_edge_radius: (given.tip_edge_radius != 0.0).then_some(given.tip_edge_radius),
+        tip_edge_radius: given.tip_edge_radius,
         modifications: modifications_of(host, given.modifications)?,
         pitch_errors: given.pitch_errors,
     };

@@ -35,19 +35,19 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_mesh(
-        context, first: Handle, second: Handle, tip_corner_contact: bool, contact_cells: f64,
-        grid_width: f64, contact_slices: f64, friction: f64, misalignment: f64,
+        context, first: Handle, second: Handle, tip_corner_contact: bool, contact_cells: Option<f64>,
+        grid_width: Option<f64>, contact_slices: f64, friction: f64, misalignment: f64,
         misalignment_out_of_plane: f64, coast_side_contact: bool,
     ) -> Handle {
-        for (argument, count) in [("contact_cells", contact_cells), ("contact_slices", contact_slices)] {
-            if count.fract() != 0.0 {
+        for (argument, count) in [("contact_cells", contact_cells), ("contact_slices", Some(contact_slices))] {
+            if count.is_some_and(|count| count.fract() != 0.0 || count < 1.0) {
                 return Err(refusal("E0672", argument, "the number of cells must be whole",
                     "a grid has twice as many cells plus one; 24 across are usual in two dimensions, 10 across and 8 along in three"));
             }
         }
-        if !(grid_width >= 0.0 && grid_width.is_finite()) {
-            return Err(refusal("E0672", "grid_width", &format!("a contact grid cannot be {grid_width} m wide"),
-                "give a positive width, or 0 to take it from the Hertz half-width"));
+        if let Some(width) = grid_width.filter(|width| !(*width > 0.0 && width.is_finite())) {
+            return Err(refusal("E0672", "grid_width", &format!("a contact grid cannot be {width} m wide"),
+                "give a positive width, or leave it out to take it from the Hertz half-width"));
         }
         let ids = [body(context, "first", first)?, body(context, "second", second)?];
         let (place, host) = (context.place, host(context)?);
@@ -55,9 +55,9 @@ calyx_abi::externs! {
         host.gear_on("second", ids[1])?;
         let options = MeshOptions {
             tip_corner_contact,
-            half_cells: (contact_cells > 0.0).then_some(contact_cells as usize),
+            half_cells: contact_cells.map(|cells| cells as usize),
             half_slices: contact_slices as usize,
-            grid_width: (grid_width != 0.0).then_some(grid_width),
+            grid_width,
             friction,
             misalignment: Misalignment { in_action: misalignment, off_action: misalignment_out_of_plane },
             coast_side_contact,
@@ -134,9 +134,9 @@ calyx_abi::externs! {
 
     /// Function of the scene, although it solves: a check plans the analysis and stops there.
     Scene fn calyx_std_analyze(
-        context, method: String, over: Handle, fidelity: String, face_elements: f64, displacement_order: f64,
-        newmark: String, rayleigh_mass: f64, rayleigh_stiffness: f64, highest_frequency: f64, start: String,
-        error_estimates: String, tolerance: f64,
+        context, method: String, over: Handle, fidelity: String, face_elements: Option<f64>,
+        displacement_order: Option<f64>, newmark: String, rayleigh_mass: f64, rayleigh_stiffness: f64,
+        highest_frequency: f64, start: String, error_estimates: String, tolerance: Option<f64>,
     ) -> () {
         let own_fidelity = fidelity_named(&fidelity)?;
         let face_elements = count_or_default("face_elements", face_elements)?;
@@ -172,7 +172,7 @@ calyx_abi::externs! {
                 "leave `every` to quasi-static analyses; the model's `output_every` says which steps results have"));
         }
         // A settings override of the searched setting disables the tolerance search.
-        let searched = Some(tolerance).filter(|&tolerance| tolerance != 0.0 && overrides.keeps_setting());
+        let searched = tolerance.filter(|_| overrides.keeps_setting());
         host.asked = Some(AnalysisRequest {
             fidelity,
             structure,
@@ -183,7 +183,7 @@ calyx_abi::externs! {
             tolerance: searched,
             place,
         });
-        if tolerance != 0.0 {
+        if let Some(tolerance) = tolerance {
             check_tolerance(tolerance).map_err(engine)?;
             if !analysis.supports_tolerance() {
                 return Err(engine(without_tolerance()));
@@ -241,17 +241,18 @@ fn without_value(host: &ModelHost, request: &Request<'_>) -> Vec<Finding> {
     request.without_value().into_iter().map(warn).collect()
 }
 
-/// Converts an integer; 0 gives `None`, which selects the default of the fidelity.
-fn count_or_default(argument: &str, count: f64) -> Result<Option<usize>, RuntimeError> {
-    if count.fract() != 0.0 || count < 0.0 {
+/// Converts a positive integer; `None` selects the default of the fidelity.
+fn count_or_default(argument: &str, count: Option<f64>) -> Result<Option<usize>, RuntimeError> {
+    let Some(count) = count else { return Ok(None) };
+    if count.fract() != 0.0 || count < 1.0 {
         return Err(refusal(
             "E0691",
             argument,
             &format!("`{argument}` cannot be {count}"),
-            "give a whole number, or 0 to leave it to the fidelity",
+            "give a whole number, or leave it out to take that of the fidelity",
         ));
     }
-    Ok((count > 0.0).then_some(count as usize))
+    Ok(Some(count as usize))
 }
 
 /// Validates the requested analysis by the rules of a run, without building or solving anything.

@@ -145,14 +145,14 @@ fn side_named(side: &str, internal: bool) -> FilletSide {
 
 calyx_abi::externs! {
     Scene fn calyx_gears_gauge(
-        context, body: Handle, radius: f64, tangent_angle: f64, axial_position: f64, direction: f64, length: f64, side: String,
-        tooth: f64,
+        context, body: Handle, radius: Option<f64>, tangent_angle: f64, axial_position: f64, direction: f64,
+        length: f64, side: String, tooth: Option<f64>,
     ) -> Handle {
         let id = externs::body(context, "body", body)?;
-        let tooth = if tooth == -1.0 { None } else { Some(tooth_number(host(context)?, id, tooth)?) };
+        let tooth = tooth.map(|tooth| tooth_number(host(context)?, id, tooth)).transpose()?;
         let (place, host) = (context.place, host(context)?);
         let gear = host.gear_on("body", id)?.clone();
-        let along = if radius == 0.0 { FilletLocation::TangentAngle(tangent_angle) } else { FilletLocation::Radius(radius) };
+        let along = radius.map_or(FilletLocation::TangentAngle(tangent_angle), FilletLocation::Radius);
         let placed = GaugePlacement { along, axial: axial_position, direction, length }.on(&gear);
         let placed = placed.map_err(|error| host.rejected(Refusal::from(error), place))?;
         let gauge = Gauge {

@@ -97,15 +97,16 @@ calyx_abi::externs! {
         observe(context, LumpedFrequency { mode, set })
     }
 
-    Scene fn calyx_gears_modes_table(context, modes: f64, central: Handle, planets: Vec<Handle>) -> () {
-        if modes.fract() != 0.0 {
-            return Err(refusal("E0770", "modes", &format!("there are no {modes} modes"), "give a whole number, or 0 for all"));
+    Scene fn calyx_gears_modes_table(context, modes: Option<f64>, central: Handle, planets: Vec<Handle>) -> () {
+        if let Some(modes) = modes.filter(|modes| modes.fract() != 0.0 || *modes < 1.0) {
+            let help = "give a whole number, or leave it out for all";
+            return Err(refusal("E0770", "modes", &format!("there are no {modes} modes"), help));
         }
         let set = match planets.is_empty() {
             true => None,
             false => Some(planet_set(context, central, planets)?),
         };
-        let count = (modes > 0.0).then_some(modes as usize);
+        let count = modes.map(|modes| modes as usize);
         host(context)?.scene.modes_table = Some(ModesRequest { count, set });
         Ok(())
     }

@@ -148,21 +148,21 @@ fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
     })
 }
 
-/// Tooth thickness from a given tooth thickness and a profile shift coefficient. Either may be
-/// zero, which counts as not given. `of_shift` returns the thickness of a shift; `module` is that
+/// Tooth thickness from a given tooth thickness and a profile shift coefficient, where a shift of
+/// zero agrees with any thickness. `of_shift` returns the thickness of a shift; `module` is that
 /// of the tool.
 ///
 /// # Errors
 /// E0605: the thickness is negative. E0805: the values contradict each other.
 pub(crate) fn thickness(
-    tooth_thickness: f64,
+    tooth_thickness: Option<f64>,
     profile_shift: f64,
     module: f64,
     of_shift: impl Fn(f64) -> f64,
 ) -> Result<Thickness, GeometryError> {
-    if tooth_thickness == 0.0 {
+    let Some(tooth_thickness) = tooth_thickness else {
         return Ok(Thickness::ProfileShift(profile_shift));
-    }
+    };
     let shifted = of_shift(profile_shift);
     if profile_shift == 0.0 || (tooth_thickness - shifted).abs() <= SAME_THICKNESS * module {
         return Ok(Thickness::Circular(tooth_thickness));

@@ -13,9 +13,9 @@ use calyx_runtime::signal::{Scaling, Signal, SignalKind, SignalRequest, Span, Wi
 
 calyx_abi::externs! {
     Scene fn calyx_gears_spectrum(
-        context, output: String, from: f64, to: f64, window: String, segment: f64, scaling: String, highest: f64,
+        context, output: String, from: f64, to: f64, window: String, segment: Option<f64>, scaling: String, highest: f64,
     ) -> () {
-        let segment = (positive("segment", segment)? > 0.0).then_some(segment);
+        let segment = segment.map(|segment| more_than_none("segment", segment)).transpose()?;
         let scaling = if scaling == "density" { Scaling::Density } else { Scaling::Amplitude };
         ask(context, output, [from, to], highest, SignalKind::Spectrum { window: named(&window)?, segment, scaling })
     }

@@ -237,10 +237,12 @@ impl<'a> Checker<'a> {
                 continue;
             };
             let ty = self.annotation(annotation, true);
+            let ty = if self.is_optional(parameter) { Type::optional(ty) } else { ty };
             self.parameter_types.insert(parameter.name.span, ty.clone());
             if let Some((_, Some(default))) = &parameter.default {
                 self.parameter_default(&ty, &parameter.name, default);
             }
+            self.check_former_none(&ty, parameter);
             self.domain(&ty, parameter.domain.as_ref(), None, &parameter.name.name);
         }
         if let Some(result) = &decl.result {

@@ -109,6 +109,7 @@ impl Checker<'_> {
     fn dimension_of(&self, ty: &Type) -> Option<Dimension> {
         match self.store.resolve(ty) {
             Type::Number(dim) | Type::Vector(dim) => dim.as_known(),
+            Type::Optional(inner) => self.dimension_of(&inner),
             _ => None,
         }
     }

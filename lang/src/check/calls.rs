@@ -115,16 +115,17 @@ impl<'a> Checker<'a> {
         let with_argument: Vec<bool> = given.iter().map(Option::is_some).collect();
         let callee = Callee { decl, file, with_argument: &with_argument };
         for (parameter, argument) in decl.parameters.iter().zip(given) {
-            let ty = self.in_file(file, |c| {
-                parameter.annotation.as_ref().map_or(Type::Error, |a| c.annotation(a, true))
-            });
+            let ty = self.in_file(file, |c| c.extern_parameter(parameter));
             let is_default = argument.is_none() && !fields.contains_key(&parameter.name.name);
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) => match &ty {
                     Type::Symbolic(inner) => {
                         self.symbolic_argument(inner, &parameter.name, &ty, argument, arguments)
                     }
-                    _ => self.explained_argument(&ty, &parameter.name, argument, &callee),
+                    _ => {
+                        let value = self.explained_argument(&ty, &parameter.name, argument, &callee);
+                        self.former_none(&ty, parameter, value, argument, file)
+                    }
                 },
                 (None, _) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(&ty, &parameter.name, &mut fields, span)
@@ -299,7 +300,10 @@ impl<'a> Checker<'a> {
                         self.refuse_time(&value, &name.name);
                         value
                     }
-                    _ => self.explained_argument(ty, &parameter.name, argument, &callee),
+                    _ => {
+                        let value = self.explained_argument(ty, &parameter.name, argument, &callee);
+                        self.former_none(ty, parameter, value, argument, file)
+                    }
                 },
                 (Mode::In, None) if fields.contains_key(&parameter.name.name) => {
                     self.field_argument(ty, &parameter.name, &mut fields, span)

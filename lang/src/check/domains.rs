@@ -40,11 +40,14 @@ impl ArgumentRange {
     }
 }
 
-/// Returns the elements of an array literal, recursively; for any other expression, the expression
-/// itself.
+/// Returns the elements of an array literal, recursively; nothing for `none`; for any other
+/// expression, the expression itself.
 fn elements(e: &Expr) -> Vec<&Expr> {
     match &e.kind {
         Kind::Array(all) => all.iter().flat_map(elements).collect(),
+        // The value of an optional parameter, if there is one.
+        Kind::Some(value) => elements(value),
+        Kind::None => Vec::new(),
         _ => vec![e],
     }
 }

@@ -56,6 +56,9 @@ impl<'a> Checker<'a> {
             let inner = self.expr_at(inner, given);
             return Expr { span: e.span, ..inner };
         }
+        if accepted && let ExprKind::If { condition, then, otherwise } = &e.kind {
+            return self.optional_choice([condition, then, otherwise], given, e.span);
+        }
         let checked = self.expr_of_any_type(e, given);
         match self.store.known(&checked.ty) {
             Type::Optional(_) => self.presence(e, checked, accepted, tested),

@@ -67,10 +67,7 @@ impl Checker<'_> {
             let ty = self.variable_type(variable);
             let symbolic = self.variable(variable).kind == VarKind::Symbolic;
             let ty = if symbolic { Type::Symbolic(Box::new(ty)) } else { ty };
-            let optional = match &parameter.default {
-                Some((ast::Bind::Evaluate, Some(default))) => self.is_none_word(default),
-                _ => false,
-            };
+            let optional = self.is_optional(parameter);
             if optional {
                 let inner = self.store.fresh();
                 let _ = self.store.unify(&ty, &Type::optional(inner));

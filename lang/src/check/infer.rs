@@ -273,6 +273,8 @@ impl<'a> Checker<'a> {
             return ty.clone();
         }
         let ty = self.store.fresh();
+        // A nested function may use an optional parameter before its function is inferred.
+        let ty = if self.is_optional_parameter(id) { Type::optional(ty) } else { ty };
         self.set_variable_type(id, ty.clone());
         ty
     }

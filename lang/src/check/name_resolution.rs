@@ -269,7 +269,7 @@ pub fn dimension(store: &Store, ty: &Type) -> Option<Dimension> {
         Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => {
             store.dim(&dim).as_known().map(Dimension::without_cycles)
         }
-        Type::Symbolic(inner) | Type::Array(inner) => dimension(store, &inner),
+        Type::Symbolic(inner) | Type::Array(inner) | Type::Optional(inner) => dimension(store, &inner),
         _ => None,
     }
 }

@@ -5,13 +5,15 @@
 //! statements in order and joins alternatives. At targets of jumps it keeps only the paths that no
 //! statement can change: variables that nothing assigns.
 
+use super::constant;
+use super::expr::Position;
 use super::infer::Checker;
-use super::symbols::Resolution;
+use super::symbols::{Resolution, VarKind};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
 use crate::diagnostic::Diagnostic;
-use crate::span::Span;
+use crate::span::{FileId, Span};
 use std::collections::BTreeSet;
 
 /// A variable and the names of fields.
@@ -59,6 +61,155 @@ impl<'a> Checker<'a> {
             (Type::Optional(inner), found) if !matches!(found, Type::Optional(_)) => *inner,
             _ => ty.clone(),
         }
+    }
+
+    /// Returns `true` if the default of a parameter is `none`.
+    pub(super) fn is_optional(&self, parameter: &ast::Parameter) -> bool {
+        matches!(&parameter.default, Some((ast::Bind::Evaluate, Some(default))) if self.is_none_word(default))
+    }
+
+    /// Returns `true` for the variable of a parameter with the default `none`.
+    pub(super) fn is_optional_parameter(&self, id: VarId) -> bool {
+        let variable = self.variable(id);
+        let VarKind::Parameter(_) = variable.kind else { return false };
+        let Some(decl) = self.names.functions[variable.owner.0 as usize].decl else { return false };
+        decl.parameters.iter().any(|p| p.name.span == variable.span && self.is_optional(p))
+    }
+
+    /// Returns the type of a parameter of an engine function.
+    pub(super) fn extern_parameter(&mut self, parameter: &ast::Parameter) -> Type {
+        let ty = parameter.annotation.as_ref().map_or(Type::Error, |ty| self.annotation(ty, true));
+        if self.is_optional(parameter) { Type::optional(ty) } else { ty }
+    }
+
+    /// Checks the choice `if (condition) a else b` where an optional value is accepted: a branch
+    /// may be `none`.
+    pub(super) fn optional_choice(
+        &mut self,
+        [condition, then, otherwise]: [&'a ast::Expr; 3],
+        given: Position,
+        span: Span,
+    ) -> Expr {
+        let (yes, no) = self.facts(condition);
+        let condition = self.expr(condition);
+        self.expect(&Type::Bool, &condition, "the condition", None);
+        let branch = |c: &mut Self, e: &'a ast::Expr| {
+            c.may_be_absent = true;
+            c.expr_at(e, given)
+        };
+        let a = self.supposing(yes, |c| branch(c, then));
+        let b = self.supposing(no, |c| branch(c, otherwise));
+        let (a, b) = self.alike(a, b);
+        let cause = Some((a.span, format!("the other branch is a {}", self.store.show(&a.ty))));
+        let optional = |c: &Self, e: &Expr| match c.store.shallow(&e.ty) {
+            Type::Optional(inner) => Some(*inner),
+            _ => None,
+        };
+        let ty = match (optional(self, &a), optional(self, &b)) {
+            (None, Some(inner)) => {
+                self.expect(&inner, &a, "this branch", None);
+                b.ty.clone()
+            }
+            (Some(inner), None) => {
+                self.expect(&inner, &b, "this branch", cause);
+                a.ty.clone()
+            }
+            _ => {
+                let ty = a.ty.clone();
+                self.expect(&ty, &b, "this branch", cause);
+                ty
+            }
+        };
+        let [a, b] = [a, b].map(|branch| Box::new(self.as_optional(&ty, branch)));
+        Expr { kind: Kind::If(Box::new(condition), a, b), ty, span }
+    }
+
+    /// Checks the value that meant `none` before, in the declaration of a parameter.
+    pub(super) fn check_former_none(&mut self, ty: &Type, parameter: &'a ast::Parameter) {
+        let Some(former) = &parameter.former_none else { return };
+        let Type::Optional(inner) = self.store.shallow(ty) else {
+            let message = format!("`{}` is not optional, so no value meant `none`", parameter.name.name);
+            let problem = Diagnostic::error("E0878", message, former.span, "only after `= none`");
+            let help = "remove `was` and the value, or write `none` as the default";
+            return self.report(problem.help(help));
+        };
+        let value = self.former_value(former, &inner);
+        if constant::number(&value, &self.store).is_none() && constant::text(&value).is_none() {
+            let message = "a value that meant `none` is a constant number or text";
+            let problem = Diagnostic::error("E0878", message, former.span, "not constant");
+            self.report(problem.help("write a literal, such as `0 mm`"));
+        }
+    }
+
+    fn former_value(&mut self, former: &'a ast::Expr, ty: &Type) -> Expr {
+        let around = self.constant_place.replace("a default");
+        let value = self.as_value(|c| c.whole(former));
+        self.constant_place = around;
+        self.expect(ty, &value, "the value that meant `none`", None);
+        value
+    }
+
+    /// Converts an argument that meant `none` in earlier versions to `none`. Reports it where it is
+    /// constant, or a param whose default means `none`.
+    pub(super) fn former_none(
+        &mut self,
+        ty: &Type,
+        parameter: &'a ast::Parameter,
+        value: Expr,
+        argument: &'a ast::Argument,
+        file: FileId,
+    ) -> Expr {
+        let Some(former) = &parameter.former_none else { return value };
+        let (Type::Optional(inner), Kind::Some(given)) = (self.store.shallow(ty), &value.kind) else {
+            return value;
+        };
+        let meant = self.in_file(file, |c| c.former_value(former, &inner));
+        let span = value.span;
+        match self.is_same_constant(given, &meant) {
+            Some(false) => value,
+            Some(true) => {
+                let written = argument.value.span;
+                let what = format!("`{}`", self.text(written));
+                let problem = former_none_warning(&what, parameter, written);
+                self.report(problem.fix("write `none`", written, "none"));
+                Expr { kind: Kind::None, ty: ty.clone(), span }
+            }
+            None => {
+                if let Kind::Param(id) = given.kind
+                    && self.is_default_of(id, &meant)
+                {
+                    let (name, written) = (self.text(argument.value.span).to_string(), argument.value.span);
+                    let zero = self.in_file(file, |c| c.text(former.span).to_string());
+                    let choice = format!("if ({name} == {zero}) none else {name}");
+                    let what = format!("the default of `{name}`");
+                    let problem = former_none_warning(&what, parameter, written);
+                    self.report(problem.fix(format!("write `{choice}`"), written, choice));
+                }
+                let (kept, statement) = self.keep(&parameter.name.name, (**given).clone());
+                let same = Kind::Binary(BinaryOp::Equal, Box::new(kept.clone()), Box::new(meant));
+                let same = Expr { kind: same, ty: Type::Bool, span };
+                let absent = Expr { kind: Kind::None, ty: ty.clone(), span };
+                let present = Expr { kind: Kind::Some(Box::new(kept)), ty: ty.clone(), span };
+                let kind = Kind::If(Box::new(same), Box::new(absent), Box::new(present));
+                let chosen = Expr { kind, ty: ty.clone(), span };
+                Expr { kind: Kind::Sequence(vec![statement], Box::new(chosen)), ty: ty.clone(), span }
+            }
+        }
+    }
+
+    /// Returns whether two values are the same constant; `None` if the first one is not constant.
+    fn is_same_constant(&self, given: &Expr, meant: &Expr) -> Option<bool> {
+        let number = |e: &Expr| constant::number(e, &self.store);
+        match (number(given), number(meant)) {
+            (Some(given), Some(meant)) => Some(given == meant),
+            _ => Some(constant::text(given)? == constant::text(meant)?),
+        }
+    }
+
+    /// Returns `true` if a value is the constant default of a param.
+    fn is_default_of(&self, id: u32, meant: &Expr) -> bool {
+        let default = self.params.get(id as usize).map(|param| &param.default);
+        default.and_then(|default| self.is_same_constant(default, meant)) == Some(true)
     }
 
     /// Checks `e is none`.
@@ -211,4 +362,12 @@ pub(super) fn continues(statement: &Stmt) -> bool {
         StmtKind::If(_, then, Some(otherwise)) => continues(then) || continues(otherwise),
         _ => true,
     }
+}
+
+/// Returns the warning for an argument that meant `none` in earlier versions.
+fn former_none_warning(what: &str, parameter: &ast::Parameter, written: Span) -> Diagnostic {
+    let message = format!("{what} no longer stands for \"not given\"");
+    Diagnostic::warning("W0845", message, written, "deprecated")
+        .label(parameter.name.span, format!("`{}` is optional", parameter.name.name))
+        .help("write `none`, or leave the argument out; the next version takes the value as it is")
 }

@@ -74,21 +74,24 @@ impl Checker<'_> {
                 _ => None,
             };
             let repr = |annotation| super::lower::annotated_repr(annotation, &declared);
-            let parameters = info.decl.parameters.iter();
+            let parameters = info.decl.parameters.iter().map(|p| {
+                let value = p.annotation.as_ref().map_or(Repr::Number, repr);
+                let value = if self.is_optional(p) { Repr::Tuple(vec![Repr::Bool, value]) } else { value };
+                (p.name.name.clone(), value)
+            });
             ExternDecl {
                 symbol: info.symbol.clone(),
                 name: info.name.clone(),
                 purity,
-                parameters: parameters
-                    .map(|p| (p.name.name.clone(), p.annotation.as_ref().map_or(Repr::Number, repr)))
-                    .collect(),
+                parameters: parameters.collect(),
                 result: info.decl.result.as_ref().map_or(Repr::Unit, repr),
                 span: info.decl.name.span,
             }
         });
+        let externs: Vec<ExternDecl> = externs.collect();
         let typed = Typed {
             consts: Arc::new(self.consts.into_values().flatten().collect()),
-            externs: Arc::new(externs.collect()),
+            externs: Arc::new(externs),
             functions: Arc::new(self.functions),
             instances: Arc::new(self.instances),
             defs: Arc::new(self.defs),

@@ -260,6 +260,12 @@ impl Printer<'_> {
             }
             None => {}
         }
+        if let Some(former) = &parameter.former_none {
+            self.space();
+            self.token(Kind::Identifier);
+            self.space();
+            self.expression(former);
+        }
         if let Some(domain) = &parameter.domain {
             self.space();
             self.domain(domain);

@@ -390,14 +390,18 @@ fn parameter<'a>(
         Ok(())
     })
     .ignore_then(bind.then(value.or_not()));
+    // A value that meant `none` before: `= none was 0 mm`.
+    let was = when(move |at| source.text(at) == "was" && source.kind(at) == Some(Kind::Identifier));
+    let former_none = was.ignore_then(just(Kind::Identifier)).ignore_then(e.full.clone());
     mode.or(no_mode)
         .then(renamed(source, "the parameter"))
         .then(just(Kind::Colon).ignore_then(types).or_not())
-        .then(default.or_not())
+        .then(default.then(former_none.or_not()).or_not())
         .then(domain(source, e).or_not())
         .map_with(|((((mode, (name, former)), annotation), default), domain), extra| {
             let doc = source.doc(extra.span().start);
-            name.map(|name| Parameter { mode, name, former, annotation, default, domain, doc })
+            let (default, former_none) = default.map_or((None, None), |(default, was)| (Some(default), was));
+            name.map(|name| Parameter { mode, name, former, annotation, default, former_none, domain, doc })
         })
         .boxed()
 }

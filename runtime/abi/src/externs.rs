@@ -158,6 +158,36 @@ impl<T: Value> Value for Vec<T> {
     }
 }
 
+/// The value of an optional parameter: `= none` in its declaration. Zero is a value.
+impl<T: Value> Value for Option<T> {
+    const SHAPE: Shape = Shape::Optional(&T::SHAPE);
+    fn read(context: &Context, slots: &[Slot]) -> Option<Self> {
+        match slots.split_first()? {
+            (0, _) => Some(None),
+            (_, value) => T::read(context, value).map(Some),
+        }
+    }
+    fn write(self, context: &mut Context, slots: &mut [Slot]) {
+        slots.fill(0);
+        if let (Some(value), Some((present, rest))) = (self, slots.split_first_mut()) {
+            *present = 1;
+            value.write(context, rest);
+        }
+    }
+    fn bytes_to_read(context: &Context, slots: &[Slot]) -> u64 {
+        match slots.split_first() {
+            Some((&present, value)) if present != 0 => T::bytes_to_read(context, value),
+            _ => 0,
+        }
+    }
+    fn bytes_to_write(&self) -> u64 {
+        self.as_ref().map_or(0, Value::bytes_to_write)
+    }
+    fn has_nan(&self) -> bool {
+        self.as_ref().is_some_and(Value::has_nan)
+    }
+}
+
 /// Iterator over the arguments of a call.
 pub struct Arguments<'a> {
     slots: &'a [Slot],

@@ -159,6 +159,7 @@ impl Hash {
             Shape::Handle => self.byte(b'h'),
             Shape::Array(element) => self.byte(b'a').shape(element),
             Shape::Symbolic(content) => self.byte(b'y').shape(content),
+            Shape::Optional(content) => self.byte(b'o').shape(content),
         }
     }
 

@@ -14,6 +14,8 @@ pub enum Shape {
     Handle,
     Array(&'static Shape),
     Symbolic(&'static Shape),
+    /// A slot that is 1 if there is a value, followed by the slots of the value.
+    Optional(&'static Shape),
 }
 
 impl Shape {
@@ -23,6 +25,7 @@ impl Shape {
             Shape::Unit => 0,
             Shape::Vector => 3,
             Shape::Transform => 12,
+            Shape::Optional(content) => 1 + content.slots(),
             _ => 1,
         }
     }
@@ -38,6 +41,7 @@ impl Shape {
             Shape::Handle => Repr::Handle,
             Shape::Array(element) => Repr::Array(Box::new(element.repr())),
             Shape::Symbolic(content) => Repr::Symbolic(Box::new(content.repr())),
+            Shape::Optional(content) => Repr::Tuple(vec![Repr::Bool, content.repr()]),
         }
     }
 }
@@ -49,9 +53,9 @@ mod tests {
     #[test]
     fn slots_are_those_of_the_representation() {
         use Shape::*;
-        for shape in
-            [Unit, Number, Bool, String, Vector, Transform, Handle, Array(&Vector), Symbolic(&Transform)]
-        {
+        let plain = [Unit, Number, Bool, String, Vector, Transform, Handle];
+        let composed = [Array(&Vector), Symbolic(&Transform), Optional(&Number), Optional(&Vector)];
+        for shape in plain.into_iter().chain(composed) {
             assert_eq!(shape.slots(), shape.repr().slots(), "{shape:?}");
         }
     }

@@ -94,6 +94,7 @@ rows!(mode(Mode) {
 
 rows!(parameter(Parameter) {
     Parameter { former: Some(_), .. } => "`in name was former`",
+    Parameter { former_none: Some(_), .. } => "`in name = none was e`",
     Parameter { default: None, .. } => "a parameter without default",
     Parameter { default: Some((Bind::Evaluate, _)), .. } => "`in name = e`",
     Parameter { default: Some((Bind::Symbolic, None)), .. } => "`in name :=`",

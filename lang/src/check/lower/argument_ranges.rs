@@ -36,7 +36,7 @@ impl Body<'_, '_> {
         let values: Vec<ir::Expr> = values.into_iter().flatten().collect();
         for (at, demand) in &demands {
             if let (Some(value), Some(argument)) = (values.get(*at), all.get(*at)) {
-                self.demand(demand, value.clone(), argument.span, &argument.ty);
+                self.demand_of_any(demand, value.clone(), argument);
             }
         }
         values

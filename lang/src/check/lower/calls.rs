@@ -148,7 +148,7 @@ impl Body<'_, '_> {
     }
 
     /// Checks an argument; an optional one only if it is present.
-    fn demand_of_any(&mut self, demand: &ArgumentRange, value: ir::Expr, written: &Expr) {
+    pub(super) fn demand_of_any(&mut self, demand: &ArgumentRange, value: ir::Expr, written: &Expr) {
         let store = &self.lowering.checker.store;
         let Type::Optional(inner) = store.shallow(&self.types.ty(store, &written.ty)) else {
             return self.demand(demand, value, written.span, &written.ty);

@@ -197,6 +197,7 @@ impl<'a> Resolver<'a> {
         decl.result.iter().for_each(|result| self.type_expr(result));
         for parameter in &decl.parameters {
             parameter.annotation.iter().for_each(|annotation| self.type_expr(annotation));
+            parameter.former_none.iter().for_each(|former| self.expr(former));
             self.domain(parameter.domain.as_ref());
         }
         self.check_former_names(&decl.parameter_names());

@@ -124,7 +124,7 @@ pub fn fit(request: &Request<'_>, known: &Visible) -> Option<u8> {
         Fit::Exactly if known.kind == NameKind::Builtin && !shape.is("Transform") => 1,
         Fit::Exactly => 0,
         Fit::Perhaps if known_shape && local => 0,
-        // `solve` and `sum` give numbers, vectors and arrays of them, but no objects of the library.
+        // `solve` and `sum` give numbers, vectors and arrays, but no objects of the library.
         Fit::Perhaps if known.declared.is_none() && matches!(expected.shape, Shape::Named(_)) => UNFIT,
         // `abs` has the type of its argument.
         Fit::Perhaps if known_shape && known.declared.is_none() => 2,
