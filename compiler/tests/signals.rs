@@ -199,7 +199,10 @@ fn what_the_rows_cannot_show_is_said_at_the_request_and_spoils_nothing() {
             "a segment of 1 s is longer than the 32 samples, which last 0.1 s",
         ),
         ("gears.spectrogram(\"te\", segment = 9 ms);", "a segment of 0.009 s has 3 samples"),
-        ("gears.order_map(\"te\", shaft = two, revolutions = 8);", "longer than what the samples show"),
+        (
+            "gears.order_map(\"te\", shaft = two, revolutions = 8);",
+            "a segment of 8 revolutions is longer than the signal",
+        ),
         ("gears.order_map(\"te\", angle = \"still\");", "the shaft stops or reverses"),
     ];
     // One per line, from the tenth line.
