@@ -175,9 +175,7 @@ impl Rim {
         match (self.web, self.support) {
             (Some(_), _) => BoreSupport::Rigid,
             // A plane model has a single position along the axis.
-            (None, BoreSupport::Means { harmonics, .. }) => {
-                BoreSupport::Means { harmonics: harmonics, degree: 0 }
-            }
+            (None, BoreSupport::Means { harmonics, .. }) => BoreSupport::Means { harmonics, degree: 0 },
             (None, BoreSupport::SplineTeeth(spline_teeth)) => {
                 BoreSupport::SplineTeeth(SplineTeeth { degree: 0, ..spline_teeth })
             }

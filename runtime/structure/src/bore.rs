@@ -145,7 +145,7 @@ impl RequestedMeans {
     pub fn of_means(harmonics: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
         let coupled = (coupled < sectors / 2).then_some(COUPLED_HARMONICS.min(most));
-        Self { harmonics: harmonics, degree, coupled, spline_teeth: None, with_clearance: false }
+        Self { harmonics, degree, coupled, spline_teeth: None, with_clearance: false }
     }
 
     /// Returns the selection for a plane model, without variation along the axis.
