@@ -198,6 +198,21 @@ impl Tradeoff {
         status
     }
 
+    /// Returns the plan of the model with overridden settings, or the reason why it has none.
+    fn plan_with(&self, given: &[ParamAssignment], overrides: Override) -> Result<Planned, String> {
+        let checked = check_run_within(&self.file, &self.allow.paths(), given, overrides, None);
+        let checked = checked.map_err(|error| error.to_string())?;
+        if let Some(refused) = checked.refused {
+            return Err(refused.message);
+        }
+        let errors = checked.diagnostics.iter().find(|found| found.severity == Severity::Error);
+        match (errors, checked.plan) {
+            (Some(error), _) => Err(format!("{}: {}", error.code, error.message)),
+            (None, None) => Err("the model analyses nothing".into()),
+            (None, Some(plan)) => Ok(plan),
+        }
+    }
+
     /// Returns the settings to run, in order, and the name of the reference; records omitted
     /// settings.
     fn plan(
@@ -208,19 +223,7 @@ impl Tradeoff {
         let wanted = |level: &Fidelity| self.fidelities.is_empty() || self.fidelities.contains(level);
         let levels = Fidelity::ALL.into_iter().filter(wanted);
         let rates = Rates::of_this_machine(calyx::rt::options::rates_file().as_deref(), false);
-        let planned = |overrides: Override| -> Result<Planned, String> {
-            let checked = check_run_within(&self.file, &self.allow.paths(), given, overrides, None);
-            let checked = checked.map_err(|error| error.to_string())?;
-            if let Some(refused) = checked.refused {
-                return Err(refused.message);
-            }
-            let errors = checked.diagnostics.iter().find(|found| found.severity == Severity::Error);
-            match (errors, checked.plan) {
-                (Some(error), _) => Err(format!("{}: {}", error.code, error.message)),
-                (None, None) => Err("the model analyses nothing".into()),
-                (None, Some(plan)) => Ok(plan),
-            }
-        };
+        let planned = |overrides: Override| self.plan_with(given, overrides);
         let mut expected: Vec<Expected> = Vec::new();
         let (mut best_of_levels, mut added) = (Vec::new(), Vec::new());
         for level in levels {
