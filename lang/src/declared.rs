@@ -125,9 +125,8 @@ pub fn children(statement: &Stmt) -> Vec<&Stmt> {
 /// Returns the source text of a declaration without its body and without former names and values.
 pub fn header(declared: Declared<'_>, text: &str) -> String {
     let mut former: Vec<Span> = Vec::new();
-    let name = |name: &Ident, was: &Option<Ident>| {
-        was.as_ref().map(|was| Span { start: name.span.end, ..was.span })
-    };
+    let name =
+        |name: &Ident, was: &Option<Ident>| was.as_ref().map(|was| Span { start: name.span.end, ..was.span });
     let value = |parameter: &Parameter| {
         let (_, default) = parameter.default.as_ref()?;
         Some(Span { start: default.as_ref()?.span.end, ..parameter.former_none.as_ref()?.span })
