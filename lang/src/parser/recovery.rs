@@ -116,7 +116,9 @@ pub(super) fn assigns_on_new_line(source: &Source<'_>, at: usize) -> bool {
 pub(super) fn in_value(source: &Source<'_>, at: usize) -> bool {
     let before = (0..at).rev().map_while(|i| source.kind(i));
     let mut closed = 0_usize;
-    before.take_while(|k| !matches!(k, Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace)).any(|k| {
+    // A label or a `case` ends with `:`.
+    let around = |k: &Kind| matches!(k, Kind::Semicolon | Kind::Colon | Kind::OpenBrace | Kind::CloseBrace);
+    before.take_while(|k| !around(k)).any(|k| {
         match k {
             Kind::CloseParen | Kind::CloseBracket => closed += 1,
             Kind::OpenParen | Kind::OpenBracket => closed = closed.saturating_sub(1),
