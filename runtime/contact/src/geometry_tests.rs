@@ -3,7 +3,7 @@
 use super::Placement;
 use super::approach::{PlacedProfile, closest_approach};
 use super::assembly::{PatchCells, Side, compliance};
-use super::grid::{GridOptions, Width, build_grid};
+use super::grid::{GridOptions, Width, assess, build_grid};
 use super::test_profiles::{Arcs, HalfPlaneBody, Involute};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -202,6 +202,34 @@ fn cells_end_where_a_surface_does() {
     assert!((last.x[1] - 0.05 * 0.01f64.sin()).abs() < 1e-15);
     assert!(last.arc[0][1].abs() < 1e-15);
     assert_eq!(grid.cells.len(), 16);
+}
+
+#[test]
+fn a_grid_is_wider_than_rounding_errors() {
+    let pair = Pair::new(0.05, 0.0);
+    let [first, second] = pair.placed(0.3);
+    let approach = closest_approach(first, second, true).unwrap();
+    let body = HalfPlaneBody { surface_modulus: 2e11 };
+    let side = |number| Side { body: number, structure: &body, chart: Chart { tooth: 0, surface: 0 } };
+    for width in [Width::Total(1e-22), Width::Hertz { force: 1e-30 }] {
+        let options = GridOptions { half_count: 24, width, contact_modulus: 1e11, search_edges: true };
+        let grid = build_grid(first, second, &approach, &options);
+        let patches = [PatchCells { sides: [side(0), side(1)], cells: &grid.cells }];
+        let matrix = compliance(&patches, &Interrupt::never()).expect("no interrupt");
+        assert!(grid.cells.len() == 49 && matrix.iter().all(|value| value.is_finite()), "{width:?}");
+        // One loaded cell asks for a narrower grid, but not for one below the smallest width.
+        let mut pressures = vec![0.0; 49];
+        pressures[24] = 1.0;
+        let report = assess(&grid, &pressures);
+        assert!(report.under_resolved && report.recommended_width.is_none(), "{report:?}");
+    }
+    let options = GridOptions {
+        half_count: 24,
+        width: Width::Hertz { force: 0.0 },
+        contact_modulus: 1e11,
+        search_edges: true,
+    };
+    assert!(build_grid(first, second, &approach, &options).cells.is_empty());
 }
 
 #[test]

@@ -85,6 +85,8 @@ pub struct Grid {
     pub cells: Vec<Cell>,
     /// Requested width, m.
     pub width: f64,
+    /// Smallest permitted width, m.
+    least_width: f64,
     /// M: half the number of cells without the middle one.
     pub half_count: usize,
     /// True on the left and right if the grid ends there because a surface does.
@@ -124,6 +126,10 @@ const GRADING: f64 = 0.25;
 const LEAST_COSINE: f64 = 0.2;
 /// Smallest ratio of edge cells to flank cells.
 const SHARPEST_EDGE: f64 = 1e-5;
+/// Smallest width of a grid relative to the length of the shorter profile. Cells of a narrower grid
+/// would not be larger than rounding errors of the arc length, and their compliance would be NaN. A
+/// patch of this width carries no noticeable load.
+const LEAST_WIDTH: f64 = 1e-8;
 /// Distance from the start of an edge at which the adjacent curvature is evaluated, relative to the
 /// length of the profile.
 const BESIDE: f64 = 1e-9;
@@ -153,6 +159,9 @@ pub fn build_grid(
             2.0 * MARGIN * hertz_half_width(force, options.contact_modulus, flank[0] + flank[1])
         }
     };
+    let least_width = LEAST_WIDTH * first.profile.length().min(second.profile.length());
+    // Without a load, the grid has no cells.
+    let width = if width > 0.0 && width < least_width { least_width } else { width };
     let count = (2 * options.half_count + 1) as f64;
 
     // Edges within reach, and the cell size of a patch on them: Hertzian widths are inversely
@@ -208,7 +217,7 @@ pub fn build_grid(
         |edge: &Edge| GradedEdge { x: edge.x, towards: edge.towards, ratio: edge.cell * count / width };
     let edges = edges.iter().map(graded).collect();
     let half_count = options.half_count;
-    Grid { frame, cells, width, half_count, surface_ends, flank, unit_half_width, edges }
+    Grid { frame, cells, width, least_width, half_count, surface_ends, flank, unit_half_width, edges }
 }
 
 /// Returns the ends of the flanks on the left and on the right.
@@ -469,7 +478,7 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
             .filter(|&(_, &p)| p > 0.0)
             .map(|(cell, _)| grid.width_to_reach(cell.x[0]).max(grid.width_to_reach(cell.x[1])))
             .fold(0.0, f64::max);
-        let fitted = (MARGIN * needed).min((0.5 * grid.width).max(needed));
+        let fitted = (MARGIN * needed).min((0.5 * grid.width).max(needed)).max(grid.least_width);
         Some(fitted).filter(|&fitted| fitted < LEAST_CHANGE * grid.width)
     } else {
         None
