@@ -124,8 +124,9 @@ fn is_positive_definite<const N: usize>(values: &[f64; MOST_VALUES]) -> bool {
     let diagonal: [f64; N] = std::array::from_fn(|i| matrix[i][i]);
     for k in 0..N {
         let pivot = matrix[k][k];
-        // A NaN is not greater either.
-        if !(pivot > diagonal[k] * (N as f64 * f64::EPSILON)) || !pivot.is_finite() {
+        let rounding = diagonal[k] * (N as f64 * f64::EPSILON);
+        // A NaN is not finite.
+        if !pivot.is_finite() || !rounding.is_finite() || pivot <= rounding.max(0.0) {
             return false;
         }
         for i in k + 1..N {
