@@ -227,7 +227,10 @@ fn extra_argument(
     };
     Diagnostic::error(
         "E0206",
-        format!("`{function}` takes {} arguments, not {}", parameters.len(), arguments),
+        match parameters.len() {
+            1 => format!("`{function}` takes 1 argument, not {arguments}"),
+            count => format!("`{function}` takes {count} arguments, not {arguments}"),
+        },
         argument.value.span,
         "extra argument",
     )

@@ -3,6 +3,7 @@
 use super::builtins::{Builtin, RateOf, Shape, Signature};
 use super::dim::Dim;
 use super::infer::Checker;
+use super::symbols::with_article;
 use super::tree::*;
 use super::types::Type;
 use crate::ast;
@@ -69,6 +70,10 @@ impl<'a> Checker<'a> {
             if matches!(self.store.shallow(&array.ty), Type::Number(_)) {
                 return self.wrong_count(name, span);
             }
+            self.solve_open_constraints(std::iter::once(&array.ty));
+            if self.is_array_of_observables(&array.ty) {
+                return self.extreme_observable(op, array, span);
+            }
             let function = if op == Op::Min { Standard::Smallest } else { Standard::Largest };
             return self.of_numbers(function, name, array, span);
         }
@@ -79,7 +84,8 @@ impl<'a> Checker<'a> {
         let values: Vec<Expr> = arguments.iter().map(|a| self.expr(&a.value)).collect();
         let mut observes = false;
         for value in &values {
-            let cause = Some((values[0].span, format!("this is a {}", self.store.show(&values[0].ty))));
+            let shown = with_article(&self.store.show(&values[0].ty));
+            let cause = Some((values[0].span, format!("this is {shown}")));
             let (number, is_observable) = self.number_of(value);
             observes |= is_observable;
             self.expect(&ty, &number, &format!("an argument of `{}`", name), cause);

@@ -12,6 +12,7 @@ use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, Comprehension, ExprKind, UnaryOp, Values};
 use crate::diagnostic::Diagnostic;
+use crate::ir::Op;
 use crate::span::Span;
 
 /// The parts of a `for` loop over values.
@@ -112,7 +113,9 @@ impl<'a> Checker<'a> {
     ) -> Expr {
         self.as_value(|c| {
             let array = c.expr(base);
-            let Some(element) = c.element_type(&array, "only arrays can be sliced") else {
+            let Some(element) =
+                c.element_type(&array, "only arrays can be sliced", "put the values into brackets: `[a, b]`")
+            else {
                 return Expr::error(span);
             };
             let (values, keep) = c.keep("array", array);
@@ -157,7 +160,11 @@ impl<'a> Checker<'a> {
             return Expr::error(span);
         };
         let array = self.as_value(|c| c.expr(array));
-        let Some(term) = self.element_type(&array, "`sum` adds the elements of an array") else {
+        let Some(term) = self.element_type(
+            &array,
+            "`sum` adds the elements of an array",
+            "put the numbers into brackets: `sum([a, b])`",
+        ) else {
             return Expr::error(span);
         };
         self.constrain(Constraint { kind: ConstraintKind::Additive(term.clone()), span: array.span });
@@ -167,18 +174,38 @@ impl<'a> Checker<'a> {
             Type::Observable(dim) => self.as_observable(Expr { ty: Type::Number(dim), ..number(0.0, span) }),
             _ => Expr { kind: Kind::Zero, ty: term.clone(), span },
         };
-        let (total, clear) = self.keep("total", zero);
+        let add = |a: Expr, b: Expr| Kind::Binary(BinaryOp::Add, Box::new(a), Box::new(b));
+        self.folded((values, keep), term, zero, add, span)
+    }
+
+    /// Checks `min(array)` or `max(array)` of observables.
+    pub(super) fn extreme_observable(&mut self, op: Op, array: Expr, span: Span) -> Expr {
+        let Type::Array(term) = self.store.shallow(&array.ty) else { return Expr::error(span) };
+        let (values, keep) = self.keep("array", array);
+        // An array without elements has no extreme: the run reports the index.
+        let first = Kind::Index(Box::new(values.clone()), Box::new(number(0.0, span)));
+        let first = Expr { kind: first, ty: (*term).clone(), span };
+        self.folded((values, keep), *term, first, |a, b| Kind::Op(op, vec![a, b]), span)
+    }
+
+    /// Returns the elements of an array combined in order. `start` is the value for an array
+    /// without elements.
+    fn folded(
+        &mut self,
+        (values, keep): (Expr, Stmt),
+        term: Type,
+        start: Expr,
+        combine: impl FnOnce(Expr, Expr) -> Kind,
+        span: Span,
+    ) -> Expr {
+        let (total, clear) = self.keep("total", start);
         let (at, count) = self.keep("index", number(0.0, span));
         let part = Expr {
             kind: Kind::Index(Box::new(values.clone()), Box::new(at.clone())),
             ty: term.clone(),
             span: nowhere(span),
         };
-        let sum = Expr {
-            kind: Kind::Binary(BinaryOp::Add, Box::new(total.clone()), Box::new(part.clone())),
-            ty: term,
-            span: nowhere(span),
-        };
+        let sum = Expr { kind: combine(total.clone(), part.clone()), ty: term, span: nowhere(span) };
         // The first term starts the sum: it also has the length of a sum of arrays.
         let first = less(at.clone(), number(1.0, span));
         let first = StmtKind::If(
@@ -260,7 +287,11 @@ impl<'a> Checker<'a> {
         match values {
             Values::Elements(array) => {
                 let array = self.as_value(|c| c.whole(array));
-                let element = self.element_type(&array, "a loop goes through an array or a range");
+                let element = self.element_type(
+                    &array,
+                    "a loop goes through an array or a range",
+                    "write a range to count: `0 .. n`",
+                );
                 let element = element.unwrap_or(Type::Error);
                 let (values, keep) = self.keep("array", array);
                 let (at, count) = self.keep("index", number(0.0, span));
@@ -290,8 +321,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Returns the type of the elements of an array; reports any other type.
-    fn element_type(&mut self, array: &Expr, rule: &str) -> Option<Type> {
+    /// Returns the type of the elements of an array; reports any other type. `of_number` is the
+    /// help for a number.
+    fn element_type(&mut self, array: &Expr, rule: &str, of_number: &str) -> Option<Type> {
         self.solve_open_constraints(std::iter::once(&array.ty));
         let element = self.store.fresh();
         match self.store.shallow(&array.ty) {
@@ -304,7 +336,7 @@ impl<'a> Checker<'a> {
             other => {
                 let shown = with_article(&self.store.show(&other));
                 let help = match other {
-                    Type::Number(_) => "write a range to count: `0 .. n`",
+                    Type::Number(_) => of_number,
                     Type::Tuple(_) => {
                         "the elements of these brackets have different types; give them one type"
                     }

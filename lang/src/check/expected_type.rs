@@ -87,6 +87,7 @@ impl Checker<'_> {
     fn kind_help(&self, expected: &Type, found: &Type) -> String {
         match (expected, found) {
             (Type::String, _) => "put it into a string: `\"{...}\"`".into(),
+            (Type::Array(_), Type::Array(_)) => format!("give {}", with_article(&self.store.show(expected))),
             (Type::Array(_), _) => "put it into brackets: `[...]`".into(),
             (Type::Vector(_), Type::Number(_)) => "multiply it by a basis vector: `... * e3`".into(),
             (Type::Number(_), Type::Vector(_)) => "take a component (`.x`, `.y`, `.z`) or `norm(...)`".into(),

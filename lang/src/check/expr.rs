@@ -2,7 +2,7 @@
 
 use super::infer::Checker;
 use super::rules::{self, Rule};
-use super::symbols::{Constant, Resolution};
+use super::symbols::{Constant, Resolution, with_article};
 use super::tree::*;
 use super::types::{Store, Type};
 use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
@@ -114,7 +114,8 @@ impl<'a> Checker<'a> {
                 let a = self.supposing(yes, |c| c.expr_at(then, given));
                 let b = self.supposing(no, |c| c.expr_at(otherwise, given));
                 let (a, b) = self.alike(a, b);
-                let cause = Some((a.span, format!("the other branch is a {}", self.store.show(&a.ty))));
+                let cause =
+                    Some((a.span, format!("the other branch is {}", with_article(&self.store.show(&a.ty)))));
                 let ty = a.ty.clone();
                 self.expect(&ty, &b, "this branch", cause);
                 (Kind::If(Box::new(condition), Box::new(a), Box::new(b)), ty)
@@ -333,6 +334,9 @@ impl<'a> Checker<'a> {
     ) -> Expr {
         if op == BinaryOp::Power {
             return self.power(left, right, span);
+        }
+        if let Some((operand, absent)) = self.compared_with_none(op, left, right) {
+            return self.wrong_test(operand, absent, span);
         }
         let a = self.expr_at(left, position);
         let supposed = match op {

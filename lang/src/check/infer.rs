@@ -8,6 +8,7 @@ use super::ModuleData;
 use super::dim::Dim;
 use super::excerpt::Layout;
 use super::generalise::recursive_groups;
+use super::instances::FixedMembers;
 use super::symbols::{Names, Resolution, VarKind, Variable};
 use super::tree::*;
 use super::types::{Store, Substitution, Type};
@@ -72,6 +73,8 @@ pub struct Checker<'a> {
     pub(super) components: Vec<FuncId>,
     /// Members of components that other units check.
     pub(super) imported_members: HashMap<FuncId, Vec<(String, Type)>>,
+    /// Params and outputs of components: their values in an instance cannot be assigned.
+    pub(super) fixed_members: HashMap<FuncId, FixedMembers>,
     /// `true` for the default and the range of a param.
     pub(super) declaring_param: bool,
     /// Calls that may instantiate a component.
@@ -183,6 +186,7 @@ impl<'a> Checker<'a> {
             constant_place: None,
             components,
             imported_members: HashMap::new(),
+            fixed_members: HashMap::new(),
             declaring_param: false,
             instance_sites: HashSet::new(),
             given_observables,

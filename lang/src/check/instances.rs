@@ -12,9 +12,12 @@ use super::symbols::{Resolution, VarKind};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, ExprKind};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::span::Span;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The params and outputs of a component by name, each as "param" or "output".
+pub(super) type FixedMembers = BTreeMap<String, &'static str>;
 
 impl<'a> Checker<'a> {
     /// Returns the record of a component's instances; `None` for other functions.
@@ -101,6 +104,12 @@ impl<'a> Checker<'a> {
             };
             members.push((name.name.clone(), kind));
         }
+        let fixed = statements.iter().filter_map(|statement| match &statement.kind {
+            ast::StmtKind::Param(decl) => Some((decl.name.name.clone(), "param")),
+            ast::StmtKind::Output { name, .. } => Some((name.name.clone(), "output")),
+            _ => None,
+        });
+        self.fixed_members.insert(id, fixed.collect());
         let fields = members.iter().map(|(name, value)| (name.clone(), value.ty.clone())).collect();
         let record = self.component_record(id).unwrap_or(RecordId(0));
         if let Some(known) = self.store.records.get_mut(record.0 as usize) {
@@ -156,9 +165,31 @@ impl<'a> Checker<'a> {
                     Diagnostic::error("E0872", message, decl.name.span, "its instances would never end")
                         .help("describe repeated parts by an array of instances of another component"),
                 );
+                self.cut_endless_members(id);
             }
             self.check_member_types(id, decl);
         }
+    }
+
+    /// Removes the types of the members through which a component contains itself, so that its
+    /// instances have a finite type and their uses cause no further errors.
+    fn cut_endless_members(&mut self, id: FuncId) {
+        let Some(record) = self.component_record(id) else { return };
+        let fields = self.store.record(record).map_or(0, |record| record.fields.len());
+        for at in 0..fields {
+            let endless = self.store.record(record).is_some_and(|record| {
+                record.fields.get(at).is_some_and(|(_, ty)| !self.store.is_bounded(ty))
+            });
+            let known = self.store.records.get_mut(record.0 as usize);
+            if let Some((_, ty)) = known.filter(|_| endless).and_then(|known| known.fields.get_mut(at)) {
+                *ty = Type::Error;
+            }
+        }
+    }
+
+    /// Returns what a member of an instance is, a param or an output, if it cannot be assigned.
+    pub(super) fn fixed_member(&self, record: RecordId, name: &str) -> Option<&'static str> {
+        self.fixed_members.get(&self.component_of(record)?)?.get(name).copied()
     }
 
     /// Reports members whose type depends on the uses of the component.
@@ -198,7 +229,8 @@ impl<'a> Checker<'a> {
         let ast::StmtKind::Block(statements) = &body.kind else { return };
         for name in statements.iter().flat_map(declared_names) {
             let ty = record.fields.iter().find(|(field, _)| *field == name.name).map(|(_, ty)| ty);
-            if !reported && ty.is_some_and(|ty| open(self, ty)) {
+            // Another error in the component may be the reason, and is reported.
+            if !reported && ty.is_some_and(|ty| open(self, ty)) && !self.is_wrong_within(body.span) {
                 self.report(
                     Diagnostic::error(
                         "E0873",
@@ -210,6 +242,14 @@ impl<'a> Checker<'a> {
                 );
             }
         }
+    }
+
+    /// Returns whether an error is reported within a part of the text.
+    fn is_wrong_within(&self, part: Span) -> bool {
+        let within = |span: &Span| span.file == part.file && part.start <= span.start && span.end <= part.end;
+        let errors = self.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+        let unknown = |(span, res): (&Span, &Resolution)| *res == Resolution::Unknown && within(span);
+        errors.map(|found| &found.primary.span).any(within) || self.names.uses.iter().any(unknown)
     }
 
     // Instances.

@@ -7,6 +7,7 @@
 use super::dim::{Dim, DimVar};
 use super::excerpt::RecordKey;
 use super::infer::{Checker, Signature};
+use super::instances::FixedMembers;
 use super::tree::{
     Constraint, ConstraintKind, Def, DefId, Expr, FuncId, Function, RecordId, Scheme, SymbolicBody, VarId,
 };
@@ -31,6 +32,8 @@ pub struct Interface {
     on_time: Option<bool>,
     /// For a component, the members of its instances.
     members: Option<Vec<(String, Type)>>,
+    /// For a component, the members that are params or outputs.
+    fixed_members: Option<FixedMembers>,
     /// Positions of the parameters of a component that the default or range of a param uses.
     statics: Vec<usize>,
 }
@@ -199,6 +202,7 @@ impl Interface {
                 records: records.clone(),
                 on_time: body.map(|body| checker.defs[body.def.0 as usize].on_time),
                 members,
+                fixed_members: checker.fixed_members.get(id).cloned(),
                 statics: statics.collect(),
             }
         });
@@ -248,6 +252,7 @@ impl Interface {
             let members = members.iter().map(|(name, ty)| (name.clone(), renaming.ty(ty))).collect();
             checker.imported_members.insert(id, members);
         }
+        checker.fixed_members.extend(self.fixed_members.clone().map(|fixed| (id, fixed)));
         let all = &checker.names.functions[id.0 as usize].parameters;
         checker.static_parameters.extend(self.statics.iter().filter_map(|at| all.get(*at)));
         let place = decl.name.span;

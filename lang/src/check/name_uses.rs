@@ -57,7 +57,9 @@ impl Checker<'_> {
             | Resolution::Function(_)
             | Resolution::Extern(_)
             | Resolution::Module(_) => {
-                self.report(not_a_value(res, &name.name, span));
+                let is_component = matches!(res, Resolution::Function(id)
+                    if self.names.functions[id.0 as usize].is_component());
+                self.report(not_a_value(res, is_component, &name.name, span));
                 (Kind::Error, Type::Error)
             }
             Resolution::None => (Kind::None, Type::optional(self.store.fresh())),
@@ -194,7 +196,7 @@ impl Checker<'_> {
 }
 
 /// Returns the error for a name that is used as a value but denotes something else.
-fn not_a_value(meaning: Resolution, name: &str, span: Span) -> Diagnostic {
+fn not_a_value(meaning: Resolution, is_component: bool, name: &str, span: Span) -> Diagnostic {
     match meaning {
         Resolution::Record(_) => {
             Diagnostic::error("E0306", format!("`{name}` is a record type, not a value"), span, "not a value")
@@ -213,6 +215,11 @@ fn not_a_value(meaning: Resolution, name: &str, span: Span) -> Diagnostic {
         Resolution::Module(_) => {
             Diagnostic::error("E0306", format!("`{name}` is a module"), span, "not a value")
                 .help(format!("use one of its names: `{name}.name`"))
+        }
+        _ if is_component => {
+            let message = format!("`{name}` is a component, not a value");
+            Diagnostic::error("E0306", message, span, "not an instance")
+                .help(format!("declare an instance: `var part = {name}(...);`"))
         }
         _ => Diagnostic::error(
             "E0306",

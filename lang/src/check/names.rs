@@ -36,6 +36,8 @@ struct Resolver<'a> {
     scopes: Vec<Scope>,
     function: FuncId,
     file: FileId,
+    /// True while the base of a member is resolved: the name before a dot.
+    is_base: bool,
 }
 
 /// Resolves all names. `modules[0]` is the model, `modules[1]` the prelude.
@@ -49,6 +51,7 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
         scopes: Vec::new(),
         function: FuncId(0),
         file: FileId(0),
+        is_base: false,
     };
     resolver.names.functions.push(FunctionInfo {
         decl: None,

@@ -20,6 +20,11 @@ impl Checker<'_> {
         matches!(self.store.shallow(ty), Type::Observable(_))
     }
 
+    /// Returns whether a type is an array of observables.
+    pub(super) fn is_array_of_observables(&self, ty: &Type) -> bool {
+        matches!(self.store.shallow(ty), Type::Array(element) if self.is_observable(&element))
+    }
+
     /// Converts a number to a constant observable, and an expression with observables to an
     /// observable. Values of other types are unchanged.
     pub(super) fn as_observable(&mut self, e: Expr) -> Expr {

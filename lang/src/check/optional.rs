@@ -8,7 +8,7 @@
 use super::constant;
 use super::expr::Position;
 use super::infer::Checker;
-use super::symbols::{Resolution, VarKind};
+use super::symbols::{Resolution, VarKind, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind, UnaryOp};
@@ -225,12 +225,12 @@ impl<'a> Checker<'a> {
             Type::Error => return Expr { kind: Kind::Error, ty: Type::Bool, span },
             Type::Optional(_) => {}
             other => {
-                let shown = self.store.show(&other);
+                let shown = with_article(&self.store.show(&other));
                 let what = self.text(value.span).to_string();
                 self.report(
                     Diagnostic::error(
                         "E0856",
-                        format!("`{what}` is a {shown}, which is never `none`"),
+                        format!("`{what}` is {shown}, which is never `none`"),
                         value.span,
                         "always has a value",
                     )
@@ -240,6 +240,42 @@ impl<'a> Checker<'a> {
             }
         }
         Expr { kind: Kind::IsNone(Box::new(value)), ty: Type::Bool, span }
+    }
+
+    /// Returns the other operand of a comparison with the word `none`, and whether the comparison
+    /// is true if that has no value.
+    pub(super) fn compared_with_none<'e>(
+        &self,
+        op: BinaryOp,
+        left: &'e ast::Expr,
+        right: &'e ast::Expr,
+    ) -> Option<(&'e ast::Expr, bool)> {
+        let absent = match op {
+            BinaryOp::Equal => true,
+            BinaryOp::NotEqual => false,
+            _ => return None,
+        };
+        match (self.is_none_word(left), self.is_none_word(right)) {
+            (false, true) => Some((left, absent)),
+            (true, false) => Some((right, absent)),
+            _ => None,
+        }
+    }
+
+    /// Reports the comparison of an operand with `none`, instead of the test `is none`.
+    pub(super) fn wrong_test(&mut self, operand: &'a ast::Expr, absent: bool, span: Span) -> Expr {
+        let tested = self.is_none(operand, operand.span);
+        if matches!(tested.kind, Kind::Error) {
+            return tested;
+        }
+        let what = self.text(operand.span).to_string();
+        let test = if absent { format!("{what} is none") } else { format!("!({what} is none)") };
+        self.report(
+            Diagnostic::error("E0855", "`none` is not a value to compare with", span, "not a test")
+                .help(format!("write `{test}`"))
+                .fix(format!("change to `{test}`"), span, test),
+        );
+        Expr { kind: Kind::Error, ty: Type::Bool, span }
     }
 
     /// Returns an optional expression as its value where the value is known to be present. Reports
@@ -264,8 +300,11 @@ impl<'a> Checker<'a> {
                     None => "assign it to a parameter or field, and test that with `is none`".into(),
                 };
                 let message = format!("`{what}` may be `none` here");
-                Diagnostic::error("E0855", message, span, format!("a {} or `none`", self.store.show(&inner)))
-                    .help(help)
+                let shown = match self.store.shallow(&inner) {
+                    Type::Unknown(_) => "a value".to_owned(),
+                    _ => with_article(&self.store.show(&inner)),
+                };
+                Diagnostic::error("E0855", message, span, format!("{shown} or `none`")).help(help)
             }
         };
         self.report(diagnostic);
@@ -291,6 +330,13 @@ impl<'a> Checker<'a> {
 
     /// Returns the paths that are present if a condition is true, and those if it is false.
     pub(super) fn facts(&self, condition: &ast::Expr) -> (Present, Present) {
+        // This comparison is an error; that it was meant as a test avoids further ones.
+        if let ExprKind::Binary { op, left, right, .. } = &condition.kind
+            && let Some((operand, absent)) = self.compared_with_none(*op, left, right)
+        {
+            let path: Present = self.path(operand).into_iter().collect();
+            return if absent { (Present::new(), path) } else { (path, Present::new()) };
+        }
         match &condition.kind {
             ExprKind::IsNone(e) => (Present::new(), self.path(e).into_iter().collect()),
             ExprKind::Paren(inner) => self.facts(inner),

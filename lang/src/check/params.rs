@@ -62,7 +62,7 @@ impl<'a> Checker<'a> {
             Some(Domain::Range { low: l, high: h, .. }) => {
                 let cause = Some((
                     decl.default.span,
-                    format!("`{name}` is a {} by its default", self.store.show(&ty)),
+                    format!("`{name}` is {} by its default", with_article(&self.store.show(&ty))),
                 ));
                 // The range of an array holds for each element.
                 let limit = self.scalar(&ty);

@@ -226,7 +226,22 @@ impl<'a> Checker<'a> {
         let (step, ty) = match self.store.shallow(&place.ty) {
             Type::Error => return None,
             Type::Record(id) => match self.store.field(id, &field.name) {
-                Some((at, ty)) => (Step::Element(at), ty),
+                Some((at, ty)) => {
+                    if let Some(kind) = self.fixed_member(id, &field.name) {
+                        let what = self.text(span).to_string();
+                        self.report(
+                            Diagnostic::error(
+                                "E0207",
+                                format!("the {kind} `{what}` cannot be assigned"),
+                                span,
+                                format!("the component has already used its {kind}s"),
+                            )
+                            .help("copy it into a variable: `var x = ...;`"),
+                        );
+                        return None;
+                    }
+                    (Step::Element(at), ty)
+                }
                 None => {
                     self.report(self.no_field(&Type::Record(id), &field.name, field.span));
                     return None;

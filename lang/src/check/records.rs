@@ -371,6 +371,10 @@ impl<'a> Checker<'a> {
         self.as_optional(ty, value)
     }
 
+    fn has_field(&self, ty: &Type, field: &str) -> bool {
+        matches!(self.store.shallow(ty), Type::Record(id) if self.store.field(id, field).is_some())
+    }
+
     /// Returns the error for a field that does not exist.
     pub(super) fn no_field(&self, ty: &Type, field: &str, span: Span) -> Diagnostic {
         let shown = with_article(&self.store.show(ty));
@@ -390,10 +394,17 @@ impl<'a> Checker<'a> {
                         near,
                     ),
                     None => {
+                        let kind = if self.component_of(*id).is_some() { "component" } else { "record" };
                         let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-                        diagnostic.help(format!("the record has the fields {}", names.join(", ")))
+                        diagnostic.help(match names.is_empty() {
+                            true => format!("the {kind} has no fields"),
+                            false => format!("the {kind} has the fields {}", names.join(", ")),
+                        })
                     }
                 }
+            }
+            Type::Array(element) if self.has_field(element, field) => {
+                diagnostic.help(format!("its elements have this field: write `[0].{field}` after the array"))
             }
             _ => diagnostic
                 .help("vectors have the components `.x`, `.y` and `.z`, records their declared fields"),

@@ -15,7 +15,7 @@ use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// A definition under construction.
 struct Builder {
@@ -504,14 +504,16 @@ impl<'a> Checker<'a> {
     /// Checks definitions after inference: each must be a number, vector or frame, and derivatives
     /// with respect to params must not miss captured values that depend on them.
     pub(super) fn finish_definitions(&mut self) {
+        let outputs: HashSet<usize> = self.output_defs.values().map(|def| def.0 as usize).collect();
         for index in 0..self.defs.len() {
             let def = &self.defs[index];
             let (ty, span) = (self.store.resolve(&def.expr.ty), def.expr.span);
-            if !self.can_stay_symbolic(&def.expr) {
+            // The type of an output is checked where it is declared.
+            if !outputs.contains(&index) && !self.can_stay_symbolic(&def.expr) {
                 self.report(
                     Diagnostic::error(
                         "E0507",
-                        format!("a {} cannot stay symbolic", self.store.show(&ty)),
+                        format!("{} cannot stay symbolic", with_article(&self.store.show(&ty))),
                         span,
                         "bound with `:=`",
                     )

@@ -9,7 +9,7 @@
 use super::arguments::MatchedArguments;
 use super::builtins::Builtin;
 use super::infer::Checker;
-use super::symbols::{Constant, Resolution, VarKind};
+use super::symbols::{Constant, Resolution, VarKind, with_article};
 use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
@@ -131,8 +131,8 @@ impl<'a> Checker<'a> {
                 }
                 (Some(argument), _) => {
                     let value = self.as_symbolic(|c| c.whole(&argument.value));
-                    let shown = self.store.show(ty);
-                    let cause = (parameter.name.span, format!("`{}` is a {shown} here", parameter.name.name));
+                    let shown = with_article(&self.store.show(ty));
+                    let cause = (parameter.name.span, format!("`{}` is {shown} here", parameter.name.name));
                     self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
                     value
                 }

@@ -121,7 +121,9 @@ pub(super) fn inside_another(source: &Source<'_>, at: usize) -> Option<Diagnosti
     {
         return None;
     }
-    let message = format!("{} is allowed only at the top level of a file", source.describe(at));
+    let member = matches!(source.kind(at), Some(Kind::Param | Kind::Output));
+    let or_component = if member { " or component" } else { "" };
+    let message = format!("{} is allowed only at the top level of a file{or_component}", source.describe(at));
     let problem =
         Diagnostic::error("E0123", message, source.place(at), "inside another statement").help("move it out");
     Some(match inside {

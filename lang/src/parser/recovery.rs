@@ -51,8 +51,20 @@ pub(super) fn expect<'a>(source: &'a Source<'a>, kind: Kind, context: &'static s
             return Ok(true);
         }
         let message = format!("{} is expected {context}, not {}", kind.describe(), source.describe(at));
-        input.emit(Diagnostic::error("E0115", message, source.place(at), "found here").into());
-        Ok(false)
+        let problem = Diagnostic::error("E0115", message, source.place(at), "found here");
+        let replacement = match (kind, source.kind(at)) {
+            (Kind::Bind, Some(Kind::Assign)) => ":=",
+            (Kind::Assign, Some(Kind::Bind)) => "=",
+            _ => {
+                input.emit(problem.into());
+                return Ok(false);
+            }
+        };
+        // The other assignment sign: the value that follows is meant.
+        input.next();
+        let problem = problem.help(format!("write `{replacement}`"));
+        input.emit(problem.fix(format!("change to `{replacement}`"), source.place(at), replacement).into());
+        Ok(true)
     })
     .boxed()
 }

@@ -7,6 +7,7 @@ use super::instances::Around;
 use super::sites::Captures;
 use super::{Lowering, known_dimension};
 use crate::ast::Mode;
+use crate::check::symbols::with_article;
 use crate::check::tree::{Call, ConstraintKind, Expr, FuncId, Function, StmtKind, SymbolicBody, VarId};
 use crate::check::types::{Store, Substitution, Type};
 use crate::diagnostic::Diagnostic;
@@ -150,9 +151,9 @@ impl Lowering<'_> {
                     Diagnostic::error(
                         "E0512",
                         format!(
-                            "the argument `{}` of a function in a symbolic expression cannot be a {}",
+                            "the argument `{}` of a function in a symbolic expression cannot be {}",
                             variable.name,
-                            checker.store.show(ty)
+                            with_article(&checker.store.show(ty))
                         ),
                         variable.span,
                         "must be a number, a truth value, a vector, a frame, or a record or brackets of them",

@@ -72,7 +72,11 @@ impl Body<'_, '_> {
         } else if search == Search::Root && unknowns != residuals {
             Diagnostic::error(
                 "E0862",
-                format!("`solve` has {unknowns} unknowns and {residuals} equations"),
+                format!(
+                    "`solve` has {unknowns} {} and {residuals} {}",
+                    if unknowns == 1 { "unknown" } else { "unknowns" },
+                    if residuals == 1 { "equation" } else { "equations" }
+                ),
                 span,
                 "the numbers differ",
             )

@@ -236,7 +236,9 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn field(&mut self, base: &'a Expr, field: &'a Ident) {
+        let around = std::mem::replace(&mut self.is_base, matches!(base.kind, ExprKind::Name(_)));
         self.expr(base);
+        self.is_base = around;
         let ExprKind::Name(name) = &base.kind else { return };
         if let Some(res) = self.names.uses.get(&name.span).copied() {
             self.member(name, res, field);
@@ -345,9 +347,17 @@ impl<'a> Resolver<'a> {
             declared =
                 self.modules.get(self.file.0 as usize).map_or(Vec::new(), |m| self.around.declared(&m.name));
             declared.extend(self.around.declared("prelude"));
-            candidates = builtins::names().collect();
-            candidates.extend(self.scopes.iter().flat_map(|scope| scope.names.keys().map(String::as_str)));
-            candidates.extend(declared.iter().map(String::as_str));
+            let visible = self.scopes.iter().flat_map(|scope| &scope.names);
+            if self.is_base {
+                // Functions have no members.
+                let value =
+                    |res: &Resolution| !matches!(res, Resolution::Function(_) | Resolution::Extern(_));
+                candidates.extend(visible.filter(|(_, (res, _))| value(res)).map(|(name, _)| name.as_str()));
+            } else {
+                candidates = builtins::names().collect();
+                candidates.extend(visible.map(|(name, _)| name.as_str()));
+                candidates.extend(declared.iter().map(String::as_str));
+            }
         }
         let near = match reserved {
             Some(near) => Some(near.to_string()),
@@ -355,7 +365,8 @@ impl<'a> Resolver<'a> {
             None => similar(&name.name, candidates.into_iter())
                 .or_else(|| Unit::similar(&name.name).filter(|near| near.len() > 2).map(str::to_string)),
         };
-        let diagnostic = match near {
+        let qualified = if suggests && reserved.is_none() { self.qualified(&name.name) } else { None };
+        let diagnostic = match qualified.or(near) {
             Some(near) => diagnostic.help(format!("did you mean `{near}`?")).fix(
                 format!("change to `{near}`"),
                 name.span,
@@ -367,6 +378,27 @@ impl<'a> Resolver<'a> {
             None => diagnostic.help("declare it with `var` before this use"),
         };
         self.report(diagnostic);
+    }
+
+    /// Returns the path of a name that an imported module declares, or of a choice of a visible
+    /// enumeration; `None` if there is none or more than one.
+    fn qualified(&self, name: &str) -> Option<String> {
+        let of = |visible: &str, res: &Resolution| match *res {
+            Resolution::Module(module) => {
+                let (exports, private) = (self.exports.get(module as usize)?, &self.private[module as usize]);
+                exports.contains_key(name).then_some(())?;
+                (!private.contains(name)).then(|| format!("{visible}.{name}"))
+            }
+            Resolution::Enum(id) => {
+                let choices = &self.names.enums.get(id as usize)?.decl.choices;
+                choices.iter().any(|choice| choice.name.name == name).then(|| format!("{visible}.{name}"))
+            }
+            _ => None,
+        };
+        let visible = self.scopes.iter().flat_map(|scope| &scope.names);
+        let mut found = visible.filter_map(|(visible, (res, _))| of(visible, res));
+        let only = found.next()?;
+        found.next().is_none().then_some(only)
     }
 }
 
