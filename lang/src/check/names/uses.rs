@@ -385,9 +385,9 @@ impl<'a> Resolver<'a> {
     fn qualified(&self, name: &str) -> Option<String> {
         let of = |visible: &str, res: &Resolution| match *res {
             Resolution::Module(module) => {
-                let (exports, private) = (self.exports.get(module as usize)?, &self.private[module as usize]);
-                exports.contains_key(name).then_some(())?;
-                (!private.contains(name)).then(|| format!("{visible}.{name}"))
+                let module = self.modules.get(module as usize)?;
+                let declared = self.around.declared(&module.name);
+                declared.iter().any(|declared| declared == name).then(|| format!("{visible}.{name}"))
             }
             Resolution::Enum(id) => {
                 let choices = &self.names.enums.get(id as usize)?.decl.choices;
