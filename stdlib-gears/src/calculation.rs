@@ -7,9 +7,9 @@ use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::results::{Observed, OutputRequest, Solved, StepRow};
 
-/// Two arbitrary times, s, and NaN: an output that is the same at all of them does not depend on
-/// time.
-const TIMES: [f64; 3] = [0.0, 0.731_058_578_630_004_9, f64::NAN];
+/// NaN and two arbitrary times, s: an output that is the same at all of them does not depend on
+/// time. The last one is shown as the time of a NaN.
+const TIMES: [f64; 3] = [f64::NAN, 0.731_058_578_630_004_9, 0.0];
 
 /// Computes the outputs of a model that has run without an analysis, as one position at time zero;
 /// `None` for a model without outputs.
@@ -49,7 +49,7 @@ fn value_of(host: &ModelHost, index: usize, output: &OutputRequest) -> Result<f6
         let message = format!("the output `{name}` needs an analysis, and the model has none");
         return Err(needs_analysis(host, index, message, ANALYZE));
     }
-    let [value, later, never] = TIMES.map(|time| output.at(time, &|_| f64::NAN));
+    let [never, later, value] = TIMES.map(|time| output.at(time, &|_| f64::NAN));
     if value.to_bits() != later.to_bits() || value.to_bits() != never.to_bits() {
         return Err(needs_analysis(
             host,
