@@ -241,7 +241,7 @@ fn random_pairs_of_runs_and_kills_lose_nothing() {
         for (child, variant, kill) in [first, second] {
             match end(child, kill) {
                 (Some(0), _) => succeeded.push(variant),
-                (Some(1), err) if err.contains("another run writes to shared: process ") => refused += 1,
+                (Some(1), err) if err.contains("another run writes to shared: ") => refused += 1,
                 (Some(2), err) if err.contains("the run in shared is another one") => refused += 1,
                 (None, _) => (killed, was_killed) = (killed + 1, true),
                 (status, err) => panic!("round {round} of seed {seed}: {status:?} {err}"),

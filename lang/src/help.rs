@@ -365,6 +365,12 @@ const KEYWORDS: &[Help] = &[
         "`e is none` tests whether an optional parameter or field has no value.",
         "function area(in length, in width = none) {\n    if (width is none) return length^2;\n    return length * width;\n}\nprint(area(2 mm));",
     ),
+    help(
+        "none",
+        "No value: the default of an optional parameter or field. `e is none` tests for it.",
+        "function area(in length, in width = none) {\n    if (width is none) return length^2;\n    return length * width;\n}\n\
+         print(area(2 mm, none));",
+    ),
     help("pure", "Marks an engine function that depends only on its arguments.", ""),
     help("scene", "Marks an engine function that adds to the model.", ""),
     help("effect", "Marks an engine function that checking does not call, such as one that solves.", ""),

@@ -59,10 +59,12 @@ fn every_identifier_of_the_examples_is_known() {
             for token in &database.tokens(file).expect("tokens").tokens {
                 let word = &text[token.span.start as usize..token.span.end as usize];
                 let known = names.binary_search_by_key(&token.span.start, |name| name.start).is_ok();
-                // Built-in types, unit systems and the keywords of `extern` are not names of the
-                // program.
+                // Built-in types, unit systems, `none` and the keywords of `extern` are not names
+                // of the program.
                 let own = |word: &str| {
-                    word.starts_with(char::is_uppercase) || word.contains("_s") || word == "pure"
+                    word.starts_with(char::is_uppercase)
+                        || word.contains("_s")
+                        || ["pure", "none"].contains(&word)
                 };
                 let of_extern = matches!(word, "scene" | "effect" | "SI");
                 // A former name is not a name of the program.
@@ -137,7 +139,9 @@ fn every_name_is_seen_where_it_is_used() {
                     let rest = text[name.end as usize..].trim_start();
                     rest.starts_with('=') || rest.starts_with(":=")
                 });
-            if part || elsewhere || argument || name.declares {
+            // A word of the language without a declaration.
+            let none = &*name.text == "none" && name.declared.is_none();
+            if part || elsewhere || argument || none || name.declares {
                 continue;
             }
             let seen = database.visible(&file, name.start);

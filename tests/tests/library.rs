@@ -4,7 +4,7 @@
 use calyx_abi::{Purity, Repr};
 use calyx_gears::analyses;
 use calyx_gears::library::{MODULES, PRELUDE, externs};
-use calyx_lang::ast::{Domain, Expr, FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
+use calyx_lang::ast::{Domain, Expr, ExprKind, FunctionBody, FunctionDecl, StmtKind, TypeExpr, TypeKind};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::parser::parse;
 use calyx_lang::span::FileId;
@@ -28,6 +28,7 @@ const OF_THE_LANGUAGE: &[&str] = &[
     "calyx_std_smallest",
     "calyx_std_largest",
     "calyx_std_sorted",
+    "calyx_std_spline_table",
 ];
 
 /// Returns link symbol, declaration and doc comment of every extern function of the library.
@@ -98,7 +99,12 @@ fn every_declared_function_is_provided_as_declared() {
         let wanted = decl.parameters.iter().map(|parameter| {
             let ty =
                 parameter.annotation.as_ref().unwrap_or_else(|| panic!("{symbol}: {}", parameter.name.name));
-            (parameter.name.name.clone(), repr(ty))
+            let none = |value: &Expr| matches!(&value.kind, ExprKind::Name(name) if name.name == "none");
+            let optional = matches!(&parameter.default, Some((_, Some(value))) if none(value));
+            let value = repr(ty);
+            // Presence precedes the value.
+            let value = if optional { Repr::Tuple(vec![Repr::Bool, value]) } else { value };
+            (parameter.name.name.clone(), value)
         });
         assert_eq!(provided, wanted.collect::<Vec<_>>(), "{symbol}");
         assert_eq!(row.result.repr(), decl.result.as_ref().map_or(Repr::Unit, repr), "{symbol}");

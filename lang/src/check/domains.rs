@@ -186,6 +186,10 @@ impl<'a> Checker<'a> {
                 self.report(diagnostic);
             }
             for value in check.value.iter().flat_map(elements) {
+                // An optional value of another type was already reported.
+                if !self.fits(&self.scalar(&value.ty), &expected) {
+                    continue;
+                }
                 if let Some(number) = constant::number(value, &self.store) {
                     self.check_range(&check, [low, high], number, value.span);
                 }

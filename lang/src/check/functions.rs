@@ -135,6 +135,7 @@ impl Checker<'_> {
                 _ => {}
             }
             let ty = self.variable_type(variable);
+            self.check_former_none(&ty, parameter);
             self.parameter_domain(&ty, parameter);
         }
         let host = decl.is_host.then(|| self.host_function(id, decl));

@@ -48,12 +48,19 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
         let import = (!imported(&module)).then(|| statement(asked, &module));
         let title = match (&qualified, &import) {
             (Some(_), Some(_)) => format!("Import `{module}` and write `{short}.{name}`"),
+            // Offered by the diagnostic itself, if no other declaration is meant.
+            (Some(_), None) if changes_to(problem, &format!("{short}.{name}")) => continue,
             (Some(_), None) => format!("Write `{short}.{name}`"),
             (None, Some(_)) => format!("Import `{module}`, which has the unit `{name}`"),
             (None, None) => continue,
         };
         found.push(fix(title, import.into_iter().chain(qualified).collect()));
     }
+}
+
+/// Returns `true` if the diagnostic has a change to this text.
+fn changes_to(problem: &Diagnostic, text: &str) -> bool {
+    problem.fix.iter().chain(&problem.suggestions).any(|change| change.replacement == text)
 }
 
 /// Returns the edit that imports a module: after the other imports, else before everything except

@@ -84,7 +84,7 @@ fn of_language(name: &Name) -> Option<String> {
         (_, Some(ty)) => format!("{}: {ty}", name.text),
         (_, None) => name.text.to_string(),
     };
-    let help = help::builtin(&name.text)?;
+    let help = help::builtin(&name.text).or_else(|| help::keyword(&name.text))?;
     Some(paragraphs([Some(code(&head)), Some(card(help))]))
 }
 
