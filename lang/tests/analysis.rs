@@ -243,10 +243,10 @@ print(fifth);";
     };
     let [outer, x, y, z] =
         ["x = 3", "x in", "y in", "z in"].map(|mark| (mark[..1].to_owned(), at(text, mark)));
-    assert_eq!(seen("first"), [x.clone()]);
+    assert_eq!(seen("first"), std::slice::from_ref(&x));
     assert_eq!(seen("here"), [y, outer.clone()]);
     assert_eq!(seen("second"), [x]);
-    assert_eq!(seen("third"), [outer.clone()]);
+    assert_eq!(seen("third"), std::slice::from_ref(&outer));
     assert_eq!(seen("fourth"), [z, outer.clone()]);
     assert_eq!(seen("fifth"), [outer]);
     for mark in ["x in", "z in"] {

@@ -32,7 +32,7 @@ pub struct ModelFile {
 /// with the program, or from below the model's directory. `valid_text` is the help if the file is
 /// not valid text.
 ///
-/// The file is added to [`ModelHost::files`]: `run.json` identifies it, a resumed run requires it
+/// The file is added to `ModelHost::files`: `run.json` identifies it, a resumed run requires it
 /// unchanged, and executables contain it. Its memory is reserved before it is read.
 ///
 /// # Errors

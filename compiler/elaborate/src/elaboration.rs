@@ -123,12 +123,12 @@ pub(crate) fn problems_with(
     Ok(elaborate_with(program, kernels.to_vec(), params, cancel, (print, false))?.found)
 }
 
+/// The kernels of all sites, or the result of a program that cannot run.
+type LoweredKernels = Result<Vec<Arc<dyn Kernel>>, Box<Elaboration>>;
+
 /// Lowers the kernels of all sites, in order; or returns the result of a program that has a site
 /// without a kernel.
-pub(crate) fn kernels(
-    program: &Program,
-    cancel: &Cancel,
-) -> Result<Result<Vec<Arc<dyn Kernel>>, Box<Elaboration>>, Cancelled> {
+pub(crate) fn kernels(program: &Program, cancel: &Cancel) -> Result<LoweredKernels, Cancelled> {
     let mut kernels = Vec::with_capacity(program.sites.len());
     for site in (0..program.sites.len() as u32).map(SiteId) {
         ensure_running(cancel)?;

@@ -119,7 +119,7 @@ impl<'a> Checker<'a> {
         let texts: Vec<&str> = cases.iter().filter_map(constant::text).collect();
         let known = |text: &&str| of.choices.iter().any(|choice| choice == text);
         // Cases that are not constant may be any choice; misspelt ones are reported.
-        if has_default(body) || texts.len() < cases.len() || !texts.iter().all(|text| known(&text)) {
+        if has_default(body) || texts.len() < cases.len() || !texts.iter().all(known) {
             return;
         }
         let missing: Vec<String> =

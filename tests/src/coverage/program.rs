@@ -162,8 +162,10 @@ pub fn constructs() -> Vec<&'static str> {
     [statement::ALL, step::ALL, terminator::ALL, expression::ALL, format_part::ALL, symbolic::ALL].concat()
 }
 
+/// Returns the operations of evaluated expressions. A spline is always a kernel, also of numbers.
 pub fn evaluated() -> Vec<&'static str> {
-    operation::ALL.iter().copied().filter(|name| !SYMBOLIC_ONLY.contains(name)).collect()
+    let is_evaluated = |name: &&str| !SYMBOLIC_ONLY.contains(name) && *name != "Spline";
+    operation::ALL.iter().copied().filter(is_evaluated).collect()
 }
 
 pub fn symbolic_operations() -> Vec<&'static str> {
