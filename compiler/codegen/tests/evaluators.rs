@@ -42,7 +42,7 @@ const SPECIAL: [f64; 16] = [
     f64::NAN,
 ];
 
-const OPERATIONS: [Op; 49] = {
+const OPERATIONS: [Op; 48] = {
     use Op::*;
     [
         Add,
@@ -50,7 +50,6 @@ const OPERATIONS: [Op; 49] = {
         Multiply,
         Divide,
         Power,
-        Spline,
         Negate,
         Not,
         Less,

@@ -369,7 +369,7 @@ impl Argument {
             4 => self
                 .sample
                 .clone()
-                .filter(|_| self.ty.starts_with(char::is_uppercase))
+                .filter(|sample| self.ty.starts_with(char::is_uppercase) && sample != "none")
                 .filter(|_| self.is_scalar())
                 .map_or_else(
                     || format!("0 * {one}"),
