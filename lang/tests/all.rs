@@ -1,5 +1,5 @@
-//! Tests of the checker and its tools, one module per subject. They are one program: it is linked once, and
-//! its tests run in parallel.
+//! Tests of the checker and its tools, one module per subject. They are one program: it is linked
+//! once, and its tests run in parallel.
 
 mod analysis;
 mod check;

@@ -1,5 +1,5 @@
-//! Tests of the language server, one module per subject. They are one program: it is linked once, and
-//! its tests run in parallel.
+//! Tests of the language server, one module per subject. They are one program: it is linked once,
+//! and its tests run in parallel.
 
 mod actions;
 mod completion;

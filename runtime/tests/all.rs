@@ -1,5 +1,5 @@
-//! Tests of the engine, one module per subject. They are one program: it is linked once, and
-//! its tests run in parallel.
+//! Tests of the engine, one module per subject. They are one program: it is linked once, and its
+//! tests run in parallel.
 
 mod discs;
 mod dynamics;

@@ -1,5 +1,5 @@
-//! Tests of several crates together, one module per subject. They are one program: it is linked once, and
-//! its tests run in parallel.
+//! Tests of several crates together, one module per subject. They are one program: it is linked
+//! once, and its tests run in parallel.
 
 mod architecture;
 mod docs;

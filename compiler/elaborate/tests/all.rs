@@ -1,5 +1,5 @@
-//! Tests of elaboration, one module per subject. They are one program: it is linked once, and
-//! its tests run in parallel.
+//! Tests of elaboration, one module per subject. They are one program: it is linked once, and its
+//! tests run in parallel.
 
 mod bindings;
 mod elaboration;

@@ -22,7 +22,8 @@ use std::time::{Duration, Instant};
 const ROUNDS: u64 = 5;
 /// Time limit of a run. Only cheap runs end before it; the others show that a run begins.
 const RUN: Duration = Duration::from_millis(40);
-/// Time limit of a run of a model that the check rejects; such a run ends while it builds the scene.
+/// Time limit of a run of a model that the check rejects. Such a run ends while it builds the
+/// scene.
 const REJECTED_RUN: Duration = Duration::from_secs(60);
 /// Longest time that a run may continue beyond its limit, or that a check may take.
 const LATE: Duration = Duration::from_secs(30);

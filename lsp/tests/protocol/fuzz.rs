@@ -1,8 +1,8 @@
 //! Sessions of random messages: valid, invalid and damaged, in any order. The server always answers
 //! the next valid request.
 //!
-//! `CALYX_FUZZ=1000 cargo test -p calyx-lsp --test all protocol::fuzz` runs that many sessions instead
-//! of a few, and `CALYX_FUZZ_SEED` changes the seed.
+//! `CALYX_FUZZ=1000 cargo test -p calyx-lsp --test all protocol::fuzz` runs that many sessions
+//! instead of a few, and `CALYX_FUZZ_SEED` changes the seed.
 
 use crate::protocol::client::Client;
 use calyx_lsp::server::handlers::router;
