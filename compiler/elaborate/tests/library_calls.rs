@@ -11,8 +11,10 @@ use calyx_lang::ir::Program;
 use calyx_lang::span::FileId;
 use calyx_rt::{Engine, Error, Instance};
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// A number without a range would let a program request 10^12 cells. A limit may be open if the
@@ -182,40 +184,64 @@ fn extreme_arguments_are_refused_or_work() {
     let functions: Vec<_> =
         functions().into_iter().filter(|function| function.name.contains(&only)).collect();
     let mut random = Random(0x5EED_CA11);
-    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    let (mut wrong, mut late, mut longest) = (String::new(), String::new(), Duration::ZERO);
-    let calls = 12 * rounds;
-    for call in 0..calls {
-        for function in &functions {
-            let text = crate::library::model(function, &function.extreme(&mut random));
-            let started = Instant::now();
-            let verdict = verdict(&text, call % 4 == 0);
-            longest = longest.max(started.elapsed());
-            let line =
-                text.lines().find(|line| line.contains(crate::library::MARK)).unwrap_or_default().to_owned();
-            let (name, problem) = match &verdict {
-                Verdict::Refused => ("refused", None),
-                Verdict::Accepted => ("accepted", None),
-                Verdict::Solved => ("accepted and solved", None),
-                Verdict::RefusedLate(why) => {
-                    late += &format!("{line}\n    {why}\n");
-                    let known = ONLY_SOLVED.iter().any(|code| why.starts_with(code));
-                    ("refused by the run alone", (!known).then_some(why))
+    let calls: Vec<(String, bool)> = (0..12 * rounds)
+        .flat_map(|call| functions.iter().map(move |function| (call, function)))
+        .map(|(call, function)| (crate::library::model(function, &function.extreme(&mut random)), call % 4 == 0))
+        .collect();
+    let next = AtomicUsize::new(0);
+    let tally = Mutex::new(Tally::default());
+    thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                while let Some((text, solved)) = calls.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let started = Instant::now();
+                    let verdict = verdict(text, *solved);
+                    tally.lock().expect("no call panics").add(text, &verdict, started.elapsed());
                 }
-                Verdict::Defect(why) => ("defects", Some(why)),
-            };
-            *counts.entry(name).or_default() += 1;
-            if let Some(why) = problem {
-                wrong += &format!("{line}\n    {why}\n");
-            }
+            });
         }
-    }
-    println!("{} calls: {counts:?}, longest {longest:?}\n{late}", calls * functions.len());
+    });
+    let Tally { counts, wrong, late, longest } = tally.into_inner().expect("no call panics");
+    println!("{} calls: {counts:?}, longest {longest:?}\n{late}", calls.len());
     if let Some(peak) = peak_memory() {
         println!("peak memory {} MB", peak >> 20);
         assert!(peak < 4 << 30, "{peak} bytes");
     }
     assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+/// Counts of verdicts, and the calls behind them.
+#[derive(Default)]
+struct Tally {
+    counts: BTreeMap<&'static str, usize>,
+    /// Calls with a defect.
+    wrong: String,
+    /// Calls that only the run refuses.
+    late: String,
+    longest: Duration,
+}
+
+impl Tally {
+    fn add(&mut self, text: &str, verdict: &Verdict, elapsed: Duration) {
+        let line =
+            text.lines().find(|line| line.contains(crate::library::MARK)).unwrap_or_default().to_owned();
+        let (name, problem) = match verdict {
+            Verdict::Refused => ("refused", None),
+            Verdict::Accepted => ("accepted", None),
+            Verdict::Solved => ("accepted and solved", None),
+            Verdict::RefusedLate(why) => {
+                self.late += &format!("{line}\n    {why}\n");
+                let known = ONLY_SOLVED.iter().any(|code| why.starts_with(code));
+                ("refused by the run alone", (!known).then_some(why))
+            }
+            Verdict::Defect(why) => ("defects", Some(why)),
+        };
+        *self.counts.entry(name).or_default() += 1;
+        self.longest = self.longest.max(elapsed);
+        if let Some(why) = problem {
+            self.wrong += &format!("{line}\n    {why}\n");
+        }
+    }
 }
 
 /// Errors that only a solution shows; section 16 of the reference lists them.
@@ -242,7 +268,7 @@ fn verdict(text: &str, solved: bool) -> Verdict {
     let text = text.to_owned();
     let cancel = Cancel::default();
     let switch = cancel.clone();
-    std::thread::spawn(move || {
+    thread::spawn(move || {
         let judged = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| judge(&text, solved, &cancel)));
         let judged = judged.unwrap_or_else(|_| Verdict::Defect("a panic".into()));
         let _ = sender.send(judged);
