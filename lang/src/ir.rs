@@ -7,10 +7,18 @@
 //! literals are converted. Generic functions are instantiated once per representation of their
 //! arguments.
 
+mod operation;
+mod symbolic;
+
+pub use crate::ast::Mode;
+pub use operation::Op;
+pub use symbolic::{
+    Capture, Site, SymExpr, SymKind, Symbol, SymbolicFunction, SymbolicParameter, captured_inputs,
+};
+
 use crate::span::Span;
 use calyx_abi::description::Exponents;
 use calyx_abi::display::Display;
-use calyx_abi::newton::Search;
 use calyx_abi::{Purity, Repr};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -155,188 +163,6 @@ pub struct HostValue {
     pub unit: DisplayUnit,
 }
 
-/// A symbolic expression in the source: one kernel, and one set of captured values per execution.
-#[derive(Clone, Debug)]
-pub struct Site {
-    /// Name of the binding, for messages and for the symbol of its kernel.
-    pub name: String,
-    /// Shared subexpressions; each may refer to earlier ones ([`SymKind::Shared`]).
-    pub shared: Vec<SymExpr>,
-    pub expr: SymExpr,
-    /// Values captured when the binding executes, in order of `SymExpr::Capture`.
-    pub captures: Vec<Capture>,
-    /// Number, Vector or Transform; a tuple of these for bracket expressions.
-    pub repr: Repr,
-    /// Order of the highest time derivative that its kernel computes: 2 for a transform, otherwise
-    /// 0.
-    pub order: u8,
-    /// `true` if other sites may capture its value. The kernel then computes time derivatives up to
-    /// order 2, followed by the same outputs differentiated by each of [`Program::graph_params`].
-    pub part: bool,
-    pub span: Span,
-}
-
-impl Site {
-    /// Returns the number of its kernel's inputs: time, every param, and the captured values.
-    pub fn inputs(&self, program: &Program) -> usize {
-        let captured = self.captures.iter().map(|capture| capture.inputs(program));
-        1 + program.params.len() + captured.sum::<usize>()
-    }
-
-    /// Returns the number of its kernel's outputs.
-    pub fn outputs(&self, program: &Program) -> usize {
-        let by = if self.part { 1 + program.graph_params.len() } else { 1 };
-        self.repr.slots() * (1 + usize::from(self.order)) * by
-    }
-}
-
-#[derive(Clone, Debug)]
-pub struct Capture {
-    pub name: String,
-    /// Number, Bool, Vector or Transform; a tuple for a record, in which no expression reads the
-    /// texts. For an observable, `Symbolic(Number)` with `observable`
-    /// set. For an expression (the value of a site that is a [`Site::part`]), `Symbolic` of Number,
-    /// Vector or Transform; a tuple may contain such expressions.
-    pub repr: Repr,
-    pub observable: bool,
-}
-
-impl Capture {
-    /// Returns `true` for an expression, or a record with one: the outputs of its site's kernel are
-    /// inputs of the capturing kernel.
-    pub fn is_part(&self) -> bool {
-        fn has_expression(repr: &Repr) -> bool {
-            match repr {
-                Repr::Symbolic(_) => true,
-                Repr::Tuple(parts) => parts.iter().any(has_expression),
-                _ => false,
-            }
-        }
-        !self.observable && has_expression(&self.repr)
-    }
-
-    /// Returns the number of kernel inputs that it takes.
-    pub fn inputs(&self, program: &Program) -> usize {
-        if self.observable { self.repr.slots() } else { captured_inputs(&self.repr, program) }
-    }
-}
-
-/// Returns the number of kernel inputs for a captured value that is no observable: of an
-/// expression, all outputs of its kernel.
-pub fn captured_inputs(repr: &Repr, program: &Program) -> usize {
-    match repr {
-        Repr::Symbolic(inner) => inner.slots() * 3 * (1 + program.graph_params.len()),
-        Repr::Tuple(parts) => parts.iter().map(|part| captured_inputs(part, program)).sum(),
-        repr => repr.slots(),
-    }
-}
-
-/// A symbolic function `function p(in u, in th) := e;`: an expression with free arguments. The
-/// inputs of its kernel are time, every param by index, and the arguments in order; the outputs are
-/// those of `result` in order (see `calyx_lower::kernels`).
-#[derive(Clone, Debug)]
-pub struct SymbolicFunction {
-    pub name: String,
-    pub doc: String,
-    pub parameters: Vec<SymbolicParameter>,
-    /// Shared subexpressions; each may refer to earlier ones ([`SymKind::Shared`]).
-    pub shared: Vec<SymExpr>,
-    pub body: SymExpr,
-    /// Number, Bool, Vector or Transform; a tuple of these for brackets. Arrays are also tuples,
-    /// because all lengths are known.
-    pub result: Repr,
-    /// Display units, one per value of `result` that is not a tuple. For a frame, the unit of its
-    /// translation.
-    pub units: Vec<DisplayUnit>,
-    /// `true` for a top-level function of the model itself, which embedding programs can call by
-    /// name. Exported names are unique.
-    pub exported: bool,
-    pub span: Span,
-}
-
-#[derive(Clone, Debug)]
-pub struct SymbolicParameter {
-    pub name: String,
-    /// Number, Bool, Vector or Transform; a tuple of these for a record or for brackets. An
-    /// exported function has no parameters of the last two kinds.
-    pub repr: Repr,
-    /// Display unit of the argument; dimensionless if the function accepts any dimension.
-    pub unit: DisplayUnit,
-}
-
-/// A typed symbolic expression. The lowering converts it to a graph.
-#[derive(Clone, Debug)]
-pub struct SymExpr {
-    pub kind: SymKind,
-    /// Number, Bool, Vector or Transform, or a tuple of these.
-    pub repr: Repr,
-    pub span: Span,
-}
-
-impl SymExpr {
-    /// Returns the direct operands.
-    pub fn operands(&self) -> Vec<&SymExpr> {
-        match &self.kind {
-            SymKind::Number(_)
-            | SymKind::Bool(_)
-            | SymKind::Time
-            | SymKind::Param(_)
-            | SymKind::Capture(_)
-            | SymKind::Argument(_)
-            | SymKind::Shared(_) => Vec::new(),
-            SymKind::Op(_, all)
-            | SymKind::Call(_, all)
-            | SymKind::Solve(_, _, all)
-            | SymKind::Brackets(all) => all.iter().collect(),
-            SymKind::If(a, b, c) => vec![a, b, c],
-            SymKind::Derivative(a, _) | SymKind::Element(a, _) | SymKind::Table(_, a) => vec![a],
-            SymKind::At(a, _, b) => vec![a, b],
-        }
-    }
-}
-
-#[derive(Clone, Debug)]
-pub enum SymKind {
-    Number(f64),
-    Bool(bool),
-    /// Time since the start of the motion, s.
-    Time,
-    /// A number param: an index of `Program::params`.
-    Param(u32),
-    /// An index of `Site::captures`.
-    Capture(u32),
-    /// An index of `SymbolicFunction::parameters`.
-    Argument(u32),
-    /// An index of `shared` of the site or function.
-    Shared(u32),
-    Op(Op, Vec<SymExpr>),
-    If(Box<SymExpr>, Box<SymExpr>, Box<SymExpr>),
-    /// The derivative with respect to a symbol.
-    Derivative(Box<SymExpr>, Symbol),
-    /// `e at Time = t`: the expression with the symbol replaced by the second expression.
-    At(Box<SymExpr>, Symbol, Box<SymExpr>),
-    /// A call of a symbolic function. In its body, the numbers of its arguments are independent
-    /// symbols.
-    Call(SymbolicFunctionId, Vec<SymExpr>),
-    /// The unknown for which a symbolic function is zero or has a minimum: the guess, then the
-    /// arguments of the function after the unknown. The unknown has the form of the guess; the
-    /// result of the function has as many numbers, or is the number to minimize.
-    Solve(Search, SymbolicFunctionId, Vec<SymExpr>),
-    /// The value of a piecewise polynomial ([`calyx_abi::piecewise`]) at a number.
-    Table(Arc<[f64]>, Box<SymExpr>),
-    Brackets(Vec<SymExpr>),
-    /// An element of a bracket expression, by index.
-    Element(Box<SymExpr>, u32),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Symbol {
-    Time,
-    Param(u32),
-    /// A number argument of the enclosing symbolic function, by index.
-    Argument(u32),
-}
-
 #[derive(Clone, Debug)]
 pub struct Function {
     pub name: String,
@@ -349,8 +175,6 @@ pub struct Function {
     pub blocks: Vec<Block>,
     pub span: Span,
 }
-
-pub use crate::ast::Mode;
 
 #[derive(Clone, Debug)]
 pub struct Local {
@@ -527,89 +351,4 @@ pub enum ExprKind {
 pub enum FormatPart {
     Text(String),
     Value(Expr, Display),
-}
-
-/// Operations on numbers, truth values, vectors and transforms, shared by evaluated and symbolic
-/// expressions. The comments give the representations of operands and result (N number, B bool, S
-/// string, V vector, T transform).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Op {
-    /// N,N -> N, as for all operations up to `Divide`. `Power` is `abi::math::pow`.
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-    /// N -> N
-    Negate,
-    /// B -> B
-    Not,
-    /// N,N -> B
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    /// N,N or B,B or S,S or V,V -> B. The lowering expands arrays and tuples or compares them
-    /// element by element.
-    Equal,
-    NotEqual,
-    /// N -> N
-    Sqrt,
-    Abs,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Exp,
-    Log,
-    Floor,
-    Ceil,
-    Round,
-    /// N,N -> N: the value of a registered table ([`calyx_abi::piecewise::registered`]) at a
-    /// number.
-    Spline,
-    /// N,N -> N
-    Atan2,
-    Min,
-    Max,
-    /// N,N,N -> V
-    Vector,
-    /// V -> N
-    X,
-    Y,
-    Z,
-    Norm,
-    /// V,V -> V
-    AddVector,
-    SubtractVector,
-    Cross,
-    /// V -> V
-    NegateVector,
-    /// N,V -> V
-    Scale,
-    /// V,V -> N
-    Dot,
-    /// V -> T: transformation into a frame translated by v: `x' = x - v`.
-    Translate,
-    /// N,V -> T: transformation into a frame rotated by the angle about the unit axis: `x' =
-    /// R(angle, axis)^T x`.
-    Rotate,
-    /// T,T -> T: `(A * B) x = A (B x)`.
-    Compose,
-    /// T,V -> V: coordinates of the point in the frame.
-    Apply,
-    /// T -> T
-    Inverse,
-    /// T -> V: the frame's origin in ground coordinates.
-    Origin,
-    /// T,V -> V: the direction in ground coordinates of a vector given in the frame.
-    Direction,
-    /// T -> V, symbolic only: velocity and acceleration of the frame's origin, angular velocity and
-    /// angular acceleration of the frame, in ground coordinates.
-    Velocity,
-    Acceleration,
-    AngularVelocity,
-    AngularAcceleration,
 }

@@ -177,8 +177,8 @@ fn calls_of_the_library_are_described() {
             for parameter in &callable.parameters {
                 let plain = ["mesh", "body", "gauge", "bearing"].contains(&&*parameter.name)
                     || !parameter.choices.is_empty();
-                let told = !several || parameter.doc.is_some() || plain;
-                assert!(told && !parameter.ty.is_empty(), "{} {parameter:?}", callable.name);
+                let is_documented = !several || parameter.doc.is_some() || plain;
+                assert!(is_documented && !parameter.ty.is_empty(), "{} {parameter:?}", callable.name);
             }
         }
     }

@@ -355,30 +355,13 @@ impl<'a> Checker<'a> {
                 Kind::Derivative(self.differentiated(inner, &[sym], to, span), sym)
             }
             Kind::Gradient(inner, by) => Kind::Gradient(self.differentiated(inner, &by, to, span), by),
-            Kind::At(inner, sym, at) => {
-                let (on_time, chosen) = (to.on_time, to.chosen.clone());
-                let inner = self.split_box(inner, to);
-                self.dependence.asked(Question::Value, sym, &inner, &self.defs, span);
-                if sym == Sym::Time {
-                    (to.on_time, to.chosen) = (on_time, chosen);
-                }
-                Kind::At(inner, sym, self.split_box(at, to))
-            }
+            Kind::At(inner, sym, at) => self.split_at(inner, sym, at, span, to),
             // The captured axis is checked when its value is captured.
             Kind::UnitAxis(inner) if to.function.is_none() && !has_symbols(&inner) => {
                 return self.capture(Expr { kind: Kind::UnitAxis(inner), ty, span }, to);
             }
             Kind::UnitAxis(inner) => Kind::UnitAxis(self.split_box(inner, to)),
-            // An argument of a symbolic function, or a part of brackets.
-            Kind::Part(inner) if self.is_brackets_part(&inner) => {
-                let inner = self.split(*inner, to);
-                return Expr { kind: inner.kind, ty, span };
-            }
-            Kind::Part(inner) => {
-                to.on_time = true;
-                let captured = self.capture(*inner, to);
-                return Expr { kind: captured.kind, ty, span };
-            }
+            Kind::Part(inner) => return Expr { kind: self.split_part(*inner, to).kind, ty, span },
             Kind::Observe(inner) => {
                 to.observes = true;
                 let inner = self.capture(*inner, to);
@@ -439,6 +422,26 @@ impl<'a> Checker<'a> {
             Type::String => Expr { kind: Kind::Text(String::new()), ..e },
             _ => self.split(e, to),
         }
+    }
+
+    /// Splits `inner at sym = at`. If `at` replaces the time, `inner` adds no dependence on time.
+    fn split_at(&mut self, inner: Box<Expr>, sym: Sym, at: Box<Expr>, span: Span, to: &mut Builder) -> Kind {
+        let (on_time, chosen) = (to.on_time, to.chosen.clone());
+        let inner = self.split_box(inner, to);
+        self.dependence.asked(Question::Value, sym, &inner, &self.defs, span);
+        if sym == Sym::Time {
+            (to.on_time, to.chosen) = (on_time, chosen);
+        }
+        Kind::At(inner, sym, self.split_box(at, to))
+    }
+
+    /// Splits an argument of a symbolic function or a part of brackets. Any other part is captured.
+    fn split_part(&mut self, inner: Expr, to: &mut Builder) -> Expr {
+        if self.is_brackets_part(&inner) {
+            return self.split(inner, to);
+        }
+        to.on_time = true;
+        self.capture(inner, to)
     }
 
     /// Splits a choice of observables whose condition is known when the binding executes: only the

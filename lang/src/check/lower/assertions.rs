@@ -10,13 +10,13 @@ use calyx_abi::{Purity, Repr};
 impl Body<'_, '_> {
     /// Lowers an `assert`. The message is evaluated only if the condition is false.
     pub(super) fn assertion(&mut self, assertion: &Assertion, span: Span) {
-        let (condition, told) = self.tested(assertion);
+        let (condition, operands) = self.tested(assertion);
         let (holds, fails) = (self.new_block(), self.new_block());
         self.branch_on(condition, holds, fails);
         self.start(fails);
         let mut parts = Vec::new();
         self.format_part(&assertion.message, None, assertion.system, false, &mut parts);
-        parts.extend(told);
+        parts.extend(operands);
         let make = |kind, repr| ir::Expr { kind, repr, span };
         let message = make(ExprKind::Format(parts), Repr::String);
         let parameters = [("condition", Repr::Bool), ("message", Repr::String)];
@@ -37,19 +37,19 @@ impl Body<'_, '_> {
         // Stored, so that each side is evaluated once.
         let (left, right) = self.pair(a, b);
         let (left, right) = (self.kept(left), self.kept(right));
-        let mut told = Vec::new();
+        let mut operands = Vec::new();
         for (text, side, value) in [(left_text, a, &left), (right_text, b, &right)] {
             if says_itself(side) || !has_text(&value.repr) {
                 continue;
             }
-            let before = if told.is_empty() { " (" } else { ", " };
-            told.push(FormatPart::Text(format!("{before}{text} is ")));
-            told.push(FormatPart::Value(value.clone(), self.display(&side.ty, None, assertion.system)));
+            let before = if operands.is_empty() { " (" } else { ", " };
+            operands.push(FormatPart::Text(format!("{before}{text} is ")));
+            operands.push(FormatPart::Value(value.clone(), self.display(&side.ty, None, assertion.system)));
         }
-        if !told.is_empty() {
-            told.push(FormatPart::Text(")".into()));
+        if !operands.is_empty() {
+            operands.push(FormatPart::Text(")".into()));
         }
-        (binary(*op, left, right, condition.span), told)
+        (binary(*op, left, right, condition.span), operands)
     }
 }
 

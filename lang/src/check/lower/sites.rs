@@ -151,18 +151,7 @@ impl Body<'_, '_> {
             Kind::Time => make(SymKind::Time, Repr::Number),
             Kind::Param(id) => make(SymKind::Param(self.lowering.param_number(*id)), self.repr(&e.ty)),
             Kind::Def(def) => self.shared(*def, span, captures),
-            Kind::Var(id) if captures.arguments.contains_key(id) => {
-                let (index, repr) = captures.arguments[id].clone();
-                make(SymKind::Argument(index), repr)
-            }
-            Kind::Var(id) if captures.locals.contains_key(id) => {
-                let index = captures.locals[id];
-                make(SymKind::Shared(index), captures.shared[index as usize].repr.clone())
-            }
-            Kind::Var(_) if captures.plain => {
-                captures.outside = true;
-                make(SymKind::Number(f64::NAN), self.repr(&e.ty))
-            }
+            Kind::Var(id) => self.symbolic_variable(*id, &e.ty, span, captures),
             Kind::Eval(def, None) if captures.plain && checker_closed(self.lowering.checker, *def) => {
                 self.shared(*def, span, captures)
             }
@@ -195,7 +184,6 @@ impl Body<'_, '_> {
                 let inner = self.symbolic(inner, captures);
                 SymExpr { repr: Repr::Number, ..inner }
             }
-            Kind::Var(id) => self.captured(*id, span, captures),
             Kind::Unary(op, a) => self.symbolic_unary(*op, a, span, captures),
             Kind::Binary(op, a, b) => {
                 let (a, b) = (self.symbolic(a, captures), self.symbolic(b, captures));
@@ -235,6 +223,22 @@ impl Body<'_, '_> {
                 make(SymKind::Number(f64::NAN), self.repr(&e.ty))
             }
         }
+    }
+
+    /// Returns an argument of the symbolic function, a local of its block, or a captured variable.
+    fn symbolic_variable(&mut self, id: VarId, ty: &Type, span: Span, captures: &mut Captures) -> SymExpr {
+        let make = |kind, repr| SymExpr { kind, repr, span };
+        if let Some((index, repr)) = captures.arguments.get(&id) {
+            return make(SymKind::Argument(*index), repr.clone());
+        }
+        if let Some(&index) = captures.locals.get(&id) {
+            return make(SymKind::Shared(index), captures.shared[index as usize].repr.clone());
+        }
+        if captures.plain {
+            captures.outside = true;
+            return make(SymKind::Number(f64::NAN), self.repr(ty));
+        }
+        self.captured(id, span, captures)
     }
 
     /// Returns the value that a variable has when the `:=` is bound.
