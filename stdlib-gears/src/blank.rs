@@ -8,7 +8,6 @@ mod spline;
 
 pub use spline::{RadialFit, SplineSupport};
 
-use crate::disc_web::DiscWeb;
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::external::{ExternalGear, ExternalGearData, check_rim};
 use crate::gear::Gear;
@@ -18,13 +17,14 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use crate::shaper::Shaper;
+use crate::web::Web;
 use calyx_runtime::material::Material;
 use calyx_runtime::structure::{BoreSupport, SplineTeeth};
 use std::sync::Arc;
 
 /// Rim under the teeth, or around those of an internal gear, supported at its far side or by a web.
 /// Radii in m.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rim {
     /// Radius of the interface between the toothed ring and the rim.
     pub radius: f64,
@@ -40,27 +40,6 @@ pub struct Rim {
 /// Harmonics of the Fourier series of spline teeth that the mesh of any gear resolves per gear
 /// tooth.
 const SPLINE_HARMONICS_PER_TOOTH: u32 = 4;
-
-/// Web: a disc, thinner than the face width, that carries a rim. Lengths in m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Web {
-    /// Radius at which the web meets the rim.
-    pub rim_radius: f64,
-    /// Axial thickness.
-    pub thickness: f64,
-    /// Offset of the web's midplane from mid-face, along +z.
-    pub offset: f64,
-    /// Separately meshed disc further inside. If given, the dimensions above apply where it meets
-    /// the rim.
-    pub disc: Option<DiscWeb>,
-}
-
-impl Web {
-    /// Ends along the axis, m from mid-face.
-    pub fn ends(&self) -> [f64; 2] {
-        [self.offset - 0.5 * self.thickness, self.offset + 0.5 * self.thickness]
-    }
-}
 
 impl Rim {
     /// Creates a rim from its two diameters, m. Whether it lies below the teeth is checked with the
@@ -87,40 +66,23 @@ impl Rim {
         })
     }
 
-    /// Adds a web that extends to a bore, where the body's frame supports it; m. Whether the web
-    /// lies within the face is checked with the gear.
-    ///
-    /// # Errors
-    /// E0665: the rim's inner diameter does not lie between the bore and the teeth, or the
-    /// thickness of the web is not positive.
-    pub fn on_web(self, thickness: f64, offset: f64, bore_diameter: f64) -> Result<Rim, GeometryError> {
-        let rim_radius = self.fixed_radius;
-        let fixed_radius = 0.5 * bore_diameter;
-        if !(fixed_radius > 0.0 && fixed_radius < rim_radius && rim_radius < self.radius) {
-            return Err(GeometryError::error(
-                "E0665",
-                "bore_diameter",
-                sentence!["the web's bore must be positive and smaller than the inner diameter of the rim"],
-                sentence![
-                    "the body is supported at the bore; a rim without a web is supported at its inner diameter"
-                ],
-            ));
-        }
-        if !(thickness > 0.0 && thickness.is_finite() && offset.is_finite()) {
-            return Err(GeometryError::error(
-                "E0665",
-                "web_thickness",
-                sentence!["the web's thickness must be positive"],
-                sentence!["it is measured along the axis, and at most as large as the face width"],
-            ));
-        }
-        Ok(Rim { fixed_radius, web: Some(Web { rim_radius, thickness, offset, disc: None }), ..self })
-    }
-
     /// Returns the rim with another support at its bore, or at its outside.
     #[must_use]
     pub fn supported_by(self, support: BoreSupport) -> Rim {
         Rim { support, ..self }
+    }
+
+    /// Former name of [`Rim::supported_by`].
+    #[deprecated(since = "0.1.0", note = "use `supported_by`")]
+    #[must_use]
+    pub fn held(self, support: BoreSupport) -> Rim {
+        self.supported_by(support)
+    }
+
+    /// Former name of the field [`Rim::support`].
+    #[deprecated(since = "0.1.0", note = "use the field `support`")]
+    pub fn hold(&self) -> BoreSupport {
+        self.support
     }
 
     /// Returns the rim with spline teeth as the support of its bore, or of its outside.
@@ -139,7 +101,7 @@ impl Rim {
                 ],
             ));
         }
-        if self.web.is_some_and(|web| web.disc.is_some()) {
+        if self.ring_support().is_none() {
             return Err(GeometryError::error(
                 "E0655",
                 "rim",
@@ -172,7 +134,7 @@ impl Rim {
     /// Support of a plane model. A plane model cannot represent a web, so it is rigidly supported
     /// at the radius where the web begins.
     pub(crate) fn support_in_plane(&self) -> BoreSupport {
-        match (self.web, self.support) {
+        match (&self.web, self.support) {
             (Some(_), _) => BoreSupport::Rigid,
             // A plane model has a single position along the axis.
             (None, BoreSupport::Means { harmonics, .. }) => BoreSupport::Means { harmonics, degree: 0 },
@@ -244,30 +206,6 @@ impl Rim {
             }
             _ => Ok(()),
         }
-    }
-
-    /// Radius at which the rim ends on its side without teeth, m.
-    pub fn ring_radius(&self) -> f64 {
-        self.web.map_or(self.fixed_radius, |web| web.rim_radius)
-    }
-
-    /// Checks that the web lies within the face.
-    pub(crate) fn check_web(&self, face_width: f64) -> Result<(), GeometryError> {
-        let Some(web) = self.web else { return Ok(()) };
-        let room = 0.5 * face_width * (1.0 + 1e-9);
-        let [start, end] = web.ends();
-        if start >= -room && end <= room {
-            return Ok(());
-        }
-        Err(GeometryError::error(
-            "E0644",
-            "rim",
-            sentence![
-                "the web reaches from ", length start, " to ", length end, " from mid-face, but the face only from ",
-                length - 0.5 * face_width, " to ", length 0.5 * face_width
-            ],
-            sentence!["reduce `web_thickness` or `web_offset`, or enlarge `face_width`"],
-        ))
     }
 
     /// Creates a rim around the teeth of an internal gear from its two diameters, m. Whether it

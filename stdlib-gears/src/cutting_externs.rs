@@ -1,10 +1,9 @@
 //! Tools, rims and gears for programs: the Rust side of `rack`, `shaper`, `external` and `internal`
-//! of `gears.cx`.
+//! of `gears.cx`. Those of rims on webs are in [`crate::web`].
 
 use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport, Tool};
-use crate::disc_web::{DiscWeb, Hub};
 use crate::error::{Refusal, Severity};
-use crate::externs::{engine, entry, host, refusal};
+use crate::externs::{entry, host, refusal};
 use crate::helix::{Hand, Helix};
 use crate::host::{ModelHost, keep};
 use crate::modification::Modification;
@@ -14,7 +13,6 @@ use crate::rack::{Plane, Rack};
 use crate::shaper::Shaper;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
-use calyx_runtime::material::Material;
 use calyx_runtime::structure::BoreSupport;
 use std::sync::Arc;
 
@@ -49,48 +47,6 @@ calyx_abi::externs! {
         let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.rejected(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim.supported_by(support)))
-    }
-
-    Pure fn calyx_gears_webbed_rim(
-        context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64, web_offset: f64,
-        bore: String, bore_harmonics: f64, bore_axial_degree: f64,
-    ) -> Handle {
-        let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
-        let (place, host) = (context.place, host(context)?);
-        let rim = Rim::new(diameter, inner_diameter)
-            .and_then(|rim| rim.on_web(web_thickness, web_offset, bore_diameter))
-            .map_err(|error| host.rejected(error.into(), place))?;
-        Ok(keep(&mut host.rims, rim.supported_by(support)))
-    }
-
-    Pure fn calyx_gears_disc_web(
-        context, diameter: f64, inner_diameter: f64, bore_diameter: f64, web_thickness: f64,
-        web_thickness_at_hub: Option<f64>, web_offset: f64, dish: f64, hub_diameter: Option<f64>,
-        hub_width: Option<f64>, hub_offset: f64, web_youngs_modulus: Option<f64>, web_poissons_ratio: f64,
-        bore: String, bore_harmonics: f64, bore_axial_degree: f64, interface_harmonics: Option<f64>,
-        interface_axial_degree: f64,
-    ) -> Handle {
-        let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
-        let orders = [interface_harmonics.unwrap_or_default(), interface_axial_degree];
-        whole_orders(["interface_harmonics", "interface_axial_degree"], orders)?;
-        let material = web_youngs_modulus.map(|modulus| web_material(modulus, web_poissons_ratio)).transpose()?;
-        let disc = DiscWeb {
-            inner_thickness: web_thickness_at_hub.unwrap_or(web_thickness),
-            inner_offset: web_offset + dish,
-            hub: hub_diameter.or(hub_width).map(|_| Hub {
-                radius: 0.5 * hub_diameter.unwrap_or_default(),
-                width: hub_width.unwrap_or_default(),
-                offset: hub_offset,
-            }),
-            material,
-            harmonics: interface_harmonics.map(|harmonics| harmonics as u16),
-            degree: interface_axial_degree as u8,
-        };
-        let (place, host) = (context.place, host(context)?);
-        let rim = Rim::new(diameter, inner_diameter)
-            .and_then(|rim| rim.on_disc(web_thickness, web_offset, bore_diameter, disc))
-            .map_err(|error| host.rejected(error.into(), place))?;
         Ok(keep(&mut host.rims, rim.supported_by(support)))
     }
 
@@ -132,7 +88,7 @@ calyx_abi::externs! {
             clearance,
         };
         let (place, host) = (context.place, host(context)?);
-        let rim = *entry(&host.rims, rim)?;
+        let rim = entry(&host.rims, rim)?.clone();
         let rim = rim.splined(&spline).map_err(|error| host.rejected(error.into(), place))?;
         Ok(keep(&mut host.rims, rim))
     }
@@ -200,7 +156,7 @@ fn whole_teeth(teeth: f64) -> Result<u32, RuntimeError> {
 }
 
 /// Checks that the orders of a series are integers.
-fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result<(), RuntimeError> {
+pub(crate) fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result<(), RuntimeError> {
     match names.into_iter().zip(orders).find(|(_, order)| order.fract() != 0.0) {
         None => Ok(()),
         Some((name, order)) => {
@@ -209,17 +165,13 @@ fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result<(), Runtim
     }
 }
 
-/// Material of a web, from arguments with names of their own.
-fn web_material(youngs_modulus: f64, poissons_ratio: f64) -> Result<Material, RuntimeError> {
-    Material::new(youngs_modulus, poissons_ratio, 0.0).map_err(|error| {
-        let argument = if error.code == "E0660" { "web_youngs_modulus" } else { "web_poissons_ratio" };
-        engine(error.blame(argument))
-    })
-}
-
 /// Support of a rim. The circumferential and axial orders are those of the constraint in addition
 /// to the rigid-body motion.
-fn bore_support(kind: &str, names: [&'static str; 2], orders: [f64; 2]) -> Result<BoreSupport, RuntimeError> {
+pub(crate) fn bore_support(
+    kind: &str,
+    names: [&'static str; 2],
+    orders: [f64; 2],
+) -> Result<BoreSupport, RuntimeError> {
     whole_orders(names, orders)?;
     let [harmonics, degree] = orders;
     match (kind, harmonics) {
@@ -283,7 +235,7 @@ fn cut_gear(
         face_width: given.face_width,
         helix: helix(host, given.helix_angle, &given.hand, place)?,
         material: *entry(&host.materials, given.material)?,
-        rim: *entry(&host.rims, given.rim)?,
+        rim: entry(&host.rims, given.rim)?.clone(),
         thickness,
         tip_edge_radius: given.tip_edge_radius,
         modifications: modifications_of(host, given.modifications)?,

@@ -5,7 +5,7 @@
 //! and hub have mass too; they are a rigid part of the body.
 
 use crate::prototype::GearPrototype;
-use calyx_runtime::fe::{Section, Station};
+use calyx_runtime::fe::Section;
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::StructureOptions;
@@ -25,19 +25,10 @@ impl GearPrototype {
         Some(toothed + carried.unwrap_or_default())
     }
 
-    /// Bodies between rim and bore.
+    /// Section and material of the body between rim and bore.
     fn carrying(&self) -> Option<(Section, Material)> {
-        if let Some(web) = self.rim.revolved_web(self.gear.teeth(), self.material) {
-            return Some((web.section, web.material));
-        }
-        let web = self.rim.web?;
-        let station = |radius: f64| Station { radius, ends: web.ends() };
-        let [inner, outer] = if self.rim.fixed_radius < web.rim_radius {
-            [self.rim.fixed_radius, web.rim_radius]
-        } else {
-            [web.rim_radius, self.rim.fixed_radius]
-        };
-        Some((Section::new(vec![station(inner), station(outer)])?, self.material))
+        let web = self.rim.web.as_ref()?;
+        Some((web.section().clone(), web.material().unwrap_or(self.material)))
     }
 }
 
@@ -45,9 +36,10 @@ impl GearPrototype {
 mod tests {
     use super::*;
     use crate::blank::{GearBlank, Rim};
-    use crate::disc_web::{DiscWeb, Hub};
     use crate::fillet::Side;
     use crate::rack::Rack;
+    use crate::web::{DiscWeb, Hub};
+    use calyx_runtime::fe::Station;
     use calyx_runtime::profile::Profile;
     use calyx_runtime::scene::Prototype;
     use std::f64::consts::PI;
@@ -74,18 +66,18 @@ mod tests {
     }
 
     #[test]
-    fn a_ring_weighs_what_a_ring_does() {
+    fn an_annulus_has_its_closed_form_inertia() {
         let station = |radius: f64| Station { radius, ends: [0.01, 0.04] };
         let section = Section::new(vec![station(0.05), station(0.12)]).expect("a section");
         let found = DENSITY * section.inertia();
-        let [mass, polar, across] = ring([0.05, 0.12], 0.03);
+        let [mass, polar, transverse] = ring([0.05, 0.12], 0.03);
         assert!(is_near(found.mass, mass) && is_near(found.polar(), polar));
         assert!(is_near(found.moment[2], 0.025 * mass));
-        assert!(is_near(found.about[0][0], across + mass * 0.025 * 0.025));
+        assert!(is_near(found.about[0][0], transverse + mass * 0.025 * 0.025));
     }
 
     #[test]
-    fn a_cone_weighs_what_a_cone_does() {
+    fn a_double_cone_has_its_closed_form_inertia() {
         // A disc that tapers from a small bore to zero thickness is nearly a double cone of height
         // h on either side, with mass 2/3 pi rho R² h and polar moment 3/10 m R².
         let (radius, height) = (0.1, 0.02);
@@ -96,8 +88,8 @@ mod tests {
         assert!((found.mass / mass - 1.0).abs() < 1e-6);
         assert!((found.polar() / (0.3 * mass * radius * radius) - 1.0).abs() < 1e-6);
         // Transverse moment: 3/20 m R² + m h²/10.
-        let across = mass * (0.15 * radius * radius + 0.1 * height * height);
-        assert!((found.about[0][0] / across - 1.0).abs() < 1e-6);
+        let transverse = mass * (0.15 * radius * radius + 0.1 * height * height);
+        assert!((found.about[0][0] / transverse - 1.0).abs() < 1e-6);
     }
 
     /// Area and polar moment of the outline of a gear minus its bore, from a polygon on the true
@@ -148,13 +140,13 @@ mod tests {
         assert!((found.mass / mass - 1.0).abs() < 2e-5, "{} {mass}", found.mass);
         let polar = blank.material.density * polar * width;
         assert!((found.polar() / polar - 1.0).abs() < 2e-5, "{} {polar}", found.polar());
-        let across = 0.5 * polar + mass * width * width / 12.0;
-        assert!((found.about[0][0] / across - 1.0).abs() < 2e-5);
+        let transverse = 0.5 * polar + mass * width * width / 12.0;
+        assert!((found.about[0][0] / transverse - 1.0).abs() < 2e-5);
         assert!(found.moment[2] == 0.0);
     }
 
     #[test]
-    fn what_stands_under_the_ring_is_there_too() {
+    fn webs_and_hubs_have_mass() {
         let plain = blank();
         let (diameter, width) = (plain.root_diameter, plain.face_width);
         let rim = Rim::new(diameter - MODULE, diameter - 6.0 * MODULE).expect("a rim");
@@ -162,22 +154,23 @@ mod tests {
             let gear: Arc<GearPrototype> = plain.clone().rim(rim).cut().expect("a gear");
             gear.inertia()
         };
-        let without = weigh(rim);
+        let without = weigh(rim.clone());
         let (bore, offset) = (10e-3, 1e-3);
-        let radii = [0.5 * bore, rim.fixed_radius];
-        let [mass, polar, across] = ring(radii, 0.25 * width);
-        let webbed = weigh(rim.on_web(0.25 * width, offset, bore).expect("a web"));
+        let rim_radius = rim.fixed_radius;
+        let radii = [0.5 * bore, rim_radius];
+        let [mass, polar, transverse] = ring(radii, 0.25 * width);
+        let webbed = weigh(rim.clone().on_web(0.25 * width, offset, bore).expect("a web"));
         assert!(is_near(webbed.mass - without.mass, mass));
         assert!(is_near(webbed.polar() - without.polar(), polar));
         assert!(is_near(webbed.moment[2], offset * mass));
-        assert!(is_near(webbed.about[0][0] - without.about[0][0], across + mass * offset * offset));
+        assert!(is_near(webbed.about[0][0] - without.about[0][0], transverse + mass * offset * offset));
         // A hub of the full face width, and a web of another density.
         let light = Material { density: 0.5 * DENSITY, ..Material::STEEL };
         let hub = Hub { radius: 8e-3, width, offset: 0.0 };
         let disc = DiscWeb { hub: Some(hub), material: Some(light), ..DiscWeb::plain(0.25 * width, 0.0) };
         let on_hub = weigh(rim.on_disc(0.25 * width, 0.0, bore, disc).expect("a disc web"));
         let (of_hub, of_web) =
-            (ring([0.5 * bore, hub.radius], width), ring([hub.radius, rim.fixed_radius], 0.25 * width));
+            (ring([0.5 * bore, hub.radius], width), ring([hub.radius, rim_radius], 0.25 * width));
         assert!(is_near(on_hub.mass - without.mass, 0.5 * (of_hub[0] + of_web[0])));
         assert!(is_near(on_hub.polar() - without.polar(), 0.5 * (of_hub[1] + of_web[1])));
         assert!(is_near(on_hub.about[0][0] - without.about[0][0], 0.5 * (of_hub[2] + of_web[2])));

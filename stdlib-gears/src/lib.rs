@@ -25,7 +25,8 @@
 //! ```
 //! use calyx_gears::assembly::{MeshOptions, add_body, mesh};
 //! use calyx_gears::blank::{GearBlank, Rim, Thickness};
-//! use calyx_gears::modification::{Modification, ReliefShape};
+//! use calyx_gears::modification::Modification;
+//! use calyx_gears::modification::ReliefShape::Quadratic;
 //! use calyx_gears::rack::Rack;
 //! use calyx_runtime::analysis::{AnalysisOptions, mesh_cycle, quasi_static};
 //! use calyx_runtime::load::Wrench;
@@ -48,7 +49,7 @@
 //!         .face_width(INCH)
 //!         .material(steel)
 //!         .rim(Rim::new(rim[0] * INCH, rim[1] * INCH)?)
-//!         .modified(Modification::tip_relief(0.0005 * INCH, relief_from.to_radians(), ReliefShape::Quadratic))
+//!         .modified(Modification::tip_relief(0.0005 * INCH, relief_from.to_radians(), Quadratic))
 //!         .cut()
 //! };
 //! let pinion = gear(20, [2.18, 1.76], [1.40, 1.20], 27.25)?;
@@ -65,16 +66,16 @@
 //!         .free_in(&[Component::ThetaZ])
 //!         .loaded(Wrench::of_moment([0.0, 0.0, torque])),
 //! )?;
-//! let wheel = add_body(
-//!     &mut scene,
-//!     Body::new("wheel", wheel, SteadyRotation { origin: [3.0 * INCH, 0.0], start: 0.0, speed: -speed * 20.0 / 40.0 }),
-//! )?;
+//! let motion = SteadyRotation { origin: [3.0 * INCH, 0.0], start: 0.0, speed: -speed * 20.0 / 40.0 };
+//! let wheel = add_body(&mut scene, Body::new("wheel", wheel, motion))?;
 //! let meshed = mesh(&mut scene, pinion, wheel, &MeshOptions::default())?;
 //! assert!((meshed.geometry.contact_ratio - 1.6).abs() < 0.2);
 //!
+//! let error = scene.add_observable(TransmissionError(meshed.pair));
+//! let stress = scene.add_observable(MaxRootStress(pinion));
 //! let outputs = [
-//!     OutputRequest::observing("transmission error", scene.add_observable(TransmissionError(meshed.pair))),
-//!     OutputRequest::observing("root stress", scene.add_observable(MaxRootStress(pinion))),
+//!     OutputRequest::observing("transmission error", error),
+//!     OutputRequest::observing("root stress", stress),
 //! ];
 //! let cycle = scene.pairs[meshed.pair.0].mesh.as_ref().expect("gears are in mesh");
 //! let positions = mesh_cycle(cycle, 4);
@@ -84,7 +85,8 @@
 //! assert!(result.certificate.largest() < 1e-12);
 //! let [error, stress] = [&result.summaries[0], &result.summaries[1]];
 //! println!("transmission error {:.1} µrad peak to peak", error.peak_to_peak * 1e6);
-//! println!("root stress {:.0} MPa at roll {:.1} deg", stress.max * 1e-6, positions[stress.at_max].roll.to_degrees());
+//! let roll = positions[stress.at_max].roll.to_degrees();
+//! println!("root stress {:.0} MPa at roll {roll:.1} deg", stress.max * 1e-6);
 //! assert!(error.peak_to_peak > 0.0 && stress.max > 100e6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -118,7 +120,6 @@ pub mod calculation;
 pub mod cutting_externs;
 pub mod derived_quantities;
 pub mod deviation;
-pub mod disc_web;
 pub mod dynamics_externs;
 pub mod error;
 pub mod external;
@@ -159,3 +160,10 @@ pub mod solid_prototype;
 pub mod table_splines;
 pub mod tables;
 pub mod template;
+pub mod web;
+
+/// Former name of [`web`].
+#[deprecated(since = "0.1.0", note = "use `web`")]
+pub mod disc_web {
+    pub use crate::web::{DiscWeb, Hub};
+}

@@ -36,6 +36,8 @@ const TABLES: &[&[Extern]] = &[
     crate::observable_externs::EXTERNS,
     crate::signal_externs::EXTERNS,
     crate::tables::EXTERNS,
+    crate::web::disc::EXTERNS,
+    crate::web::straight::EXTERNS,
     standard::EXTERNS,
 ];
 

@@ -579,7 +579,7 @@ impl Prototype for GearPrototype {
                     input: input.into(),
                     reason: "a plane model has no direction along the face".into(),
                 };
-                let web = self.rim.web.map(|_| Ignored {
+                let web = self.rim.web.as_ref().map(|_| Ignored {
                     input: "web".into(),
                     reason: "a two-dimensional model has no face-width direction: the rim is supported where the web begins"
                         .into(),

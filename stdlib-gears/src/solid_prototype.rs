@@ -100,7 +100,7 @@ impl GearPrototype {
     fn stations(&self, elements: usize) -> Vec<f64> {
         let half = 0.5 * self.face_width;
         let mut ends = vec![-half, half];
-        if let Some(web) = self.rim.web {
+        if let Some(web) = &self.rim.web {
             // A sliver next to the web would become an element of its own.
             let apart = THINNEST_LAYER * self.face_width;
             ends.splice(1..1, web.ends().into_iter().filter(|end| end.abs() < half - apart));
@@ -161,12 +161,13 @@ impl GearPrototype {
             [cosine * x - sine * y, sine * x + cosine * y, z]
         };
         let mesh = SolidMesh::swept(&plane, &stations, axial_order, &place).map_err(unmeshable)?;
-        let Some(web) = self.rim.web.filter(|_| own) else { return Ok(mesh) };
+        let Some(web) = self.rim.web.as_ref().filter(|_| own) else { return Ok(mesh) };
+        let rim_radius = web.rim_radius();
         // Elements next to the web are removed.
         let of_web = |element: usize| {
             let [x, y] = plane.position(ElementPoint { element, xi: 0.0, eta: 0.0 });
-            let beyond = x.hypot(y) - web.rim_radius;
-            beyond * (self.rim.fixed_radius - web.rim_radius) > 0.0
+            let beyond = x.hypot(y) - rim_radius;
+            beyond * (self.rim.fixed_radius - rim_radius) > 0.0
         };
         let of_web: Vec<bool> = (0..plane.elements.len()).map(of_web).collect();
         let [start, end] = web.ends();

@@ -11,6 +11,7 @@ mod diagnostics;
 mod disc_webs;
 mod dynamics;
 mod estimates;
+mod extensions;
 mod extremes;
 mod first_day_solid;
 mod flank_and_fillet;

@@ -419,7 +419,7 @@ fn analyses_at_the_same_time_build_each_structure_once() {
 }
 
 #[test]
-fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
+fn keys_contain_the_inputs_of_a_structure_and_nothing_else() {
     let base = &PLAIN[0].prototype;
     let again = |change: &dyn Fn(&mut GearPrototype)| {
         let GearPrototype { gear, modifications, material, rim, face_width, pitch_errors, .. } = &**base;
@@ -427,7 +427,7 @@ fn what_a_structure_depends_on_is_in_its_key_and_nothing_else() {
             gear.clone(),
             modifications.clone(),
             *material,
-            *rim,
+            rim.clone(),
             *face_width,
             pitch_errors.clone(),
         )

@@ -2,9 +2,9 @@
 //! additional features.
 
 use calyx_gears::blank::{GearBlank, Rim};
-use calyx_gears::disc_web::{DiscWeb, Hub};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
+use calyx_gears::web::{DiscWeb, Hub};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::{Fidelity, Prototype, StructureOptions};
@@ -49,13 +49,13 @@ fn built(rim: Rim) -> Arc<dyn SolidStructure> {
 /// Displacements of a tooth and its neighbour by loads on the tooth, at mid-face and at both ends
 /// of the face, without the half-space's part, m/N; and the largest root stress next to a load high
 /// on the flank at one end of the face, Pa/N.
-struct Answers {
+struct Response {
     own: Vec<f64>,
     next: Vec<f64>,
     stress: f64,
 }
 
-fn answers(structure: &dyn SolidStructure) -> Answers {
+fn response(structure: &dyn SolidStructure) -> Response {
     let [_, [from, to]] = structure.surface(0).range();
     let [[start, end], _] = structure.surface(0).range();
     let at = |share: f64, along: f64| {
@@ -71,32 +71,32 @@ fn answers(structure: &dyn SolidStructure) -> Answers {
     let load = SegmentLoad { chart: Chart { tooth: 0, surface: 0 }, segment: at(0.7, 0.1), force: 1.0 };
     let stresses = structure.stresses(0, 0, &[load]);
     let stress = stresses.iter().map(|stress| stress.principal()[0]).fold(0.0, f64::max);
-    Answers { own: between(0), next: between(1), stress }
+    Response { own: between(0), next: between(1), stress }
 }
 
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
-fn apart(one: &[f64], other: &[f64]) -> f64 {
-    let apart: Vec<f64> = one.iter().zip(other).map(|(a, b)| a - b).collect();
-    largest(&apart)
+fn largest_difference(one: &[f64], other: &[f64]) -> f64 {
+    let differences: Vec<f64> = one.iter().zip(other).map(|(a, b)| a - b).collect();
+    largest(&differences)
 }
 
 /// A web in either form. With more terms the joint converges to the common mesh.
 #[test]
 fn a_joined_web_becomes_the_web_of_the_common_mesh() {
-    let common = answers(built(ring().on_web(THICKNESS, OFFSET, BORE).expect("a web")).as_ref());
+    let common = response(built(ring().on_web(THICKNESS, OFFSET, BORE).expect("a web")).as_ref());
     let scale = largest(&common.own);
     println!(
-        "waves, degree: compliance of a tooth and of its neighbour, root stress, against the common mesh"
+        "harmonics, degree: compliance of a tooth and of its neighbour, root stress, against the common mesh"
     );
     let off = [(4, 2), (8, 2), (16, 2), (24, 2)].map(|(harmonics, degree)| {
         let joined =
-            answers(built(on_disc(DiscWeb { harmonics: Some(harmonics), degree, ..plain() })).as_ref());
+            response(built(on_disc(DiscWeb { harmonics: Some(harmonics), degree, ..plain() })).as_ref());
         let off = [
-            apart(&joined.own, &common.own) / scale,
-            apart(&joined.next, &common.next) / scale,
+            largest_difference(&joined.own, &common.own) / scale,
+            largest_difference(&joined.next, &common.next) / scale,
             (joined.stress / common.stress - 1.0).abs(),
         ];
         println!("{harmonics}, {degree}: {off:.5?}");
@@ -116,12 +116,15 @@ fn a_joined_web_becomes_the_web_of_the_common_mesh() {
 fn a_stiff_web_is_a_bore_constrained_by_its_series() {
     let stiff = Material { youngs_modulus: 1e8 * Material::STEEL.youngs_modulus, ..Material::STEEL };
     let disc = DiscWeb { harmonics: Some(6), degree: 2, material: Some(stiff), ..DiscWeb::plain(WIDTH, 0.0) };
-    let joined = answers(built(ring().on_disc(WIDTH, 0.0, BORE, disc).expect("a web")).as_ref());
+    let joined = response(built(ring().on_disc(WIDTH, 0.0, BORE, disc).expect("a web")).as_ref());
     let constrained =
-        answers(built(ring().supported_by(BoreSupport::Means { harmonics: Some(6), degree: 2 })).as_ref());
+        response(built(ring().supported_by(BoreSupport::Means { harmonics: Some(6), degree: 2 })).as_ref());
     let scale = largest(&constrained.own);
-    let off =
-        [apart(&joined.own, &constrained.own), apart(&joined.next, &constrained.next)].map(|off| off / scale);
+    let off = [
+        largest_difference(&joined.own, &constrained.own),
+        largest_difference(&joined.next, &constrained.next),
+    ]
+    .map(|off| off / scale);
     assert!(off.iter().all(|off| *off < 1e-6), "{off:?}");
     assert!((joined.stress / constrained.stress - 1.0).abs() < 1e-6);
 }
@@ -130,7 +133,7 @@ fn a_stiff_web_is_a_bore_constrained_by_its_series() {
 /// cache key contains all of them. Cached structures have the same bits, in the tables of adjacent
 /// teeth and beyond them.
 #[test]
-fn webs_differ_and_are_kept_whole() {
+fn webs_have_keys_of_their_own_and_are_restored_completely() {
     let hub = Hub { radius: 20e-3, width: 24e-3, offset: 0.0 };
     let soft = Material { youngs_modulus: 70e9, ..Material::STEEL };
     let webs = [
@@ -142,7 +145,7 @@ fn webs_differ_and_are_kept_whole() {
     ]
     .map(|disc| DiscWeb { harmonics: Some(6), ..disc });
     let options = options();
-    let mean = |structure: &dyn SolidStructure| answers(structure).own[4];
+    let mean = |structure: &dyn SolidStructure| response(structure).own[4];
     let built = webs.map(|disc| (gear(on_disc(disc)), built(on_disc(disc))));
     let means = built.each_ref().map(|(_, structure)| mean(structure.as_ref()));
     assert!(means[1] < means[0] && means[2] < means[0] && means[4] > means[0], "{means:?}");

@@ -35,11 +35,11 @@ fn modes(gear: &GearPrototype) -> Arc<BodyModes> {
 
 fn structure(gear: &GearPrototype) -> Arc<dyn Structure> {
     let shared = gear.build(&options(), &Interrupt::never()).expect("a structure");
-    gear.shape(shared, &options()).expect("its own shape")
+    gear.shape(shared, &options()).expect("modified flanks")
 }
 
-/// Displacement by a force on a flank at a distant point, from statics and from modes. Returns the
-/// largest difference, relative to the displacement of the loaded tooth as a whole.
+/// Compares the displacements of flanks by a force on one of them, from the static compliance and
+/// from the modes. Returns the largest difference relative to the largest displacement.
 fn worst_difference(gear: &GearPrototype) -> f64 {
     let (modes, structure) = (modes(gear), structure(gear));
     let length = structure.profile(0).length();
@@ -52,10 +52,10 @@ fn worst_difference(gear: &GearPrototype) -> f64 {
     {
         let mut block = vec![0.0; 4];
         structure.add_compliance(observe, &s, load, &s, &mut block);
-        let seen = modes.displacements(observe, &s);
+        let shapes = modes.displacements(observe, &s);
         for (k, expected) in block.into_iter().enumerate() {
             let sum: f64 = (0..modes.count())
-                .map(|mode| seen[(k / 2, mode)] * of_load[(k % 2, mode)] / modes.frequencies[mode].powi(2))
+                .map(|mode| shapes[(k / 2, mode)] * of_load[(k % 2, mode)] / modes.frequencies[mode].powi(2))
                 .sum();
             worst = worst.max((sum - expected).abs());
             largest = largest.max(expected.abs());
@@ -65,7 +65,7 @@ fn worst_difference(gear: &GearPrototype) -> f64 {
 }
 
 #[test]
-fn modes_go_with_the_compliance_of_statics() {
+fn modes_reproduce_the_static_compliance() {
     for support in [FREE, BoreSupport::Means { harmonics: Some(4), degree: 0 }] {
         let gear = blank(support).cut().expect("a gear");
         let difference = worst_difference(&gear);
@@ -74,7 +74,7 @@ fn modes_go_with_the_compliance_of_statics() {
 }
 
 #[test]
-fn a_relief_turns_what_is_pressed() {
+fn modes_reproduce_the_static_compliance_of_a_relieved_flank() {
     let relief = Modification::tip_relief(0.02e-3, 28_f64.to_radians(), ReliefShape::Quadratic);
     let gear = blank(BoreSupport::Rigid).modified(relief).cut().expect("a gear");
     let difference = worst_difference(&gear);
@@ -87,7 +87,7 @@ fn gears_without_component_modes_are_refused() {
         Resources::default().modes(gear.as_ref(), &options(), HIGHEST).err().expect("refused").code
     };
     let free = blank(BoreSupport::Rigid);
-    let splined = free.rim.splined(&SplineSupport::new(7)).expect("a splined rim");
+    let splined = free.rim.clone().splined(&SplineSupport::new(7)).expect("a splined rim");
     assert_eq!(refused(free.clone().rim(splined).cut().expect("a gear")), "E0759");
     let helix = Helix::new(15_f64.to_radians(), Hand::Right).expect("a helix");
     let helical = GearBlank { helix, ..free };

@@ -172,7 +172,7 @@ fn all_bore_supports_have_the_same_reactions() {
 
 fn splined(spline: &SplineSupport, backup: f64) -> BoreSupport {
     let rigid = gear(TEETH, backup, BoreSupport::Rigid);
-    rigid.rim.splined(spline).expect("spline teeth").support
+    rigid.rim.clone().splined(spline).expect("spline teeth").support
 }
 
 /// Spline teeth carry the whole load, whatever the ratio of their number to that of the gear teeth.
@@ -209,18 +209,20 @@ fn the_coarsest_mesh_resolves_the_spline_teeth_that_a_gear_may_have() {
         ..StructureOptions::default()
     };
     let spline = SplineSupport { axial_order: 2, ..SplineSupport::new(26) };
-    let rim = gear(20, 1.0, BoreSupport::Rigid).rim;
+    let rim = gear(20, 1.0, BoreSupport::Rigid).rim.clone();
     let gear = gear(20, 1.0, rim.splined(&spline).expect("spline teeth").support);
     gear.build(&coarse, &Interrupt::never()).expect("a plane structure");
     gear.build_solid(&coarse, &Interrupt::never()).expect("a solid structure");
     let found = gear
         .rim
+        .clone()
         .supported_by(BoreSupport::Rigid)
         .splined(&SplineSupport { spline_teeth: 27, ..spline })
         .expect("spline teeth");
     let blank =
         GearBlank::standard(20, Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack"));
-    let refused = blank.rim(Rim { support: found.support, ..gear.rim }).cut().err().expect("too many");
+    let refused =
+        blank.rim(Rim { support: found.support, ..gear.rim.clone() }).cut().err().expect("too many");
     assert!(format!("{refused:?}").contains("E0656"), "{refused:?}");
 }
 

@@ -74,7 +74,7 @@ pub fn cases() -> Vec<Case> {
                 27.25_f64.to_radians(),
                 calyx_gears::modification::ReliefShape::Quadratic,
             );
-            let rim = PLAIN[0].prototype.rim;
+            let rim = PLAIN[0].prototype.rim.clone();
             let made = GearPrototype::new(gear, vec![relief], steel(), rim, 0.0254, Vec::new());
             refusal(made.map_err(|mut errors| errors.remove(0)))
         }),

@@ -59,7 +59,7 @@ fn shallow_modifications_share_a_structure_and_deep_ones_have_their_own() {
     let plain = chapter_5_member(20, 0.0, Scale { length: 1.0, modulus: 1.0 });
     let with = |modification: Modification| {
         let Member { prototype, .. } = &plain;
-        let (gear, rim) = (prototype.gear.clone(), prototype.rim);
+        let (gear, rim) = (prototype.gear.clone(), prototype.rim.clone());
         let modified = vec![modification];
         GearPrototype::new(gear, modified, prototype.material, rim, prototype.face_width, Vec::new())
             .expect("a gear")
