@@ -11,7 +11,7 @@ fn main() {
     divan::main();
 }
 
-fn sound(checked: Checked) -> Checked {
+fn without_errors(checked: Checked) -> Checked {
     assert!(!checked.has_errors(), "{}", checked.render());
     checked
 }
@@ -27,7 +27,7 @@ fn check_cold(bencher: Bencher, lines: usize) {
 #[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
 fn check_and_elaborate(bencher: Bencher, lines: usize) {
     let text = generator::model(lines);
-    bencher.bench(|| sound(check_text("model.cx", black_box(&text))));
+    bencher.bench(|| without_errors(check_text("model.cx", black_box(&text))));
 }
 
 /// Incremental check after a change of one function body.
@@ -52,8 +52,9 @@ fn check_after_an_edit(bencher: Bencher, lines: usize) {
 #[divan::bench(args = [250, 500, 1_000, 2_000])]
 fn compile(bencher: Bencher, lines: usize) {
     let (engine, text) = (Engine::default(), generator::model(lines));
-    bencher
-        .bench(|| Module::from_checked(&engine, sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
+    bencher.bench(|| {
+        Module::from_checked(&engine, without_errors(check_text("model.cx", black_box(&text)))).map(|_| ())
+    });
 }
 
 /// From checked model to machine code.
@@ -61,7 +62,7 @@ fn compile(bencher: Bencher, lines: usize) {
 fn machine_code(bencher: Bencher, lines: usize) {
     let (engine, text) = (Engine::default(), generator::model(lines));
     bencher
-        .with_inputs(|| sound(check_text("model.cx", &text)))
+        .with_inputs(|| without_errors(check_text("model.cx", &text)))
         .bench_values(|checked| Module::from_checked(&engine, checked).map(|_| ()));
 }
 
@@ -69,6 +70,7 @@ fn machine_code(bencher: Bencher, lines: usize) {
 #[divan::bench(args = [25, 50, 100])]
 fn chain(bencher: Bencher, factors: usize) {
     let (engine, text) = (Engine::default(), generator::chain(factors));
-    bencher
-        .bench(|| Module::from_checked(&engine, sound(check_text("model.cx", black_box(&text)))).map(|_| ()));
+    bencher.bench(|| {
+        Module::from_checked(&engine, without_errors(check_text("model.cx", black_box(&text)))).map(|_| ())
+    });
 }

@@ -1,7 +1,7 @@
 //! Serialized compiled modules.
 //!
 //! ```text
-//! magic, format, length, SHA-256        52 bytes, little-endian; the checksum covers all other bytes
+//! magic, format, length, SHA-256        52 bytes, little-endian; the hash is of all other bytes
 //! identity                              version of Calyx, engine and target machine
 //! contents                              description, machine code, functions of params
 //! ```

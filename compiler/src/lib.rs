@@ -55,7 +55,8 @@
 //!     Ok(pair.solve()?.summary_in("transmission_error", "urad")?.peak_to_peak)
 //! };
 //! let errors: Vec<f64> = std::thread::scope(|scope| {
-//!     let started: Vec<_> = [250.0, 500.0, 1000.0].map(|torque| scope.spawn(move || peak_to_peak(torque))).into();
+//!     let solve = |torque| scope.spawn(move || peak_to_peak(torque));
+//!     let started: Vec<_> = [250.0, 500.0, 1000.0].map(solve).into();
 //!     started.into_iter().map(|thread| thread.join().expect("no panic")).collect::<Result<_, _>>()
 //! })?;
 //! assert_eq!(errors.len(), 3);

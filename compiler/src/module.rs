@@ -28,7 +28,8 @@ use std::sync::Arc;
 ///
 /// ```
 /// let engine = calyx::Engine::default();
-/// let module = calyx::Module::from_text(&engine, "square.cx", "param side = 2 mm; print(side^2);")?;
+/// let text = "param side = 2 mm; print(side^2);";
+/// let module = calyx::Module::from_text(&engine, "square.cx", text)?;
 /// let mut instance = module.instantiate();
 /// instance.set("side", (1.0, "inch"))?;
 /// instance.on_print(|line| println!("{line}"));

@@ -395,8 +395,8 @@ fn a_cancelled_search_for_a_tolerance_has_results() {
         }
     });
     let results = pair.solve().expect("what was found is kept");
-    let chosen = results.analysis().unwrap().chosen.as_ref().unwrap();
-    assert_eq!(chosen.ended.as_deref(), Some("the run was cancelled"));
+    let outcome = results.analysis().unwrap().tolerance_search.as_ref().unwrap();
+    assert_eq!(outcome.ended.as_deref(), Some("the run was cancelled"));
     assert!(results.summary("transmission_error").unwrap().max.is_finite());
     let codes: Vec<&str> = results.findings().iter().map(|finding| finding.error.code.as_ref()).collect();
     assert!(codes.contains(&"E0793"), "{codes:?}");

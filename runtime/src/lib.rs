@@ -24,13 +24,15 @@
 //! use std::sync::Arc;
 //!
 //! let (radii, face_width, force) = ([0.05, 0.1], 0.02, 10e3);
-//! let [lower, upper] = radii.map(|radius| Arc::new(Disc::new(radius, face_width, Material::STEEL)));
+//! let cylinder = |radius| Arc::new(Disc::new(radius, face_width, Material::STEEL));
+//! let [lower, upper] = radii.map(cylinder);
 //!
 //! // The lower cylinder is fixed; the upper one moves vertically under its load.
 //! let mut scene = Scene::default();
-//! let lower = scene.add_body(Body::new("lower", lower, SteadyRotation::at_rest([0.0, -radii[0]])));
+//! let at_rest = |y| SteadyRotation::at_rest([0.0, y]);
+//! let lower = scene.add_body(Body::new("lower", lower, at_rest(-radii[0])));
 //! let upper = scene.add_body(
-//!     Body::new("upper", upper, SteadyRotation::at_rest([0.0, radii[1]]))
+//!     Body::new("upper", upper, at_rest(radii[1]))
 //!         .free_in(&[Component::Uy])
 //!         .loaded(Wrench::of_force([0.0, -force, 0.0])),
 //! );
@@ -44,7 +46,8 @@
 //! let solved = steps.next().expect("there is one position")?;
 //! assert!(solved.certificate.largest() < 1e-12);
 //! let peak = solved.row.outputs[0].value;
-//! let half_width = steps.current().and_then(|step| step.patches[0].half_width()).expect("it is solved");
+//! let step = steps.current().expect("a solved position");
+//! let half_width = step.patches[0].half_width().expect("a loaded patch");
 //!
 //! // Hertz (Johnson, Contact Mechanics, eqs. 4.43 to 4.45): a² = 4 q R / (π E*), p = 2 q / (π a).
 //! let line_load = force / face_width;

@@ -59,7 +59,7 @@ fn followed(
     let mut history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
     let (mut states, mut seen, mut touched) = (Vec::new(), 0, false);
     while seen <= impacts {
-        let row = history.next().expect("there is time enough").expect("it goes on");
+        let row = history.next().expect("a position").expect("a solution");
         assert!(row.certificate.largest() < 1e-10, "{:?}", row.certificate);
         let (place, speed) = (row.row.outputs[0].value, history.state().velocity[dof]);
         seen += usize::from(touches(place) && !touched);

@@ -123,16 +123,16 @@ fn the_selected_setting_satisfies_the_tolerance() {
         for (value, exact) in values(&result).iter().zip(&exact) {
             assert!((value / exact - 1.0).abs() <= 2.0 * tolerance, "{tolerance}: {value} {exact}");
         }
-        let chosen = result.chosen.expect("an outcome of the search");
-        println!("{}", chosen.describe());
-        assert_eq!(chosen.setting.fidelity, Fidelity::Plane);
+        let outcome = result.tolerance_search.expect("an outcome of the search");
+        println!("{}", outcome.describe());
+        assert_eq!(outcome.setting.fidelity, Fidelity::Plane);
         assert_eq!(
-            (chosen.tried[0].setting.fidelity, chosen.tried[0].worst.1),
+            (outcome.attempts[0].setting.fidelity, outcome.attempts[0].worst.1),
             (Fidelity::Rigid, f64::INFINITY)
         );
-        assert!(chosen.tried.last().is_some_and(|tried| tried.whole && tried.worst.1 <= tolerance));
-        assert!(chosen.level_unseen.is_some_and(|reason| reason.starts_with("E0690")));
-        effort.push(chosen.setting.refinement * chosen.setting.cells as f64);
+        assert!(outcome.attempts.last().is_some_and(|attempt| attempt.whole && attempt.worst.1 <= tolerance));
+        assert!(outcome.excluded_model_error.is_some_and(|reason| reason.starts_with("E0690")));
+        effort.push(outcome.setting.refinement * outcome.setting.cells as f64);
     }
     assert!(effort[1] > effort[0], "{effort:?}");
 }
@@ -157,7 +157,7 @@ fn no_structure_is_condensed_twice() {
     let options = AnalysisOptions { resources: Resources::default(), ..from(Fidelity::Plane) };
     let result =
         quasi_static_within(1e-3, &scene, &at, &outputs, &options, &mut ()).expect("a setting satisfies it");
-    assert!(result.chosen.is_some_and(|chosen| chosen.tried.len() > 1));
+    assert!(result.tolerance_search.is_some_and(|outcome| outcome.attempts.len() > 1));
     let built = roller.built.lock().expect("nothing panics under the lock");
     for (index, options) in built.iter().enumerate() {
         assert!(!built[..index].contains(options), "{options:?} twice");
@@ -177,7 +177,7 @@ fn a_tolerance_that_no_setting_meets_ends_with_the_best_results() {
         let result = result.unwrap_or_else(|error| panic!("{tolerance} of a plate of {plate}: {error:?}"));
         assert_eq!((result.rows.len(), result.plan.fidelity), (1, Fidelity::Plane));
         let missed = result
-            .chosen
+            .tolerance_search
             .as_ref()
             .and_then(ToleranceOutcome::missed)
             .expect("it does not meet the tolerance");
@@ -265,17 +265,17 @@ fn a_cancelled_search_returns_the_best_results() {
     let mut observer = CancelAfterFirstResult { cancelled, steps: Vec::new() };
     let result = quasi_static_within(1e-5, &scene, &at, &outputs, &options, &mut observer);
     let result = result.expect("results of the cancelled search");
-    let chosen = result.chosen.as_ref().expect("an outcome of the search");
-    assert_eq!(chosen.ended.as_deref(), Some("the run was cancelled"));
-    let taken = &chosen.tried[chosen.taken];
-    assert!(taken.worst.1 > 1e-5 && chosen.tried.iter().all(|tried| tried.worst.1 >= taken.worst.1));
-    assert_eq!((taken.setting, taken.whole), (chosen.setting, result.rows.len() == at.len()));
-    let missed = chosen.missed().expect("the tolerance is missed");
+    let outcome = result.tolerance_search.as_ref().expect("an outcome of the search");
+    assert_eq!(outcome.ended.as_deref(), Some("the run was cancelled"));
+    let taken = &outcome.attempts[outcome.selected];
+    assert!(taken.worst.1 > 1e-5 && outcome.attempts.iter().all(|attempt| attempt.worst.1 >= taken.worst.1));
+    assert_eq!((taken.setting, taken.whole), (outcome.setting, result.rows.len() == at.len()));
+    let missed = outcome.missed().expect("the tolerance is missed");
     assert_eq!((missed.code, missed.argument), ("E0793", Some("tolerance")));
     for part in ["0.001 %", "the run was cancelled", "at a few of the positions", " % in `"] {
         assert!(missed.message.contains(part), "{part} in {}", missed.message);
     }
-    assert!(chosen.describe().starts_with("tolerance 0.001 % not met, because the run was cancelled"));
+    assert!(outcome.describe().starts_with("tolerance 0.001 % not met, because the run was cancelled"));
     let rows: Vec<(usize, f64)> = result.rows.iter().map(|row| row.position.time).enumerate().collect();
     assert_eq!(observer.steps, rows);
 }

@@ -118,9 +118,9 @@ impl Axes {
             off_action * of(off) - in_action * of(action)
         });
         // Displacement of the axis per unit of its length, and the rotation that causes it.
-        let lean = x.hypot(y);
-        let tip = [x, y].map(|part| if lean > 0.0 { part / lean * lean.sin() } else { 0.0 });
-        let [swung_x, swung_y, swung_z] = tilted_axes([tip[0], tip[1], lean.cos()]);
+        let tilt = x.hypot(y);
+        let tip = [x, y].map(|part| if tilt > 0.0 { part / tilt * tilt.sin() } else { 0.0 });
+        let [swung_x, swung_y, swung_z] = tilted_axes([tip[0], tip[1], tilt.cos()]);
         let d = self.directions;
         // The same rotation about ground axes: transform into the plane of the sections, rotate,
         // and transform back.
@@ -139,16 +139,16 @@ impl Axes {
 /// # Errors
 /// E0610: it does not. E0710: its frame is NaN or infinite at time 0.
 pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
-    let lean = Orientation::of(&spatial_pose(motion, 0.0)?).tilt();
+    let tilt = Orientation::of(&spatial_pose(motion, 0.0)?).tilt();
     let [x, y, z] = angular_velocity(motion, 0.0);
     // A frame that is upright at time 0 may tilt later.
     let falls = x.hypot(y).atan2(z.abs());
-    if lean <= LARGEST_LEAN && falls <= LARGEST_LEAN {
+    if tilt <= LARGEST_LEAN && falls <= LARGEST_LEAN {
         return Ok(());
     }
     Err(EngineError::new(
         "E0610",
-        format!("the body turns about an axis that leans {} deg from e3", shown(lean.max(falls) / DEGREE)),
+        format!("the body turns about an axis that leans {} deg from e3", shown(tilt.max(falls) / DEGREE)),
         format!(
             "build the frame from rotations about e3 (an axis of unit length) and translations; a misaligned axis is inclined by at most {} deg",
             shown(LARGEST_LEAN / DEGREE)

@@ -223,7 +223,7 @@ fn analyze(
     host.observer = observer;
     host.failed_analyses += usize::from(result.is_err());
     let result = result.map_err(|error| host.engine_error(host.overrides.list(error)))?;
-    if let Some(missed) = result.chosen.as_ref().and_then(ToleranceOutcome::missed) {
+    if let Some(missed) = result.tolerance_search.as_ref().and_then(ToleranceOutcome::missed) {
         let error = RuntimeError { place: Some(place), ..host.engine_error(missed) };
         host.findings.push(Finding { severity: Severity::Warning, error });
     }
@@ -297,10 +297,11 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
 /// Reports movable bodies without a mesh or a bearing as a constraint: an analysis leaves them out.
 pub fn check_unrestrained(host: &mut ModelHost) {
     let meshed = |body: usize| host.scene.pairs.iter().any(|pair| pair.bodies.contains(&BodyId(body)));
-    let borne = |body: usize| host.scene.bearings.iter().any(|b| b.bodies().any(|other| other.0 == body));
+    let supported = |body: usize| host.scene.bearings.iter().any(|b| b.bodies().any(|other| other.0 == body));
     let free = |body: &Body| DOF_NAMES.iter().zip(body.free).find(|(_, free)| *free).map(|(name, _)| *name);
-    let bodies = host.scene.bodies.iter().enumerate().filter(|(index, _)| !meshed(*index) && !borne(*index));
-    let unheld: Vec<Finding> = bodies
+    let bodies =
+        host.scene.bodies.iter().enumerate().filter(|(index, _)| !meshed(*index) && !supported(*index));
+    let unrestrained: Vec<Finding> = bodies
         .filter_map(|(index, body)| {
             let error = EngineError::new(
                 "E0715",
@@ -311,7 +312,7 @@ pub fn check_unrestrained(host: &mut ModelHost) {
             Some(Finding { severity: Severity::Warning, error })
         })
         .collect();
-    host.findings.extend(unheld);
+    host.findings.extend(unrestrained);
 }
 
 fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {

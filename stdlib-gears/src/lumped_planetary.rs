@@ -35,6 +35,14 @@ pub struct LumpedMember {
     pub fixed: [bool; 3],
 }
 
+impl LumpedMember {
+    /// Former name of the field [`LumpedMember::fixed`].
+    #[deprecated(since = "0.1.0", note = "use the field `fixed`")]
+    pub fn held(&self) -> [bool; 3] {
+        self.fixed
+    }
+}
+
 /// Springs between a central gear and each planet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LumpedMesh {

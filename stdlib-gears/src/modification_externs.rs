@@ -11,35 +11,35 @@ use calyx_abi::{Context, RuntimeError};
 
 calyx_abi::externs! {
     Pure fn calyx_gears_tip_relief(context, depth: f64, start_roll_angle: f64, shape: String) -> Handle {
-        kept(context, Ok(Modification::TipRelief(relief(depth, start_roll_angle, &shape))))
+        stored(context, Ok(Modification::TipRelief(relief(depth, start_roll_angle, &shape))))
     }
 
     Pure fn calyx_gears_root_relief(context, depth: f64, start_roll_angle: f64, shape: String) -> Handle {
-        kept(context, Ok(Modification::RootRelief(relief(depth, start_roll_angle, &shape))))
+        stored(context, Ok(Modification::RootRelief(relief(depth, start_roll_angle, &shape))))
     }
 
     Pure fn calyx_gears_lead_crown(context, depth: f64) -> Handle {
-        kept(context, Modification::lead_crown(depth))
+        stored(context, Modification::lead_crown(depth))
     }
 
     Pure fn calyx_gears_profile_slope(context, deviation: f64) -> Handle {
-        kept(context, Ok(Modification::ProfileSlope(deviation)))
+        stored(context, Ok(Modification::ProfileSlope(deviation)))
     }
 
     Pure fn calyx_gears_helix_slope(context, deviation: f64) -> Handle {
-        kept(context, Ok(Modification::HelixSlope(deviation)))
+        stored(context, Ok(Modification::HelixSlope(deviation)))
     }
 
     Pure fn calyx_gears_profile_table(context, roll_angles: Vec<f64>, depths: Vec<f64>) -> Handle {
-        kept(context, Modification::profile_table(roll_angles, depths))
+        stored(context, Modification::profile_table(roll_angles, depths))
     }
 
     Pure fn calyx_gears_lead_table(context, axial_positions: Vec<f64>, depths: Vec<f64>) -> Handle {
-        kept(context, Modification::lead_table(axial_positions, depths))
+        stored(context, Modification::lead_table(axial_positions, depths))
     }
 
     Pure fn calyx_gears_topography(context, roll_angles: Vec<f64>, axial_positions: Vec<f64>, depths: Vec<f64>) -> Handle {
-        kept(context, Modification::topography(roll_angles, axial_positions, depths))
+        stored(context, Modification::topography(roll_angles, axial_positions, depths))
     }
 
     Pure fn calyx_gears_host_modification(context, name: String) -> Handle {
@@ -51,7 +51,7 @@ calyx_abi::externs! {
                 Deviation::new(name, |_| 0.0)
             }
         };
-        kept(context, Ok(deviation.into()))
+        stored(context, Ok(deviation.into()))
     }
 }
 
@@ -60,7 +60,7 @@ fn relief(depth: f64, start_roll: f64, shape: &str) -> TipRelief {
     TipRelief { depth, start_roll, shape }
 }
 
-fn kept(context: &mut Context, made: Result<Modification, GeometryError>) -> Result<Handle, RuntimeError> {
+fn stored(context: &mut Context, made: Result<Modification, GeometryError>) -> Result<Handle, RuntimeError> {
     let (place, host) = (context.place, host(context)?);
     let modification = made.map_err(|error| host.rejected(error.into(), place))?;
     Ok(keep(&mut host.modifications, modification))

@@ -130,10 +130,10 @@ fn effectivities(
         let error = own.error.as_ref().expect("it is estimated");
         let of = |Statistics { min, max, mean, peak_to_peak }: Statistics| [min, max, mean, peak_to_peak];
         let scale = exact.max.abs().max(exact.min.abs());
-        let told = |(part, errors): &(Part, Statistics)| {
+        let describe = |(part, errors): &(Part, Statistics)| {
             format!("{} {:?}", part.name(), of(*errors).map(|error| error / scale))
         };
-        let told: Vec<String> = error.parts.iter().map(told).collect();
+        let parts_text: Vec<String> = error.parts.iter().map(describe).collect();
         let statistics = [
             ("min", own.min, exact.min),
             ("max", own.max, exact.max),
@@ -148,7 +148,7 @@ fn effectivities(
                 "{name}, {output}, {statistic}: estimate {estimate:.1e}, true {off:.1e}, effectivity {effectivity:.2}"
             );
             println!("{text}");
-            all.push((format!("{text}: {told:?}"), effectivity));
+            all.push((format!("{text}: {parts_text:?}"), effectivity));
         }
     }
     all

@@ -104,15 +104,15 @@ fn solid_models_have_every_output_of_plane_models() {
             assert!(loaded > 0.5 && loaded <= 1.0, "{loaded}");
 
             // Positions on the face; `gauges.rs` tests the readings of gauges there.
-            let pressed = seen(&MaxContactPressure(MESH)).place.expect("something is pressed");
+            let pressed = seen(&MaxContactPressure(MESH)).location.expect("something is pressed");
             assert!(pressed.axial.is_some_and(|axial| axial.abs() <= 0.5 * FACE), "{pressed:?}");
             for body in BODIES {
                 let stress = seen(&MaxRootStress(body));
-                let place = stress.place.expect("a loaded gear has a place of its largest stress");
+                let place = stress.location.expect("a loaded gear has a location of its largest stress");
                 let axial = place.axial.expect("a solid has points along the face");
-                let told =
+                let location =
                     MaximumLocation { body, maximum: Maximum::RootStress, coordinate: Coordinate::Axial };
-                assert_eq!(value(&told), axial);
+                assert_eq!(value(&location), axial);
                 assert!(value(&MaxRootCompression(body)) > 0.5 * stress.value);
             }
             let fields = at.fields();

@@ -177,7 +177,7 @@ fn gauges_read_the_stress_that_is_recovered_and_its_mirror_image() {
             for body in BODIES {
                 let gear = &gears[body.0];
                 let stress = value(&MaxRootStress(body));
-                let place = stress.place.expect("a loaded gear has a place of its largest stress");
+                let place = stress.location.expect("a loaded gear has a location of its largest stress");
                 let axial = place.axial.expect("a solid has points along the face");
                 let largest = GaugePlacement { along: FilletLocation::Radius(place.radius), axial, ..MIDDLE };
                 let read = |placing: GaugePlacement, reading| {

@@ -216,8 +216,9 @@ fn a_plan_in_the_plane_refuses_helical_gears_of_either_rack() {
 fn what_follows_from_a_helix_is_told() {
     let gears = [gear(25, Hand::Left, BETA), gear(50, Hand::Right, BETA)];
     let quantities = of_gear(&gears[0]);
-    let value =
-        |symbol: &str| quantities.iter().find(|quantity| quantity.symbol == symbol).expect("told").value;
+    let value = |symbol: &str| {
+        quantities.iter().find(|quantity| quantity.symbol == symbol).expect("a quantity").value
+    };
     assert!((value("m_n") - NORMAL_MODULE).abs() < 1e-17);
     assert!((value("alpha_n") - ALPHA).abs() < 1e-14);
     assert!((value("p_z") - 25.0 * PI * NORMAL_MODULE / BETA.sin()).abs() < 1e-14);
@@ -230,8 +231,9 @@ fn what_follows_from_a_helix_is_told() {
     let wound = calyx_gears::mesh_geometry::HelicalTeeth { first: gears[0].helix, width: 30e-3 };
     let mesh = plain.expect("a mesh").across(&externals[0], &wound);
     let quantities = of_mesh([gears[0].form(), gears[1].form()], &mesh);
-    let value =
-        |symbol: &str| quantities.iter().find(|quantity| quantity.symbol == symbol).expect("told").value;
+    let value = |symbol: &str| {
+        quantities.iter().find(|quantity| quantity.symbol == symbol).expect("a quantity").value
+    };
     assert!((value("epsilon_gamma") - value("epsilon_alpha") - value("epsilon_beta")).abs() < 1e-15);
     assert!(value("epsilon_beta") > 1.0);
 }
@@ -291,7 +293,8 @@ fn derived_values_count_in_the_plane_of_the_rack() {
     blank.rim.fixed_radius = 0.5 * blank.root_diameter - 2.0 * NORMAL_MODULE;
     blank.face_width = 40e-3;
     let quantities = of_gear(&blank.cut().expect("a gear"));
-    let quantity = |symbol: &str| quantities.iter().find(|quantity| quantity.symbol == symbol).expect("told");
+    let quantity =
+        |symbol: &str| quantities.iter().find(|quantity| quantity.symbol == symbol).expect("a quantity");
     let close = |symbol: &str, expected: f64| {
         let found = quantity(symbol).value;
         assert!((found / expected - 1.0).abs() < 1e-12, "{symbol}: {found}, not {expected}");

@@ -97,7 +97,7 @@ fn ratios_of_torques_and_axial_forces_are_exact() {
             // Hertzian pressure at mid-face of one pair of spur teeth; both flanks curve in the
             // same direction: p = sqrt(F E' (1 / r_1 - 1 / r_2) / (2 pi b)).
             let pressure = system.value(&step, &MaxContactPressure(PairId(0)));
-            let place = pressure.place.expect("something is pressed");
+            let place = pressure.location.expect("something is pressed");
             let alone = value(&PairsInContact(PairId(0))) == 1.0;
             if helix_angle == 0.0 && alone {
                 let roll = place.roll_angle.expect("on a flank");

@@ -18,12 +18,12 @@ fn flanks(gear: &ExternalGear) -> [Arc<Flank>; 2] {
 
 /// Smallest ratio of an element's least Jacobian determinant to its mean, over all elements.
 fn worst_distortion(mesh: &PlaneMesh) -> f64 {
-    let places = [-1.0, -0.6, 0.0, 0.6, 1.0];
+    let points = [-1.0, -0.6, 0.0, 0.6, 1.0];
     let mut worst = 1.0_f64;
     for element in 0..mesh.elements.len() {
         let mut values = Vec::new();
-        for xi in places {
-            for eta in places {
+        for xi in points {
+            for eta in points {
                 let [[a, b], [c, d]] = mesh.jacobian(ElementPoint { element, xi, eta });
                 values.push(a * d - b * c);
             }
@@ -47,11 +47,11 @@ fn check(name: &str, gear: &ExternalGear, rim: f64, refinement: &Refinement) {
             root_radius: gear.root_radius,
             tip_edge_radius: Some(tip_edge_radius),
         })
-        .expect("a sound gear");
+        .expect("a valid gear");
         let mesh = sector_mesh(&gear.clone().into(), flanks(&edged), bore, refinement)
             .unwrap_or_else(|error| panic!("{name}, rim {} modules: {error}", rim / gear.rack.module));
         let worst = worst_distortion(&mesh);
-        // The Jacobian determinant of every element stays above a good part of its mean.
+        // The Jacobian determinant of an element nowhere falls below a fifth of its mean.
         assert!(worst > 0.2, "{name}, rim {} modules: distortion {worst}", rim / gear.rack.module);
     }
 }
@@ -87,7 +87,7 @@ fn small_large_shifted_and_undercut_gears_are_meshed() {
         (300, -0.3, 0.3),
         (2000, 0.0, 0.38),
     ] {
-        let gear = ExternalGear::new(standard_data(teeth, shift, tip_radius)).expect("a sound gear");
+        let gear = ExternalGear::new(standard_data(teeth, shift, tip_radius)).expect("a valid gear");
         let module = gear.rack.module;
         let (coarse, medium) = (Refinement::COARSE, Refinement::MEDIUM);
         for (rim, refinement) in [(THINNEST_RIM, coarse), (3.0, medium), (100.0, coarse)] {
@@ -100,7 +100,7 @@ fn small_large_shifted_and_undercut_gears_are_meshed() {
     for tip_edge_radius in [0.01, 0.1, 0.2] {
         let data = standard_data(25, 0.0, 0.3);
         let tip_edge_radius = Some(tip_edge_radius * data.rack.module);
-        let gear = ExternalGear::new(ExternalGearData { tip_edge_radius, ..data }).expect("a sound gear");
+        let gear = ExternalGear::new(ExternalGearData { tip_edge_radius, ..data }).expect("a valid gear");
         check("rounded tips", &gear, 2.0 * gear.rack.module, &Refinement::COARSE);
     }
     // The shifted pair of the reference geometry, in metres.
@@ -116,7 +116,7 @@ fn small_large_shifted_and_undercut_gears_are_meshed() {
             root_radius: root,
             tip_edge_radius: None,
         })
-        .expect("a sound gear");
+        .expect("a valid gear");
         for refinement in [Refinement::COARSE, Refinement::MEDIUM, Refinement::FINE] {
             check("shifted pair", &gear, 9e-3, &refinement);
         }
@@ -124,7 +124,7 @@ fn small_large_shifted_and_undercut_gears_are_meshed() {
 }
 
 #[test]
-fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
+fn cuts_are_rotated_images_and_chains_lie_on_the_profiles() {
     let gear = chapter_5(20);
     let flanks = flanks(&gear);
     let mesh =
@@ -139,8 +139,8 @@ fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
     assert_eq!(left.len(), right.len());
     let (sine, cosine) = gear.pitch_angle().sin_cos();
     for ([x, y], [right_x, right_y]) in left.into_iter().zip(right) {
-        let turned = [cosine * right_x - sine * right_y, sine * right_x + cosine * right_y];
-        assert!((turned[0] - x).hypot(turned[1] - y) < 1e-16 + 1e-14 * gear.root_radius);
+        let rotated = [cosine * right_x - sine * right_y, sine * right_x + cosine * right_y];
+        assert!((rotated[0] - x).hypot(rotated[1] - y) < 1e-16 + 1e-14 * gear.root_radius);
     }
 
     for (surface, side) in [Side::CounterClockwise, Side::Clockwise].into_iter().enumerate() {
@@ -170,7 +170,7 @@ fn cuts_are_turned_images_and_chains_lie_on_the_profiles() {
                 // where the involute has a cusp.
                 assert!(gap < 1e-4 * gear.rack.module, "{name} at {s}: {gap}");
                 let cosine = (0..2).map(|axis| point.normal[axis] * exact.normal[axis]).sum::<f64>();
-                assert!(cosine > 0.9999, "{name} at {s}: the normal points elsewhere, {cosine}");
+                assert!(cosine > 0.9999, "{name} at {s}: cosine {cosine} between the normals");
             }
         }
     }

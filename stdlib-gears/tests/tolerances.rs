@@ -35,16 +35,16 @@ fn a_loose_tolerance_takes_closed_forms_and_a_tight_one_elements() {
     let exact = analyse(&PLAIN, None, "medium", 8);
     for (tolerance, takes_closed_forms) in [(0.3, true), (0.06, false)] {
         let result = analyse(&PLAIN, Some(tolerance), "rigid", 2);
-        let chosen = result.chosen.clone().expect("something was chosen");
-        println!("{}", chosen.describe());
+        let outcome = result.tolerance_search.clone().expect("an outcome of the search");
+        println!("{}", outcome.describe());
         assert_eq!(
-            chosen.setting.fidelity == Fidelity::Analytic,
+            outcome.setting.fidelity == Fidelity::Analytic,
             takes_closed_forms,
             "{}",
-            chosen.describe()
+            outcome.describe()
         );
-        assert!(chosen.tried.iter().any(|tried| tried.setting.fidelity == Fidelity::Rigid));
-        assert!(chosen.tried.last().is_some_and(|tried| tried.whole && tried.worst.1 <= tolerance));
+        assert!(outcome.attempts.iter().any(|attempt| attempt.setting.fidelity == Fidelity::Rigid));
+        assert!(outcome.attempts.last().is_some_and(|attempt| attempt.whole && attempt.worst.1 <= tolerance));
         for (own, exact) in result.summaries.iter().zip(&exact.summaries) {
             let off = (own.max - exact.max).abs().max((own.min - exact.min).abs());
             let scale = exact.max.abs().max(exact.min.abs());

@@ -4,6 +4,7 @@
 mod architecture;
 mod docs;
 mod examples;
+mod former_names;
 mod language;
 mod library;
 mod reference;

@@ -121,12 +121,12 @@ fn examples_run_at_the_levels_without_meshes() {
             };
             assert_eq!(record["fidelity"], level);
             let refused = record["refused_outputs"].as_object().expect("those that have none");
-            for (output, told) in outputs {
-                let (known, named) = (told["max"].is_number(), refused.contains_key(output));
-                assert!(known != named, "{name} at {level}: {output} {told}");
+            for (output, summary) in outputs {
+                let (known, named) = (summary["max"].is_number(), refused.contains_key(output));
+                assert!(known != named, "{name} at {level}: {output} {summary}");
             }
-            let told: Vec<&str> = report.findings.iter().map(|finding| &finding.error.code[..]).collect();
-            assert_eq!(told, vec!["E0780"; refused.len()], "{name} at {level}");
+            let codes: Vec<&str> = report.findings.iter().map(|finding| &finding.error.code[..]).collect();
+            assert_eq!(codes, vec!["E0780"; refused.len()], "{name} at {level}");
             assert!(report.findings.iter().all(|finding| finding.error.place.is_some()), "{name} at {level}");
         }
     }

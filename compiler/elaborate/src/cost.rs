@@ -38,7 +38,7 @@ impl PlannedCost {
     /// Returns the peak memory use, bytes.
     pub fn memory(&self) -> f64 {
         let candidates = self.search.iter().flat_map(|(_, search)| &search.candidates);
-        candidates.map(|rung| rung.memory).fold(self.analysis.memory(), f64::max)
+        candidates.map(|candidate| candidate.memory).fold(self.analysis.memory(), f64::max)
     }
 
     /// Returns the predictions as a section of a plan.
@@ -81,12 +81,12 @@ fn search_lines(tolerance: f64, search: &SearchCost) -> Vec<String> {
         "settings are tried in this order until the estimated error meets it; error estimates included"
             .into(),
     ];
-    for rung in &search.candidates {
+    for candidate in &search.candidates {
         lines.push(format!(
             "{}: {} to compare at a few positions, {} for all positions",
-            rung.setting.describe(),
-            seconds(rung.few),
-            seconds(rung.all)
+            candidate.setting.describe(),
+            seconds(candidate.few),
+            seconds(candidate.all)
         ));
     }
     lines.push("finer contact grids or more positions take longer, if they are needed".into());

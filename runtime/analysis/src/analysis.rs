@@ -235,7 +235,7 @@ impl<'s> Steps<'s> {
             certificate,
             modes,
             timing: self.timing,
-            chosen: None,
+            tolerance_search: None,
         })
     }
 

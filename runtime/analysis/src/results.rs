@@ -1,15 +1,15 @@
 //! Results of an analysis: rows by position, summaries by output, and timings.
 
-mod chosen;
 mod error_estimate;
+mod tolerance_outcome;
 
 pub use crate::rows::{Solved, StepRow};
 pub use calyx_model::observed::{Location, Observed, OutputRequest};
 pub use calyx_model::structure_building::StructureCounts;
-pub use chosen::{Attempt, SearchProgress, Setting, ToleranceOutcome};
-pub(crate) use chosen::{EXHAUSTED, LARGER, percent};
 pub(crate) use error_estimate::DirectedErrors;
 pub use error_estimate::{ErrorEstimate, Part, Statistics};
+pub use tolerance_outcome::{Attempt, SearchProgress, Setting, ToleranceOutcome};
+pub(crate) use tolerance_outcome::{EXHAUSTED, LARGER, percent};
 
 use crate::observables::ModesTable;
 use calyx_contact::problem::Certificate;
@@ -43,7 +43,7 @@ pub struct OutputSummary {
     /// Index of the position of the maximum.
     pub at_max: usize,
     /// Location of the maximum on a body.
-    pub place: Option<Location>,
+    pub location: Option<Location>,
     /// Harmonics of the tooth mesh frequency, if the positions are a mesh cycle and the output
     /// repeats in every cycle.
     pub harmonics: Vec<Harmonic>,
@@ -62,7 +62,7 @@ impl OutputSummary {
             mean,
             peak_to_peak,
             at_max: 0,
-            place: None,
+            location: None,
             harmonics: Vec::new(),
             error: None,
         }
@@ -85,7 +85,15 @@ pub struct AnalysisResult {
     /// Timings.
     pub timing: Timing,
     /// Outcome of the tolerance search, if a tolerance was given.
-    pub chosen: Option<ToleranceOutcome>,
+    pub tolerance_search: Option<ToleranceOutcome>,
+}
+
+impl AnalysisResult {
+    /// Former name of the field [`AnalysisResult::tolerance_search`].
+    #[deprecated(since = "0.1.0", note = "use the field `tolerance_search`")]
+    pub fn chosen(&self) -> Option<&ToleranceOutcome> {
+        self.tolerance_search.as_ref()
+    }
 }
 
 /// Wall time of each stage, in order.

@@ -40,7 +40,7 @@ pub fn summarize(
             mean: closed.map_or_else(|| mean_over_time(rows, &values), |cycle| cycle.mean(&values)),
             peak_to_peak: 0.0,
             at_max: 0,
-            place: None,
+            location: None,
             harmonics: closed.map(|cycle| cycle.harmonics(&values)).unwrap_or_default(),
             error: None,
         };
@@ -51,7 +51,7 @@ pub fn summarize(
             if seen.value.max(least) > summary.max {
                 summary.max = seen.value.max(least);
                 summary.at_max = index;
-                summary.place = seen.place.clone();
+                summary.location = seen.location.clone();
             }
         }
         summary.peak_to_peak = summary.max - summary.min;

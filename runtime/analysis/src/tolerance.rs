@@ -98,19 +98,19 @@ pub fn quasi_static_within(
         outputs,
         options,
         missing: None,
-        tried: Vec::new(),
+        attempts: Vec::new(),
         work: SearchWork::default(),
         best: None,
         observed: None,
     };
     match search.climb(positions, observer) {
-        Ok(result) => Ok(search.chosen(result, None)),
+        Ok(result) => Ok(search.with_outcome(result, None)),
         Err(Stop::Failed(error)) => Err(error),
         Err(Stop::Ended(reason, error)) => match search.best.take() {
             Some(best) => {
                 best.observed(&search, observer)?;
                 search.ladder.setting = best.setting;
-                Ok(search.chosen(best.result, Some((reason, best.tried))))
+                Ok(search.with_outcome(best.result, Some((reason, best.attempt))))
             }
             None => Err(error),
         },
@@ -147,7 +147,7 @@ struct Search<'a> {
     options: AnalysisOptions,
     /// First level that does not support the scene, and the reason.
     missing: Option<(Fidelity, EngineError)>,
-    tried: Vec<Attempt>,
+    attempts: Vec<Attempt>,
     work: SearchWork,
     /// Results with the smallest estimated error.
     best: Option<Best>,
@@ -178,9 +178,9 @@ struct ObserverState<'a> {
 
 impl Observer for ObserverState<'_> {
     fn observe(&mut self, event: Event<'_>) -> Result<(), EngineError> {
-        let heard = self.observer.observe(event);
-        self.refused |= heard.is_err();
-        heard
+        let outcome = self.observer.observe(event);
+        self.refused |= outcome.is_err();
+        outcome
     }
 }
 
@@ -267,7 +267,7 @@ impl Search<'_> {
         SearchProgress {
             setting: self.ladder.setting,
             whole,
-            best: self.best.as_ref().and_then(|best| self.tried.get(best.tried)).cloned(),
+            best: self.best.as_ref().and_then(|best| self.attempts.get(best.attempt)).cloned(),
             part: self.work.part(),
         }
     }
@@ -303,11 +303,11 @@ impl Search<'_> {
             ));
         }
         if whole {
-            self.observed = Some(self.tried.len());
+            self.observed = Some(self.attempts.len());
         }
-        let mut heard = ObserverState { observer, refused: false };
-        let result = match quasi_static(&scene, positions, self.outputs, &options, &mut heard) {
-            Err(error) if heard.refused => return Err(error.into()),
+        let mut state = ObserverState { observer, refused: false };
+        let result = match quasi_static(&scene, positions, self.outputs, &options, &mut state) {
+            Err(error) if state.refused => return Err(error.into()),
             Err(error) if options.resources.interrupt.check().is_err() => {
                 return Err(Stop::Ended(error.message.clone(), error));
             }
@@ -329,7 +329,7 @@ impl Search<'_> {
             Part::ALL.into_iter().filter(|&part| whole || part != Part::Positions).collect();
         let (output, error) = worst_in(&counted);
         let name = self.outputs.get(output).map(|request| request.name.clone()).unwrap_or_default();
-        self.tried.push(Attempt { setting: self.ladder.setting, whole, worst: (name, error) });
+        self.attempts.push(Attempt { setting: self.ladder.setting, whole, worst: (name, error) });
         let beyond_mesh = |summary: &OutputSummary| {
             let of = |part: Part| relative(summary, &[part], fidelity, several);
             of(Part::Level) - of(Part::Discretization)
@@ -342,12 +342,12 @@ impl Search<'_> {
             between: if whole { worst_in(&[Part::Positions]).1 } else { 0.0 },
         };
         let kept = error <= self.ladder.tolerance;
-        let (setting, tried) = (self.ladder.setting, self.tried.len() - 1);
+        let (setting, attempt) = (self.ladder.setting, self.attempts.len() - 1);
         let is_better = |best: &Best| {
-            kept || error <= self.tried[best.tried].worst.1 || (whole && best.setting == setting)
+            kept || error <= self.attempts[best.attempt].worst.1 || (whole && best.setting == setting)
         };
         if self.best.as_ref().is_none_or(is_better) {
-            self.best = Some(Best { result, setting, tried });
+            self.best = Some(Best { result, setting, attempt });
         }
         if kept {
             return Ok(true);
@@ -366,7 +366,7 @@ impl Search<'_> {
         if self.ladder.rise() {
             return Ok(());
         }
-        let before = self.tried.last().map(|tried| tried.setting);
+        let before = self.attempts.last().map(|attempt| attempt.setting);
         let finer = before.and_then(|Setting { fidelity, refinement, .. }| {
             let refinement = meshes(fidelity).iter().copied().find(|&finer| finer > refinement)?;
             Some(Setting { fidelity, refinement, cells, positions })
@@ -394,23 +394,24 @@ impl Search<'_> {
 
     /// Records in results the setting of their analysis: the last one, or another of those tried,
     /// with the reason.
-    fn chosen(self, mut result: AnalysisResult, ended: Option<(String, usize)>) -> AnalysisResult {
-        let unseen = result.summaries.iter().filter_map(|summary| summary.error.as_ref()).find_map(|error| {
-            error
-                .not_estimated
-                .iter()
-                .find(|(part, _)| *part == Part::Level)
-                .map(|(_, reason)| reason.clone())
-        });
-        let last = self.tried.len().saturating_sub(1);
-        let (ended, taken) = ended.map_or((None, last), |(reason, taken)| (Some(reason), taken));
-        result.chosen = Some(ToleranceOutcome {
+    fn with_outcome(self, mut result: AnalysisResult, ended: Option<(String, usize)>) -> AnalysisResult {
+        let unestimated =
+            result.summaries.iter().filter_map(|summary| summary.error.as_ref()).find_map(|error| {
+                error
+                    .not_estimated
+                    .iter()
+                    .find(|(part, _)| *part == Part::Level)
+                    .map(|(_, reason)| reason.clone())
+            });
+        let last = self.attempts.len().saturating_sub(1);
+        let (ended, selected) = ended.map_or((None, last), |(reason, attempt)| (Some(reason), attempt));
+        result.tolerance_search = Some(ToleranceOutcome {
             tolerance: self.ladder.tolerance,
             setting: self.ladder.setting,
-            tried: self.tried,
-            taken,
+            attempts: self.attempts,
+            selected,
             ended,
-            level_unseen: unseen,
+            excluded_model_error: unestimated,
         });
         result
     }

@@ -21,7 +21,8 @@
 //! let roller = scene.add_body(
 //!     Body::new("roller", roller, SteadyRotation::at_rest([0.0, 0.0])).free_in(&[Component::Uy]),
 //! );
-//! let table = scene.add_body(Body::new("table", platen(Facing::Up), SteadyRotation::at_rest([0.0, -0.02])));
+//! let below = SteadyRotation::at_rest([0.0, -0.02]);
+//! let table = scene.add_body(Body::new("table", platen(Facing::Up), below));
 //! let press = scene.add_body(
 //!     Body::new("press", platen(Facing::Down), SteadyRotation::at_rest([0.0, 0.02]))
 //!         .free_in(&[Component::Uy])

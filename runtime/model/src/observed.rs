@@ -29,13 +29,20 @@ pub struct Observed {
     /// as the stress at the same point of several teeth.
     pub least: Option<f64>,
     /// Location of a maximum.
-    pub place: Option<Location>,
+    #[serde(rename = "place")]
+    pub location: Option<Location>,
 }
 
 impl Observed {
+    /// Former name of the field [`Observed::location`].
+    #[deprecated(since = "0.1.0", note = "use the field `location`")]
+    pub fn place(&self) -> Option<&Location> {
+        self.location.as_ref()
+    }
+
     /// Creates a value without a location.
     pub const fn number(value: f64) -> Observed {
-        Observed { value, least: None, place: None }
+        Observed { value, least: None, location: None }
     }
 }
 
@@ -63,15 +70,15 @@ impl OutputRequest {
         let seen = |index: usize| observed.get(index).map_or(f64::NAN, |seen| seen.value);
         // An output that depends on one observable keeps the location of that observable.
         let mut sources = self.value.observes().into_iter();
-        let place = match (sources.next(), sources.next()) {
-            (Some(only), None) => observed.get(only).and_then(|seen| seen.place.clone()),
+        let location = match (sources.next(), sources.next()) {
+            (Some(only), None) => observed.get(only).and_then(|seen| seen.location.clone()),
             _ => None,
         };
         let ranges = |index: usize| observed.get(index).is_some_and(|seen| seen.least.is_some());
         let low =
             |index: usize| observed.get(index).map_or(f64::NAN, |seen| seen.least.unwrap_or(seen.value));
         let least = self.observes(ranges).then(|| self.at(time, &low));
-        Observed { value: self.at(time, &seen), least, place }
+        Observed { value: self.at(time, &seen), least, location }
     }
 
     /// Evaluates the output at `time` (s) from values of observables by index.

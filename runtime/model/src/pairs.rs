@@ -50,6 +50,18 @@ pub struct GridOptions {
 }
 
 impl GridOptions {
+    /// Former name of [`GridOptions::plane_half_cells`].
+    #[deprecated(since = "0.1.0", note = "use `plane_half_cells`")]
+    pub fn half_cells_in_plane(&self) -> usize {
+        self.plane_half_cells()
+    }
+
+    /// Former name of [`GridOptions::solid_half_cells`].
+    #[deprecated(since = "0.1.0", note = "use `solid_half_cells`")]
+    pub fn half_cells_in_space(&self) -> usize {
+        self.solid_half_cells()
+    }
+
     /// Returns M of two-dimensional models, where a cell costs little.
     pub fn plane_half_cells(&self) -> usize {
         self.half_cells.unwrap_or(24)
@@ -106,6 +118,12 @@ pub struct GearMesh {
 }
 
 impl GearMesh {
+    /// Former name of the field [`GearMesh::phase_offset`].
+    #[deprecated(since = "0.1.0", note = "use the field `phase_offset`")]
+    pub fn center_offset(&self) -> f64 {
+        self.phase_offset
+    }
+
     /// Returns whether a tooth of the first gear is on the nominal path of contact. `angle` is the
     /// angle of the gear's body, including its phase, minus the rotation of the line of centres
     /// since time 0.

@@ -112,6 +112,12 @@ pub struct BearingPlan {
 }
 
 impl Plan {
+    /// Former name of the field [`Plan::three_dimensional`].
+    #[deprecated(since = "0.1.0", note = "use the field `three_dimensional`")]
+    pub fn in_space(&self) -> bool {
+        self.three_dimensional
+    }
+
     /// Plans the equilibrium of a scene at a fidelity with the given discretization; the plan sets
     /// `stresses` and `sharp_edges` itself. Bodies and bearings outside the load paths of the
     /// observables are left out.

@@ -302,8 +302,8 @@ pub fn write_run(
             "tension": result.certificate.tension,
             "equilibrium": result.certificate.equilibrium,
         });
-        if let Some(chosen) = &result.chosen {
-            run["tolerance_search"] = tolerance_json(chosen);
+        if let Some(outcome) = &result.tolerance_search {
+            run["tolerance_search"] = tolerance_json(outcome);
         }
         run["ignored_inputs"] = json!(ignored.collect::<Map<_, _>>());
         let refused =
@@ -380,7 +380,7 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, position: Op
             "time": position.map(|at| at.time),
             "roll_angle": position.map(|at| at.roll),
             "point": position.map_or("", |at| at.name.as_ref()),
-            "location": summary.place,
+            "location": summary.location,
         },
     });
     if let Some(error) = &summary.error {
@@ -390,21 +390,21 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, position: Op
 }
 
 /// Returns the result of the tolerance search and its earlier trials.
-fn tolerance_json(chosen: &ToleranceOutcome) -> Value {
+fn tolerance_json(outcome: &ToleranceOutcome) -> Value {
     let setting = |Setting { fidelity, refinement, cells, positions }: &Setting| json!({ "fidelity": fidelity.name(), "refinement": refinement, "contact_cells": cells, "positions": positions });
-    let tried = chosen.tried.iter().map(|Attempt { setting: own, whole, worst: (output, error) }| {
+    let attempts = outcome.attempts.iter().map(|Attempt { setting: own, whole, worst: (output, error) }| {
         json!({ "setting": setting(own), "all_positions": whole, "output": output, "relative": error })
     });
-    let taken = chosen.tried.get(chosen.taken);
+    let selected = outcome.attempts.get(outcome.selected);
     json!({
-        "tolerance": chosen.tolerance,
-        "satisfied": chosen.ended.is_none(),
-        "ended_by": chosen.ended,
-        "relative": taken.map(|tried| tried.worst.1),
-        "all_positions": taken.is_none_or(|tried| tried.whole),
-        "setting": setting(&chosen.setting),
-        "reason": chosen.describe(),
-        "attempts": tried.collect::<Vec<_>>(),
+        "tolerance": outcome.tolerance,
+        "satisfied": outcome.ended.is_none(),
+        "ended_by": outcome.ended,
+        "relative": selected.map(|attempt| attempt.worst.1),
+        "all_positions": selected.is_none_or(|attempt| attempt.whole),
+        "setting": setting(&outcome.setting),
+        "reason": outcome.describe(),
+        "attempts": attempts.collect::<Vec<_>>(),
     })
 }
 

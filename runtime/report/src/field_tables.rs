@@ -118,7 +118,7 @@ impl FieldTables {
 
     fn contact(&mut self, step: usize, contact: &ContactField) -> io::Result<()> {
         for slice in contact.slices.iter().filter(|slice| slice.force > 0.0) {
-            let [Some(first), Some(second)] = &slice.places else { continue };
+            let [Some(first), Some(second)] = &slice.locations else { continue };
             let numbers = [slice.length, slice.force, slice.line_load(), slice.pressure, slice.edge_pressure];
             let load = numbers.map(|number| number.to_string());
             let record = patch(step, contact).into_iter().chain(on_flanks(first, second)).chain(load);
@@ -158,7 +158,7 @@ impl OptionalTables {
     ) -> io::Result<()> {
         for contact in &fields.contacts {
             for cell in contact.cells.iter().filter(|cell| cell.pressure > 0.0) {
-                let [first, second] = &cell.places;
+                let [first, second] = &cell.locations;
                 let record = patch(step, contact).into_iter().chain(on_flanks(first, second));
                 self.pressure.write_record(record.chain([cell.pressure.to_string(), flank(contact)]))?;
             }
@@ -167,7 +167,7 @@ impl OptionalTables {
             self.fillet(step, fillet)?;
         }
         for (output, observed) in outputs.iter().zip(&row.outputs) {
-            if let Some(place) = &observed.place {
+            if let Some(place) = &observed.location {
                 let named =
                     [step.to_string(), output.name.clone(), place.body.clone(), place.tooth.to_string()];
                 let record: Vec<String> = named.into_iter().chain(coordinates(place)).collect();
@@ -186,7 +186,7 @@ impl OptionalTables {
             let ([along, across, shear], [largest, smallest]) = (stress.components, stress.principal);
             let stresses = [along, across, shear, largest, smallest].map(|number| number.to_string());
             self.root_stress
-                .write_record(named.into_iter().chain(coordinates(&stress.place)).chain(stresses))?;
+                .write_record(named.into_iter().chain(coordinates(&stress.location)).chain(stresses))?;
         }
         Ok(())
     }

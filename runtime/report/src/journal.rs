@@ -162,7 +162,11 @@ impl JournalEntry {
             outputs: outputs
                 .iter()
                 .map(|output| {
-                    (ExactNumber(output.value), output.least.map(ExactNumber), output.place.as_ref().map(at))
+                    (
+                        ExactNumber(output.value),
+                        output.least.map(ExactNumber),
+                        output.location.as_ref().map(at),
+                    )
                 })
                 .collect(),
             warnings: warnings.clone(),
@@ -183,7 +187,7 @@ impl JournalEntry {
         let outputs = outputs.map(|(ExactNumber(value), least, at)| Observed {
             value,
             least: least.map(|ExactNumber(least)| least),
-            place: at.map(place),
+            location: at.map(place),
         });
         let [complementarity, penetration, tension, equilibrium] =
             self.certificate.map(|ExactNumber(number)| number);
@@ -239,7 +243,7 @@ mod tests {
             axial: Some(-1e-3),
         };
         let outputs = vec![
-            Observed { value: 1.0 / 3.0, least: Some(-0.1), place: Some(place) },
+            Observed { value: 1.0 / 3.0, least: Some(-0.1), location: Some(place) },
             Observed::number(f64::INFINITY),
             Observed::number(-0.0),
         ];

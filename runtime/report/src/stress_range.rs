@@ -83,8 +83,8 @@ impl StressRange {
                 section: *section,
                 point: *point,
                 depth: stress.depth,
-                radius: stress.place.radius,
-                axial: stress.place.axial,
+                radius: stress.location.radius,
+                axial: stress.location.axial,
                 largest,
                 smallest,
             });
@@ -118,10 +118,10 @@ mod tests {
     use calyx_runtime::results::Location;
 
     fn fields(tooth: u32, principal: [f64; 2]) -> Fields {
-        let place = Location { body: "pinion".into(), tooth, roll_angle: None, radius: 0.02, axial: None };
+        let location = Location { body: "pinion".into(), tooth, roll_angle: None, radius: 0.02, axial: None };
         let stress = FilletStress {
             point: [0.0; 3],
-            place,
+            location,
             depth: 1e-4,
             components: [principal[0], 0.0, 0.0],
             principal,

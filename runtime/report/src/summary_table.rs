@@ -32,13 +32,13 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
             if summary.max.is_nan() {
                 String::new()
             } else {
-                place(result, summary.at_max, summary.place.as_ref())
+                place(result, summary.at_max, summary.location.as_ref())
             },
         ];
         rows.push(with_error(cells, error(summary, output.unit.factor)));
     }
-    let chosen = result.chosen.as_ref().map(|chosen| chosen.describe() + "\n");
-    without_level.unwrap_or_default() + &align(&rows) + &chosen.unwrap_or_default()
+    let search = result.tolerance_search.as_ref().map(|search| search.describe() + "\n");
+    without_level.unwrap_or_default() + &align(&rows) + &search.unwrap_or_default()
 }
 
 /// Formats one line per output of a model without an analysis, which has one row.

@@ -129,12 +129,12 @@ mod tests {
     fn fields(sections: usize) -> Fields {
         let cell = PressedCell {
             corners: [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
-            places: [place(), place()],
+            locations: [place(), place()],
             pressure: 0.1 + 0.2,
         };
         let stress = |s: usize, z: usize| FilletStress {
             point: [s as f64, 0.0, z as f64],
-            place: place(),
+            location: place(),
             depth: s as f64,
             components: [1.0, 0.0, 0.0],
             principal: [1.0, 0.0],

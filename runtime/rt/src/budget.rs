@@ -51,18 +51,18 @@ pub fn return_freed() {
 
 /// Returns the resident memory of this process in bytes, if the system reports it.
 pub fn taken() -> Option<u64> {
-    told("/proc/self/status", "VmRSS:")
+    system_entry("/proc/self/status", "VmRSS:")
 }
 
 /// Returns the available memory of the machine in bytes, if the system reports it.
 pub fn available() -> Option<u64> {
-    told("/proc/meminfo", "MemAvailable:")
+    system_entry("/proc/meminfo", "MemAvailable:")
 }
 
 /// Reads the entry `name` of a system file, in kilobytes.
-fn told(file: &str, name: &str) -> Option<u64> {
-    let said = std::fs::read_to_string(file).ok()?;
-    let line = said.lines().find_map(|line| line.strip_prefix(name))?;
+fn system_entry(file: &str, name: &str) -> Option<u64> {
+    let text = std::fs::read_to_string(file).ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
     let kilobytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
     Some(kilobytes * 1024)
 }

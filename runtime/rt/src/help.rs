@@ -115,8 +115,8 @@ fn unit(output: &OutputDescription) -> String {
 /// Returns the width of the terminal in columns, as `clap` determines it.
 fn columns() -> usize {
     let terminal = terminal_size::terminal_size().map(|(terminal_size::Width(width), _)| usize::from(width));
-    let told = || std::env::var("COLUMNS").ok()?.parse().ok();
-    terminal.or_else(told).unwrap_or(WIDEST).clamp(40, WIDEST)
+    let variable = || std::env::var("COLUMNS").ok()?.parse().ok();
+    terminal.or_else(variable).unwrap_or(WIDEST).clamp(40, WIDEST)
 }
 
 /// Wraps a doc comment to a number of columns, paragraph by paragraph.

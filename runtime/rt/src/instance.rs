@@ -429,9 +429,9 @@ impl Job {
         let outcome = self.setup.program.main(&mut context);
         // An interrupt that ends the tolerance search also stops the program, but the results are
         // available.
-        let chosen = |host: &mut ModelHost| host.result.as_ref()?.chosen.as_ref()?.ended.clone();
+        let ended = |host: &mut ModelHost| host.result.as_ref()?.tolerance_search.as_ref()?.ended.clone();
         if let Err(error) = outcome {
-            let searched = context.host::<ModelHost>().and_then(chosen).is_some();
+            let searched = context.host::<ModelHost>().and_then(ended).is_some();
             if error.status() != Status::Cancelled || !searched {
                 return Err(error.into());
             }

@@ -245,7 +245,9 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
             + &signals::summary(description, results.signals()),
         warnings: ignored.chain(results.warnings()).collect(),
         findings: results.findings().to_vec(),
-        tolerance_missed: result.and_then(|result| result.chosen.as_ref()?.ended.as_ref()).is_some(),
+        tolerance_missed: result
+            .and_then(|result| result.tolerance_search.as_ref()?.ended.as_ref())
+            .is_some(),
         ..RunReport::default()
     }
 }

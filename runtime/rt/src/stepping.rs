@@ -167,9 +167,18 @@ impl Step {
     ///
     /// # Errors
     /// The model has no such output.
-    pub fn place(&self, output: impl OutputName) -> Result<Option<&Location>, Error> {
+    pub fn location(&self, output: impl OutputName) -> Result<Option<&Location>, Error> {
         let index = self.output(output)?;
-        Ok(self.row.outputs.get(index).and_then(|observed| observed.place.as_ref()))
+        Ok(self.row.outputs.get(index).and_then(|observed| observed.location.as_ref()))
+    }
+
+    /// Former name of [`Step::location`].
+    ///
+    /// # Errors
+    /// As [`Step::location`].
+    #[deprecated(since = "0.1.0", note = "use `location`")]
+    pub fn place(&self, output: impl OutputName) -> Result<Option<&Location>, Error> {
+        self.location(output)
     }
 
     /// Returns all outputs, in order, in SI.

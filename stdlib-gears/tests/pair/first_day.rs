@@ -192,7 +192,7 @@ fn places_are_those_of_the_maxima() {
         for body in [FIRST, SECOND] {
             let place_of = |maximum, coordinate| value(&MaximumLocation { body, maximum, coordinate }).value;
             let stress = value(&MaxRootStress(body));
-            let place = stress.place.expect("a loaded body has a place of its largest stress");
+            let place = stress.location.expect("a loaded body has a location of its largest stress");
             assert_eq!(place_of(Maximum::RootStress, Coordinate::Radius), place.radius);
             assert_eq!(place_of(Maximum::RootStress, Coordinate::Tooth), f64::from(place.tooth));
             assert_eq!(place_of(Maximum::RootStress, Coordinate::Axial), 0.0);
@@ -206,7 +206,7 @@ fn places_are_those_of_the_maxima() {
             // They agree to the accuracy with which the coarse mesh approximates the fillet.
             assert!(close(gauge_value.value, stress.value, 1e-3));
             assert!(gauge_value.least.is_some_and(|least| least < 0.0 && least > -stress.value));
-            let radius = compression.place.expect("it has a place").radius;
+            let radius = compression.location.expect("a location").radius;
             let other = gauge(body, radius, FilletSide::Other);
             let least = value(&GaugeReading(other, Reading::Stress)).least;
             assert!(least.is_some_and(|least| close(-least, compression.value, 1e-3)), "{least:?}");

@@ -181,12 +181,8 @@ fn in_time(set: &mut Set, ranges: Vec<TimeRange>, scheme: Scheme, rayleigh: f64)
         ..AnalysisOptions::default()
     };
     let history = History::new(&set.scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
-    let ignored = history
-        .plan()
-        .ignored
-        .iter()
-        .find(|ignored| ignored.input == "highest_frequency")
-        .expect("it is told");
+    let ignored =
+        history.plan().ignored.iter().find(|ignored| ignored.input == "highest_frequency").expect("a value");
     assert!(ignored.reason.contains("\"ring\"") && !ignored.reason.contains("\"sun\""), "{}", ignored.reason);
     history
         .map(|solved| {

@@ -39,7 +39,7 @@ fn a_pair_of_elastic_gears_is_in_equilibrium() {
         for body in [FIRST, SECOND] {
             let stress = system.value(&step, &MaxRootStress(body));
             assert!((80e6..300e6).contains(&stress.value), "{}", stress.value);
-            assert!(stress.place.is_some());
+            assert!(stress.location.is_some());
         }
     }
 }

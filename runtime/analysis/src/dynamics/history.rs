@@ -412,7 +412,7 @@ impl<'s> History<'s> {
             certificate,
             modes,
             timing: self.timing,
-            chosen: None,
+            tolerance_search: None,
         })
     }
 }

@@ -37,8 +37,8 @@ impl Sizes {
             let [force, moment] = [load.force, load.moment].map(norm);
             sizes.length = sizes.length.max(norm([x, y, z]) + radius);
             // Forces that balance a moment act at most at the outer radius of the body.
-            let borne = if radius > 0.0 { moment / radius } else { 0.0 };
-            sizes.force = sizes.force.max(force + borne);
+            let force_of_moment = if radius > 0.0 { moment / radius } else { 0.0 };
+            sizes.force = sizes.force.max(force + force_of_moment);
             sizes.moment = sizes.moment.max(force * radius + moment);
         }
         sizes

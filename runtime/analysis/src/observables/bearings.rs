@@ -75,12 +75,12 @@ impl Equilibrium<'_> {
     pub fn bearings_on(self, body: BodyId) -> [f64; 6] {
         let mut total = [0.0; 6];
         for (index, bearing) in self.system.scene.bearings.iter().enumerate() {
-            let Some(borne) =
+            let Some(load) =
                 bearing.bodies().find(|b| *b == body).and_then(|_| self.bearing(BearingId(index)))
             else {
                 continue;
             };
-            for (sum, part) in total.iter_mut().zip(borne.wrench_on(body)) {
+            for (sum, part) in total.iter_mut().zip(load.wrench_on(body)) {
                 *sum += part;
             }
         }
@@ -95,7 +95,7 @@ fn half(numbers: [f64; 6], about: bool) -> [f64; 3] {
 }
 
 fn observed(at: &Equilibrium<'_>, bearing: BearingId, of: impl Fn(&BearingLoad) -> f64) -> Observed {
-    Observed::number(at.bearing(bearing).map_or(f64::NAN, |borne| of(&borne)))
+    Observed::number(at.bearing(bearing).map_or(f64::NAN, |load| of(&load)))
 }
 
 /// Force of a bearing on the body of its first race, N.
@@ -112,7 +112,7 @@ impl Observable for BearingForce {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        observed(at, self.0, |borne| borne.along(half(borne.push, false), self.1))
+        observed(at, self.0, |load| load.along(half(load.push, false), self.1))
     }
 }
 
@@ -130,7 +130,7 @@ impl Observable for BearingMoment {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        observed(at, self.0, |borne| borne.along(half(borne.push, true), self.1))
+        observed(at, self.0, |load| load.along(half(load.push, true), self.1))
     }
 }
 
@@ -152,7 +152,7 @@ impl Observable for BearingDeflection {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        observed(at, self.0, |borne| borne.along(half(borne.deflection, false), self.1))
+        observed(at, self.0, |load| load.along(half(load.deflection, false), self.1))
     }
 }
 
@@ -174,6 +174,6 @@ impl Observable for BearingTilt {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        observed(at, self.0, |borne| borne.along(half(borne.deflection, true), self.1))
+        observed(at, self.0, |load| load.along(half(load.deflection, true), self.1))
     }
 }

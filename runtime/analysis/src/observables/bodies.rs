@@ -193,5 +193,5 @@ fn loaded_end(at: &Equilibrium<'_>, body: BodyId, beyond: impl Fn(f64, f64) -> b
             true => place,
             false => end,
         });
-    Observed { value: end.as_ref().map_or(0.0, |end| end.radius), least: None, place: end }
+    Observed { value: end.as_ref().map_or(0.0, |end| end.radius), least: None, location: end }
 }

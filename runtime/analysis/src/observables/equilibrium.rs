@@ -99,15 +99,15 @@ impl<'a> Equilibrium<'a> {
 
     /// Returns the location on a body of a plane model, from its tooth and the point in the body's
     /// coordinates (m).
-    pub(crate) fn place(&self, body: BodyId, tooth: u32, [x, y]: [f64; 2]) -> Location {
+    pub(crate) fn location(&self, body: BodyId, tooth: u32, [x, y]: [f64; 2]) -> Location {
         let (body, radius) = (&self.system.scene.bodies[body.0], x.hypot(y));
         let roll_angle = body.prototype.roll_angle(radius);
         Location { body: body.name.clone(), tooth, roll_angle, radius, axial: None }
     }
 
     /// Returns the location on a body of a three-dimensional model, with mid-face at z = 0.
-    pub(crate) fn solid_place(&self, body: BodyId, tooth: u32, [x, y, z]: [f64; 3]) -> Location {
-        Location { axial: Some(z), ..self.place(body, tooth, [x, y]) }
+    pub(crate) fn solid_location(&self, body: BodyId, tooth: u32, [x, y, z]: [f64; 3]) -> Location {
+        Location { axial: Some(z), ..self.location(body, tooth, [x, y]) }
     }
 
     /// Returns the cell forces on a body of a three-dimensional model, on its own surfaces.
@@ -160,7 +160,7 @@ pub struct Slice {
     /// Location in ground coordinates, m.
     pub point: [f64; 3],
     /// Locations on both bodies.
-    pub places: [Option<Location>; 2],
+    pub locations: [Option<Location>; 2],
 }
 
 impl Slice {
@@ -233,7 +233,7 @@ impl Contact<'_> {
                     pressure,
                     edge_pressure,
                     point: [x, y, 0.0],
-                    places: [0, 1].map(|side| self.place(side, peak.cell)),
+                    locations: [0, 1].map(|side| self.location(side, peak.cell)),
                 }]
             }
             ContactGrid::Solid(grid) => {
@@ -270,38 +270,38 @@ impl Contact<'_> {
             true => cells.clone().map(|cell| force(cell) * length(cell)).sum::<f64>() / total,
             false => cells.clone().map(length).sum::<f64>() / cells.len() as f64,
         };
-        let places = [0, 1].map(|side| self.place(side, largest));
+        let locations = [0, 1].map(|side| self.location(side, largest));
         let (pressure, edge_pressure) = (0.0, 0.0);
         let point = grid.cells[largest].point;
-        Some(Slice { length, force: total, pressure, edge_pressure, point, places })
+        Some(Slice { length, force: total, pressure, edge_pressure, point, locations })
     }
 
     /// Returns the largest pressure (Pa) of a zone and its location on the body of a side; `None`
     /// if there is no pressure.
     pub fn peak(&self, side: usize, zone: Zone) -> Option<(f64, Option<Location>)> {
         let Peak { pressure, cell, .. } = self.patch.peak_in(zone)?;
-        Some((pressure, self.place(side, cell)))
+        Some((pressure, self.location(side, cell)))
     }
 
     /// Returns points at which the patch slides, with their locations on the first body: loaded
     /// slices, or contact points of rigid surfaces.
     pub(super) fn sliding_points(&self) -> Vec<([f64; 3], Option<Location>)> {
         if self.at.system.rigid {
-            return vec![(self.touching_point(), self.touching_place(0))];
+            return vec![(self.touching_point(), self.touching_location(0))];
         }
         let loaded = self.slices().into_iter().filter(|slice| slice.force > 0.0);
-        loaded.map(|Slice { point, places: [first, _], .. }| (point, first)).collect()
+        loaded.map(|Slice { point, locations: [first, _], .. }| (point, first)).collect()
     }
 
     /// Returns the locations of the loaded cells on the body of a side, with their pressures, Pa.
     /// Rigid surfaces have one location, without pressure.
     pub fn loaded(&self, side: usize) -> Vec<(Location, f64)> {
         if self.at.system.rigid {
-            return self.touching_place(side).map(|place| (place, 0.0)).into_iter().collect();
+            return self.touching_location(side).map(|place| (place, 0.0)).into_iter().collect();
         }
         let pressures = self.patch.pressures().into_iter().enumerate();
         let loaded = pressures.filter(|(_, pressure)| *pressure > 0.0);
-        loaded.filter_map(|(cell, pressure)| Some((self.place(side, cell)?, pressure))).collect()
+        loaded.filter_map(|(cell, pressure)| Some((self.location(side, cell)?, pressure))).collect()
     }
 
     /// Returns the sliding velocity of the first body's surface relative to the second's at a point
@@ -321,7 +321,7 @@ impl Contact<'_> {
     }
 
     /// Returns the location, on the body of a side, at which rigid surfaces touch.
-    fn touching_place(&self, side: usize) -> Option<Location> {
+    fn touching_location(&self, side: usize) -> Option<Location> {
         let body = self.bodies()[side];
         let (point, origin) = (self.touching_point(), self.at.origin(body));
         let axes = self.at.system.axes(body.0, self.at.time());
@@ -329,8 +329,8 @@ impl Contact<'_> {
         let [x, y, z] = axes.map(|axis| (0..3).map(|k| axis[k] * from[k]).sum());
         let tooth = self.patch.teeth[side];
         Some(match &self.patch.grid {
-            ContactGrid::Plane { .. } => self.at.place(body, tooth, [x, y]),
-            ContactGrid::Solid(_) => self.at.solid_place(body, tooth, [x, y, z]),
+            ContactGrid::Plane { .. } => self.at.location(body, tooth, [x, y]),
+            ContactGrid::Solid(_) => self.at.solid_location(body, tooth, [x, y, z]),
         })
     }
 
@@ -342,17 +342,17 @@ impl Contact<'_> {
     }
 
     /// Returns the location of a cell on one of its two surfaces.
-    pub(super) fn place(&self, side: usize, cell: usize) -> Option<Location> {
+    pub(super) fn location(&self, side: usize, cell: usize) -> Option<Location> {
         let (body, surface, tooth) = (self.bodies()[side], self.patch.surfaces[side], self.patch.teeth[side]);
         match (&self.at.system.bodies, &self.patch.grid) {
             (Bodies::Plane(bodies), ContactGrid::Plane { cells, .. }) => {
                 let profile = bodies.structures[body.0].as_ref()?.profile(surface);
-                Some(self.at.place(body, tooth, profile.at(cells[cell].s[side]).position))
+                Some(self.at.location(body, tooth, profile.at(cells[cell].s[side]).position))
             }
             (Bodies::Solid(bodies), ContactGrid::Solid(grid)) => {
                 let [u, v] = grid.cells[cell].places[side];
                 let surface = bodies.structures[body.0].as_ref()?.surface(surface);
-                Some(self.at.solid_place(body, tooth, surface.at(u, v).position))
+                Some(self.at.solid_location(body, tooth, surface.at(u, v).position))
             }
             _ => None,
         }

@@ -44,7 +44,7 @@ pub struct PressedCell {
     /// over the whole face.
     pub corners: [[f64; 3]; 4],
     /// Locations of its centre on both bodies.
-    pub places: [Location; 2],
+    pub locations: [Location; 2],
     /// Pressure, Pa.
     pub pressure: f64,
 }
@@ -68,7 +68,7 @@ pub struct FilletStress {
     /// Point in ground coordinates, m.
     pub point: [f64; 3],
     /// Location on the body.
-    pub place: Location,
+    pub location: Location,
     /// Distance along the profile from the end of the flank towards the root, m.
     pub depth: f64,
     /// Stress along the profile, along the face, and shear stress, Pa. A plane model provides only
@@ -109,7 +109,7 @@ impl Equilibrium<'_> {
         let pose = frame.rotated_first(scene.bodies[body.0].phase);
         // Order the sections of one fillet along the face, each along the profile, by coordinates
         // on the fillet, with a tolerance for rounding.
-        let key = |stress: &RootStress| (stress.place.tooth, stress.surface);
+        let key = |stress: &RootStress| (stress.location.tooth, stress.surface);
         let chart = |stress: &RootStress| [stress.chart[1], stress.chart[0]];
         stresses.sort_by(|a, b| {
             let (p, q) = (chart(a), chart(b));
@@ -119,14 +119,14 @@ impl Equilibrium<'_> {
             let sections = fillet.chunk_by(|a, b| a.chart[1] == b.chart[1]);
             let shown = |stress: &RootStress| FilletStress {
                 point: pose.point(stress.position),
-                place: stress.place.clone(),
+                location: stress.location.clone(),
                 depth: stress.chart[0],
                 components: stress.components,
                 principal: stress.principal,
             };
             FilletField {
                 body: scene.bodies[body.0].name.clone(),
-                tooth: fillet[0].place.tooth,
+                tooth: fillet[0].location.tooth,
                 flank: fillet[0].surface,
                 sections: sections.map(|section| section.iter().map(shown).collect()).collect(),
             }
@@ -141,8 +141,8 @@ impl Contact<'_> {
         let corners = self.corners();
         let pressures = self.patch.pressures();
         let cell = |(index, (corners, pressure)): (usize, ([[f64; 3]; 4], f64))| {
-            let (first, second) = (self.place(0, index)?, self.place(1, index)?);
-            Some(PressedCell { corners, places: [first, second], pressure })
+            let (first, second) = (self.location(0, index)?, self.location(1, index)?);
+            Some(PressedCell { corners, locations: [first, second], pressure })
         };
         ContactField {
             bodies: self.bodies().map(name),

@@ -78,14 +78,15 @@ impl Observable for GaugeReading {
         let GaugeReading(gauge, reading) = self;
         let of = Fillets { teeth: gauge.tooth.map_or(Teeth::Near(2), Teeth::One), side: gauge.side };
         let Some(stresses) = stresses(at, gauge.body, of) else { return Observed::number(f64::NAN) };
-        let fillets = stresses.chunk_by(|a, b| (a.place.tooth, a.surface) == (b.place.tooth, b.surface));
+        let fillets =
+            stresses.chunk_by(|a, b| (a.location.tooth, a.surface) == (b.location.tooth, b.surface));
         let read = |fillet: &[RootStress]| {
             let grid = Grid::of(fillet)?;
             let (middle, tooth) =
-                (grid.at(gauge.place, |stress| stress.position), fillet.first()?.place.tooth);
+                (grid.at(gauge.place, |stress| stress.position), fillet.first()?.location.tooth);
             let place = match grid.in_plane() {
-                true => at.place(gauge.body, tooth, [middle[0], middle[1]]),
-                false => at.solid_place(gauge.body, tooth, middle),
+                true => at.location(gauge.body, tooth, [middle[0], middle[1]]),
+                false => at.solid_location(gauge.body, tooth, middle),
             };
             Some((reading.of(gauge.mean(&grid), gauge), place))
         };
@@ -94,7 +95,7 @@ impl Observable for GaugeReading {
         let least = read.first().map(|(least, _)| *least);
         match read.pop() {
             None => Observed { least: Some(0.0), ..Observed::number(0.0) },
-            Some((value, place)) => Observed { value, least, place: Some(place) },
+            Some((value, place)) => Observed { value, least, location: Some(place) },
         }
     }
 
@@ -256,10 +257,10 @@ mod tests {
         let stress = |[s, z]: [f64; 2]| {
             let (sine, cosine) = (s / RADIUS + twist * z).sin_cos();
             let position = [RADIUS * cosine, RADIUS * sine, z];
-            let place =
+            let location =
                 Location { body: String::new(), tooth: 0, roll_angle: None, radius: RADIUS, axial: Some(z) };
             let components = components([s, z]);
-            RootStress { place, surface: 0, chart: [s, z], position, components, principal: [0.0; 2] }
+            RootStress { location, surface: 0, chart: [s, z], position, components, principal: [0.0; 2] }
         };
         places.map(stress).collect()
     }
@@ -267,9 +268,9 @@ mod tests {
     /// Converts a recovered stress to the form that observables use.
     fn seen(stress: SurfaceStress) -> RootStress {
         let SurfaceStress { tooth, surface, place: chart, position, components } = stress;
-        let place =
+        let location =
             Location { body: String::new(), tooth, roll_angle: None, radius: 0.0, axial: Some(chart[1]) };
-        RootStress { place, surface, chart, position, components, principal: stress.principal() }
+        RootStress { location, surface, chart, position, components, principal: stress.principal() }
     }
 
     fn gauge(direction: f64) -> Gauge {

@@ -131,8 +131,8 @@ impl Observable for MaxLineLoad {
         let largest = slices.max_by(|a, b| a.line_load().total_cmp(&b.line_load()));
         largest.map_or(Observed::number(0.0), |slice| {
             let value = slice.line_load();
-            let [place, _] = slice.places;
-            Observed { value, least: None, place }
+            let [location, _] = slice.locations;
+            Observed { value, least: None, location }
         })
     }
 
@@ -215,8 +215,8 @@ mod tests {
         let (mut high, mut low) = (2.0 * face, -2.0 * face);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
-            let borne: f64 = (0..COUNT).map(load(middle)).sum();
-            if borne > force { high = middle } else { low = middle }
+            let total: f64 = (0..COUNT).map(load(middle)).sum();
+            if total > force { high = middle } else { low = middle }
         }
         let slice = |force| Slice {
             length,
@@ -224,7 +224,7 @@ mod tests {
             pressure: 0.0,
             edge_pressure: 0.0,
             point: [0.0; 3],
-            places: [None, None],
+            locations: [None, None],
         };
         (0..COUNT).map(load(low)).map(slice).collect()
     }

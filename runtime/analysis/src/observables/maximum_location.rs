@@ -63,15 +63,15 @@ impl Observable for MaximumLocation {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        let place = self.maximum.place(at, self.body);
-        let of = |place: &Location| match self.coordinate {
-            Coordinate::Tooth => f64::from(place.tooth),
-            Coordinate::RollAngle => place.roll_angle.unwrap_or(0.0),
-            Coordinate::Radius => place.radius,
-            Coordinate::Axial => place.axial.unwrap_or(0.0),
+        let location = self.maximum.location(at, self.body);
+        let of = |location: &Location| match self.coordinate {
+            Coordinate::Tooth => f64::from(location.tooth),
+            Coordinate::RollAngle => location.roll_angle.unwrap_or(0.0),
+            Coordinate::Radius => location.radius,
+            Coordinate::Axial => location.axial.unwrap_or(0.0),
         };
         let none = if self.coordinate == Coordinate::Tooth { -1.0 } else { 0.0 };
-        Observed { value: place.as_ref().map_or(none, of), least: None, place }
+        Observed { value: location.as_ref().map_or(none, of), least: None, location }
     }
 
     fn stresses_of(&self) -> Option<BodyId> {
@@ -85,16 +85,16 @@ impl Observable for MaximumLocation {
 
 impl Maximum {
     /// Returns the location of the maximum on a body; `None` without load.
-    fn place(self, at: &Equilibrium<'_>, body: BodyId) -> Option<Location> {
+    fn location(self, at: &Equilibrium<'_>, body: BodyId) -> Option<Location> {
         let pressure =
             |zone| largest(at.contacts_on(body).filter_map(|(contact, side)| contact.peak(side, zone)));
         let lines = |(contact, side): (Contact<'_>, usize)| {
             let slices = contact.slices().into_iter();
-            slices.map(move |slice| (slice.line_load(), slice.places[side].clone()))
+            slices.map(move |slice| (slice.line_load(), slice.locations[side].clone()))
         };
         match self {
-            Maximum::RootStress => MaxRootStress(body).value(at).place,
-            Maximum::RootCompression => MaxRootCompression(body).value(at).place,
+            Maximum::RootStress => MaxRootStress(body).value(at).location,
+            Maximum::RootCompression => MaxRootCompression(body).value(at).location,
             Maximum::ContactPressure => pressure(Zone::Flank),
             Maximum::EdgePressure => pressure(Zone::Edge),
             Maximum::LineLoad => largest(at.contacts_on(body).flat_map(lines)),

@@ -139,8 +139,8 @@ impl Observable for MeshStiffness {
             );
         }
         let stiffness = teeth + DMatrix::from_row_slice(m, m, &step.problem.stiffness);
-        let gives = stiffness.lu().solve(&along).map_or(f64::NAN, |motion| along.dot(&motion));
-        Observed::number(at.system.width(first.0) / gives)
+        let compliance = stiffness.lu().solve(&along).map_or(f64::NAN, |motion| along.dot(&motion));
+        Observed::number(at.system.width(first.0) / compliance)
     }
 
     fn pair_of(&self) -> Option<PairId> {

@@ -55,7 +55,7 @@ fn largest(at: &Equilibrium<'_>, pair: PairId, zone: Zone) -> Observed {
     for contact in at.contacts(pair) {
         let larger = |(pressure, _): &(f64, _)| *pressure > largest.value || pressure.is_nan();
         if let Some((value, place)) = contact.peak(0, zone).filter(larger) {
-            largest = Observed { value, least: None, place };
+            largest = Observed { value, least: None, location: place };
         }
     }
     largest

@@ -24,7 +24,11 @@ impl Observable for SlidingVelocity {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let fastest = pairs_teeth(at, self.0, self.1).filter_map(|contact| fastest(&contact));
         let fastest = fastest.max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
-        fastest.map_or(Observed::number(0.0), |(value, place)| Observed { value, least: None, place })
+        fastest.map_or(Observed::number(0.0), |(value, place)| Observed {
+            value,
+            least: None,
+            location: place,
+        })
     }
 
     fn pair_of(&self) -> Option<PairId> {
@@ -51,7 +55,7 @@ impl Observable for MaxSlidingVelocity {
         fastest.map_or(Observed::number(0.0), |(value, place)| Observed {
             value: value.abs(),
             least: None,
-            place,
+            location: place,
         })
     }
 

@@ -8,7 +8,7 @@ use calyx_structure::{BodyModes, Chart, StressPoint, SurfaceLoad};
 
 /// Stress at a point of a fillet.
 pub(super) struct RootStress {
-    pub place: Location,
+    pub location: Location,
     /// Surface next to the fillet, as in [`Chart::surface`].
     pub surface: u32,
     /// Coordinates on the fillet: along the profile from the end of the flank towards the root, and
@@ -105,8 +105,9 @@ impl<'a> Vibration<'a> {
             let places: Vec<f64> = loads.iter().map(|load| load.s).collect();
             let seen = modes.displacements(loads[0].chart, &places);
             for (k, beyond) in beyond.iter_mut().enumerate() {
-                let pushed: f64 = loads.iter().zip(seen.col(k).iter()).map(|(load, c)| load.force * c).sum();
-                *beyond -= pushed / modes.frequencies[k].powi(2);
+                let modal_force: f64 =
+                    loads.iter().zip(seen.col(k).iter()).map(|(load, c)| load.force * c).sum();
+                *beyond -= modal_force / modes.frequencies[k].powi(2);
             }
         }
         Some(Vibration { modes, beyond })
@@ -147,7 +148,7 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
                     vibration.add_stresses(tooth, surface, &mut recovered);
                 }
                 all.extend(recovered.into_iter().map(|(place, along)| RootStress {
-                    place: at.place(body, place.tooth, place.position),
+                    location: at.location(body, place.tooth, place.position),
                     surface,
                     chart: [place.s, 0.0],
                     position: [place.position[0], place.position[1], 0.0],
@@ -163,7 +164,7 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
             for (tooth, surface) in of.near(charts, structure.teeth()) {
                 let recovered = structure.stresses(tooth, surface, &loads);
                 all.extend(recovered.into_iter().map(|stress| RootStress {
-                    place: at.solid_place(body, stress.tooth, stress.position),
+                    location: at.solid_location(body, stress.tooth, stress.position),
                     surface,
                     chart: stress.place,
                     position: stress.position,
@@ -233,7 +234,7 @@ fn largest(stresses: Option<Vec<RootStress>>, value: impl Fn(&RootStress) -> f64
         let value = value(&stress);
         // NaN must persist.
         if value > largest.value || (value.is_nan() && !largest.value.is_nan()) {
-            largest = Observed { value, least: None, place: Some(stress.place) };
+            largest = Observed { value, least: None, location: Some(stress.location) };
         }
     }
     largest
@@ -244,9 +245,9 @@ mod tests {
     use super::*;
 
     fn stresses(along: &[f64]) -> Option<Vec<RootStress>> {
-        let place = Location { body: String::new(), tooth: 0, roll_angle: None, radius: 0.0, axial: None };
+        let location = Location { body: String::new(), tooth: 0, roll_angle: None, radius: 0.0, axial: None };
         let stress = |along: &f64| RootStress {
-            place: place.clone(),
+            location: location.clone(),
             surface: 0,
             chart: [0.0; 2],
             position: [0.0; 3],

@@ -11,7 +11,7 @@ pub(super) struct Best {
     pub result: AnalysisResult,
     pub setting: Setting,
     /// Index of the attempt.
-    pub tried: usize,
+    pub attempt: usize,
 }
 
 impl Best {
@@ -25,7 +25,7 @@ impl Best {
         search: &Search<'_>,
         observer: &mut dyn Observer,
     ) -> Result<(), EngineError> {
-        if search.observed == Some(self.tried) {
+        if search.observed == Some(self.attempt) {
             return Ok(());
         }
         let (rows, certificate) = (&self.result.rows, self.result.certificate);

@@ -30,7 +30,7 @@ fn is_same(one: &BodyModes, other: &BodyModes) -> bool {
 }
 
 #[test]
-fn modes_are_found_once_and_kept_on_disk() {
+fn modes_are_computed_once_and_stored_on_disk() {
     let directory = tempfile::tempdir().unwrap();
     let with_store = || {
         let store = Store::new(directory.path(), 1 << 30);
@@ -45,13 +45,13 @@ fn modes_are_found_once_and_kept_on_disk() {
     let first = modes(&DISC, HIGHEST, &resources);
     assert!(is_same(&found, &first));
     assert!(Arc::ptr_eq(&first, &modes(&DISC, HIGHEST, &resources)));
-    // Modes of another frequency or density are different.
+    // Another limit of the frequency or another density gives other modes.
     assert!(modes(&DISC, 0.7 * HIGHEST, &resources).count() < first.count());
     let heavy =
         Disc { material: Material { density: 4.0 * Material::STEEL.density, ..Material::STEEL }, ..DISC };
     let heavy = modes(&heavy, 0.5 * HIGHEST, &resources);
     assert!((heavy.frequencies[0] / first.frequencies[0] - 0.5).abs() < 1e-9);
-    // Emulate another process, which must find everything on disk.
+    // Another process reads all modes from the disk; the interrupt would stop a computation.
     let again = with_store();
     let stop = || Interrupt::new(|| Err(EngineError::new("E0704", "stopped", "")));
     let again = Resources { interrupt: stop(), ..again };
@@ -59,7 +59,7 @@ fn modes_are_found_once_and_kept_on_disk() {
 }
 
 #[test]
-fn a_body_without_modes_vibrates_as_a_rigid_one() {
+fn a_rigid_body_has_no_component_modes() {
     let platen = Platen::new(0.04, 0.01, Facing::Up);
     let none = Resources::default().modes(&platen, &StructureOptions::default(), HIGHEST).unwrap();
     assert!(none.is_none());
@@ -67,7 +67,7 @@ fn a_body_without_modes_vibrates_as_a_rigid_one() {
 
 /// A free disc has three rigid-body motions in its frame, and no mode contains any of them.
 #[test]
-fn modes_of_a_free_disc_move_its_middle_nowhere() {
+fn modes_of_a_free_disc_contain_no_rigid_body_motion() {
     let found = modes(&DISC, HIGHEST, &Resources::default());
     let mass = found.rigid_mass[0][0];
     let expected = std::f64::consts::PI * DISC.radius.powi(2) * Material::STEEL.density;

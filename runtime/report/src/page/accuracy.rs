@@ -461,7 +461,8 @@ impl<'j> Setting<'j> {
         self.errors[output]["error"].as_f64()
     }
 
-    fn told(&self, output: &str) -> Markup {
+    /// Formats the setting with its time and the error of an output.
+    fn time_and_error(&self, output: &str) -> Markup {
         html! { (self.name) ", " (number(self.time)) " s: " (percent(self.error(output).unwrap_or(f64::NAN))) }
     }
 }
@@ -482,12 +483,16 @@ fn tradeoff(run: &Run) -> Markup {
         best
     };
     // The cheapest setting with half of the error that this run states.
-    let halved = |output: &Output, best: &[&Setting]| -> Option<Markup> {
-        let half = Some(0.5 * output.error.as_ref()?.relative).filter(|half| half.is_finite())?;
-        let setting =
-            best.iter().find(|setting| setting.error(&output.name).is_some_and(|error| error <= half));
-        Some(setting.map_or_else(|| html! { "no measured setting" }, |setting| setting.told(&output.name)))
-    };
+    let halved =
+        |output: &Output, best: &[&Setting]| -> Option<Markup> {
+            let half = Some(0.5 * output.error.as_ref()?.relative).filter(|half| half.is_finite())?;
+            let setting =
+                best.iter().find(|setting| setting.error(&output.name).is_some_and(|error| error <= half));
+            Some(setting.map_or_else(
+                || html! { "no measured setting" },
+                |setting| setting.time_and_error(&output.name),
+            ))
+        };
     html! {
         h3 { "Accuracy and computing time" }
         p {
@@ -500,7 +505,7 @@ fn tradeoff(run: &Run) -> Markup {
                 @let best = best(&output.name);
                 @if !best.is_empty() { tr {
                     th scope="row" { code { (output.name) } }
-                    td.word { @for (index, setting) in best.iter().enumerate() { @if index > 0 { br; } (setting.told(&output.name)) } }
+                    td.word { @for (index, setting) in best.iter().enumerate() { @if index > 0 { br; } (setting.time_and_error(&output.name)) } }
                     td.word { @if let Some(halved) = halved(output, &best) { (halved) } @else { "–" } }
                 } }
             } }

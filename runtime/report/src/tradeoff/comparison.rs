@@ -53,8 +53,8 @@ impl Errors {
             mean: part(series.mean - reference.mean),
             peak_to_peak: part(series.peak_to_peak - reference.peak_to_peak),
         };
-        let told = !series.values.iter().chain(&reference.values).any(|value| value.is_nan());
-        (told && common > 0 && errors.error().is_finite()).then_some(errors)
+        let is_defined = !series.values.iter().chain(&reference.values).any(|value| value.is_nan());
+        (is_defined && common > 0 && errors.error().is_finite()).then_some(errors)
     }
 }
 

@@ -81,13 +81,13 @@ pub fn write_table(path: &Path, comparison: &Comparison) -> io::Result<()> {
 pub fn document(model: &str, params: &Value, comparison: &Comparison, omitted: &[OmittedSetting]) -> Value {
     let settings = comparison.settings.iter().enumerate().map(|(index, measured)| {
         let errors = comparison.outputs.iter().map(|output| {
-            let told = output.errors[index].map(|e| {
+            let errors = output.errors[index].map(|e| {
                 json!({
                     "error": e.error(), "deviation": e.deviation, "max": e.max, "min": e.min, "mean": e.mean,
                     "peak_to_peak": e.peak_to_peak,
                 })
             });
-            (output.name.clone(), json!(told))
+            (output.name.clone(), json!(errors))
         });
         json!({
             "name": measured.setting.name,

@@ -72,8 +72,8 @@ impl Measurement {
             return Ok(None);
         };
         let series = |name: &String| {
-            let told = &run["outputs"][name];
-            let number = |statistic: &str| told[statistic].as_f64().unwrap_or(f64::NAN);
+            let output = &run["outputs"][name];
+            let number = |statistic: &str| output[statistic].as_f64().unwrap_or(f64::NAN);
             Series {
                 name: name.clone(),
                 values: column(name),

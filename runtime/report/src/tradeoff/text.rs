@@ -89,7 +89,7 @@ recommended\n";
 
 /// Recommends settings by tolerance, for each output and for all of them.
 pub fn recommendations(comparison: &Comparison) -> String {
-    let told = |index: Option<usize>| {
+    let described = |index: Option<usize>| {
         index.map_or_else(
             || "none of these".into(),
             |index| {
@@ -110,7 +110,7 @@ pub fn recommendations(comparison: &Comparison) -> String {
         }
         let parts = parts
             .into_iter()
-            .map(|(tolerance, index)| format!("{} %: {}", percent_of(tolerance), told(index)));
+            .map(|(tolerance, index)| format!("{} %: {}", percent_of(tolerance), described(index)));
         parts.collect::<Vec<_>>().join("; ")
     };
     let mut text = String::new();

@@ -86,7 +86,7 @@ pub struct Problem {
 
 impl ProblemTexts {
     fn new(error: &Error, description: &ModelDescription) -> ProblemTexts {
-        let mut told = ProblemTexts {
+        let mut texts = ProblemTexts {
             status: CStatus::of(error),
             code: c_text(error.code().unwrap_or_default()),
             message: c_text(error.message()),
@@ -98,12 +98,12 @@ impl ProblemTexts {
         };
         let report = match error {
             Error::Model(error) => {
-                let place = error.place.and_then(|(file, start, _)| {
+                let location = error.place.and_then(|(file, start, _)| {
                     description.files.get(file as usize).map(|file| (file, start as usize))
                 });
-                if let Some((file, start)) = place {
-                    told.file = c_text(&file.name);
-                    (told.line, told.column) = line_column(file, start);
+                if let Some((file, start)) = location {
+                    texts.file = c_text(&file.name);
+                    (texts.line, texts.column) = line_column(file, start);
                 }
                 problem(Severity::Error, error, description)
             }
@@ -112,8 +112,8 @@ impl ProblemTexts {
                 help => format!("error: {}\n  help: {help}\n", error.message()),
             },
         };
-        told.report = c_text(&report);
-        told
+        texts.report = c_text(&report);
+        texts
     }
 }
 
@@ -176,9 +176,9 @@ unsafe fn with(
         Ok(Err(error)) => error,
         Err(_) => panicked(),
     };
-    let told = ProblemTexts::new(&error, state.program.description());
-    let status = told.status;
-    state.problem = Some(told);
+    let texts = ProblemTexts::new(&error, state.program.description());
+    let status = texts.status;
+    state.problem = Some(texts);
     status
 }
 
@@ -274,16 +274,16 @@ pub unsafe extern "C" fn calyx_error(instance: *const CInstance, problem: *mut P
     // SAFETY: guaranteed by the caller.
     let Some(instance) = (unsafe { instance.as_ref() }) else { return CStatus::Null };
     let state = lock(&instance.state);
-    let told = match &state.problem {
-        Some(told) => Problem {
-            status: told.status,
-            code: told.code.as_ptr(),
-            message: told.message.as_ptr(),
-            help: told.help.as_ptr(),
-            file: told.file.as_ptr(),
-            line: told.line,
-            column: told.column,
-            report: told.report.as_ptr(),
+    let described = match &state.problem {
+        Some(texts) => Problem {
+            status: texts.status,
+            code: texts.code.as_ptr(),
+            message: texts.message.as_ptr(),
+            help: texts.help.as_ptr(),
+            file: texts.file.as_ptr(),
+            line: texts.line,
+            column: texts.column,
+            report: texts.report.as_ptr(),
         },
         None => {
             let nothing = c"".as_ptr();
@@ -303,6 +303,6 @@ pub unsafe extern "C" fn calyx_error(instance: *const CInstance, problem: *mut P
         return CStatus::Null;
     }
     // SAFETY: not null, so valid for writing as guaranteed by the caller.
-    unsafe { problem.write(told) };
+    unsafe { problem.write(described) };
     CStatus::Ok
 }

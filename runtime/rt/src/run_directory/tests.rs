@@ -46,20 +46,20 @@ fn run(directory: &Path, names: &[&str]) {
 fn a_directory_with_files_of_the_user_is_refused_and_unchanged() {
     for own in [&["notes.txt"][..], &["run.json", "signals/measured.csv"], &[".hidden"], &[".calyx-run"]] {
         let folder = folder(own);
-        let Err(error) = lock(folder.path()) else { panic!("{own:?} is taken for a run") };
+        let Err(error) = lock(folder.path()) else { panic!("{own:?} was accepted as a run directory") };
         assert!(matches!(error, DirectoryError::Foreign { .. }), "{error}");
         assert!(error.help().contains("--force"), "{}", error.help());
         assert_eq!(names_in(folder.path()).unwrap().len(), own.len());
         own.iter().for_each(|name| assert_eq!(fs::read_to_string(folder.path().join(name)).unwrap(), *name));
     }
-    // The message lists as many as fit a line.
+    // The message lists as many files as fit on a line.
     let folder = folder(&["a", "b", "c", "d", "e", "f"]);
-    let said = lock(folder.path()).unwrap_err().to_string();
-    assert!(said.ends_with("has files that a run did not write: a, b, c, d, and 2 more"), "{said}");
+    let message = lock(folder.path()).unwrap_err().to_string();
+    assert!(message.ends_with("has files that a run did not write: a, b, c, d, and 2 more"), "{message}");
 }
 
 #[test]
-fn a_run_replaces_what_a_run_wrote_and_nothing_else() {
+fn a_run_replaces_only_the_files_of_earlier_runs() {
     let folder = tempfile::tempdir().unwrap();
     let directory = folder.path().join("made");
     run(&directory, &["run.json", "steps.csv", "pressure.csv", "signals/te_spectrum.csv", "vtu/contact.pvd"]);
@@ -67,8 +67,8 @@ fn a_run_replaces_what_a_run_wrote_and_nothing_else() {
         write(&directory, own);
     }
     run(&directory, &["run.json"]);
-    let kept = ["data/steps.csv", "notes.txt", "run.json", "signals/notes.csv", "vtu/scene.pvsm"];
-    assert_eq!(files(&directory), kept);
+    let remaining = ["data/steps.csv", "notes.txt", "run.json", "signals/notes.csv", "vtu/scene.pvsm"];
+    assert_eq!(files(&directory), remaining);
     // A file of the user with the name of a result.
     write(&directory, "modes.csv");
     let error = lock(&directory).unwrap_err();
@@ -79,7 +79,7 @@ fn a_run_replaces_what_a_run_wrote_and_nothing_else() {
 }
 
 #[test]
-fn files_below_that_a_run_may_write_are_in_the_way() {
+fn files_of_the_user_below_a_folder_of_results_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     run(folder.path(), &["run.json", "signals/te_spectrum.csv"]);
     write(folder.path(), "signals/te_order_map.csv");
@@ -97,7 +97,7 @@ fn files_below_that_a_run_may_write_are_in_the_way() {
 }
 
 #[test]
-fn nothing_outside_is_reached() {
+fn files_outside_the_directory_stay_unchanged() {
     let outside = folder(&["te_spectrum.csv", "target"]);
     let folder = tempfile::tempdir().unwrap();
     run(folder.path(), &["run.json", "signals/te_spectrum.csv", "steps.csv"]);
@@ -123,16 +123,16 @@ fn nothing_outside_is_reached() {
 }
 
 #[test]
-fn one_writes_at_a_time() {
+fn only_one_run_locks_a_directory() {
     let folder = tempfile::tempdir().unwrap();
     let directory = folder.path().join("made");
     let first = lock(&directory).unwrap();
     let DirectoryError::InUse { owner, .. } = lock(&directory).unwrap_err() else { panic!("not locked") };
     assert!(owner.contains(&format!("process {} on ", std::process::id())), "{owner}");
     assert!(owner.ends_with(" UTC"), "{owner}");
-    // Not even with force.
+    // Force does not override the lock.
     assert!(RunDirectory::lock(&directory, Kind::Run, true).is_err());
-    // It wrote nothing, so nothing remains.
+    // The run wrote nothing, so the directory is removed.
     drop(first);
     assert!(!directory.exists());
     let first = lock(&directory).unwrap();
@@ -143,7 +143,7 @@ fn one_writes_at_a_time() {
 }
 
 #[test]
-fn threads_that_make_and_remove_a_directory_are_alone_in_it() {
+fn threads_exclude_each_other_from_a_directory() {
     let folder = tempfile::tempdir().unwrap();
     let directory = folder.path().join("made");
     let (inside, entered) = (std::sync::atomic::AtomicUsize::new(0), std::sync::atomic::AtomicUsize::new(0));
@@ -174,7 +174,7 @@ fn threads_that_make_and_remove_a_directory_are_alone_in_it() {
 }
 
 #[test]
-fn a_marker_that_was_cut_off_is_read_as_far_as_it_goes() {
+fn a_truncated_marker_lists_its_complete_lines() {
     let folder = tempfile::tempdir().unwrap();
     run(folder.path(), &["run.json", "steps.csv"]);
     let whole = fs::read(folder.path().join(MARKER)).unwrap();
@@ -197,7 +197,7 @@ fn a_marker_that_was_cut_off_is_read_as_far_as_it_goes() {
 }
 
 #[test]
-fn runs_of_versions_without_markers_are_recognised() {
+fn directories_of_versions_without_markers_are_recognised() {
     let run = json!({
         "calyx": "0.1.0", "abi": "1", "model": "pair.cx", "source": { "files": [] }, "params": {},
         "signals": [{ "table": "signals/te_spectrum.csv", "picture": "../picture.svg" }],

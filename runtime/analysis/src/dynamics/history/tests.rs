@@ -432,8 +432,9 @@ fn an_analysis_in_time_sees_what_bearings_damp() {
     };
     let analysis = AnalysisOptions { structure: FEW, ..AnalysisOptions::default() };
     let history = History::new(&scene, &[], &analysis, &asked, &mut ()).expect("it can begin");
-    let unseen = |plan: &Plan| plan.ignored.iter().filter(|unseen| unseen.input == "damping").count();
-    assert_eq!((unseen(&still), unseen(history.plan())), (1, 0));
+    let ignored_dampings =
+        |plan: &Plan| plan.ignored.iter().filter(|ignored| ignored.input == "damping").count();
+    assert_eq!((ignored_dampings(&still), ignored_dampings(history.plan())), (1, 0));
 }
 
 /// The reaction on a frame is the rate of the total momentum of all that moves on it.

@@ -1,4 +1,4 @@
-//! Outcome of a tolerance search: the settings that were tried, and the chosen one.
+//! Outcome of a tolerance search: the settings that were compared, and the selected one.
 
 use calyx_model::fidelity::Fidelity;
 use calyx_numerics::error::EngineError;
@@ -62,15 +62,15 @@ pub struct ToleranceOutcome {
     pub tolerance: f64,
     /// Setting of the results.
     pub setting: Setting,
-    /// All settings tried, in order. If the tolerance is met, the last is the setting of the
+    /// All compared settings, in order. If the tolerance is met, the last is the setting of the
     /// results, at all positions.
-    pub tried: Vec<Attempt>,
-    /// Index of the setting of the results.
-    pub taken: usize,
+    pub attempts: Vec<Attempt>,
+    /// Index of the attempt with the setting of the results.
+    pub selected: usize,
     /// Reason why the search ended before a setting met the tolerance, if so.
     pub ended: Option<String>,
     /// Reason why the estimates do not include the model error, if so.
-    pub level_unseen: Option<String>,
+    pub excluded_model_error: Option<String>,
 }
 
 /// Reason for the end of a search without further settings.
@@ -81,12 +81,24 @@ pub(crate) const LARGER: &str =
     "ask for a larger tolerance, or remove the outputs that cannot be computed so accurately";
 
 impl ToleranceOutcome {
+    /// Former name of the field [`ToleranceOutcome::attempts`].
+    #[deprecated(since = "0.1.0", note = "use the field `attempts`")]
+    pub fn tried(&self) -> &[Attempt] {
+        &self.attempts
+    }
+
+    /// Former name of the field [`ToleranceOutcome::selected`].
+    #[deprecated(since = "0.1.0", note = "use the field `selected`")]
+    pub fn taken(&self) -> usize {
+        self.selected
+    }
+
     /// Returns the warning if the results do not meet the tolerance.
     pub fn missed(&self) -> Option<EngineError> {
         let reason = self.ended.as_ref()?;
-        let reached = self.tried.get(self.taken).map_or_else(String::new, |taken| {
-            let all = if taken.whole { "" } else { " at a few of the positions" };
-            format!(": they are of {}{all}, with {}", self.setting.describe(), taken.error())
+        let reached = self.attempts.get(self.selected).map_or_else(String::new, |selected| {
+            let all = if selected.whole { "" } else { " at a few of the positions" };
+            format!(": they are of {}{all}, with {}", self.setting.describe(), selected.error())
         });
         let tolerance = percent(self.tolerance);
         let message =
@@ -108,15 +120,15 @@ impl ToleranceOutcome {
                 self.setting.describe()
             );
         }
-        if let Some(taken) = self.tried.get(self.taken) {
-            let all = if taken.whole { "" } else { " at a few of the positions" };
-            text += &format!("{all}, estimated to be within {}", taken.error());
+        if let Some(selected) = self.attempts.get(self.selected) {
+            let all = if selected.whole { "" } else { " at a few of the positions" };
+            text += &format!("{all}, estimated to be within {}", selected.error());
         }
-        let others = self.tried.iter().enumerate().filter(|(index, _)| *index != self.taken);
-        for (_, missed) in others.filter(|(_, tried)| tried.worst.1 > self.tolerance) {
+        let others = self.attempts.iter().enumerate().filter(|(index, _)| *index != self.selected);
+        for (_, missed) in others.filter(|(_, attempt)| attempt.worst.1 > self.tolerance) {
             text += &format!("; {} has {}", missed.setting.describe(), missed.error());
         }
-        if let Some(reason) = &self.level_unseen {
+        if let Some(reason) = &self.excluded_model_error {
             text += &format!("; what the level leaves out is not in it ({reason})");
         }
         text
