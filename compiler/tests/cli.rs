@@ -64,6 +64,11 @@ fn check_says_what_is_wrong() {
 }
 
 #[test]
+fn typical_mistakes_are_named_with_place_and_remedy() {
+    hold(include_str!("cli/mistakes.md"));
+}
+
+#[test]
 fn wrong_usage_is_explained() {
     hold(include_str!("cli/usage.md"));
 }

@@ -138,9 +138,15 @@ impl LoadGroups {
                     "the load on body \"{}\" reaches no tooth: its frame constrains {component}, and no body that it meshes with is free under a load",
                     name(index)
                 );
-                let help = format!(
-                    "let the load move the body, `free = [\"{component}\"]`, or put the load on a body that is free"
-                );
+                let help = match component {
+                    // A body that is free to tilt would not transmit this load either.
+                    "theta_x" | "theta_y" => {
+                        "gears transmit a moment about their axis: give it along e3, such as `moment = 100 N*m * e3`".to_string()
+                    }
+                    _ => format!(
+                        "let the load move the body, `free = [\"{component}\"]`, or put the load on a body that is free"
+                    ),
+                };
                 let error =
                     EngineError::new("E0800", message, help).about(Subject::Body(index)).blame("free");
                 Err(host.engine_error(error))

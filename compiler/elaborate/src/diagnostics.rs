@@ -15,11 +15,16 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 
 /// Converts a run-time error to a diagnostic at its source location.
 pub fn diagnostic(error: &RuntimeError) -> Diagnostic {
-    labelled(error, |path| format!("`{path}` cannot be built"))
+    labelled(error, |path| format!("`{path}` cannot be built"), cause)
 }
 
-/// Converts a run-time error; `label` returns the label at the declaration of an instance.
-fn labelled(error: &RuntimeError, label: impl Fn(&str) -> String) -> Diagnostic {
+/// Converts a run-time error; `label` returns the label at the declaration of an instance, `cause`
+/// that of an error that concerns no single argument.
+fn labelled(
+    error: &RuntimeError,
+    label: impl Fn(&str) -> String,
+    cause: impl Fn(&RuntimeError) -> String,
+) -> Diagnostic {
     let instance = error.details.calls.iter().rfind(|call| call.instance().is_some());
     let instance = instance.filter(|call| Some(call.place) == error.place).and_then(|call| call.instance());
     let argument = error.argument.as_deref().filter(|argument| !argument.is_empty());
@@ -54,7 +59,11 @@ pub fn finding_diagnostic(finding: &Finding, sites: &CallSites) -> Diagnostic {
     match finding.severity {
         FindingSeverity::Error => diagnostic(&error),
         FindingSeverity::Warning => {
-            let found = labelled(&error, |path| format!("in `{path}`"));
+            let call = |error: &RuntimeError| match error.details.function.as_str() {
+                "" => "the warning concerns this".into(),
+                function => format!("caused by this call of `{function}`"),
+            };
+            let found = labelled(&error, |path| format!("in `{path}`"), call);
             Diagnostic { severity: Severity::Warning, code: found.code.replacen('E', "W", 1), ..found }
         }
     }

@@ -23,7 +23,7 @@ use calyx_rt::{Error, InvalidParam, NanLog, ParamAssignment, Program as _, apply
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::settings_override::Override;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::fmt;
 use std::sync::{Arc, Mutex};
 
@@ -240,8 +240,11 @@ fn elaborate_with(
         Ok(_) => {}
     }
     found.sort_by_key(|diagnostic| (diagnostic.primary.span.file, diagnostic.primary.span.start));
-    // A loop repeats the same diagnostic in every iteration.
-    found.dedup();
+    // A loop repeats the same diagnostics in every iteration.
+    let mut reported = HashSet::new();
+    found.retain(|diagnostic| {
+        reported.insert((diagnostic.primary.span, diagnostic.code.clone(), diagnostic.message.clone()))
+    });
     ensure_running(cancel)?;
     let description = interpreted.into_description();
     let description = match outputs {

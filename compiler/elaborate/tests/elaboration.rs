@@ -73,6 +73,22 @@ fn a_program_that_the_engine_cannot_run_says_why() {
     assert_eq!((codes(&ended), ended.runnable), (vec!["E0708"], false));
 }
 
+/// A loop of the library builds a mesh with sun and ring for each planet; both have an error.
+#[test]
+fn the_errors_of_a_loop_are_reported_once() {
+    let text = "import gears;
+        var steel = gears.material(206 GPa, 0.3);
+        var rack = gears.rack(module = 2 mm, tip_radius = 0.5 mm);
+        var gear = gears.external(20, rack, 10 mm, 44 mm, 35 mm, steel, gears.simple_rim(30 mm, 20 mm),
+            tooth_thickness = 3.1 mm);
+        var shaper = gears.shaper(20, module = 2 mm, tip_radius = 0.2 mm);
+        var ring = gears.internal(60, shaper, 10 mm, 116.4 mm, 125 mm, steel, gears.outer_rim(130 mm, 150 mm),
+            tooth_thickness = 3.1 mm);
+        var set = gears.planetary(gear, gear, ring, 4 mm, planets = 4, sun_speed = 9 rpm, sun_torque = 9 N*m);
+        print(set.mesh_period);";
+    assert_eq!(codes(&elaborated(text)), ["E0631", "E0631"]);
+}
+
 #[test]
 fn values_are_those_at_the_end_in_units_of_the_file() {
     let ended = elaborated(

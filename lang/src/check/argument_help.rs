@@ -3,7 +3,7 @@
 
 use super::infer::Checker;
 use super::symbols::with_article;
-use super::tree::Expr;
+use super::tree::{Expr, Kind};
 use super::types::Type;
 use crate::ast::{self, ExprKind};
 use crate::common_units::{usual, written};
@@ -42,14 +42,21 @@ impl Checker<'_> {
         value: &Expr,
         free: &[Free<'_>],
     ) {
-        let found = self.dimension_of(&value.ty);
+        // A value for an optional parameter has been converted to the parameter's type.
+        let given = match &value.kind {
+            Kind::Some(inner) => inner,
+            _ => value,
+        };
+        let found = self.dimension_of(&given.ty);
         let Some((wanted, found)) = self.dimension_of(ty).zip(found) else { return };
         let literal = number_of(&argument.value);
-        let known: Vec<&str> = free
-            .iter()
-            .filter(|other| self.dimension_of(&other.ty).is_some_and(|d| d.fits(found) && !found.is_none()))
-            .map(|other| other.name)
-            .collect();
+        // A ratio such as a coefficient and a quantity are different concepts: no other parameter of
+        // the quantity is a likely alternative.
+        let is_ratio = wanted.is_none();
+        let fits = |other: &&Free<'_>| {
+            !is_ratio && self.dimension_of(&other.ty).is_some_and(|d| d.fits(found) && !found.is_none())
+        };
+        let known: Vec<&str> = free.iter().filter(fits).map(|other| other.name).collect();
         let of = |d: Dimension| with_article(&self.store.vocabulary.show(d));
         let inverse = !wanted.without_angle().is_none() && wanted.times(found).without_angle().is_none();
         let units = usual(wanted, self.shown_system());
@@ -67,6 +74,9 @@ impl Checker<'_> {
                 of(found)
             ),
             (true, None) => format!("`{name}` takes the reciprocal of {}: divide 1 by it", of(found)),
+            (false, Some(_)) if is_ratio => {
+                format!("`{name}` takes {}: the ratio of {} to another one", of(wanted), of(found))
+            }
             (false, Some(number)) => {
                 format!("`{name}` takes {}, such as `{}`", of(wanted), written(&number.to_string(), unit))
             }

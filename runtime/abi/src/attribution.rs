@@ -31,7 +31,8 @@ pub fn attribute<'c>(
 pub fn cause(error: &RuntimeError) -> String {
     match error.details.function.as_str() {
         _ if error.code == codes::ASSERTION => "this assertion fails".into(),
-        "" => "the error occurs here".into(),
+        // An `output` is a declaration, although the engine receives it as a call.
+        "" | "output" => "the error occurs here".into(),
         function => format!("this call of `{function}` fails"),
     }
 }
