@@ -12,6 +12,7 @@ use crate::host::Finding;
 use crate::prototype::GearPrototype;
 use calyx_abi::RuntimeError;
 use calyx_runtime::material::Material;
+use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 /// Plausible Young's moduli of gear materials, Pa: from soft polyurethane to tungsten carbide.
@@ -35,6 +36,11 @@ const THINNEST_RING: f64 = 0.1;
 /// Largest difference, in modules, of tooth thicknesses from a profile shift and a given thickness
 /// that count as equal: more than the rounding of a drawing.
 const SAME_THICKNESS: f64 = 1e-3;
+/// Largest single pitch deviation in modules: twice that of the lowest flank tolerance class of ISO
+/// 1328-1 for small gears.
+const LARGEST_PITCH_DEVIATION: f64 = 0.1;
+/// Single pitch deviations that a message suggests, in modules.
+const USUAL_PITCH_DEVIATIONS: RangeInclusive<f64> = 1e-4..=5e-2;
 /// Largest pitch line velocity, m/s. No gear runs near the speed of sound in air.
 const FASTEST: f64 = 300.0;
 /// Factors of unit mistakes, the most frequent first.
@@ -87,11 +93,52 @@ pub(crate) fn of_material(material: &Material, place: (u32, u32, u32)) -> Vec<Fi
     found
 }
 
-/// Errors and warnings about the face width and the rim of a generated gear. `module` is the tool's
-/// module as given.
+/// Errors and warnings about the face width, the rim and the pitch deviations of a generated gear.
+/// `module` is the tool's module as given.
 pub(crate) fn of_gear(gear: &GearPrototype, module: f64) -> Vec<GeometryError> {
-    let found = [face_width(gear.face_width, module), thin_rim(&gear.form(), &gear.rim, module)];
+    let found = [
+        face_width(gear.face_width, module),
+        thin_rim(&gear.form(), &gear.rim, module),
+        pitch_deviations(&gear.form(), &gear.pitch_errors),
+    ];
     found.into_iter().flatten().collect()
+}
+
+/// Detects more pitch deviations than teeth, and deviations that teeth next to each other cannot
+/// have. `cumulative` contains the angle of each tooth, rad.
+fn pitch_deviations(form: &ToothForm, cumulative: &[f64]) -> Option<GeometryError> {
+    let teeth = form.teeth as usize;
+    if cumulative.len() > teeth {
+        return Some(GeometryError::error(
+            "E0695",
+            "pitch_errors",
+            sentence!["there are ", number cumulative.len() as f64, " pitch deviations for ", number teeth as f64, " teeth"],
+            sentence!["give one deviation for each tooth; teeth beyond the list have none"],
+        ));
+    }
+    let at = |tooth: usize| form.pitch_radius * cumulative.get(tooth % teeth).copied().unwrap_or(0.0);
+    let single = |tooth: &usize| (at(tooth + 1) - at(*tooth)).abs();
+    let worst = (0..teeth).max_by(|a, b| single(a).total_cmp(&single(b)).then(b.cmp(a)))?;
+    let deviation = single(&worst);
+    let modules = deviation / form.module;
+    if modules <= LARGEST_PITCH_DEVIATION {
+        return None;
+    }
+    let message = sentence![
+        "the single pitch deviation between teeth ", number worst as f64, " and ",
+        number ((worst + 1) % teeth) as f64, " is ", length deviation, ", ", number shown(modules), " modules"
+    ];
+    let help = match meant(modules, &USUAL_PITCH_DEVIATIONS) {
+        Some(meant) => {
+            sentence!["is ", length meant * form.module, " meant? that of rough gears is below 0.1 modules"]
+        }
+        None => sentence!["the single pitch deviation of rough gears is below 0.1 modules"],
+    };
+    // Half a pitch moves a tooth into its neighbour.
+    Some(match modules < 0.5 * PI {
+        true => GeometryError::warning("E0695", "pitch_errors", message, help),
+        false => GeometryError::error("E0695", "pitch_errors", message, help),
+    })
 }
 
 fn face_width(face_width: f64, module: f64) -> Option<GeometryError> {
