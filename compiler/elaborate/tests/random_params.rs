@@ -19,7 +19,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Number of sets of params for each example, times `CALYX_FUZZ`.
-const ROUNDS: u64 = 5;
+const ROUNDS: u64 = 2;
 /// Time limit of a run. Only cheap runs end before it; the others show that a run begins.
 const RUN: Duration = Duration::from_millis(40);
 /// Time limit of a run of a model that the check rejects. Such a run ends while it builds the
