@@ -178,3 +178,73 @@ fn a_generator_that_leaves_the_flank_ends_there() {
     assert!(count(false, &nominal).1 <= 3);
     assert!(count(true, &whole).1 >= 5);
 }
+
+/// Pressures of a contact with half-width `across` on all slices and half-length `along`, m.
+fn contact_pressures(grid: &Grid, [across, along]: [f64; 2]) -> Vec<f64> {
+    let of_slice = |slice: &Slice| {
+        let y = (0.5 * (slice.y[0] + slice.y[1]) / along).powi(2);
+        let cells = grid.cells[slice.cells.clone()].iter();
+        let x = cells.map(|cell| ((cell.center[0] - slice.edges.closest) / across).powi(2));
+        x.map(|x| 1e9 * (1.0 - x - y).max(0.0).sqrt()).collect::<Vec<f64>>()
+    };
+    grid.slices.iter().flat_map(of_slice).collect()
+}
+
+fn grid_of(pair: &Pair, half_counts: [usize; 2]) -> Grid {
+    let (flanks, poses) = pair.flanks();
+    let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
+    let contact_line = find_contact_line(placed[0], placed[1], true).expect("they touch");
+    let options = GridOptions {
+        half_count: half_counts[0],
+        half_slices: half_counts[1],
+        width: Some(4e-4),
+        length: Some(1.0),
+        force: 1000.0,
+        contact_modulus: 1.1e11,
+        search_edges: true,
+    };
+    build_grid(placed[0], placed[1], &contact_line, &options)
+}
+
+/// An oblique side face ends the slices next to it on one side. Their outermost cells are loaded,
+/// but the grid is wide enough.
+#[test]
+fn side_faces_do_not_truncate_a_line_contact() {
+    for helix in [0.0, 0.3, -0.5] {
+        let grid = grid_of(&Pair { base_helix: helix, ..HELICAL }, [8, 8]);
+        let half = 0.5 * grid.extent[0];
+        let wide_enough = assess(&grid, &contact_pressures(&grid, [0.75 * half, f64::INFINITY]));
+        assert_eq!(wide_enough.truncated, [false; 2], "{helix}");
+        assert_eq!((wide_enough.under_resolved, wide_enough.recommended), ([false; 2], [None; 2]), "{helix}");
+        // The zeros of the pressure determine the recommended width.
+        let narrow = assess(&grid, &contact_pressures(&grid, [1.5 * half, f64::INFINITY]));
+        assert_eq!(narrow.truncated, [true, false], "{helix}");
+        let recommended = narrow.recommended[0].expect("another width");
+        let expected = 1.3 * 1.5 * grid.extent[0];
+        assert!((recommended / expected - 1.0).abs() < 0.05, "{helix}: {recommended:e} {expected:e}");
+        // Three cells of each slice are loaded; the face is covered from end to end.
+        let wide = assess(&grid, &contact_pressures(&grid, [2.0 / 17.0 * half, f64::INFINITY]));
+        assert_eq!(wide.under_resolved, [true, false], "{helix}");
+        let recommended = wide.recommended[0].expect("another width");
+        assert!(recommended >= 3.0 / 17.0 * grid.extent[0] && recommended < 0.6 * grid.extent[0]);
+    }
+}
+
+/// The contact ellipse of crowned flanks needs enough slices, as well as enough cells across.
+#[test]
+fn an_ellipse_needs_enough_cells_in_both_directions() {
+    let pair = Pair { crown: 0.05, ..HELICAL };
+    let assessed = |half_counts: [usize; 2], shares: [f64; 2]| {
+        let grid = grid_of(&pair, half_counts);
+        let axes = [0, 1].map(|axis| 0.5 * shares[axis] * grid.extent[axis]);
+        assess(&grid, &contact_pressures(&grid, axes))
+    };
+    let fine = assessed([10, 8], [0.75, 0.75]);
+    assert_eq!((fine.under_resolved, fine.recommended), ([false; 2], [None; 2]));
+    assert_eq!(assessed([10, 3], [0.75, 0.4]).under_resolved, [false, true]);
+    assert_eq!(assessed([10, 1], [0.75, 0.6]).under_resolved, [false, true]);
+    assert_eq!(assessed([2, 8], [0.5, 0.75]).under_resolved, [true, false]);
+    // A shorter grid resolves an ellipse with spare slices around it.
+    let [_, shorter] = assessed([10, 3], [0.75, 0.4]).recommended;
+    assert!(shorter.is_some());
+}
