@@ -41,7 +41,7 @@ pub fn solve(problem: &ContactProblem, warm_start: Option<&[usize]>) -> Result<S
     solve_until(problem, warm_start, &Interrupt::never())
 }
 
-/// Solves a contact problem and polls an interrupt before each factorization.
+/// Solves a contact problem and polls an interrupt before each piece of a factorization.
 ///
 /// # Errors
 /// Those of [`solve`]; [`ContactError::Interrupted`].
@@ -84,7 +84,7 @@ fn pivot(
     if let Some(found) = single_pivoting(&scaled, &mut iterations, interrupt)? {
         return Ok(scaled.solution(problem, found, Method::SinglePivoting, iterations));
     }
-    let (forces, motion) = interior_point::solve(problem)?;
+    let (forces, motion) = interior_point::solve_until(problem, interrupt)?;
     let largest = forces.iter().copied().fold(0.0, f64::max);
     let active = (0..forces.len()).filter(|&i| forces[i] > 1e-6 * largest).collect();
     let certificate = problem.certify(&forces, &motion);

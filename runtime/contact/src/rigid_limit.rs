@@ -60,23 +60,27 @@ pub fn rigid_limit(
         Balance::RunsAway(motion) => return Err(ContactError::Infeasible(free_motion(&motion, &scale))),
         Balance::Interrupted(error) => return Err(ContactError::Interrupted(error)),
     };
-    let basis = complete(&scaled_arms, basis)
+    let basis = complete(&scaled_arms, basis, interrupt)?
         .map_err(|motion| ContactError::Unconstrained(free_motion(&motion, &scale)))?;
-    interrupt.check().map_err(ContactError::Interrupted)?;
-    let (motion, mut touching) = simplex(gaps, &scaled_arms, &load, basis)?;
+    let (motion, mut touching) = simplex(gaps, &scaled_arms, &load, basis, interrupt)?;
     touching.sort_unstable();
     Ok(RigidLimit { motion: motion.iter().zip(&scale).map(|(y, s)| y * s).collect(), touching })
 }
 
-/// Adds contacts until the basis determines every DOF; the error is a motion that no contact
+/// Adds contacts until the basis determines every DOF; the inner error is a motion that no contact
 /// resists.
-fn complete(arms: &DMatrix<f64>, mut basis: Vec<usize>) -> Result<Vec<usize>, Vec<f64>> {
+fn complete(
+    arms: &DMatrix<f64>,
+    mut basis: Vec<usize>,
+    interrupt: &Interrupt,
+) -> Result<Result<Vec<usize>, Vec<f64>>, ContactError> {
     let m = arms.ncols();
     while basis.len() < m {
+        interrupt.check().map_err(ContactError::Interrupted)?;
         // Find a motion that the basis does not resist: the last right singular vector of its rows
         // of C, padded to a square matrix.
         let square = DMatrix::from_fn(m, m, |r, k| basis.get(r).map_or(0.0, |&i| arms[(i, k)]));
-        let Some(right) = square.svd(false, true).v_t else { return Err(vec![1.0; m]) };
+        let Some(right) = square.svd(false, true).v_t else { return Ok(Err(vec![1.0; m])) };
         let motion: Vec<f64> = right.row(m - 1).iter().copied().collect();
         let seen = |i: usize| row_product(arms, i, &motion).abs();
         let best = (0..arms.nrows())
@@ -84,10 +88,10 @@ fn complete(arms: &DMatrix<f64>, mut basis: Vec<usize>) -> Result<Vec<usize>, Ve
             .max_by(|&i, &j| seen(i).total_cmp(&seen(j)).then(j.cmp(&i)));
         match best {
             Some(i) if seen(i) > 1e-12 => basis.push(i),
-            _ => return Err(motion),
+            _ => return Ok(Err(motion)),
         }
     }
-    Ok(basis)
+    Ok(Ok(basis))
 }
 
 fn simplex(
@@ -95,10 +99,12 @@ fn simplex(
     arms: &DMatrix<f64>,
     load: &[f64],
     mut basis: Vec<usize>,
+    interrupt: &Interrupt,
 ) -> Result<(Vec<f64>, Vec<usize>), ContactError> {
     let (n, m) = arms.shape();
     let limit = 50 * (n + m);
     for iteration in 0..limit {
+        interrupt.check().map_err(ContactError::Interrupted)?;
         let matrix = DMatrix::from_fn(m, m, |r, k| arms[(basis[r], k)]);
         let right = DVector::from_fn(m, |r, _| -gaps[basis[r]]);
         let columns = matrix.transpose().lu();
@@ -156,6 +162,32 @@ mod tests {
         let mut load = vec![0.0; wheels];
         load[0] = 1.0;
         (arms, load)
+    }
+
+    /// The search for the load's contacts, the completion of the basis and the exchanges of contacts
+    /// have checkpoints: two wheels that a stop drives, of which the load determines one, and the
+    /// nearer of two stops for the other.
+    #[test]
+    fn every_stage_has_checkpoints() {
+        let arms = [-1.0, 0.0, 0.0, -1.0, 0.0, -1.0];
+        let gaps = [0.0, 2.0, 1.0];
+        let run = |last: usize| {
+            let asked = Arc::new(AtomicUsize::new(0));
+            let counter = asked.clone();
+            let interrupt = Interrupt::new(move || match counter.fetch_add(1, Ordering::Relaxed) {
+                number if number >= last => Err(EngineError::new("E0704", "enough", "")),
+                _ => Ok(()),
+            });
+            (rigid_limit(&gaps, &arms, &[1.0, 0.0], &interrupt), asked.load(Ordering::Relaxed))
+        };
+        let (whole, all) = run(usize::MAX);
+        assert_eq!(whole.map(|limit| limit.touching), Ok(vec![0, 2]));
+        assert!(all >= 4, "{all} checkpoints");
+        for last in 0..all {
+            let (ended, asked) = run(last);
+            assert!(matches!(ended, Err(ContactError::Interrupted(_))), "{ended:?}");
+            assert_eq!(asked, last + 1);
+        }
     }
 
     #[test]

@@ -9,10 +9,13 @@
 
 use faer::sparse::SparseColMat;
 use std::collections::HashMap;
+use std::convert::Infallible;
 
 /// Largest number of unknowns that are not dissected further. A few elements: below, overhead
 /// exceeds the waste of dense arithmetic.
 const LEAF: usize = 96;
+/// Number of nodes between two checkpoints.
+const BATCH: usize = 1024;
 /// No slot: the degree of freedom is fixed.
 const NONE: usize = usize::MAX;
 
@@ -59,12 +62,29 @@ impl Dissection {
         constrained: &[usize],
         kept: &[usize],
     ) -> Self {
+        let Ok(ordered) =
+            Self::new_until(stiffness, positions, constrained, kept, &|| Ok::<_, Infallible>(()));
+        ordered
+    }
+
+    /// Orders the unknowns like [`Dissection::new`], with a `checkpoint` before each batch of nodes
+    /// and each cut.
+    ///
+    /// # Errors
+    /// That of the checkpoint.
+    pub fn new_until<E>(
+        stiffness: &SparseColMat<usize, f64>,
+        positions: &[[f64; 3]],
+        constrained: &[usize],
+        kept: &[usize],
+        checkpoint: &impl Fn() -> Result<(), E>,
+    ) -> Result<Self, E> {
         let per_node = stiffness.ncols() / positions.len().max(1);
         let mut is_constrained = vec![false; stiffness.ncols()];
         constrained.iter().for_each(|&dof| is_constrained[dof] = true);
         let mut is_kept = vec![false; positions.len()];
         kept.iter().for_each(|&node| is_kept[node] = true);
-        let groups = group(stiffness, per_node, positions, &is_constrained, &is_kept);
+        let groups = group(stiffness, per_node, positions, [&is_constrained, &is_kept], checkpoint)?;
         let mut dissector = Dissector {
             region: vec![0; groups.len()],
             rank: vec![0; groups.len()],
@@ -77,7 +97,7 @@ impl Dissection {
         let all: Vec<usize> = (0..dissector.groups.len()).filter(inner).collect();
         // Retained unknowns are in no region.
         dissector.region.fill(NONE);
-        let top = dissector.dissect(all);
+        let top = dissector.dissect(all, checkpoint)?;
         dissector.own.push(Vec::new());
         dissector.below.push(top.into_iter().collect());
 
@@ -92,8 +112,9 @@ impl Dissection {
         }
         let kept = kept.iter().flat_map(|&node| per_node * node..per_node * (node + 1));
         kept.filter(|&dof| !is_constrained[dof]).for_each(place);
+        checkpoint()?;
         let parts = dissector.parts(&order);
-        Self { parts, order }
+        Ok(Self { parts, order })
     }
 
     /// Returns the number of multiplications to eliminate everything, and the number of entries of
@@ -109,22 +130,27 @@ impl Dissection {
     }
 }
 
-fn group(
+fn group<E>(
     stiffness: &SparseColMat<usize, f64>,
     per_node: usize,
     positions: &[[f64; 3]],
-    is_constrained: &[bool],
-    is_kept: &[bool],
-) -> Vec<Group> {
+    [is_constrained, is_kept]: [&[bool]; 2],
+    checkpoint: &impl Fn() -> Result<(), E>,
+) -> Result<Vec<Group>, E> {
     let moves = |node: usize| (per_node * node..per_node * (node + 1)).any(|dof| !is_constrained[dof]);
     // Nodes by their neighbours, including themselves, and by whether they are retained.
     let mut alike: HashMap<(Vec<usize>, bool), usize> = HashMap::new();
     let mut members: Vec<Vec<usize>> = Vec::new();
     let mut group_of = vec![NONE; positions.len()];
     for node in (0..positions.len()).filter(|&node| moves(node)) {
+        if node % BATCH == 0 {
+            checkpoint()?;
+        }
         let mut near = vec![node];
         for dof in per_node * node..per_node * (node + 1) {
             near.extend(stiffness.row_idx_of_col(dof).map(|row| row / per_node));
+            // The rows of a node are adjacent.
+            near.dedup();
         }
         near.sort_unstable();
         near.dedup();
@@ -137,6 +163,9 @@ fn group(
     }
     let mut neighbours = vec![Vec::new(); members.len()];
     for ((near, _), group) in alike {
+        if group % BATCH == 0 {
+            checkpoint()?;
+        }
         let mut others: Vec<usize> = near
             .iter()
             .map(|&node| group_of[node])
@@ -156,7 +185,7 @@ fn group(
             neighbours,
         }
     };
-    members.into_iter().zip(neighbours).map(of).collect()
+    Ok(members.into_iter().zip(neighbours).map(of).collect())
 }
 
 struct Dissector {
@@ -183,15 +212,20 @@ struct Cut {
 
 impl Dissector {
     /// Dissects a set and returns the topmost part; `None` for an empty set.
-    fn dissect(&mut self, set: Vec<usize>) -> Option<usize> {
+    fn dissect<E>(
+        &mut self,
+        set: Vec<usize>,
+        checkpoint: &impl Fn() -> Result<(), E>,
+    ) -> Result<Option<usize>, E> {
         if set.is_empty() {
-            return None;
+            return Ok(None);
         }
+        checkpoint()?;
         let cut = if self.weight(&set) > LEAF { self.best_cut(&set) } else { None };
         let Some((ordered, cut)) = cut else {
             self.own.push(set);
             self.below.push(Vec::new());
-            return Some(self.own.len() - 1);
+            return Ok(Some(self.own.len() - 1));
         };
         ordered.iter().enumerate().for_each(|(rank, &group)| self.rank[group] = rank);
         let region = self.region[ordered[0]];
@@ -206,10 +240,13 @@ impl Dissector {
         let (layer, rest): (Vec<usize>, Vec<usize>) = ordered.iter().partition(|&group| crosses(group));
         let (front, behind): (Vec<usize>, Vec<usize>) =
             rest.into_iter().partition(|&group| self.rank[group] < cut.at);
-        let below: Vec<usize> = [front, behind].into_iter().filter_map(|half| self.dissect(half)).collect();
+        let mut below = Vec::new();
+        for half in [front, behind] {
+            below.extend(self.dissect(half, checkpoint)?);
+        }
         self.own.push(layer);
         self.below.push(below);
-        Some(self.own.len() - 1)
+        Ok(Some(self.own.len() - 1))
     }
 
     fn weight(&self, set: &[usize]) -> usize {

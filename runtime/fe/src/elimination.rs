@@ -14,7 +14,7 @@
 use super::dissection::{Dissection, Part};
 use super::solve::SolveError;
 use super::sparse::SparseVector;
-use calyx_numerics::dense::{add_product, add_product_lower, cholesky_in_place, divide_by_cholesky_factor};
+use calyx_numerics::dense::Interruptible;
 use faer::Mat;
 use faer::sparse::SparseColMat;
 
@@ -140,7 +140,7 @@ struct Elimination<'a, C> {
 }
 
 /// Eliminates all unknowns that the dissection does not retain, with a `checkpoint` before each
-/// part.
+/// part and before each piece of its dense operations.
 ///
 /// # Errors
 /// There is a mechanism, or the checkpoint returns an error.
@@ -301,17 +301,18 @@ impl<E: From<SolveError> + Send, C: Fn() -> Result<(), E> + Sync> Elimination<'_
         }
 
         let (mut pivots, mut lower) = columns.as_mut().split_at_row_mut(count);
-        if !cholesky_in_place(pivots.as_mut()) {
+        let dense = Interruptible(&self.checkpoint);
+        if !dense.cholesky_in_place(pivots.as_mut())? {
             return Err(SolveError::Singular.into());
         }
         let regular = |pivot: usize| pivots[(pivot, pivot)].powi(2) > SINGULAR * own[pivot];
         if !(0..count).all(regular) {
             return Err(SolveError::Singular.into());
         }
-        divide_by_cholesky_factor(lower.as_mut(), pivots.as_ref());
+        dense.divide_by_cholesky_factor(lower.as_mut(), pivots.as_ref())?;
         let (upper, lower) = lower.as_ref().split_at_row(rest);
-        add_product_lower(square.as_mut(), -1.0, upper, upper.transpose());
-        add_product(left.as_mut(), -1.0, lower, upper.transpose());
+        dense.add_product_lower(square.as_mut(), -1.0, upper, upper.transpose())?;
+        dense.add_product(left.as_mut(), -1.0, lower, upper.transpose())?;
         Ok(Update { slots, forms_at, square, forms: left })
     }
 }

@@ -13,6 +13,7 @@ use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
+use std::convert::Infallible;
 
 /// Number of multiplications of a piece that is not divided further: about a millisecond.
 const GRAIN: usize = 1 << 24;
@@ -26,72 +27,207 @@ fn half(length: usize) -> usize {
     (length / 2).next_multiple_of(16)
 }
 
+/// Dense operations with a checkpoint before each piece: a callback whose error ends the operation.
+/// The operation then returns this error, and its target is undefined. The functions of this module
+/// are the same operations without checkpoints, with equal bits.
+#[derive(Debug)]
+pub struct Interruptible<'c, C>(pub &'c C);
+
+// A derived implementation would require a copyable callback.
+impl<C> Clone for Interruptible<'_, C> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<C> Copy for Interruptible<'_, C> {}
+
+impl<C, E> Interruptible<'_, C>
+where
+    C: Fn() -> Result<(), E> + Sync,
+    E: Send,
+{
+    /// See [`cholesky`].
+    pub fn cholesky(self, mut matrix: Mat<f64>) -> Result<Option<Mat<f64>>, E> {
+        if !self.cholesky_in_place(matrix.as_mut())? {
+            return Ok(None);
+        }
+        for j in 0..matrix.ncols() {
+            matrix.as_mut().col_mut(j).subrows_mut(0, j).fill(0.0);
+        }
+        Ok(Some(matrix))
+    }
+
+    /// See [`cholesky_in_place`].
+    pub fn cholesky_in_place(self, matrix: MatMut<'_, f64>) -> Result<bool, E> {
+        let size = matrix.nrows();
+        if size <= WHOLE {
+            (self.0)()?;
+            let params: Spec<LltParams, f64> = Spec::default();
+            let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(size, Par::Seq, params));
+            let stack = MemStack::new(&mut memory);
+            return Ok(factor::cholesky_in_place(matrix, Default::default(), Par::Seq, stack, params).is_ok());
+        }
+        let cut = half(size);
+        let (mut first, _, mut between, mut last) = matrix.split_at_mut(cut, cut);
+        if !self.cholesky_in_place(first.as_mut())? {
+            return Ok(false);
+        }
+        self.divide_by_cholesky_factor(between.as_mut(), first.as_ref())?;
+        self.add_product_lower(last.as_mut(), -1.0, between.as_ref(), between.as_ref().transpose())?;
+        self.cholesky_in_place(last)
+    }
+
+    /// See [`divide_by_cholesky_factor`].
+    pub fn divide_by_cholesky_factor(self, right: MatMut<'_, f64>, lower: MatRef<'_, f64>) -> Result<(), E> {
+        self.solve_lower_in_place(lower, right.transpose_mut())
+    }
+
+    fn solve_lower_in_place(self, lower: MatRef<'_, f64>, right: MatMut<'_, f64>) -> Result<(), E> {
+        let columns = right.ncols();
+        if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
+            (self.0)()?;
+            solve_lower_triangular_in_place(lower, right, Par::Seq);
+            return Ok(());
+        }
+        let (one, other) = right.split_at_col_mut(half(columns));
+        let (one, other) =
+            rayon::join(|| self.solve_lower_in_place(lower, one), || self.solve_lower_in_place(lower, other));
+        one.and(other)
+    }
+
+    fn solve_upper_in_place(self, lower: MatRef<'_, f64>, right: MatMut<'_, f64>) -> Result<(), E> {
+        let columns = right.ncols();
+        if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
+            (self.0)()?;
+            solve_upper_triangular_in_place(lower.transpose(), right, Par::Seq);
+            return Ok(());
+        }
+        let (one, other) = right.split_at_col_mut(half(columns));
+        let (one, other) =
+            rayon::join(|| self.solve_upper_in_place(lower, one), || self.solve_upper_in_place(lower, other));
+        one.and(other)
+    }
+
+    /// See [`solve_lower`].
+    pub fn solve_lower(self, lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Result<Mat<f64>, E> {
+        self.solve_lower_in_place(lower, right.as_mut())?;
+        Ok(right)
+    }
+
+    /// See [`solve_upper`].
+    pub fn solve_upper(self, lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Result<Mat<f64>, E> {
+        self.solve_upper_in_place(lower, right.as_mut())?;
+        Ok(right)
+    }
+
+    /// See [`solve`].
+    pub fn solve(self, lower: MatRef<'_, f64>, right: Mat<f64>) -> Result<Mat<f64>, E> {
+        self.solve_upper(lower, self.solve_lower(lower, right)?)
+    }
+
+    /// See [`add_product`].
+    pub fn add_product(
+        self,
+        target: MatMut<'_, f64>,
+        scale: f64,
+        a: MatRef<'_, f64>,
+        b: MatRef<'_, f64>,
+    ) -> Result<(), E> {
+        let (rows, columns) = (target.nrows(), target.ncols());
+        if rows.max(columns) <= NARROW || rows * columns * a.ncols() <= GRAIN {
+            (self.0)()?;
+            matmul(target, Accum::Add, a, b, scale, Par::Seq);
+            return Ok(());
+        }
+        let (one, other) = if rows >= columns {
+            let cut = half(rows);
+            let ((one, other), (upper, lower)) = (target.split_at_row_mut(cut), a.split_at_row(cut));
+            rayon::join(
+                || self.add_product(one, scale, upper, b),
+                || self.add_product(other, scale, lower, b),
+            )
+        } else {
+            let cut = half(columns);
+            let ((one, other), (left, right)) = (target.split_at_col_mut(cut), b.split_at_col(cut));
+            rayon::join(|| self.add_product(one, scale, a, left), || self.add_product(other, scale, a, right))
+        };
+        one.and(other)
+    }
+
+    /// See [`add_product_lower`].
+    pub fn add_product_lower(
+        self,
+        target: MatMut<'_, f64>,
+        scale: f64,
+        a: MatRef<'_, f64>,
+        b: MatRef<'_, f64>,
+    ) -> Result<(), E> {
+        let size = target.nrows();
+        if size <= NARROW || size * size * a.ncols() <= GRAIN {
+            (self.0)()?;
+            let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+            triangular::matmul(target, lower, Accum::Add, a, whole, b, whole, scale, Par::Seq);
+            return Ok(());
+        }
+        let cut = half(size);
+        let (first, _, between, last) = target.split_at_mut(cut, cut);
+        let ((upper, lower), (left, right)) = (a.split_at_row(cut), b.split_at_col(cut));
+        let (one, (other, third)) = rayon::join(
+            || self.add_product(between, scale, lower, left),
+            || {
+                rayon::join(
+                    || self.add_product_lower(first, scale, upper, left),
+                    || self.add_product_lower(last, scale, lower, right),
+                )
+            },
+        );
+        one.and(other).and(third)
+    }
+
+    /// See [`product`].
+    pub fn product(self, a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Result<Mat<f64>, E> {
+        let mut result = Mat::zeros(a.nrows(), b.ncols());
+        self.add_product(result.as_mut(), 1.0, a, b)?;
+        Ok(result)
+    }
+}
+
+/// The operations without checkpoints.
+const WITHOUT: Interruptible<'static, fn() -> Result<(), Infallible>> =
+    Interruptible(&((|| Ok(())) as fn() -> Result<(), Infallible>));
+
 /// Computes the lower Cholesky factor of a symmetric positive definite matrix from its lower
 /// triangle. `None` if the matrix is not numerically positive definite.
-pub fn cholesky(mut matrix: Mat<f64>) -> Option<Mat<f64>> {
-    if !cholesky_in_place(matrix.as_mut()) {
-        return None;
-    }
-    for j in 0..matrix.ncols() {
-        matrix.as_mut().col_mut(j).subrows_mut(0, j).fill(0.0);
-    }
-    Some(matrix)
+pub fn cholesky(matrix: Mat<f64>) -> Option<Mat<f64>> {
+    let Ok(factor) = WITHOUT.cholesky(matrix);
+    factor
 }
 
 /// Computes [`cholesky`] in place of the lower triangle; the upper triangle is undefined
 /// afterwards. Returns whether the matrix was positive definite.
 #[must_use]
 pub fn cholesky_in_place(matrix: MatMut<'_, f64>) -> bool {
-    let size = matrix.nrows();
-    if size <= WHOLE {
-        let params: Spec<LltParams, f64> = Spec::default();
-        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(size, Par::Seq, params));
-        let stack = MemStack::new(&mut memory);
-        return factor::cholesky_in_place(matrix, Default::default(), Par::Seq, stack, params).is_ok();
-    }
-    let cut = half(size);
-    let (mut first, _, mut between, mut last) = matrix.split_at_mut(cut, cut);
-    if !cholesky_in_place(first.as_mut()) {
-        return false;
-    }
-    divide_by_cholesky_factor(between.as_mut(), first.as_ref());
-    add_product_lower(last.as_mut(), -1.0, between.as_ref(), between.as_ref().transpose());
-    cholesky_in_place(last)
+    let Ok(definite) = WITHOUT.cholesky_in_place(matrix);
+    definite
 }
 
 /// Computes `B L^-T` in place of `B`.
 pub fn divide_by_cholesky_factor(right: MatMut<'_, f64>, lower: MatRef<'_, f64>) {
-    solve_lower_in_place(lower, right.transpose_mut());
-}
-
-fn solve_lower_in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
-    let columns = right.ncols();
-    if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
-        return solve_lower_triangular_in_place(lower, right, Par::Seq);
-    }
-    let (one, other) = right.split_at_col_mut(half(columns));
-    rayon::join(|| solve_lower_in_place(lower, one), || solve_lower_in_place(lower, other));
+    let Ok(()) = WITHOUT.divide_by_cholesky_factor(right, lower);
 }
 
 /// Computes `L^-1 B`, the first half of a solution: `B^T A^-1 B` is then a product of the result
 /// with its own transpose, symmetric and positive semidefinite regardless of rounding.
-pub fn solve_lower(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
-    solve_lower_in_place(lower, right.as_mut());
-    right
+pub fn solve_lower(lower: MatRef<'_, f64>, right: Mat<f64>) -> Mat<f64> {
+    let Ok(solution) = WITHOUT.solve_lower(lower, right);
+    solution
 }
 
 /// Computes `L^-T B`, the second half of a solution.
-pub fn solve_upper(lower: MatRef<'_, f64>, mut right: Mat<f64>) -> Mat<f64> {
-    fn in_place(lower: MatRef<'_, f64>, right: MatMut<'_, f64>) {
-        let columns = right.ncols();
-        if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
-            return solve_upper_triangular_in_place(lower.transpose(), right, Par::Seq);
-        }
-        let (one, other) = right.split_at_col_mut(half(columns));
-        rayon::join(|| in_place(lower, one), || in_place(lower, other));
-    }
-    in_place(lower, right.as_mut());
-    right
+pub fn solve_upper(lower: MatRef<'_, f64>, right: Mat<f64>) -> Mat<f64> {
+    let Ok(solution) = WITHOUT.solve_upper(lower, right);
+    solution
 }
 
 /// Computes `A^-1 B` from the factor of `A`.
@@ -101,45 +237,17 @@ pub fn solve(lower: MatRef<'_, f64>, right: Mat<f64>) -> Mat<f64> {
 
 /// Computes `target += scale * A B`.
 pub fn add_product(target: MatMut<'_, f64>, scale: f64, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
-    let (rows, columns) = (target.nrows(), target.ncols());
-    if rows.max(columns) <= NARROW || rows * columns * a.ncols() <= GRAIN {
-        matmul(target, Accum::Add, a, b, scale, Par::Seq);
-    } else if rows >= columns {
-        let cut = half(rows);
-        let ((one, other), (upper, lower)) = (target.split_at_row_mut(cut), a.split_at_row(cut));
-        rayon::join(|| add_product(one, scale, upper, b), || add_product(other, scale, lower, b));
-    } else {
-        let cut = half(columns);
-        let ((one, other), (left, right)) = (target.split_at_col_mut(cut), b.split_at_col(cut));
-        rayon::join(|| add_product(one, scale, a, left), || add_product(other, scale, a, right));
-    }
+    let Ok(()) = WITHOUT.add_product(target, scale, a, b);
 }
 
 /// Computes `target += scale * A B` for the lower triangle of a square target.
 pub fn add_product_lower(target: MatMut<'_, f64>, scale: f64, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
-    let size = target.nrows();
-    if size <= NARROW || size * size * a.ncols() <= GRAIN {
-        let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-        return triangular::matmul(target, lower, Accum::Add, a, whole, b, whole, scale, Par::Seq);
-    }
-    let cut = half(size);
-    let (first, _, between, last) = target.split_at_mut(cut, cut);
-    let ((upper, lower), (left, right)) = (a.split_at_row(cut), b.split_at_col(cut));
-    rayon::join(
-        || add_product(between, scale, lower, left),
-        || {
-            rayon::join(
-                || add_product_lower(first, scale, upper, left),
-                || add_product_lower(last, scale, lower, right),
-            )
-        },
-    );
+    let Ok(()) = WITHOUT.add_product_lower(target, scale, a, b);
 }
 
 /// Computes `A B`.
 pub fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut result = Mat::zeros(a.nrows(), b.ncols());
-    add_product(result.as_mut(), 1.0, a, b);
+    let Ok(result) = WITHOUT.product(a, b);
     result
 }
 
@@ -162,6 +270,55 @@ pub fn mirror_lower(matrix: &mut Mat<f64>) {
     for j in 0..matrix.ncols() {
         for i in 0..j {
             matrix[(i, j)] = matrix[(j, i)];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    /// Counts checkpoints and fails at the one with the number `last`.
+    fn counting(asked: &AtomicUsize, last: usize) -> impl Fn() -> Result<(), usize> + Sync {
+        move || match asked.fetch_add(1, Relaxed) {
+            number if number == last => Err(number),
+            _ => Ok(()),
+        }
+    }
+
+    #[test]
+    fn large_operations_have_checkpoints_and_equal_bits() {
+        let n = 1200;
+        let matrix =
+            Mat::from_fn(n, n, |i, j| if i == j { 2.0 } else { (-0.01 * i.abs_diff(j) as f64).exp() });
+        let (asked, never) = (AtomicUsize::new(0), usize::MAX);
+        let checkpoint = counting(&asked, never);
+        let pieces = Interruptible(&checkpoint);
+        let checkpoints = || asked.swap(0, Relaxed);
+        let factor = pieces.cholesky(matrix.clone()).unwrap().unwrap();
+        assert!(checkpoints() > 20);
+        assert!(factor == cholesky(matrix.clone()).unwrap());
+        let inverse = pieces.solve(factor.as_ref(), Mat::identity(n, n)).unwrap();
+        assert!(checkpoints() > 20);
+        assert!(inverse == solve(factor.as_ref(), Mat::identity(n, n)));
+        let square = pieces.product(matrix.as_ref(), inverse.as_ref()).unwrap();
+        assert!(checkpoints() > 20);
+        assert!(square == product(matrix.as_ref(), inverse.as_ref()));
+    }
+
+    #[test]
+    fn the_error_of_any_checkpoint_ends_the_operation() {
+        let n = 600;
+        let matrix = Mat::from_fn(n, n, |i, j| if i == j { 2.0 } else { 0.5 });
+        let asked = AtomicUsize::new(0);
+        let whole = counting(&asked, usize::MAX);
+        Interruptible(&whole).cholesky(matrix.clone()).unwrap().unwrap();
+        let all = asked.load(Relaxed);
+        for last in [0, 1, all / 2, all - 1] {
+            let asked = AtomicUsize::new(0);
+            let ended = counting(&asked, last);
+            assert_eq!(Interruptible(&ended).cholesky(matrix.clone()).err(), Some(last));
         }
     }
 }

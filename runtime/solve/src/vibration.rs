@@ -17,9 +17,7 @@ use crate::vibrations::Vibrations;
 use calyx_fe::inertia::Inertia;
 use calyx_model::frames::solid_pose;
 use calyx_model::target::Examined;
-use calyx_numerics::dense::{
-    add_product_lower, cholesky, mirror_lower, solve_lower, solve_upper, symmetric_eigen,
-};
+use calyx_numerics::dense::{Interruptible, mirror_lower, symmetric_eigen};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{cross, dot};
 use calyx_structure::Chart;
@@ -135,7 +133,8 @@ impl System<'_> {
 
 impl System<'_> {
     /// Returns the free vibrations about the equilibrium, computed once per position; `None` if a
-    /// DOF has no inertia or nothing vibrates.
+    /// DOF has no inertia, if nothing vibrates, or if the analysis was interrupted, which the next
+    /// checkpoint reports.
     pub fn vibrations(&self, step: &StepResult) -> Option<Arc<Vibrations>> {
         step.vibrations.get_or_init(|| self.find_vibrations(step).map(Arc::new)).clone()
     }
@@ -163,13 +162,16 @@ impl System<'_> {
             Mat::from_fn(active.len(), active.len(), |i, j| problem.compliance[active[i] * n + active[j]]);
         let answered =
             Mat::from_fn(active.len(), count, |i, k| modal(active[i], k) / modes.squares[k].sqrt());
-        add_product_lower(residual.as_mut(), -1.0, answered.as_ref(), answered.transpose());
+        let checkpoint = || self.interrupt.check();
+        let dense = Interruptible(&checkpoint);
+        dense.add_product_lower(residual.as_mut(), -1.0, answered.as_ref(), answered.transpose()).ok()?;
         let arms = Mat::from_fn(active.len(), m + count, |i, k| match k.checked_sub(m) {
             None => problem.arms[active[i] * m + k],
             Some(mode) => modal(active[i], mode),
         });
-        let pressed = solve_lower(cholesky(residual)?.as_ref(), arms);
-        add_product_lower(stiffness.as_mut(), 1.0, pressed.transpose(), pressed.as_ref());
+        let factor = dense.cholesky(residual).ok()??;
+        let pressed = dense.solve_lower(factor.as_ref(), arms).ok()?;
+        dense.add_product_lower(stiffness.as_mut(), 1.0, pressed.transpose(), pressed.as_ref()).ok()?;
         mirror_lower(&mut stiffness);
         Some(stiffness)
     }
@@ -185,12 +187,15 @@ impl System<'_> {
         let stiffness = Mat::from_fn(size, size, |i, j| widths[i] * stiffness[(i, j)]);
         let scaled =
             |matrix: &Mat<f64>| Mat::from_fn(size, size, |i, j| scale[i] * matrix[(i, j)] * scale[j]);
-        let lower = cholesky(scaled(&mass))?;
-        let half = solve_lower(lower.as_ref(), scaled(&stiffness));
-        let mut whole = solve_lower(lower.as_ref(), half.transpose().to_owned());
+        let checkpoint = || self.interrupt.check();
+        let dense = Interruptible(&checkpoint);
+        let lower = dense.cholesky(scaled(&mass)).ok()??;
+        let half = dense.solve_lower(lower.as_ref(), scaled(&stiffness)).ok()?;
+        let mut whole = dense.solve_lower(lower.as_ref(), half.transpose().to_owned()).ok()?;
         whole = Mat::from_fn(size, size, |i, j| 0.5 * (whole[(i, j)] + whole[(j, i)]));
+        // The decomposition is one operation without checkpoints.
         let (squares, vectors) = symmetric_eigen(whole.as_ref())?;
-        let vectors = solve_upper(lower.as_ref(), vectors);
+        let vectors = dense.solve_upper(lower.as_ref(), vectors).ok()?;
         Some(Vibrations {
             frequencies: squares.iter().map(|square| square.max(0.0).sqrt()).collect(),
             shapes: DMatrix::from_fn(size, size, |i, mode| scale[i] * vectors[(i, mode)]),

@@ -325,13 +325,18 @@ impl BoreMeans {
     /// ring's response, or spline teeth, which do not. `None` if there are no such means.
     ///
     /// # Errors
-    /// The released ring has a rigid-body motion, or the spline teeth cannot be distinguished.
-    pub fn release(&self, ring: &mut RingFlexibility) -> Result<Option<ReleasedMeans>, StructureError> {
+    /// The released ring has a rigid-body motion, the spline teeth cannot be distinguished, or the
+    /// computation is interrupted.
+    pub fn release(
+        &self,
+        ring: &mut RingFlexibility,
+        interrupt: &Interrupt,
+    ) -> Result<Option<ReleasedMeans>, StructureError> {
         match &self.spline_teeth {
             Some(spline_teeth) if !self.with_clearance => {
                 let Some(bound) = ring.bound(self.constrained) else { return Ok(None) };
                 let (release, spline_teeth) =
-                    spline_teeth.constrain(bound.stiffness.as_ref(), self.constrained)?;
+                    spline_teeth.constrain(bound.stiffness.as_ref(), self.constrained, interrupt)?;
                 let (shared, constraint_forces) = (bound.shared, bound.constraint_forces);
                 Ok(Some(ReleasedMeans {
                     shared,
@@ -342,11 +347,11 @@ impl BoreMeans {
                 }))
             }
             spline_teeth => {
-                let Some(released) = ring.release(self.constrained, self.carried.as_ref())? else {
+                let Some(released) = ring.release(self.constrained, self.carried.as_ref(), interrupt)? else {
                     return Ok(None);
                 };
                 let with_clearance = spline_teeth.as_ref().map(|spline_teeth| {
-                    spline_teeth.with_clearance(self.constrained, released.release.as_ref())
+                    spline_teeth.with_clearance(self.constrained, released.release.as_ref(), interrupt)
                 });
                 Ok(Some(ReleasedMeans { with_clearance: with_clearance.transpose()?, ..released }))
             }

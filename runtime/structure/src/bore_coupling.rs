@@ -17,10 +17,12 @@
 //!
 //! See `docs/theory/substructures.md`.
 
-use super::dense::{add_product, product};
+use super::dense::{Interruptible, add_product, product};
 use super::ring::{ReleasedMeans, SharedUnknowns};
 use super::spline_clearance::SplineWithClearance;
 use super::spline_teeth::{SplineToothForce, SplineToothSet};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 
 /// Coupling of teeth without a common table: a load has some equivalent forces, which displace the
@@ -33,7 +35,15 @@ pub(crate) trait Coupling {
     fn no_coupling_forces(&self, loads: usize) -> Mat<f64>;
 
     /// Returns the compliance between loads on two teeth: rows by the observed ones.
-    fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64>;
+    ///
+    /// # Errors
+    /// The computation is interrupted.
+    fn compliance(
+        &self,
+        observed: (u32, &Mat<f64>),
+        loaded: (u32, &Mat<f64>),
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError>;
 
     /// Returns the stresses on a surface of a tooth under loads on another one, one column for each
     /// load.
@@ -84,16 +94,26 @@ impl BoreCoupling {
     }
 
     /// Returns the amplitudes in the frame of a tooth.
-    pub fn amplitudes(&self, observer: u32, (tooth, forces): (u32, &Mat<f64>)) -> Mat<f64> {
+    ///
+    /// # Errors
+    /// The computation is interrupted.
+    pub fn amplitudes(
+        &self,
+        observer: u32,
+        (tooth, forces): (u32, &Mat<f64>),
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError> {
+        let checkpoint = || interrupt.check();
+        let dense = Interruptible(&checkpoint);
         let (observer, tooth) = (observer % self.sectors, tooth % self.sectors);
         let (mut amplitudes, ahead) = if self.spline_teeth.is_some() {
-            (product(self.release.as_ref(), self.in_body(tooth, forces).as_ref()), observer)
+            (dense.product(self.release.as_ref(), self.in_body(tooth, forces).as_ref())?, observer)
         } else {
             let ahead = (observer + self.sectors - tooth) % self.sectors;
-            (product(self.release.as_ref(), forces.as_ref()), ahead)
+            (dense.product(self.release.as_ref(), forces.as_ref())?, ahead)
         };
         self.shared.turn_rows(amplitudes.as_mut(), f64::from(ahead) * self.pitch);
-        amplitudes
+        Ok(amplitudes)
     }
 
     /// Returns the equivalent forces of loads on a tooth in the body's frame.
@@ -162,12 +182,20 @@ impl Coupling for BoreCoupling {
         Mat::zeros(self.shared.count, loads)
     }
 
-    fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64> {
-        product(observed.1.transpose(), self.amplitudes(observed.0, loaded).as_ref())
+    fn compliance(
+        &self,
+        observed: (u32, &Mat<f64>),
+        loaded: (u32, &Mat<f64>),
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError> {
+        let checkpoint = || interrupt.check();
+        let amplitudes = self.amplitudes(observed.0, loaded, interrupt)?;
+        Interruptible(&checkpoint).product(observed.1.transpose(), amplitudes.as_ref())
     }
 
     fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>> {
         let stress = self.stress.get(surface)?;
-        Some(product(stress.as_ref(), self.amplitudes(tooth, loaded).as_ref()))
+        let amplitudes = self.amplitudes(tooth, loaded, &Interrupt::never()).ok()?;
+        Some(product(stress.as_ref(), amplitudes.as_ref()))
     }
 }

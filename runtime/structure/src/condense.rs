@@ -15,6 +15,7 @@ use calyx_fe::dissection::Dissection;
 use calyx_fe::elimination::{eliminate, memory};
 use calyx_fe::solid::SolidMesh;
 use calyx_fe::{PlaneModel, SparseVector};
+use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use calyx_numerics::vec3::cross;
 use faer::sparse::SparseColMat;
@@ -45,11 +46,11 @@ impl Assembled {
     pub fn solid(
         mesh: &SolidMesh,
         interrupt: &Interrupt,
-        stiffness: impl FnOnce() -> SparseColMat<usize, f64>,
+        stiffness: impl FnOnce() -> Result<SparseColMat<usize, f64>, EngineError>,
     ) -> Result<Self, StructureError> {
         let mut room =
             interrupt.reserve_memory(mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
-        let stiffness = stiffness();
+        let stiffness = stiffness().map_err(StructureError::Interrupted)?;
         room.shrink_to((stiffness.compute_nnz() * (size_of::<f64>() + size_of::<usize>())) as u64);
         Ok(Self { stiffness, dofs_per_node: 3, positions: mesh.nodes.clone(), room })
     }
@@ -138,7 +139,8 @@ pub(super) fn condense(
             (statically_determinate_support(&model.positions, motions), Some(Inertia::new(mass, motions)?))
         }
     };
-    let dissection = Dissection::new(&model.stiffness, &model.positions, &constrained, &kept);
+    let dissection =
+        Dissection::new_until(&model.stiffness, &model.positions, &constrained, &kept, &checkpoint)?;
     let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
     // Mean constraints are processed like loads and retained like cuts.
     let shared = match support {
@@ -177,6 +179,7 @@ pub(super) fn condense(
     let mut own = Mat::from_fn(answering, answering, |row, column| {
         -square[(moving + row.max(column), moving + row.min(column))]
     });
+    checkpoint()?;
     let mut rows_own = Mat::from_fn(q, answering, |row, column| -left.forms[(row, moving + column)]);
     if let Some(inertia) = inertia {
         let shares = inertia.balancing(loads);
@@ -186,6 +189,7 @@ pub(super) fn condense(
         add_product(of_loads.as_mut(), -1.0, rows_own.as_ref().subcols(m, balancing.len()), shares.as_ref());
         rows_own = of_loads;
     }
+    checkpoint()?;
     let stiffness = cuts.map(|cuts| {
         // Each fixed degree of freedom gets an uncoupled spring, so that every node of a cut has
         // the same number of unknowns.

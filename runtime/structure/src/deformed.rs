@@ -169,7 +169,8 @@ impl MeshedBody {
         let [first, last] = [faces(ring.cuts[0])?, faces(ring.cuts[1])?].map(|set| model.mesh.nodes_on(set));
         let cuts = match_cuts(&model.mesh.nodes, &first, &last, &constrained, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
-        let assembled = Assembled::solid(&model.mesh, interrupt, || model.stiffness())?;
+        let assembled =
+            Assembled::solid(&model.mesh, interrupt, || model.stiffness_until(|| interrupt.check()))?;
         let nodes = assembled.positions.clone();
         let sector = ConstrainedSector {
             sectors,

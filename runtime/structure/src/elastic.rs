@@ -34,7 +34,7 @@ use super::bore::{BoreMeans, RequestedMeans};
 use super::bore_coupling::BoreCoupling;
 use super::bspline::BSpline;
 use super::condense::{Assembled, Condensed, Support, condense, match_cuts};
-use super::dense::product;
+use super::dense::Interruptible;
 use super::kernel::{Mollifier, MollifierSamples, PairQuadrature};
 use super::ring::{ReleasedMeans, RingFlexibility};
 use super::sampling::{EdgeCoordinate, SplitOptions, sample};
@@ -196,10 +196,11 @@ impl ElasticStructure {
             None => None,
         };
         let released = match (&mut flexibility, &means) {
-            (Some(flexibility), Some(means)) => means.release(flexibility)?,
+            (Some(flexibility), Some(means)) => means.release(flexibility, interrupt)?,
             _ => None,
         };
-        let bore = released.map(|released| bore_coupling(released, &condensed, &prepared, (sectors, angle)));
+        let coupling = |released| bore_coupling(released, &condensed, &prepared, (sectors, angle), interrupt);
+        let bore = released.map(coupling).transpose()?;
         let first = ring.coupled.saturating_add(1);
         let known = flexibility.as_ref().filter(|_| ring.support.couples_all_sectors());
         let bytes = known.map_or(0, |known| FarCoupling::bytes_of(&condensed, known, first));
@@ -413,20 +414,20 @@ pub(super) fn response(
         let (compliance, stress_ahead) = (condensed.own.clone(), condensed.rows_own.clone());
         return Ok(Response { compliance, stress_ahead, stress_behind: None });
     };
-    let cuts_ahead = product(ring.at(offset), condensed.on_cuts.as_ref());
-    interrupt.check().map_err(StructureError::Interrupted)?;
+    let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+    let dense = Interruptible(&checkpoint);
+    let cuts_ahead = dense.product(ring.at(offset), condensed.on_cuts.as_ref())?;
     let mut response = Response {
-        compliance: product(condensed.on_cuts.transpose(), cuts_ahead.as_ref()),
-        stress_ahead: product(condensed.rows_cuts.as_ref(), cuts_ahead.as_ref()),
+        compliance: dense.product(condensed.on_cuts.transpose(), cuts_ahead.as_ref())?,
+        stress_ahead: dense.product(condensed.rows_cuts.as_ref(), cuts_ahead.as_ref())?,
         stress_behind: None,
     };
     if offset == 0 {
         response.compliance += &condensed.own;
         response.stress_ahead += &condensed.rows_own;
     } else {
-        interrupt.check().map_err(StructureError::Interrupted)?;
-        let cuts_behind = product(ring.at(offset).transpose(), condensed.on_cuts.as_ref());
-        response.stress_behind = Some(product(condensed.rows_cuts.as_ref(), cuts_behind.as_ref()));
+        let cuts_behind = dense.product(ring.at(offset).transpose(), condensed.on_cuts.as_ref())?;
+        response.stress_behind = Some(dense.product(condensed.rows_cuts.as_ref(), cuts_behind.as_ref())?);
     }
     Ok(response)
 }
@@ -438,9 +439,12 @@ fn bore_coupling(
     condensed: &Condensed,
     prepared: &[Prepared],
     (sectors, pitch): (u32, f64),
-) -> BoreCoupling {
-    let forces = product(released.constraint_forces.as_ref(), condensed.on_cuts.as_ref());
-    let stresses = product(condensed.rows_cuts.as_ref(), released.constraint_forces.transpose());
+    interrupt: &Interrupt,
+) -> Result<BoreCoupling, StructureError> {
+    let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+    let dense = Interruptible(&checkpoint);
+    let forces = dense.product(released.constraint_forces.as_ref(), condensed.on_cuts.as_ref())?;
+    let stresses = dense.product(condensed.rows_cuts.as_ref(), released.constraint_forces.transpose())?;
     let mut coupling = BoreCoupling::new(released, sectors, pitch);
     let (mut load, mut row) = (0, 0);
     for surface in prepared {
@@ -454,7 +458,7 @@ fn bore_coupling(
         coupling.stress.push(stresses.as_ref().subrows(row, rows).to_owned());
         row += rows;
     }
-    coupling
+    Ok(coupling)
 }
 
 /// Returns spline coefficients of a table in both variables.

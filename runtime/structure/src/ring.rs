@@ -19,9 +19,7 @@
 
 mod shared_unknowns;
 
-use super::dense::{
-    add_product, add_product_lower, cholesky, mirror_lower, product, solve, solve_lower, solve_upper,
-};
+use super::dense::{Interruptible, mirror_lower};
 use super::error::StructureError;
 pub use super::error::UnrestrainedRing;
 use super::spline_clearance::SplineWithClearance;
@@ -103,10 +101,11 @@ impl CutStiffness {
     /// Returns the chain of `self` followed by `next`, and the dependence of the cut between them
     /// on its ends and the shared unknowns. `pitch` is the angle of a sector.
     fn join(&self, next: &Self, pitch: f64, interrupt: &Interrupt) -> Result<(Self, Inner), StructureError> {
-        interrupt.check().map_err(StructureError::Interrupted)?;
+        let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+        let dense = Interruptible(&checkpoint);
         let (n, count) = (self.cut_size(), self.shared.count);
         let between = self.block(1, 1) + next.block(0, 0);
-        let factor = cholesky(between).ok_or(UnrestrainedRing)?;
+        let factor = dense.cholesky(between)?.ok_or(UnrestrainedRing)?;
         let own_shared = self.by_shared(0.0);
         let next_shared = next.by_shared(f64::from(self.sectors) * pitch);
         let mut coupling = Mat::zeros(n, 2 * n + count);
@@ -114,7 +113,7 @@ impl CutStiffness {
         coupling.as_mut().submatrix_mut(0, n, n, n).copy_from(next.block(0, 1));
         let by_shared = own_shared.as_ref().subrows(n, n) + next_shared.as_ref().subrows(0, n);
         coupling.as_mut().submatrix_mut(0, 2 * n, n, count).copy_from(by_shared);
-        let coupling = solve_lower(factor.as_ref(), coupling);
+        let coupling = dense.solve_lower(factor.as_ref(), coupling)?;
         let mut matrix = Mat::zeros(2 * n + count, 2 * n + count);
         matrix.as_mut().submatrix_mut(0, 0, n, n).copy_from(self.block(0, 0));
         matrix.as_mut().submatrix_mut(n, n, n, n).copy_from(next.block(1, 1));
@@ -123,7 +122,7 @@ impl CutStiffness {
         matrix.as_mut().submatrix_mut(2 * n, n, count, n).copy_from(last.transpose());
         let among = self.among_shared(0.0) + next.among_shared(f64::from(self.sectors) * pitch);
         matrix.as_mut().submatrix_mut(2 * n, 2 * n, count, count).copy_from(among);
-        add_product_lower(matrix.as_mut(), -1.0, coupling.transpose(), coupling.as_ref());
+        dense.add_product_lower(matrix.as_mut(), -1.0, coupling.transpose(), coupling.as_ref())?;
         let chain = Self::chain(matrix, self.shared.clone(), self.sectors + next.sectors);
         Ok((chain, Inner { factor, coupling }))
     }
@@ -164,15 +163,19 @@ impl Inner {
         first: MatRef<'_, f64>,
         last: MatRef<'_, f64>,
         shared: MatRef<'_, f64>,
-    ) -> Mat<f64> {
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, StructureError> {
+        let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+        let dense = Interruptible(&checkpoint);
         let n = self.factor.nrows();
+        let coupling = self.coupling.as_ref();
         let mut forces = Mat::zeros(n, first.ncols());
-        add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(0, n), first);
-        add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(n, n), last);
+        dense.add_product(forces.as_mut(), -1.0, coupling.subcols(0, n), first)?;
+        dense.add_product(forces.as_mut(), -1.0, coupling.subcols(n, n), last)?;
         if shared.nrows() > 0 {
-            add_product(forces.as_mut(), -1.0, self.coupling.as_ref().subcols(2 * n, shared.nrows()), shared);
+            dense.add_product(forces.as_mut(), -1.0, coupling.subcols(2 * n, shared.nrows()), shared)?;
         }
-        solve_upper(self.factor.as_ref(), forces)
+        dense.solve_upper(self.factor.as_ref(), forces)
     }
 }
 
@@ -219,7 +222,7 @@ impl RingFlexibility {
     /// The sectors outside the window are condensed by doubling. Those of the window are joined to
     /// them one by one, from the last one back to the loaded one; the displacements of the
     /// eliminated cuts follow from those of the loaded sector. There is a checkpoint before each
-    /// joining.
+    /// piece of a dense operation.
     ///
     /// # Errors
     /// The ring has a rigid-body motion, or the computation is interrupted.
@@ -250,7 +253,7 @@ impl RingFlexibility {
             let by_shared = by_shared.as_ref().subrows(0, n) + by_shared.as_ref().subrows(n, n);
             closed.as_mut().submatrix_mut(n, 0, count, n).copy_from(by_shared.transpose());
             closed.as_mut().submatrix_mut(n, n, count, count).copy_from(sector.among_shared(0.0));
-            let alone = inverse(closed, n)?;
+            let alone = inverse(closed, n, interrupt)?;
             let place = |index: usize| if index < 2 * n { index % n } else { index - n };
             let size = 2 * n + count;
             let both = Mat::from_fn(size, size, |row, column| alone[(place(row), place(column))]);
@@ -283,8 +286,7 @@ impl RingFlexibility {
         }
         let mut target = closed.as_mut().submatrix_mut(2 * n, 2 * n, count, count);
         target += rest.among_shared(pitch);
-        interrupt.check().map_err(StructureError::Interrupted)?;
-        let loaded = inverse(closed, 2 * n)?;
+        let loaded = inverse(closed, 2 * n, interrupt)?;
         let size = 2 * n + count;
         let (first, second) =
             (loaded.as_ref().subrows(0, n).to_owned(), loaded.as_ref().subrows(n, n).to_owned());
@@ -295,10 +297,10 @@ impl RingFlexibility {
         };
         let mut cuts = vec![first, second];
         while let Some(inner) = passed.pop() {
-            interrupt.check().map_err(StructureError::Interrupted)?;
             // The chain behind the last known cut begins with the sector of that index.
             let from = cuts.len() - 1;
-            let next = inner.displacements(cuts[from].as_ref(), cuts[0].as_ref(), shared(from).as_ref());
+            let ends = [&cuts[from], &cuts[0]].map(Mat::as_ref);
+            let next = inner.displacements(ends[0], ends[1], shared(from).as_ref(), interrupt)?;
             cuts.push(next);
         }
         let of_sector = |offset: usize| {
@@ -330,11 +332,12 @@ impl RingFlexibility {
     /// another body carries: `carried`, forces by means, symmetric. `None` if there are none.
     ///
     /// # Errors
-    /// The released ring has a rigid-body motion.
+    /// The released ring has a rigid-body motion, or the computation is interrupted.
     pub fn release(
         &mut self,
         first: usize,
         carried: Option<&Mat<f64>>,
+        interrupt: &Interrupt,
     ) -> Result<Option<ReleasedMeans>, StructureError> {
         let Some(ConstrainedMeans { shared, mut stiffness, constraint_forces }) = self.bound(first) else {
             return Ok(None);
@@ -343,13 +346,15 @@ impl RingFlexibility {
             stiffness += carried;
         }
         let count = shared.count;
-        let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
-        let release = solve(factor.as_ref(), Mat::identity(count, count));
-        let amplitudes = product(release.as_ref(), constraint_forces.as_ref());
+        let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+        let dense = Interruptible(&checkpoint);
+        let factor = dense.cholesky(stiffness)?.ok_or(UnrestrainedRing)?;
+        let release = dense.solve(factor.as_ref(), Mat::identity(count, count))?;
+        let amplitudes = dense.product(release.as_ref(), constraint_forces.as_ref())?;
         for flexibility in &mut self.by_offset {
             let from = flexibility.ncols() - count;
             let by_amplitudes = flexibility.as_ref().subcols(from, count).to_owned();
-            add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref());
+            dense.add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref())?;
         }
         Ok(Some(ReleasedMeans {
             shared,
@@ -375,32 +380,34 @@ impl RingFlexibility {
 /// Inverts the closed matrix of a ring, of which the lower triangle is read: `size` degrees of
 /// freedom of cuts, then shared unknowns. The constraint forces are eliminated first, because
 /// without them the ring may have rigid-body motions.
-fn inverse(closed: Mat<f64>, size: usize) -> Result<Mat<f64>, StructureError> {
+fn inverse(closed: Mat<f64>, size: usize, interrupt: &Interrupt) -> Result<Mat<f64>, StructureError> {
+    let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+    let dense = Interruptible(&checkpoint);
     let count = closed.nrows() - size;
     let mut stiffness = closed.as_ref().submatrix(0, 0, size, size).to_owned();
     if count == 0 {
-        let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
-        return Ok(solve(factor.as_ref(), Mat::identity(size, size)));
+        let factor = dense.cholesky(stiffness)?.ok_or(UnrestrainedRing)?;
+        return dense.solve(factor.as_ref(), Mat::identity(size, size));
     }
     // [K G'; G -H] with H positive definite: the compliance of the constraints with the cuts fixed.
     let yielding = Mat::from_fn(count, count, |row, column| -closed[(size + row, size + column)]);
     let own = yielding.diagonal().column_vector().to_owned();
-    let yielding = cholesky(yielding).ok_or(StructureError::CoarseBore)?;
+    let yielding = dense.cholesky(yielding)?.ok_or(StructureError::CoarseBore)?;
     if (0..count).any(|mean| yielding[(mean, mean)].powi(2) <= DEPENDENT * own[mean]) {
         return Err(StructureError::CoarseBore);
     }
     let conditions = closed.as_ref().submatrix(size, 0, count, size);
-    let half = solve_lower(yielding.as_ref(), conditions.to_owned());
-    add_product_lower(stiffness.as_mut(), 1.0, half.transpose(), half.as_ref());
-    let factor = cholesky(stiffness).ok_or(UnrestrainedRing)?;
-    let constrained = solve_upper(yielding.as_ref(), half);
+    let half = dense.solve_lower(yielding.as_ref(), conditions.to_owned())?;
+    dense.add_product_lower(stiffness.as_mut(), 1.0, half.transpose(), half.as_ref())?;
+    let factor = dense.cholesky(stiffness)?.ok_or(UnrestrainedRing)?;
+    let constrained = dense.solve_upper(yielding.as_ref(), half)?;
     let mut forces = Mat::zeros(size, size + count);
     forces.as_mut().submatrix_mut(0, 0, size, size).copy_from(Mat::<f64>::identity(size, size));
     forces.as_mut().submatrix_mut(0, size, size, count).copy_from(constrained.transpose());
-    let cuts = solve(factor.as_ref(), forces);
-    let mut shared = product(constrained.as_ref(), cuts.as_ref());
+    let cuts = dense.solve(factor.as_ref(), forces)?;
+    let mut shared = dense.product(constrained.as_ref(), cuts.as_ref())?;
     let mut own = shared.as_mut().submatrix_mut(0, size, count, count);
-    own -= solve(yielding.as_ref(), Mat::identity(count, count));
+    own -= dense.solve(yielding.as_ref(), Mat::identity(count, count))?;
     let mut all = Mat::zeros(size + count, size + count);
     all.as_mut().submatrix_mut(0, 0, size, size + count).copy_from(cuts);
     all.as_mut().submatrix_mut(size, 0, count, size + count).copy_from(shared);

@@ -12,8 +12,9 @@
 //! equilibrium with all other forces, so the constraint forces vanish in the solution.
 
 use super::StructureError;
-use super::dense::{cholesky, mirror_lower, product};
+use super::dense::{Interruptible, mirror_lower};
 use super::spline_teeth::SplineToothForms;
+use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 
 /// Spline teeth with clearance. See the module documentation. All quantities are in the body's
@@ -31,17 +32,20 @@ impl SplineToothForms {
     /// by `release`; the preceding ones are constrained.
     ///
     /// # Errors
-    /// The series cannot distinguish the spline teeth.
+    /// The series cannot distinguish the spline teeth, or the computation is interrupted.
     pub fn with_clearance(
         &self,
         first: usize,
         release: MatRef<'_, f64>,
+        interrupt: &Interrupt,
     ) -> Result<SplineWithClearance, StructureError> {
         let displacements = self.displacements.as_ref().subcols(first, release.nrows());
-        let by_amplitudes = product(displacements, release);
-        let mut compliance = product(by_amplitudes.as_ref(), displacements.transpose());
+        let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+        let dense = Interruptible(&checkpoint);
+        let by_amplitudes = dense.product(displacements, release)?;
+        let mut compliance = dense.product(by_amplitudes.as_ref(), displacements.transpose())?;
         mirror_lower(&mut compliance);
-        cholesky(compliance.clone()).ok_or(StructureError::CoarseSplineTeeth)?;
+        dense.cholesky(compliance.clone())?.ok_or(StructureError::CoarseSplineTeeth)?;
         Ok(SplineWithClearance { by_amplitudes, compliance })
     }
 }

@@ -29,9 +29,10 @@
 //! See `docs/theory/substructures.md`.
 
 use super::StructureError;
-use super::dense::{add_product, cholesky, mirror_lower, product, solve, solve_lower, solve_upper};
+use super::dense::{Interruptible, mirror_lower, product};
 use super::error::UnrestrainedRing;
 use calyx_fe::solid::fourier::{Component, Series, Term};
+use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
@@ -168,38 +169,43 @@ impl SplineToothForms {
     /// amplitudes.
     ///
     /// # Errors
-    /// The spline teeth do not support the ring, or the series cannot distinguish them.
+    /// The spline teeth do not support the ring, the series cannot distinguish them, or the
+    /// computation is interrupted.
     pub fn constrain(
         &self,
         stiffness: MatRef<'_, f64>,
         first: usize,
+        interrupt: &Interrupt,
     ) -> Result<(Mat<f64>, SplineToothSet), StructureError> {
+        let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+        let dense = Interruptible(&checkpoint);
         let size = stiffness.nrows();
         let spline_teeth = self.displacements.as_ref().subcols(first, size);
         // Uses a part of the spline teeth's stiffness that is similar to that of the ring, so that
         // both remain significant in the sum.
         let trace = |matrix: MatRef<'_, f64>| (0..size).map(|k| matrix[(k, k)]).sum::<f64>();
-        let softest = trace(product(spline_teeth.transpose(), spline_teeth).as_ref()) / trace(stiffness);
+        let softest =
+            trace(dense.product(spline_teeth.transpose(), spline_teeth)?.as_ref()) / trace(stiffness);
         let soft: Vec<f64> = self.compliance.iter().map(|compliance| compliance + softest).collect();
         let scaled =
             Mat::from_fn(spline_teeth.nrows(), size, |row, column| spline_teeth[(row, column)] / soft[row]);
         let mut constrained = stiffness.to_owned();
-        add_product(constrained.as_mut(), 1.0, spline_teeth.transpose(), scaled.as_ref());
+        dense.add_product(constrained.as_mut(), 1.0, spline_teeth.transpose(), scaled.as_ref())?;
         mirror_lower(&mut constrained);
-        let factor = cholesky(constrained).ok_or(UnrestrainedRing)?;
-        let mut release = solve(factor.as_ref(), Mat::identity(size, size));
+        let factor = dense.cholesky(constrained)?.ok_or(UnrestrainedRing)?;
+        let mut release = dense.solve(factor.as_ref(), Mat::identity(size, size))?;
         mirror_lower(&mut release);
         // The rest of the stiffness of the spline teeth.
-        let by_forces = product(spline_teeth, release.as_ref());
-        let mut yielding = product(by_forces.as_ref(), spline_teeth.transpose());
+        let by_forces = dense.product(spline_teeth, release.as_ref())?;
+        let mut yielding = dense.product(by_forces.as_ref(), spline_teeth.transpose())?;
         for (spline_tooth, (compliance, soft)) in self.compliance.iter().zip(&soft).enumerate() {
             yielding[(spline_tooth, spline_tooth)] += compliance * soft / softest;
         }
-        let factor = cholesky(yielding).ok_or(StructureError::CoarseSplineTeeth)?;
-        let half = solve_lower(factor.as_ref(), by_forces);
-        add_product(release.as_mut(), -1.0, half.transpose(), half.as_ref());
+        let factor = dense.cholesky(yielding)?.ok_or(StructureError::CoarseSplineTeeth)?;
+        let half = dense.solve_lower(factor.as_ref(), by_forces)?;
+        dense.add_product(release.as_mut(), -1.0, half.transpose(), half.as_ref())?;
         mirror_lower(&mut release);
-        let mut reactions = solve_upper(factor.as_ref(), half);
+        let mut reactions = dense.solve_upper(factor.as_ref(), half)?;
         for column in 0..size {
             for (row, soft) in soft.iter().enumerate() {
                 reactions[(row, column)] *= -soft / softest;

@@ -26,12 +26,17 @@ pub(super) enum Coupling {
 
 /// Returns the sum of element matrices. Each is given over pairs of its nodes: for each column node
 /// those of its row nodes, for each pair the column-major 3 by 3 block ([`Coupling::Full`]) or one
-/// value.
-pub(super) fn assemble(
+/// value. There is a `checkpoint` before each block of element matrices.
+///
+/// # Errors
+/// That of the checkpoint.
+pub(super) fn assemble<E>(
     mesh: &SolidMesh,
     coupling: Coupling,
     matrix: impl Fn(usize) -> Vec<f64> + Sync,
-) -> SparseColMat<usize, f64> {
+    checkpoint: impl Fn() -> Result<(), E>,
+) -> Result<SparseColMat<usize, f64>, E> {
+    checkpoint()?;
     let (starts, neighbours) = neighbours(mesh);
     let rows_per_node = if coupling == Coupling::Full { 3 } else { 1 };
     let mut values = vec![0.0; 3 * rows_per_node * neighbours.len()];
@@ -48,6 +53,7 @@ pub(super) fn assemble(
     let present = (0..mesh.elements.len()).filter(|element| !mesh.absent.contains(element));
     let indices = present.collect::<Vec<_>>();
     for portion in indices.chunks(ELEMENTS_AT_ONCE) {
+        checkpoint()?;
         let matrices = portion.par_iter().map(|&element| matrix(element)).collect::<Vec<_>>();
         ranges.par_iter_mut().for_each(|(range, values)| {
             let offset = starts[range.start];
@@ -70,6 +76,7 @@ pub(super) fn assemble(
         });
     }
 
+    checkpoint()?;
     let mut column_starts = Vec::with_capacity(mesh.dof_count() + 1);
     let mut rows = Vec::with_capacity(values.len());
     column_starts.push(0);
@@ -84,7 +91,7 @@ pub(super) fn assemble(
         }
     }
     let size = mesh.dof_count();
-    SparseColMat::new(SymbolicSparseColMat::new_checked(size, size, column_starts, None, rows), values)
+    Ok(SparseColMat::new(SymbolicSparseColMat::new_checked(size, size, column_starts, None, rows), values))
 }
 
 /// Adds the blocks of a column node to the node's three columns of a height, at the positions of

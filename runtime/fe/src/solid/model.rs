@@ -11,6 +11,7 @@ use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::sparse::SparseColMat;
 use faer::{Accum, Mat, MatRef, Par};
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 
 /// Rows of stress. Stresses and strains are in the order xx, yy, zz, yz, zx, xy; the entries of a
 /// node are its three displacements.
@@ -55,18 +56,35 @@ impl SolidModel {
 
     /// Assembles the stiffness in N/m; symmetric bit for bit, both triangles stored.
     pub fn stiffness(&self) -> SparseColMat<usize, f64> {
-        self.reduced_stiffness(&self.mesh, |_, matrix| matrix)
+        let Ok(stiffness) = self.stiffness_until(|| Ok::<_, Infallible>(()));
+        stiffness
+    }
+
+    /// Assembles the stiffness with a `checkpoint` before each block of elements.
+    ///
+    /// # Errors
+    /// That of the checkpoint.
+    pub fn stiffness_until<E>(
+        &self,
+        checkpoint: impl Fn() -> Result<(), E>,
+    ) -> Result<SparseColMat<usize, f64>, E> {
+        self.reduced_stiffness(&self.mesh, |_, matrix| matrix, checkpoint)
     }
 
     /// Assembles the stiffness of a subset of nodes that determine the others. `mesh` has those
     /// nodes; its elements correspond to the first ones of this model and list the nodes that they
     /// depend on. `reduced` converts the matrix of an element to these nodes: for each column node
-    /// those of its row nodes, for each pair the column-major 3 by 3 block.
-    pub fn reduced_stiffness(
+    /// those of its row nodes, for each pair the column-major 3 by 3 block. There is a `checkpoint`
+    /// before each block of elements.
+    ///
+    /// # Errors
+    /// That of the checkpoint.
+    pub fn reduced_stiffness<E>(
         &self,
         mesh: &SolidMesh,
         reduced: impl Fn(usize, Vec<f64>) -> Vec<f64> + Sync,
-    ) -> SparseColMat<usize, f64> {
+        checkpoint: impl Fn() -> Result<(), E>,
+    ) -> Result<SparseColMat<usize, f64>, E> {
         // Exact for constant strain in curved elements, where a gradient times the Jacobian
         // determinant has degree p + 2 a - 1; exact for all strains in straight ones.
         let enough = |p: u8, a: u8| (p + 1).max((p + 2 * a).div_ceil(2));
@@ -74,10 +92,11 @@ impl SolidModel {
             let ([p, q], [a, b]) = (displacement.highest(), coordinate.highest());
             [enough(p, a), enough(q, b)]
         });
-        assemble(mesh, Coupling::Full, |index| {
+        let matrix = |index: usize| {
             let element = &self.mesh.elements[index];
             reduced(index, self.element_stiffness(element, &tables[&element.kinds()]))
-        })
+        };
+        assemble(mesh, Coupling::Full, matrix, checkpoint)
     }
 
     /// Assembles the consistent mass in kg, with each axis coupled to itself only; symmetric bit
@@ -93,10 +112,12 @@ impl SolidModel {
                 super::Cell::Pentahedron | super::Cell::Tetrahedron => [enough(p, a) + 1, enough(q, b) + 1],
             }
         });
-        assemble(&self.mesh, Coupling::SameAxis, |index| {
+        let matrix = |index: usize| {
             let element = &self.mesh.elements[index];
             self.element_mass(element, &tables[&element.kinds()])
-        })
+        };
+        let Ok(mass) = assemble(&self.mesh, Coupling::SameAxis, matrix, || Ok::<_, Infallible>(()));
+        mass
     }
 
     fn tables(&self, points: impl Fn(Kinds<'_>) -> [u8; 2]) -> BTreeMap<Kinds<'_>, Table> {

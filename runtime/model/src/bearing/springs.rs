@@ -6,7 +6,11 @@ use crate::body::Body;
 use crate::dof::Dof;
 use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use faer::MatRef;
+
+/// Number of rows of a compliance matrix between two checkpoints.
+const BATCH: usize = 256;
 
 /// Terms of bearings and of spline teeth with clearance in a contact problem. Forces are per width
 /// of a plane model, like those of the problem.
@@ -162,15 +166,26 @@ impl Springs {
 
     /// Appends the gap equations to a contact problem, after its cells. `across` is the compliance
     /// of cells to forces on the last of these equations, cells by equations. All other coupling is
-    /// through the DOFs.
-    pub fn behind(&self, cells: ContactProblem, across: MatRef<'_, f64>) -> ContactProblem {
+    /// through the DOFs. There is a checkpoint before each batch of rows.
+    ///
+    /// # Errors
+    /// The computation is interrupted.
+    pub fn behind(
+        &self,
+        cells: ContactProblem,
+        across: MatRef<'_, f64>,
+        interrupt: &Interrupt,
+    ) -> Result<ContactProblem, EngineError> {
         let (n, more) = (cells.gaps.len(), self.gaps.len());
         if more == 0 {
-            return cells;
+            return Ok(cells);
         }
         let mut problem = cells;
         let mut compliance = vec![0.0; (n + more) * (n + more)];
         for (row, entries) in compliance.chunks_exact_mut(n + more).enumerate() {
+            if row % BATCH == 0 {
+                interrupt.check()?;
+            }
             if row < n {
                 entries[..n].copy_from_slice(&problem.compliance[row * n..(row + 1) * n]);
             } else {
@@ -188,7 +203,7 @@ impl Springs {
         problem.compliance = compliance;
         problem.gaps.extend(&self.gaps);
         problem.arms.extend(&self.arms);
-        problem
+        Ok(problem)
     }
 }
 

@@ -5,6 +5,7 @@ use crate::spline_contact::SENSES;
 use calyx_contact::active_set::solve;
 use calyx_contact::interior_point;
 use calyx_contact::problem::{ContactProblem, Solution};
+use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::SplineTeeth;
 use calyx_structure::tests::bodies::STEEL;
 use calyx_structure::tests::spline_clearance::{FIVE, LoosenedRing, TEETH};
@@ -33,7 +34,8 @@ fn problem(contact: &SplineContact, load: [f64; 3]) -> ContactProblem {
         stiffness: vec![0.0; 9],
         load: load.to_vec(),
     };
-    springs.behind(nothing, Mat::zeros(0, contact.flanks()).as_ref())
+    let across = Mat::zeros(0, contact.flanks());
+    springs.behind(nothing, across.as_ref(), &Interrupt::never()).expect("no interrupt")
 }
 
 /// Solves from the flanks that would support a rigid body.
@@ -161,7 +163,8 @@ fn ring_problem(ring: &LoosenedRing, contact: &SplineContact) -> ContactProblem 
     let (empty, load) = (Vec::new, ring.load.clone());
     let nothing =
         ContactProblem { compliance: empty(), arms: empty(), gaps: empty(), stiffness: vec![0.0; 9], load };
-    springs.behind(nothing, Mat::zeros(0, contact.flanks()).as_ref())
+    let across = Mat::zeros(0, contact.flanks());
+    springs.behind(nothing, across.as_ref(), &Interrupt::never()).expect("no interrupt")
 }
 
 /// If a load presses every spline tooth in the same sense, the clearance only rotates the ring, and

@@ -263,7 +263,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
             stiffness: self.under.springs.stiffness.clone(),
             load: load.to_vec(),
         };
-        let mut problem = self.under.springs.behind(cells, self.space.by_spline_teeth(&laid).as_ref());
+        let across = self.space.by_spline_teeth(&laid)?;
+        let mut problem = self.under.springs.behind(cells, across.as_ref(), &self.system.interrupt)?;
         let Some(elastic) = self.under.elastic else {
             return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }));
         };

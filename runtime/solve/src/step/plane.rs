@@ -160,7 +160,7 @@ impl ContactGeometry for Plane<'_> {
         compliance(&patches, &self.system.interrupt)
     }
 
-    fn by_spline_teeth(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Mat<f64> {
+    fn by_spline_teeth(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Mat<f64>, EngineError> {
         let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
         let mut growth = Mat::zeros(cells, self.system.flanks());
         let mut from = 0;
@@ -172,6 +172,7 @@ impl ContactGeometry for Plane<'_> {
                 for side in (0..2).filter(|&side| pair.bodies[side].0 == *body) {
                     let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
                     let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
+                    self.system.interrupt.check()?;
                     let moved = structure.spline_tooth_displacements(chart, &places);
                     // A rigid body has none.
                     for cell in 0..if moved.nrows() > 0 { places.len() } else { 0 } {
@@ -186,7 +187,7 @@ impl ContactGeometry for Plane<'_> {
             }
             from += contact.flanks();
         }
-        growth
+        Ok(growth)
     }
 
     fn corrected_grid_size(
@@ -208,6 +209,7 @@ impl ContactGeometry for Plane<'_> {
             half_count: grid.half_count,
             truncated: report.truncated != [false; 2],
             under_resolved: report.under_resolved,
+            few_slices: None,
             recommended: report.recommended_width,
         }
     }

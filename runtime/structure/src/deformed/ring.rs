@@ -63,7 +63,8 @@ impl SolvedRing {
         let condensed = condense(&assembled, &support, Some(&cuts), &[], &[], interrupt)?;
         let stiffness = condensed.stiffness.ok_or(StructureError::NoArea)?;
         let mut ring = RingFlexibility::new(&stiffness, sectors, window, interrupt).map_err(&blamed)?;
-        let released = means.as_ref().map(|means| means.release(&mut ring)).transpose().map_err(blamed)?;
+        let released = means.as_ref().map(|means| means.release(&mut ring, interrupt));
+        let released = released.transpose().map_err(blamed)?;
         let bore = released.flatten().map(|released| {
             let constraint_forces = released.constraint_forces.clone();
             (BoreCoupling::new(released, sectors, cuts.angle), constraint_forces)
@@ -184,8 +185,10 @@ impl SolvedRing {
             && !(known && bore.is_in_tables())
         {
             let felt = product(constraint_forces.as_ref(), forces);
-            let amplitudes = bore.amplitudes(observer, (loaded, &felt));
-            add_product(sum.as_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
+            // A single load, without checkpoints.
+            if let Ok(amplitudes) = bore.amplitudes(observer, (loaded, &felt), &Interrupt::never()) {
+                add_product(sum.as_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
+            }
         }
     }
 

@@ -12,6 +12,8 @@ use crate::bore_coupling::Coupling;
 use crate::condense::Condensed;
 use crate::dense::{add_product, product};
 use crate::ring::RingFlexibility;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 
 /// Coupling through cuts. See the module documentation. The equivalent forces of a load are those
@@ -98,11 +100,18 @@ impl Coupling for FarCoupling {
         Mat::zeros(self.loads.first().map_or(0, Mat::nrows), loads)
     }
 
-    fn compliance(&self, observed: (u32, &Mat<f64>), loaded: (u32, &Mat<f64>)) -> Mat<f64> {
-        match self.displacements(observed.0, loaded) {
+    // The matrices of a cut in a plane model are small.
+    fn compliance(
+        &self,
+        observed: (u32, &Mat<f64>),
+        loaded: (u32, &Mat<f64>),
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError> {
+        interrupt.check()?;
+        Ok(match self.displacements(observed.0, loaded) {
             Some(moved) => product(observed.1.transpose(), moved.as_ref()),
             None => Mat::zeros(observed.1.ncols(), loaded.1.ncols()),
-        }
+        })
     }
 
     fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>> {

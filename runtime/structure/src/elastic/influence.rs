@@ -83,7 +83,7 @@ impl ElasticStructure {
         let sides = if forward { [observe, load] } else { [load, observe] };
         let tables = self.offsets.get(ahead.min(behind) as usize);
         if let Some(coupling) = self.coupling(tables.is_some()) {
-            self.add_through(coupling, forward, (observe, observers), (load, loads), block);
+            self.add_through(coupling, forward, (observe, observers), (load, loads), block, interrupt)?;
         }
         let Some(tables) = tables else { return Ok(()) };
         let [rows, columns] = sides.map(|chart| chart.surface as usize * self.directions);
@@ -132,7 +132,8 @@ impl ElasticStructure {
         (observe, observers): (Chart, &[Local]),
         (load, loads): (Chart, &[Local]),
         block: &mut [f64],
-    ) {
+        interrupt: &Interrupt,
+    ) -> Result<(), EngineError> {
         let teeth = [observe, load].map(|chart| (chart.tooth % self.teeth, chart.surface));
         let order = if teeth[0] == teeth[1] { compare(observers, loads) } else { Ordering::Greater };
         let forward = if teeth[0] == teeth[1] { order.is_ge() } else { forward };
@@ -144,8 +145,9 @@ impl ElasticStructure {
         let forces_of = |(chart, points): (Chart, &[Local])| {
             self.coupling_forces(coupling, chart.surface, points.iter().copied())
         };
-        let mut values =
-            coupling.compliance((first.0.tooth, &forces_of(first)), (second.0.tooth, &forces_of(second)));
+        let [observed, loaded] = [first, second].map(|of| (of.0.tooth, forces_of(of)));
+        let [observed, loaded] = [&observed, &loaded].map(|(tooth, forces)| (*tooth, forces));
+        let mut values = coupling.compliance(observed, loaded, interrupt)?;
         if order.is_eq() {
             mirror_lower(&mut values);
         }
@@ -154,6 +156,7 @@ impl ElasticStructure {
                 *target += if forward { values[(row, column)] } else { values[(column, row)] };
             }
         }
+        Ok(())
     }
 
     /// Returns the forces by which unit loads on a surface act on other sectors.

@@ -1,9 +1,12 @@
 //! Tests of doubling against the block-circulant solution and against the uncondensed ring.
 
 use super::*;
+use crate::dense::{add_product, cholesky, solve};
+use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use faer::c64;
 use faer::linalg::solvers::Solve;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Repeatable pseudorandom numbers in -1 ..= 1.
 struct Numbers(u64);
@@ -149,4 +152,32 @@ fn a_free_ring_is_refused() {
         RingFlexibility::new(&CutStiffness::new(spring), 8, 3, &Interrupt::never()).unwrap_err(),
         UnrestrainedRing.into()
     );
+}
+
+/// Cuts with many degrees of freedom have checkpoints within each joining, and the error of any
+/// checkpoint ends the computation.
+#[test]
+fn large_cuts_have_checkpoints_within_a_joining() {
+    let n = 300;
+    let sector = CutStiffness::new(Mat::from_fn(2 * n, 2 * n, |row, column| match row == column {
+        true => 4.0,
+        false => (-0.1 * row.abs_diff(column) as f64).exp() * 0.1,
+    }));
+    let joined = |last: usize| {
+        let asked = Arc::new(AtomicUsize::new(0));
+        let counter = asked.clone();
+        let interrupt = Interrupt::new(move || match counter.fetch_add(1, Relaxed) {
+            number if number >= last => Err(EngineError::new("E0704", "enough", "")),
+            _ => Ok(()),
+        });
+        (RingFlexibility::new(&sector, 8, 2, &interrupt), asked.load(Relaxed))
+    };
+    let (whole, all) = joined(usize::MAX);
+    assert!(whole.is_ok());
+    // Five joinings and one inversion.
+    assert!(all > 60, "{all} checkpoints");
+    for last in [0, 1, 7, all / 2, all - 1] {
+        let (ended, _) = joined(last);
+        assert!(matches!(ended, Err(StructureError::Interrupted(_))), "checkpoint {last} of {all}");
+    }
 }

@@ -61,9 +61,11 @@ impl ElasticSolid {
         table: &Mat<f64>,
         [first, second]: [&[SurfaceSegment]; 2],
         equal: bool,
-    ) -> Mat<f64> {
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError> {
         let columns = [first, second].map(|points| self.own_points(known, points));
-        let mut block = columns[0].seen(columns[1].columns(table.as_ref()).as_ref());
+        let by_second = columns[1].columns(table.as_ref(), interrupt)?;
+        let mut block = columns[0].seen(by_second.as_ref(), interrupt)?;
         // The projection of a point load on the polynomials, along the line through the point.
         let lines = columns[0].lines(&columns[1]);
         let turned = |points: &[SurfaceSegment]| {
@@ -71,12 +73,13 @@ impl ElasticSolid {
         };
         let (first, second) = (turned(first), turned(second));
         for (column, &a) in first.iter().enumerate() {
+            interrupt.check()?;
             let from = if equal { column } else { 0 };
             for (row, &b) in second.iter().enumerate().skip(from) {
                 block[(row, column)] += lines(column, row) * self.curvature_term(known, a, b);
             }
         }
-        block
+        Ok(block)
     }
 }
 
@@ -152,22 +155,24 @@ impl SolidStructure for ElasticSolid {
         // Columns belong to the first.
         let mut values = match table {
             Some(table) if same => {
-                self.own_compliance(observed, table, [first_points, second_points], order.is_eq())
+                let points = [first_points, second_points];
+                self.own_compliance(observed, table, points, order.is_eq(), interrupt)?
             }
             Some(table) => {
-                let columns = self.points(known[1], second_points).columns(table.as_ref());
-                self.points(known[0], first_points).seen(columns.as_ref())
+                let columns = self.points(known[1], second_points).columns(table.as_ref(), interrupt)?;
+                self.points(known[0], first_points).seen(columns.as_ref(), interrupt)?
             }
             None => Mat::zeros(second_points.len(), first_points.len()),
         };
         if let Some(bore) = bore {
             let felt = |known: &SurfaceTables, chart: Chart, points: &[SurfaceSegment]| {
-                let table = bore.loads.get(chart.surface as usize)?;
-                Some(self.points(known, points).columns(table.as_ref()))
+                let table = bore.loads.get(chart.surface as usize);
+                table.map(|table| self.points(known, points).columns(table.as_ref(), interrupt)).transpose()
             };
-            let felt = felt(known[0], first, first_points).zip(felt(known[1], second, second_points));
+            let felt = felt(known[0], first, first_points)?.zip(felt(known[1], second, second_points)?);
             let Some((by_first, by_second)) = felt else { return Ok(()) };
-            values += bore.compliance((first.tooth, &by_first), (second.tooth, &by_second)).transpose();
+            let through = bore.compliance((first.tooth, &by_first), (second.tooth, &by_second), interrupt)?;
+            values += through.transpose();
         }
         if same && order.is_eq() {
             mirror_lower(&mut values);

@@ -131,7 +131,7 @@ impl MirrorMap {
                 }
                 self.element(&model.mesh.elements[index].nodes, &half.elements[index].nodes, &matrix, signs)
             };
-            let stiffness = || model.reduced_stiffness(&half, of_element);
+            let stiffness = || model.reduced_stiffness(&half, of_element, || interrupt.check());
             Assembled::solid(&half, interrupt, stiffness).map(Arc::new)
         };
         let even = assembled(false)?;

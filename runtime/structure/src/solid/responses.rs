@@ -5,7 +5,7 @@ use super::exchange::{LoadsAndRows, Sector};
 use super::mirror_symmetry::MirrorMap;
 use crate::StructureError;
 use crate::condense::{Assembled, Condensed, Cuts, Support, condense};
-use crate::dense::product;
+use crate::dense::Interruptible;
 use crate::elastic::{Response, response};
 use crate::ring::{ReleasedMeans, RingFlexibility};
 use calyx_fe::SparseVector;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 /// Assembles the equations of a whole mesh.
 pub(super) fn whole(model: &SolidModel, interrupt: &Interrupt) -> Result<Assembled, StructureError> {
-    Assembled::solid(&model.mesh, interrupt, || model.stiffness())
+    Assembled::solid(&model.mesh, interrupt, || model.stiffness_until(|| interrupt.check()))
 }
 
 /// Responses of a body with uncoupled parts.
@@ -85,14 +85,20 @@ impl Responses {
             let (condensed, mut ring) =
                 condensed(&assembled, &constrained, &sector.cuts, &exchange.loads, &exchange.rows)?;
             let released = match (&mut ring, &sector.means) {
-                (Some(ring), Some(means)) => means.release(ring)?,
+                (Some(ring), Some(means)) => means.release(ring, interrupt)?,
                 _ => None,
             };
-            let bore = released.map(|released| BoreResponse {
-                forces: product(released.constraint_forces.as_ref(), condensed.on_cuts.as_ref()),
-                stresses: product(condensed.rows_cuts.as_ref(), released.constraint_forces.transpose()),
-                released,
-            });
+            let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+            let dense = Interruptible(&checkpoint);
+            let response = |released: ReleasedMeans| {
+                let by_cuts = released.constraint_forces.as_ref();
+                Ok::<_, StructureError>(BoreResponse {
+                    forces: dense.product(by_cuts, condensed.on_cuts.as_ref())?,
+                    stresses: dense.product(condensed.rows_cuts.as_ref(), by_cuts.transpose())?,
+                    released,
+                })
+            };
+            let bore = released.map(response).transpose()?;
             return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
         };
         // The folded vectors of both halves together are as large as those of the whole.

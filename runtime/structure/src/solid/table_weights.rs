@@ -10,6 +10,8 @@ use super::SurfaceSegment;
 use super::axial_modes::AxialModes;
 use crate::bspline::BSplineWeights;
 use crate::dense::product;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
 use std::collections::BTreeMap;
 
@@ -107,10 +109,12 @@ impl TablePoints {
         Mat::from_fn(self.modes(), lines.len(), |mode, line| self.along[(mode, lines[line])])
     }
 
-    /// Returns columns of a table for loads at the points: one column for each point.
-    pub fn columns(&self, table: MatRef<'_, f64>) -> Mat<f64> {
+    /// Returns columns of a table for loads at the points: one column for each point. There is a
+    /// checkpoint before each place of the table.
+    pub fn columns(&self, table: MatRef<'_, f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
         let mut columns = Mat::<f64>::zeros(table.nrows(), self.across.len());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
+            interrupt.check()?;
             let at_place = Mat::from_fn(table.nrows(), self.modes(), |row, mode| {
                 table[(row, mode * self.places + place)]
             });
@@ -120,14 +124,15 @@ impl TablePoints {
                 add(columns.as_mut().col_mut(point), weight, by_line.col(line));
             }
         }
-        columns
+        Ok(columns)
     }
 
     /// Evaluates columns of a table at the points as observers: rows by column, one column for each
-    /// observer.
-    pub fn seen(&self, columns: MatRef<'_, f64>) -> Mat<f64> {
+    /// observer. There is a checkpoint before each place of the table.
+    pub fn seen(&self, columns: MatRef<'_, f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
         let mut seen = Mat::<f64>::zeros(columns.ncols(), self.across.len());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
+            interrupt.check()?;
             let at_place = Mat::from_fn(columns.ncols(), self.modes(), |column, mode| {
                 columns[(mode * self.places + place, column)]
             });
@@ -137,7 +142,7 @@ impl TablePoints {
                 add(seen.as_mut().col_mut(point), weight, by_line.col(line));
             }
         }
-        seen
+        Ok(seen)
     }
 
     /// Returns forces at the points as loads of the table.

@@ -128,7 +128,8 @@ fn a_ring_on_a_web_is_the_whole() {
 
     let model = rim(radii, sectors, false);
     let nodes = |name: &str| model.mesh.nodes_on(model.mesh.face_set(name).unwrap());
-    let equations = Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room");
+    let equations =
+        Assembled::solid(&model.mesh, &Interrupt::never(), || Ok(model.stiffness())).expect("room");
     let pitch = TAU / f64::from(sectors);
     let cuts = match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &[], pitch).unwrap();
     let bore = model.mesh.face_set("bore").unwrap();
@@ -154,7 +155,7 @@ fn a_ring_on_a_web_is_the_whole() {
         &Interrupt::never(),
     )
     .unwrap();
-    ring.release(0, means.carried.as_ref()).unwrap().unwrap();
+    ring.release(0, means.carried.as_ref(), &Interrupt::never()).unwrap().unwrap();
     let found = [0, 1, 2, 3].map(|ahead: u32| {
         let own = if ahead == 0 { condensed.own[(0, 0)] } else { 0.0 };
         condensed.on_cuts.col(0).transpose() * (ring.at(ahead) * condensed.on_cuts.col(0)) + own

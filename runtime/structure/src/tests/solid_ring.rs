@@ -24,7 +24,7 @@ fn helical(section: &PlaneMesh) -> SolidModel {
 }
 
 fn assembled(model: &SolidModel) -> Assembled {
-    Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room")
+    Assembled::solid(&model.mesh, &Interrupt::never(), || Ok(model.stiffness())).expect("room")
 }
 
 fn turned([x, y, z]: [f64; 3], angle: f64) -> [f64; 3] {

@@ -36,7 +36,7 @@ impl Disc {
             SolidModel::new(SolidMesh::swept(&section.mesh, &[-half, half], 3, &place).unwrap(), STEEL);
         let nodes = |name: &str| model.mesh.nodes_on(model.mesh.face_set(name).unwrap());
         let equations =
-            Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room");
+            Assembled::solid(&model.mesh, &Interrupt::never(), || Ok(model.stiffness())).expect("room");
         let bore = nodes("bore");
         let pitch = TAU / f64::from(sectors);
         let cuts =

@@ -125,7 +125,8 @@ fn half_space(ring: &Ring, patches: &[Patch]) -> Vec<Vec<f64>> {
 fn direct(ring: &Ring, patches: &[Patch], places: &[[f64; 2]]) -> (Condensed, RingFlexibility) {
     let (model, _) = ring.sector();
     let nodes = |name: &str| model.mesh.nodes_on(model.mesh.face_set(name).unwrap());
-    let assembled = Assembled::solid(&model.mesh, &Interrupt::never(), || model.stiffness()).expect("room");
+    let assembled =
+        Assembled::solid(&model.mesh, &Interrupt::never(), || Ok(model.stiffness())).expect("room");
     let bore = nodes("bore");
     let angle = TAU / f64::from(TEETH);
     let cuts =
