@@ -36,7 +36,19 @@ fn blamed(program: &Program, seen: &NanLog, code: &str) -> Option<(usize, Vec<f6
 /// Adds the origin of a NaN to the error that the NaN caused. `given` are the params of the failed
 /// run.
 pub fn explain(program: &Program, given: &[ParamAssignment], seen: &NanLog, error: &mut RuntimeError) {
+    if error.code == EQUATION
+        && let Some(equation) = failed_equation(program, seen)
+    {
+        error.message = error.message.replacen("an equation", &format!("the equation `{equation}`"), 1);
+        error.message = error.message.replacen("a function", &format!("the function `{equation}`"), 1);
+    }
     error.details.notes.extend(found(program, given, seen, &error.code));
+}
+
+/// Returns the function of the `solve` or `minimize` that found nothing.
+fn failed_equation(program: &Program, seen: &NanLog) -> Option<String> {
+    let (site, inputs) = blamed(program, seen, EQUATION)?;
+    trace_nan(program, SiteId(site as u32), &inputs)?.equation
 }
 
 fn found(program: &Program, given: &[ParamAssignment], seen: &NanLog, code: &str) -> Option<(Place, String)> {

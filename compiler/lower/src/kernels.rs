@@ -163,7 +163,10 @@ pub fn trace_nan(program: &Program, site: SiteId, inputs: &[f64]) -> Option<NanS
         Node::Symbol(index) => Some(index),
         _ => None,
     };
-    Some(NanSource { span, made_by: nan::node_text(&found), input })
+    let equation = lowering.equations.get(&found.origin).filter(|_| found.search.is_some());
+    let equation = equation.and_then(|id| program.symbolic_functions.get(id.0 as usize));
+    let equation = equation.map(|function| function.name.clone());
+    Some(NanSource { span, made_by: nan::node_text(&found), input, equation })
 }
 
 /// Returns the numbers, followed by all their first time derivatives, and so on up to `order`.
@@ -190,6 +193,8 @@ struct Lowering<'a> {
     inputs: usize,
     /// The source ranges of the lowered expressions, by the origin mark of their nodes.
     spans: Vec<Span>,
+    /// The functions of `solve` and `minimize`, by the index of the span of the call.
+    equations: HashMap<u32, SymbolicFunctionId>,
     /// The scopes of the expression being lowered: the site, then the called functions, innermost
     /// last.
     scopes: Vec<Scope<'a>>,
@@ -220,6 +225,7 @@ impl<'a> Lowering<'a> {
             captures,
             inputs,
             spans: Vec::new(),
+            equations: HashMap::new(),
             scopes: Vec::new(),
             functions: HashMap::new(),
             motions: HashMap::new(),

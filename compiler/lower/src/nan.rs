@@ -4,7 +4,7 @@ use calyx_abi::newton::Search;
 use calyx_abi::text::number;
 use calyx_lang::ir::Op;
 use calyx_lang::span::Span;
-use calyx_symbolic::{Binary, FirstNan, Node, Unary};
+use calyx_symbolic::{Binary, FailedSearch, FirstNan, Node, Unary};
 
 /// The origin of a NaN.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +16,8 @@ pub struct NanSource {
     pub made_by: Option<String>,
     /// The NaN input of the kernel, if the NaN is an input.
     pub input: Option<u32>,
+    /// The function of a `solve` or `minimize` that found nothing.
+    pub equation: Option<String>,
 }
 
 /// Returns the text of a program operation with the values of its operands.
@@ -46,16 +48,34 @@ pub fn node_text(found: &FirstNan) -> Option<String> {
         Node::Binary(operation, ..) => format!("{operation:?}").to_lowercase(),
         Node::Select(..) => "if".into(),
         Node::Piecewise(..) | Node::Lookup(..) => "spline".into(),
-        Node::Solution(_, unknown) => {
-            let guess = operands.get(unknown as usize).copied().unwrap_or(f64::NAN);
-            let point = match found.search {
-                Some(Search::Minimum) => "minimum",
-                Some(Search::Root) | None => "solution",
-            };
-            return Some(format!("no {point} was found from the guess {}", number(guess)));
-        }
+        Node::Solution(..) => return found.search.as_ref().map(failed_search),
     };
     Some(text(&name, operands))
+}
+
+/// Describes a search that failed: its guess, and the last point with its residuals.
+fn failed_search(found: &FailedSearch) -> String {
+    let (point, values) = match found.search {
+        Search::Root if found.residuals.len() == 1 => ("solution", "residual is"),
+        Search::Root => ("solution", "residuals are"),
+        Search::Minimum => ("minimum", "gradient is"),
+    };
+    format!(
+        "no {point} was found from the guess {}; the search ended at {}, where the {values} {} (SI units)",
+        rounded(&found.guess),
+        rounded(&found.reached),
+        rounded(&found.residuals),
+    )
+}
+
+/// Writes a number, or several in brackets, with five significant digits.
+fn rounded(values: &[f64]) -> String {
+    let all: Vec<String> =
+        values.iter().map(|value| number(format!("{value:.4e}").parse().unwrap_or(*value))).collect();
+    match all.as_slice() {
+        [one] => one.clone(),
+        all => format!("[{}]", all.join(", ")),
+    }
 }
 
 /// Writes operators between their operands and function names before them.

@@ -40,5 +40,5 @@ mod vector;
 pub use frame::{Factor, Frame, Pose};
 pub use graph::{Binary, Graph, Node, NodeId, Unary};
 pub use tape::{Instruction, Solve, System, Tape, TapeKernel};
-pub use trace::FirstNan;
+pub use trace::{FailedSearch, FirstNan};
 pub use vector::{Matrix3, Vector3};

@@ -1,7 +1,7 @@
 //! A kernel as a list of scalar instructions without branches, scheduled for locality. Tapes are
 //! interpreted or compiled.
 
-use calyx_abi::newton::{MOST_UNKNOWNS, MOST_VALUES, Search, newton};
+use calyx_abi::newton::{MOST_UNKNOWNS, MOST_VALUES, Search, last_iterate, newton};
 use calyx_abi::piecewise::{is_table, piecewise, registered};
 use calyx_abi::{Kernel, math};
 use std::cell::RefCell;
@@ -219,6 +219,19 @@ impl System {
         newton(self.search, self.unknowns, inputs, |inputs, values: &mut [f64; MOST_VALUES]| {
             self.residual.eval(inputs, &mut scratch, values);
         });
+    }
+}
+
+impl System {
+    /// Repeats an iteration that failed. Replaces the guess in `inputs` by the last iterate, and
+    /// returns the residuals there.
+    pub fn last_iterate(&self, inputs: &mut [f64]) -> Vec<f64> {
+        let mut scratch = Vec::new();
+        let values =
+            last_iterate(self.search, self.unknowns, inputs, |inputs, values: &mut [f64; MOST_VALUES]| {
+                self.residual.eval(inputs, &mut scratch, values);
+            });
+        values[..self.unknowns].to_vec()
     }
 }
 

@@ -11,12 +11,24 @@ use calyx_abi::newton::Search;
 #[derive(Clone, Debug, PartialEq)]
 pub struct FirstNan {
     pub node: Node,
-    /// For a solution, the kind of point that was not found.
-    pub search: Option<Search>,
+    /// For a solution, the search that failed.
+    pub search: Option<FailedSearch>,
     /// The mark set by [`Graph::set_origin`].
     pub origin: u32,
     /// Values of the operands; none of them is NaN.
     pub operands: Vec<f64>,
+}
+
+/// A search of a root or minimum that failed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FailedSearch {
+    /// The kind of point that was not found.
+    pub search: Search,
+    pub guess: Vec<f64>,
+    /// The unknowns at the last iterate.
+    pub reached: Vec<f64>,
+    /// The residuals, or the gradient of the function, at the last iterate.
+    pub residuals: Vec<f64>,
 }
 
 impl Graph {
@@ -43,8 +55,18 @@ impl Graph {
             match operands.iter().find(|operand| value(**operand).is_nan()) {
                 Some(operand) => at = *operand,
                 None => {
-                    let operands = operands.into_iter().map(value).collect();
-                    let search = self.system(at).map(|system| system.search);
+                    let operands: Vec<f64> = operands.into_iter().map(value).collect();
+                    let search = self.system(at).map(|system| {
+                        let mut inputs = operands.clone();
+                        let residuals = system.last_iterate(&mut inputs);
+                        let unknowns = |inputs: &[f64]| inputs[..system.unknowns.min(inputs.len())].to_vec();
+                        FailedSearch {
+                            search: system.search,
+                            guess: unknowns(&operands),
+                            reached: unknowns(&inputs),
+                            residuals,
+                        }
+                    });
                     return Some(FirstNan { node, search, origin: self.origin(at), operands });
                 }
             }

@@ -96,6 +96,29 @@ pub fn newton(
     found
 }
 
+/// Repeats an iteration that failed, and leaves the unknowns at its last iterate. Returns the
+/// residuals there, followed by their derivatives.
+pub fn last_iterate(
+    search: Search,
+    unknowns: usize,
+    inputs: &mut [f64],
+    mut evaluate: impl FnMut(&[f64], &mut [f64; MOST_VALUES]),
+) -> [f64; MOST_VALUES] {
+    let mut values = [f64::NAN; MOST_VALUES];
+    if inputs.len() < unknowns {
+        return values;
+    }
+    match unknowns {
+        1 => find::<1>(search, inputs, &mut evaluate),
+        2 => find::<2>(search, inputs, &mut evaluate),
+        3 => find::<3>(search, inputs, &mut evaluate),
+        4 => find::<4>(search, inputs, &mut evaluate),
+        _ => return values,
+    };
+    evaluate(inputs, &mut values);
+    values
+}
+
 fn find<const N: usize>(
     search: Search,
     inputs: &mut [f64],
@@ -369,6 +392,12 @@ mod tests {
         assert!(root(1.0, |x| (x, f64::INFINITY)).0.is_nan());
         assert_eq!(failures(), Failures { roots: before.roots + 5, ..before });
         assert!(!newton(Search::Root, 5, &mut [0.0; 5], |_, _| ()));
+        // The residual of x^2 + 1 is smallest at 0, where its derivative vanishes.
+        let mut inputs = [1.0];
+        let values = last_iterate(Search::Root, 1, &mut inputs, |x, values| {
+            (values[0], values[1]) = (x[0] * x[0] + 1.0, 2.0 * x[0]);
+        });
+        assert!(inputs[0].abs() < 0.1 && values[0] == inputs[0] * inputs[0] + 1.0, "{inputs:?}");
         assert!(!newton(Search::Root, 2, &mut [0.0], |_, _| ()));
     }
 

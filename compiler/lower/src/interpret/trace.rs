@@ -63,7 +63,7 @@ impl NanTrace {
 
     pub(super) fn literal(&self, slot: &mut Slot, span: Span) {
         if is_nan(*slot) {
-            *slot = self.add(NanSource { span, made_by: None, input: None });
+            *slot = self.add(NanSource { span, made_by: None, input: None, equation: None });
         }
     }
 
@@ -74,7 +74,12 @@ impl NanTrace {
         }
         let mark = operands.iter().copied().find(|slot| number(*slot).is_some()).unwrap_or_else(|| {
             let values: Vec<f64> = operands.iter().map(|slot| f64::from_bits(*slot)).collect();
-            self.add(NanSource { span, made_by: Some(operation_text(op, &values)), input: None })
+            self.add(NanSource {
+                span,
+                made_by: Some(operation_text(op, &values)),
+                input: None,
+                equation: None,
+            })
         });
         result.iter_mut().filter(|slot| is_nan(**slot)).for_each(|slot| *slot = mark);
     }

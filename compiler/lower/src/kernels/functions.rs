@@ -169,6 +169,9 @@ impl<'a> Lowering<'a> {
         span: Span,
     ) -> Result<Value, KernelError> {
         let (guess, others) = given.split_first().ok_or_else(|| broken("no guess", span))?;
+        let origin = self.graph.set_origin(0);
+        self.graph.set_origin(origin);
+        self.equations.insert(origin, id);
         let mut symbols = Vec::new();
         let unknown = guess.map(&mut |_| {
             symbols.push(self.next_symbol);
