@@ -99,6 +99,9 @@ pub struct Param {
     /// `true` if the default is an integer without a unit; only integers are then allowed.
     pub integral: bool,
     pub span: Span,
+    /// For a param of an instance whose default or range uses an argument: that argument, as the
+    /// model gives it.
+    pub given: Option<Span>,
 }
 
 /// The display unit of a number: SI value = displayed value * `factor`.

@@ -328,7 +328,13 @@ fn wrong_default(program: &Program, InvalidParam { message, help, .. }: InvalidP
     let name = message.split('`').nth(1).unwrap_or_default();
     let param = program.params.iter().find(|param| param.name == name);
     let span = param.map_or(Span::default(), |param| param.span);
-    let found = Diagnostic::error("E0314", message.clone(), span, "the default value").help(help);
+    let found = match param.and_then(|param| param.given) {
+        // The model gives the value, so its own text comes first.
+        Some(given) => Diagnostic::error("E0314", message.clone(), given, "the argument that determines it")
+            .label(span, "the default value"),
+        None => Diagnostic::error("E0314", message.clone(), span, "the default value"),
+    };
+    let found = found.help(help);
     match of_default(program) {
         Some((default, source)) if default == span => {
             let (at, note) = note(program, &source, None);

@@ -179,20 +179,61 @@ pub(crate) fn output_of(description: &ModelDescription, name: &str) -> Result<us
 
 /// Returns the error for a name of which the model has no param or output.
 fn unknown<'n>(what: &str, name: &str, names: impl Iterator<Item = &'n str> + Clone) -> Error {
-    let near = names
-        .clone()
-        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
-        .filter(|(distance, candidate)| *distance <= (candidate.len() / 3).max(1))
-        .min();
-    let mut help = match near {
-        Some((_, near)) => format!("did you mean `{near}`? "),
-        None => String::new(),
+    let message = format!("the model has no {what} called `{name}`");
+    if let Some(help) = beyond_array(name, names.clone()) {
+        return Error::given(message, help);
+    }
+    let mut help = match near(name, names.clone()).as_slice() {
+        [] => String::new(),
+        near => {
+            let shown: Vec<String> = near.iter().map(|near| format!("`{near}`")).collect();
+            format!("did you mean {}? ", shown.join(" or "))
+        }
     };
     help += &match names.collect::<Vec<_>>().join(", ") {
         all if all.is_empty() => format!("the model has no {what}s"),
         all => format!("its {what}s are {all}"),
     };
-    Error::given(format!("the model has no {what} called `{name}`"), help)
+    Error::given(message, help)
+}
+
+/// Returns the number of instances of an array, if a name has a larger index: `stages[3].torque`.
+fn beyond_array<'n>(name: &str, names: impl Iterator<Item = &'n str> + Clone) -> Option<String> {
+    name.match_indices('[').find_map(|(open, _)| {
+        let index = |name: &str| name.get(open + 1..)?.split_once(']')?.0.parse::<usize>().ok();
+        let array = &name[..open];
+        let known =
+            names.clone().filter(|name| name.strip_prefix(array).is_some_and(|rest| rest.starts_with('[')));
+        let last = known.filter_map(index).max()?;
+        (index(name)? > last).then(|| match last {
+            0 => format!("`{array}` has 1 instance, `{array}[0]`"),
+            _ => format!("`{array}` has {} instances, from `{array}[0]` to `{array}[{last}]`", last + 1),
+        })
+    })
+}
+
+/// Returns up to three names that may be meant by an unknown one: the nearest spelling, or else
+/// the names in instances that end with it, `low.torque` for `torque`.
+fn near<'n>(name: &str, names: impl Iterator<Item = &'n str> + Clone) -> Vec<&'n str> {
+    let distance = |candidate: &str| {
+        let distance = strsim::damerau_levenshtein(name, candidate);
+        (distance <= (candidate.len() / 3).max(1)).then_some(distance)
+    };
+    if let Some((_, whole)) = names.clone().filter_map(|all| Some((distance(all)?, all))).min() {
+        return vec![whole];
+    }
+    // The part of a name from each dot on that has as many parts.
+    let parts = name.matches('.').count();
+    let end =
+        |candidate: &'n str| candidate.rmatch_indices('.').nth(parts).map(|(at, _)| &candidate[at + 1..]);
+    let inside: Vec<(usize, &str)> = names.filter_map(|all| Some((distance(end(all)?)?, all))).collect();
+    let least = inside.iter().map(|(distance, _)| *distance).min();
+    inside
+        .into_iter()
+        .filter(|(distance, _)| Some(*distance) == least)
+        .map(|(_, name)| name)
+        .take(3)
+        .collect()
 }
 
 /// Bounds of a numeric range, in SI.
@@ -377,7 +418,9 @@ fn takes(param: &ParamDescription) -> String {
         None => return format!("`{name}` takes {domain}"),
     };
     let bare = if unit.is_empty() { String::new() } else { format!(", in {unit} if no unit is given") };
-    format!("`{name}` takes {domain}, like `--set {name}={example}`{bare}")
+    // Shells interpret brackets.
+    let quote = if name.contains('[') { "\"" } else { "" };
+    format!("`{name}` takes {domain}, like `--set {quote}{name}={example}{quote}`{bare}")
 }
 
 /// Describes the range of a param, in the unit of its default; empty if it is unlimited.

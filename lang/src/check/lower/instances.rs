@@ -34,6 +34,8 @@ struct Instance {
     outputs: HashMap<u32, u32>,
     /// Functions that compute the arguments of parameters that the defaults of params use.
     statics: HashMap<VarId, FunctionId>,
+    /// The arguments of these parameters in the declaration at the top level that determines them.
+    given: HashMap<VarId, Span>,
 }
 
 /// The instances of a program.
@@ -100,6 +102,8 @@ impl<'c> Lowering<'c> {
         let default = function("default", &param.default);
         let low = param.low.as_ref().map(|e| function("low", e));
         let high = param.high.as_ref().map(|e| function("high", e));
+        let limits = param.low.iter().chain(&param.high);
+        let given = std::iter::once(&param.default).chain(limits).find_map(|e| self.given_in(e));
         let unit =
             param.unit.clone().unwrap_or_else(|| UnitSystem::Si.unit_of(crate::dimension::Dimension::NONE));
         self.program.params.push(Param {
@@ -113,8 +117,18 @@ impl<'c> Lowering<'c> {
             unit,
             integral: param.whole,
             span: places.map_or(param.span, |places| places.span(param.span)),
+            given,
         });
         self.program.params.len() as u32 - 1
+    }
+
+    /// Returns the argument of the model on which an expression in a component depends.
+    fn given_in(&self, e: &Expr) -> Option<Span> {
+        let InstanceId(at) = self.around?;
+        match &e.kind {
+            Kind::Var(id) => self.components.all[at].given.get(id).copied(),
+            _ => e.children().into_iter().find_map(|part| self.given_in(part)),
+        }
     }
 
     /// Lowers an expression that is evaluated before the program runs.
@@ -158,7 +172,7 @@ impl<'c> Lowering<'c> {
                 }
             }
             Kind::Call(call) if self.checker.is_component(call.function) => {
-                self.add_instance(call, path);
+                self.add_instance(call, value.span, path);
             }
             // Arguments are kept for the defaults of others.
             Kind::Sequence(_, call) => self.list_value(call, path),
@@ -166,17 +180,22 @@ impl<'c> Lowering<'c> {
         }
     }
 
-    fn add_instance(&mut self, call: &'c Call, path: &str) {
+    fn add_instance(&mut self, call: &'c Call, declared: Span, path: &str) {
         let linked: &'c Linked<'c> = self.linked;
         let Some((unit, function)) = self.resolve(call.function) else { return };
         let Some(typed) = linked.typed.get(unit) else { return };
         let Some(component) = typed.functions.get(&function) else { return };
         // The arguments are evaluated where the component is instantiated.
-        let mut statics = HashMap::new();
+        let (mut statics, mut given) = (HashMap::new(), HashMap::new());
         for ((variable, _), argument) in component.parameters.iter().zip(&call.arguments) {
             if typed.statics.contains(variable) {
                 let name = format!("{path}.{}", typed.variable(*variable).name);
                 statics.insert(*variable, self.constant_function(&name, argument));
+                // A default of the component is not given by the model.
+                let is_written = declared.start <= argument.span.start && argument.span.end <= declared.end;
+                let written = || self.places().map_or(argument.span, |places| places.span(argument.span));
+                let found = self.given_in(argument).or_else(|| is_written.then(written));
+                given.extend(found.map(|span| (*variable, span)));
             }
         }
         let id = InstanceId(self.components.all.len());
@@ -189,6 +208,7 @@ impl<'c> Lowering<'c> {
             params: HashMap::new(),
             outputs: HashMap::new(),
             statics,
+            given,
         });
         self.components.by_call.insert((self.around, self.unit, call.instance), id);
         let outside = self.around.replace(id);
