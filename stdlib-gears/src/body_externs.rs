@@ -3,9 +3,9 @@
 
 use crate::assembly::add_body;
 use crate::dynamics_externs::lumped;
-use crate::externs::{entry, host, refusal};
+use crate::externs::{self, entry, host, refusal};
 use crate::host::ModelHost;
-use calyx_abi::externs::{Handle, SymbolicTransform};
+use calyx_abi::externs::{Handle, Symbolic, SymbolicTransform};
 use calyx_abi::{Context, RuntimeError, SymbolicValue};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::load::{Load, Wrench};
@@ -17,7 +17,7 @@ use std::sync::Arc;
 calyx_abi::externs! {
     Scene fn calyx_gears_body(
         context, name: String, blank: Handle, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3],
-        moment: [f64; 3], mass: f64, inertia: f64, host_load: String,
+        moment: [f64; 3], mass: f64, inertia: f64, host_load: Option<String>,
     ) -> Handle {
         let prototype = entry(&host(context)?.gears, blank)?.clone();
         let added = lumped(mass, inertia)?;
@@ -25,9 +25,15 @@ calyx_abi::externs! {
         frame.add(context, prototype, Some(blank.0 as usize))
     }
 
+    /// `body.frame`
+    Pure fn calyx_std_body_frame(context, body: Handle) -> SymbolicTransform {
+        let id = externs::body(context, "body", body)?;
+        entry(&host(context)?.body_frames, Handle(id.0 as u64)).cloned().map(Symbolic)
+    }
+
     Scene fn calyx_gears_rigid_body(
         context, name: String, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3], moment: [f64; 3],
-        mass: f64, inertia: f64, host_load: String,
+        mass: f64, inertia: f64, host_load: Option<String>,
     ) -> Handle {
         let added = lumped(mass, inertia)?;
         let frame = BodyPlacement { name, frame, free, load: Wrench { force, moment }, added, host_load };
@@ -47,8 +53,8 @@ pub(crate) struct BodyPlacement {
     pub load: Wrench,
     /// Lumped masses on the frame.
     pub added: Inertia,
-    /// Name of a load from the host program; empty for none.
-    pub host_load: String,
+    /// Name of a load from the host program.
+    pub host_load: Option<String>,
 }
 
 impl BodyPlacement {
@@ -71,17 +77,19 @@ impl BodyPlacement {
             };
             free[at] = true;
         }
+        let expression = self.frame.0.clone();
         let motion = Arc::new(FrameMotion { value: self.frame.0, params: context.params.clone() });
         let name = context.name_in_instance(self.name);
         let (place, host) = (context.place, host(context)?);
-        let load = load(host, self.load, &self.host_load, place);
+        let load = load(host, self.load, self.host_load.as_deref(), place);
         let body =
             Body { name, prototype, motion, phase: 0.0, free, load, impulses: Vec::new(), added: self.added };
         let id = add_body(&mut host.scene, body).map_err(|refusal| host.rejected(refusal, place))?;
-        if !self.host_load.is_empty() {
+        if self.host_load.is_some() {
             host.host_loaded.insert(id.0);
         }
         host.body_gears.push(gear);
+        host.body_frames.push(expression);
         host.body_places.push(place);
         Ok(Handle(id.0 as u64))
     }
@@ -89,10 +97,8 @@ impl BodyPlacement {
 
 /// Load on a body: the constant part from the model, and the part that the host program provides
 /// under a name, if any.
-fn load(host: &mut ModelHost, constant: Wrench, name: &str, place: (u32, u32, u32)) -> Arc<dyn Load> {
-    if name.is_empty() {
-        return Arc::new(constant);
-    }
+fn load(host: &mut ModelHost, constant: Wrench, name: Option<&str>, place: (u32, u32, u32)) -> Arc<dyn Load> {
+    let Some(name) = name else { return Arc::new(constant) };
     match host.provided.loads.get(name) {
         Some(load) => {
             let load = load.clone();

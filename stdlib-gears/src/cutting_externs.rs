@@ -19,12 +19,12 @@ use std::sync::Arc;
 calyx_abi::externs! {
     Pure fn calyx_gears_rack(
         context, module: Option<f64>, diametral_pitch: Option<f64>, pressure_angle: f64, tip_radius: f64,
-        plane: String,
+        plane: Option<String>,
     ) -> Handle {
         let module = module_of("rack", module, diametral_pitch)?;
         let (place, host) = (context.place, host(context)?);
         let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| host.runtime_error(&error, place))?;
-        let plane = Plane::named(&plane).unwrap_or_default();
+        let plane = plane.map_or(Plane::Unstated, |plane| Plane::named(&plane).unwrap_or_default());
         Ok(keep(&mut host.racks, rack.in_plane(plane)))
     }
 

@@ -12,8 +12,8 @@ use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use crate::shaper::Shaper;
 use crate::tables::Table;
-use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
+use calyx_abi::{RuntimeError, SymbolicValue};
 use calyx_runtime::analyses::Analysis;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
 use calyx_runtime::dynamics::TimeRange;
@@ -86,6 +86,8 @@ pub struct ModelHost {
     pub gear_places: Vec<(u32, u32, u32)>,
     /// Gear of each body of the scene, in order; `None` for a body without teeth.
     pub body_gears: Vec<Option<usize>>,
+    /// For each body, the expression of its frame.
+    pub body_frames: Vec<Arc<SymbolicValue>>,
     /// Source locations of the calls that created each body.
     pub body_places: Vec<(u32, u32, u32)>,
     /// Bodies whose load the host program provides, or may provide.

@@ -19,10 +19,9 @@ pub enum Plane {
 }
 
 impl Plane {
-    /// Returns the plane called `"transverse"`, `"normal"` or `"unstated"`.
+    /// Returns the plane called `"transverse"` or `"normal"`.
     pub fn named(name: &str) -> Option<Plane> {
         match name {
-            "unstated" => Some(Plane::Unstated),
             "transverse" => Some(Plane::Transverse),
             "normal" => Some(Plane::Normal),
             _ => None,

@@ -28,10 +28,10 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_order_map(
-        context, output: String, shaft: Handle, angle: String, from: f64, to: f64, revolutions: f64, highest: f64, window: String,
+        context, output: String, shaft: Handle, angle: Option<String>, from: f64, to: f64, revolutions: f64, highest: f64, window: String,
     ) -> () {
         let shaft = if shaft == GROUND { None } else { Some(body(context, "shaft", shaft)?) };
-        let ahead = (!angle.is_empty()).then(|| context.name_in_instance(angle));
+        let ahead = angle.map(|angle| context.name_in_instance(angle));
         if shaft.is_none() && ahead.is_none() {
             return Err(refusal("E0778", "shaft", "the shaft whose revolutions are counted is missing",
                 "give the `shaft`, or the name of an output that is its `angle`"));

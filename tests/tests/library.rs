@@ -29,6 +29,7 @@ const OF_THE_LANGUAGE: &[&str] = &[
     "calyx_std_largest",
     "calyx_std_sorted",
     "calyx_std_spline_table",
+    "calyx_std_body_frame",
 ];
 
 /// Returns link symbol, declaration and doc comment of every extern function of the library.
