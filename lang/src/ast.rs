@@ -253,6 +253,13 @@ pub struct FunctionDecl {
     pub is_component: bool,
 }
 
+impl FunctionDecl {
+    /// Returns `true` for the function of an [`ExprKind::Anonymous`].
+    pub fn is_anonymous(&self) -> bool {
+        self.name.name.ends_with("=>")
+    }
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub enum FunctionBody {
     Statement(Box<Stmt>),
@@ -391,6 +398,9 @@ pub enum ExprKind {
         at: Box<Expr>,
     },
     Paren(Box<Expr>),
+    /// `(x, y) => e`, an anonymous symbolic function; only arguments are such functions. Its name is
+    /// this text without the expression, at the arrow.
+    Anonymous(Box<FunctionDecl>),
     /// The body `{ var a = ...; return ...; }` of a symbolic function: a [`StmtKind::Block`]. It
     /// occurs nowhere else.
     Block(Box<Stmt>),

@@ -46,6 +46,11 @@ fn comprehended<'t>(statement: &'t Stmt, node: Node<'t>, offset: u32) -> Option<
     {
         return Some(Declared::Element(statement, &parts.variable, &parts.values));
     }
+    if let Node::Expression(Expr { kind: ExprKind::Anonymous(decl), .. }) = node
+        && let Some(parameter) = decl.parameters.iter().find(|p| p.name.span.start == offset)
+    {
+        return Some(Declared::Parameter(decl, parameter));
+    }
     let mut found = None;
     node.children(&mut |child| {
         let (start, end) = child.range();

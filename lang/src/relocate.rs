@@ -325,6 +325,10 @@ pub fn expr(e: &mut Expr, visit: &mut Visit<'_>) {
             expr(at, visit);
         }
         ExprKind::Paren(inner) | ExprKind::IsNone(inner) => expr(inner, visit),
+        ExprKind::Anonymous(decl) => {
+            function_header(decl, visit);
+            function_body(decl, visit);
+        }
         ExprKind::Block(body) => statement(body, visit),
     }
 }

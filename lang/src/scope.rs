@@ -47,20 +47,40 @@ pub fn visible(tokens: &[Token], offset: u32) -> Vec<Local> {
     found
 }
 
-/// Returns the variables of the comprehensions around a token, innermost first.
+/// Returns the variables of the comprehensions around a token, and the parameters of the anonymous
+/// functions, innermost first.
 fn comprehended(tokens: &[Token], split: usize) -> Vec<Local> {
     let mut found = Vec::new();
     let mut closed = 0_u32;
+    // A comma ends the expression of an anonymous function before it.
+    let mut after_comma = false;
     for index in (0..split).rev() {
         match tokens.get(index).map(|token| token.kind) {
             Some(Kind::CloseBracket | Kind::CloseParen) => closed += 1,
             Some(Kind::OpenBracket | Kind::OpenParen) if closed > 0 => closed -= 1,
-            Some(Kind::OpenBracket) => found.extend(comprehension_variable(tokens, index, split)),
+            Some(kind @ (Kind::OpenBracket | Kind::OpenParen)) => {
+                after_comma = false;
+                if kind == Kind::OpenBracket {
+                    found.extend(comprehension_variable(tokens, index, split));
+                }
+            }
+            Some(Kind::Comma) if closed == 0 => after_comma = true,
+            Some(Kind::FatArrow) if closed == 0 && !after_comma => {
+                found.extend(anonymous_parameters(&tokens[..index]));
+            }
             Some(Kind::Semicolon | Kind::OpenBrace | Kind::CloseBrace) => break,
             _ => {}
         }
     }
     found
+}
+
+/// Returns the names in the parentheses at the end of tokens, last first.
+fn anonymous_parameters(tokens: &[Token]) -> Vec<Local> {
+    let before = tokens.iter().rev().skip(1);
+    let names = before.take_while(|token| matches!(token.kind, Kind::Identifier | Kind::Comma));
+    let names = names.filter(|token| token.kind == Kind::Identifier);
+    names.map(|token| Local { span: token.span, kind: NameKind::Parameter, level: 0 }).collect()
 }
 
 /// Returns the variable of the comprehension that starts at a bracket, if the token `split` is in

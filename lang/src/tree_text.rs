@@ -321,6 +321,10 @@ pub fn expr(e: &Expr) -> String {
         ExprKind::At { value, symbol, at } => format!("(at {} {} {})", expr(value), symbol.name, expr(at)),
         ExprKind::IsNone(value) => format!("(is-none {})", expr(value)),
         ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
+        ExprKind::Anonymous(decl) => match &decl.body {
+            FunctionBody::Symbolic(e) => format!("({} {})", decl.name.name, expr(e)),
+            _ => "error".into(),
+        },
         // The function writes its statements.
         ExprKind::Block(_) => "(block)".into(),
     }

@@ -251,6 +251,12 @@ fn expression_children<'t>(kind: &'t ExprKind, visit: &mut dyn FnMut(Node<'t>)) 
             visit(Node::Expression(at));
         }
         ExprKind::Paren(inner) | ExprKind::IsNone(inner) => visit(Node::Expression(inner)),
+        ExprKind::Anonymous(decl) => {
+            decl.parameters.iter().for_each(|parameter| visit(Node::Parameter(parameter)));
+            if let FunctionBody::Symbolic(e) = &decl.body {
+                visit(Node::Expression(e));
+            }
+        }
         ExprKind::Block(body) => visit(Node::Statement(body)),
     }
 }

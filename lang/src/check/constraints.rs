@@ -5,9 +5,10 @@ mod properties;
 use super::dim::Dim;
 use super::expected_type::too_large;
 use super::infer::Checker;
+use super::places::{component_assigned, member_assigned};
 use super::rules::{self, Rule};
 use super::symbols::with_article;
-use super::tree::{Constraint, ConstraintKind};
+use super::tree::{Constraint, ConstraintKind, FieldUse};
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
@@ -37,7 +38,7 @@ impl Constraint {
         match &self.kind {
             Multiply(a, b, c) | Divide(a, b, c) => vec![a, b, c],
             Additive(a) | Comparable(a) | Printable(a) | Throwable(a) | Styled(a, ..) => vec![a],
-            Index(a, _, b) | Field(a, _, b) => vec![a, b],
+            Index(a, _, b) | Field(a, _, b, _) => vec![a, b],
         }
     }
 
@@ -52,7 +53,7 @@ impl Constraint {
             Throwable(a) => Throwable(f(a)),
             Styled(a, unit, digits) => Styled(f(a), *unit, *digits),
             Index(a, at, b) => Index(f(a), *at, f(b)),
-            Field(a, name, b) => Field(f(a), name.clone(), f(b)),
+            Field(a, name, b, field_use) => Field(f(a), name.clone(), f(b), *field_use),
         }
     }
 }
@@ -101,11 +102,13 @@ impl Checker<'_> {
     /// operands have equal results. Without merging, the schemes of functions that call each other
     /// twice would double at each level.
     fn merge_constraints(&mut self) {
-        let mut seen: HashMap<(Discriminant<ConstraintKind>, String, Vec<Type>), Type> = HashMap::new();
+        // The result of each constraint and its index.
+        let mut seen: HashMap<(Discriminant<ConstraintKind>, String, Vec<Type>), (Type, usize)> =
+            HashMap::new();
         for constraint in std::mem::take(&mut self.pending) {
             let kind = discriminant(&constraint.kind);
             let field = match &constraint.kind {
-                Field(_, name, _) => name.clone(),
+                Field(_, name, ..) => name.clone(),
                 Styled(_, unit, digits) => format!("{unit:?}{digits}"),
                 _ => String::new(),
             };
@@ -117,13 +120,18 @@ impl Checker<'_> {
             };
             match (seen.entry((kind, field, operands)), result) {
                 (Entry::Vacant(entry), result) => {
-                    entry.insert(result.unwrap_or(Type::Unit));
+                    entry.insert((result.unwrap_or(Type::Unit), self.pending.len()));
                     self.pending.push(constraint);
                 }
                 (Entry::Occupied(entry), Some(result)) => {
-                    if self.store.unify(entry.get(), &result).is_err() {
+                    let (known, at) = entry.get();
+                    if self.store.unify(known, &result).is_err() {
                         // Kept until its operands are known, when it is reported.
                         self.pending.push(constraint);
+                    } else if let (Field(.., FieldUse::Assigned), Some(Field(.., field_use))) =
+                        (&constraint.kind, self.pending.get_mut(*at).map(|merged| &mut merged.kind))
+                    {
+                        *field_use = FieldUse::Assigned;
                     }
                 }
                 (Entry::Occupied(_), None) => {}
@@ -152,8 +160,8 @@ impl Checker<'_> {
                     let element = self.store.fresh();
                     Type::array(element)
                 }
-                Field(_, name, _) if matches!(name.as_str(), "x" | "y" | "z") => self.fresh_vector().0,
-                Field(_, name, _) => {
+                Field(_, name, ..) if matches!(name.as_str(), "x" | "y" | "z") => self.fresh_vector().0,
+                Field(_, name, ..) => {
                     self.report(
                         Diagnostic::error(
                             "E0307",
@@ -212,7 +220,9 @@ impl Checker<'_> {
             Comparable(a) => self.solve_comparable(a, constraint),
             Printable(a) => self.solve_printable(a, constraint),
             Styled(a, unit, digits) => self.styled(a.clone(), *unit, *digits, constraint),
-            Field(base, name, result) => self.solve_field(base, name, result, constraint),
+            Field(base, name, result, field_use) => {
+                self.solve_field(base, name, result, *field_use, constraint)
+            }
             Throwable(a) => self.solve_throwable(a, constraint),
             Index(base, at, element) => self.solve_index(base, *at, element, constraint),
         }
@@ -313,15 +323,27 @@ impl Checker<'_> {
     }
 
     /// Solves `base.name = result`.
-    fn solve_field(&mut self, base: &Type, name: &str, result: &Type, constraint: &Constraint) -> Outcome {
+    fn solve_field(
+        &mut self,
+        base: &Type,
+        name: &str,
+        result: &Type,
+        field_use: FieldUse,
+        constraint: &Constraint,
+    ) -> Outcome {
+        let is_assigned = field_use == FieldUse::Assigned;
         match self.store.shallow(base) {
             Type::Error => self.fit(constraint, result, &Type::Error),
             Type::Unknown(_) => Outcome::Open,
+            Type::Vector(_) if is_assigned => Outcome::failed(component_assigned(name, constraint.span)),
             Type::Vector(dim) if matches!(name, "x" | "y" | "z") => {
                 self.fit(constraint, result, &Type::Number(dim))
             }
             Type::Record(id) => match self.store.field(id, name) {
-                Some((_, ty)) => self.fit(constraint, result, &ty),
+                Some((_, ty)) => match self.fixed_member(id, name).filter(|_| is_assigned) {
+                    Some(kind) => Outcome::failed(member_assigned(kind, name, constraint.span)),
+                    None => self.fit(constraint, result, &ty),
+                },
                 None => Outcome::failed(self.no_field(&Type::Record(id), name, constraint.span)),
             },
             other => Outcome::failed(self.no_field(&other, name, constraint.span)),

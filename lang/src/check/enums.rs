@@ -57,8 +57,20 @@ impl<'a> Checker<'a> {
                 }
                 true
             }
+            (Type::Array(expected), Type::Array(_)) => match &found.kind {
+                Kind::Array(elements) if !elements.is_empty() => {
+                    let expected = (**expected).clone();
+                    self.accept_choices(&expected, elements)
+                }
+                _ => false,
+            },
             _ => false,
         }
+    }
+
+    /// As [`Self::accepts_choice`], for all elements of brackets as written.
+    fn accept_choices(&mut self, expected: &Type, elements: &[Expr]) -> bool {
+        elements.iter().all(|element| self.accepts_choice(expected, element))
     }
 
     /// Reports a comparison that is never true: of a param or parameter that has choices with

@@ -1,6 +1,7 @@
 //! Checks expressions: converts syntax to the typed tree.
 
 use super::infer::Checker;
+use super::records::handle_field;
 use super::rules::{self, Rule};
 use super::symbols::{Constant, Resolution, with_article};
 use super::tree::*;
@@ -106,6 +107,18 @@ impl<'a> Checker<'a> {
             ExprKind::List(elements) => return self.list(elements, given, span),
             ExprKind::Measured { elements, unit, exponent, .. } => self.measured(elements, unit, *exponent),
             ExprKind::Comprehension(parts) => return self.as_value(|c| c.comprehension(parts, span)),
+            ExprKind::Anonymous(_) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0882",
+                        "an anonymous function is the argument of a parameter that is a function",
+                        span,
+                        "functions are not values",
+                    )
+                    .help("pass it to `solve`, `minimize`, or a function that calls the parameter"),
+                );
+                return Expr::error(span);
+            }
             ExprKind::IsNone(value) => return self.is_none(value, span),
             ExprKind::If { condition, then, otherwise } => {
                 let (yes, no) = self.facts(condition);
@@ -257,6 +270,9 @@ impl<'a> Checker<'a> {
             (Type::Vector(dim), Some(op)) => {
                 Expr { kind: Kind::Op(op, vec![base]), ty: Type::Number(dim.clone()), span }
             }
+            (Type::Handle(handle), _) if let Some((function, ty)) = handle_field(handle, &field.name) => {
+                self.observed(Expr { kind: Kind::Standard(function, vec![base]), ty, span })
+            }
             (Type::Unknown(_), Some(op)) if self.symbolic => {
                 let (vector, dim) = self.fresh_vector();
                 self.expect(&vector, &base, &format!("the value before `.{}`", field.name), None);
@@ -264,7 +280,8 @@ impl<'a> Checker<'a> {
             }
             (Type::Unknown(_), _) => {
                 let ty = self.store.fresh();
-                let kind = ConstraintKind::Field(base.ty.clone(), field.name.clone(), ty.clone());
+                let kind =
+                    ConstraintKind::Field(base.ty.clone(), field.name.clone(), ty.clone(), FieldUse::Read);
                 self.constrain(Constraint { kind, span: field.span });
                 Expr { kind: Kind::Field(Box::new(base), field.name.clone()), ty, span }
             }

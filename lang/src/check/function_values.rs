@@ -126,6 +126,7 @@ impl<'a> Checker<'a> {
         let span = written.span;
         let name = match &written.kind {
             ExprKind::Name(name) | ExprKind::Field { field: name, .. } => Some(name),
+            ExprKind::Anonymous(decl) => Some(&decl.name),
             _ => None,
         };
         let is_symbolic = matches!(&argument.name, Some((_, Bind::Symbolic)));
@@ -170,7 +171,9 @@ impl<'a> Checker<'a> {
         if decl.is_component || matches!(decl.body, FunctionBody::Extern { .. }) {
             return Some(format!("`{name}` is no function of the program"));
         }
-        if !info.outer.is_empty() {
+        // An anonymous function is symbolic, and the use in its body is reported.
+        let reported = matches!(decl.body, FunctionBody::Symbolic(_));
+        if !info.outer.is_empty() && !reported {
             return Some(format!(
                 "`{name}` uses variables of the function around it, so it cannot be passed"
             ));

@@ -5,6 +5,7 @@
 //! recursive functions form a group and are monomorphic within the group.
 
 use super::ModuleData;
+use super::branches::OutputCaptures;
 use super::dim::Dim;
 use super::excerpt::Layout;
 use super::generalise::recursive_groups;
@@ -69,6 +70,8 @@ pub struct Checker<'a> {
     /// Description of an expression that is evaluated before the program runs, such as `a param's
     /// default`.
     pub(super) constant_place: Option<&'static str>,
+    /// Set while the definition of an output is made.
+    pub(super) output_captures: Option<OutputCaptures>,
     /// The components, in order of declaration.
     pub(super) components: Vec<FuncId>,
     /// Members of components that other units check.
@@ -184,6 +187,7 @@ impl<'a> Checker<'a> {
             output_arrays: HashMap::new(),
             symbolic: false,
             constant_place: None,
+            output_captures: None,
             components,
             imported_members: HashMap::new(),
             fixed_members: HashMap::new(),

@@ -330,7 +330,7 @@ impl<'a> Checker<'a> {
                         && self.names.functions[self.function.0 as usize].is_component();
                     match own {
                         true => outer.push(*id),
-                        false => found.push((e.span, format!("`{}` is a variable", variable.name))),
+                        false => found.push((e.span, format!("the variable `{}`", variable.name))),
                     }
                 }
                 Kind::Eval(..)
@@ -338,17 +338,17 @@ impl<'a> Checker<'a> {
                 | Kind::MakeSymbolic(_)
                 | Kind::Chosen(_)
                 | Kind::Observe(_) => {
-                    found.push((e.span, "this is an expression".into()));
+                    found.push((e.span, "a name that is bound with `:=`".into()));
                 }
                 Kind::CallExtern(id, ..) => {
                     let decl = self.names.externs[*id as usize].decl;
                     let pure = matches!(&decl.body, ast::FunctionBody::Extern { purity: Some(word) } if word.name == "pure");
                     if !pure {
-                        found.push((e.span, "this call has an effect".into()));
+                        found.push((e.span, "a call that changes the model".into()));
                     }
                 }
                 Kind::Sequence(..) => {
-                    found.push((e.span, "this is computed by a loop".into()));
+                    found.push((e.span, "a value that a loop computes".into()));
                     continue;
                 }
                 _ => {}
@@ -356,16 +356,24 @@ impl<'a> Checker<'a> {
             pending.extend(e.children());
         }
         self.static_parameters.extend(outer);
-        if let Some((span, label)) = found.into_iter().next() {
+        if let Some((span, used)) = found.into_iter().next() {
+            let name = &parameter.name;
+            let help = match used.strip_prefix("the variable ") {
+                Some(variable) => format!("declare {variable} with `param` or `const`, or pass a literal"),
+                None => "pass literals, params, and functions of them".into(),
+            };
             self.report(
                 Diagnostic::error(
                     "E0875",
-                    format!("`{}` must be known before the model runs", parameter.name),
+                    format!("the argument `{name}` sets a param, so it cannot use {used}"),
                     span,
-                    label,
+                    "has no value yet when params are set",
                 )
-                .label(parameter.span, "the default or range of a param uses this parameter")
-                .help("pass literals, params, and functions of them"),
+                .label(
+                    parameter.span,
+                    format!("a param of the component uses `{name}` in its default or range"),
+                )
+                .help(help),
             );
         }
     }

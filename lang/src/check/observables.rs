@@ -8,6 +8,7 @@
 
 use super::dim::Dim;
 use super::infer::Checker;
+use super::records::handle_field;
 use super::stored_expressions::is_stored;
 use super::symbols::Resolution;
 use super::tree::*;
@@ -135,7 +136,7 @@ impl Checker<'_> {
         }
     }
 
-    fn is_known_at_binding(&self, e: &Expr) -> bool {
+    pub(super) fn is_known_at_binding(&self, e: &Expr) -> bool {
         let own = match &e.kind {
             Kind::Time
             | Kind::Observe(_)
@@ -225,6 +226,7 @@ impl Checker<'_> {
             },
             ExprKind::Field { base, field } => match self.store.shallow(&self.written_type(base)?) {
                 Type::Record(id) => self.store.field(id, &field.name).map(|(_, ty)| ty),
+                Type::Handle(handle) => handle_field(&handle, &field.name).map(|(_, ty)| ty),
                 _ => None,
             },
             ExprKind::Call { callee, .. } => {

@@ -1,5 +1,6 @@
 //! Checks params and outputs: the interface of the model.
 
+use super::branches::OutputCaptures;
 use super::infer::Checker;
 use super::symbols::{ParamInfo, with_article};
 use super::tree::{DefId, Expr, FuncId, Kind, Output, Param, StmtKind, VarId};
@@ -203,7 +204,9 @@ impl<'a> Checker<'a> {
         let number = self.fresh_number();
         self.expect(&number, &e, &format!("the output `{}`", name.name), None);
         let (ty, span) = (e.ty.clone(), e.span);
+        self.output_captures = Some(OutputCaptures::Stored);
         let def: DefId = self.make_def(&name.name, e, span);
+        self.output_captures = None;
         self.defs[def.0 as usize].stored = true;
         self.output_defs.insert(id, def);
         let info = self.names.outputs.get(id as usize).copied();
@@ -234,7 +237,10 @@ impl<'a> Checker<'a> {
                     let e = self.as_symbolic(|c| c.whole(element));
                     let number = self.fresh_number();
                     self.expect(&number, &e, &format!("an element of the output `{}`", name.name), None);
-                    self.as_observable(e)
+                    self.output_captures = Some(OutputCaptures::Immediate);
+                    let element = self.as_observable(e);
+                    self.output_captures = None;
+                    element
                 }
             })
             .collect();

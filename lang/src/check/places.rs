@@ -229,15 +229,7 @@ impl<'a> Checker<'a> {
                 Some((at, ty)) => {
                     if let Some(kind) = self.fixed_member(id, &field.name) {
                         let what = self.text(span).to_string();
-                        self.report(
-                            Diagnostic::error(
-                                "E0207",
-                                format!("the {kind} `{what}` cannot be assigned"),
-                                span,
-                                format!("the component has already used its {kind}s"),
-                            )
-                            .help("copy it into a variable: `var x = ...;`"),
-                        );
+                        self.report(member_assigned(kind, &what, span));
                         return None;
                     }
                     (Step::Element(at), ty)
@@ -248,20 +240,13 @@ impl<'a> Checker<'a> {
                 }
             },
             Type::Vector(_) => {
-                self.report(
-                    Diagnostic::error(
-                        "E0208",
-                        format!("the component `.{}` of a vector cannot be assigned", field.name),
-                        span,
-                        "the components of a vector cannot change separately",
-                    )
-                    .help("assign a new vector: `v = a*e1 + b*e2 + c*e3;`"),
-                );
+                self.report(component_assigned(&field.name, span));
                 return None;
             }
             Type::Unknown(_) => {
                 let ty = self.store.fresh();
-                let kind = ConstraintKind::Field(place.ty.clone(), field.name.clone(), ty.clone());
+                let (base, name) = (place.ty.clone(), field.name.clone());
+                let kind = ConstraintKind::Field(base, name, ty.clone(), FieldUse::Assigned);
                 self.constrain(Constraint { kind, span: field.span });
                 (Step::Field(place.ty.clone(), field.name.clone()), ty)
             }
@@ -297,6 +282,24 @@ impl<'a> Checker<'a> {
                 .help("assign to a variable, to an element of an array or tuple, or to a field of a record"),
         );
     }
+}
+
+/// Returns the error for an assignment to a param or output of an instance; `kind` states which.
+pub(super) fn member_assigned(kind: &str, name: &str, span: Span) -> Diagnostic {
+    let message = format!("the {kind} `{name}` cannot be assigned");
+    Diagnostic::error("E0207", message, span, format!("the component has already used its {kind}s"))
+        .help("copy it into a variable: `var x = ...;`")
+}
+
+/// Returns the error for an assignment to a component of a vector.
+pub(super) fn component_assigned(name: &str, span: Span) -> Diagnostic {
+    Diagnostic::error(
+        "E0208",
+        format!("the component `.{name}` of a vector cannot be assigned"),
+        span,
+        "the components of a vector cannot change separately",
+    )
+    .help("assign a new vector: `v = a*e1 + b*e2 + c*e3;`")
 }
 
 /// Returns the expression that reads a place.

@@ -406,8 +406,27 @@ impl<'a> Checker<'a> {
             Type::Array(element) if self.has_field(element, field) => {
                 diagnostic.help(format!("its elements have this field: write `[0].{field}` after the array"))
             }
+            Type::Handle(handle) if handle_field(handle, field).is_some() => {
+                diagnostic.help(format!("state the type where the value is declared: `in body: {handle}`"))
+            }
+            Type::Handle(handle) => match HANDLE_FIELDS.iter().find(|(known, ..)| known == handle) {
+                Some((_, name, _)) => diagnostic.help(format!("{shown} has the field `{name}`")),
+                None => diagnostic.help("give it to a function of the library, which returns its properties"),
+            },
             _ => diagnostic
                 .help("vectors have the components `.x`, `.y` and `.z`, records their declared fields"),
         }
+    }
+}
+
+/// The fields of objects of the library: type, name, and documentation.
+pub const HANDLE_FIELDS: &[(&str, &str, &str)] =
+    &[("Body", "frame", "Transform from ground coordinates to the coordinates of the body.")];
+
+/// Returns the function that reads a field of an object of the library, and the type of the field.
+pub(super) fn handle_field(handle: &str, field: &str) -> Option<(Standard, Type)> {
+    match (handle, field) {
+        ("Body", "frame") => Some((Standard::BodyFrame, Type::Symbolic(Box::new(Type::Transform)))),
+        _ => None,
     }
 }

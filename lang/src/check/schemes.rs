@@ -140,7 +140,7 @@ impl Letters<'_> {
                 let at = at.map_or("i".into(), |at| at.to_string());
                 format!("{}[{at}] = {}", self.ty(base), self.ty(element))
             }
-            ConstraintKind::Field(base, name, field) => {
+            ConstraintKind::Field(base, name, field, _) => {
                 format!("{}.{name} = {}", self.ty(base), self.ty(field))
             }
         }

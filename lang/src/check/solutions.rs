@@ -91,6 +91,10 @@ impl<'a> Checker<'a> {
             .iter()
             .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
             .collect();
+        if !self.check_number_after_guess(called, &name, &listed, rest, span) {
+            self.check_loosely(rest);
+            return Expr::error(span);
+        }
         let Some(given) = self.match_arguments(&name, &listed, rest, span) else { return Expr::error(span) };
         let ty = types.first().cloned().unwrap_or(Type::Error);
         let guess = self.as_symbolic(|c| c.whole(&guess.value));
@@ -112,6 +116,47 @@ impl<'a> Checker<'a> {
         };
         let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty, span };
         if self.symbolic { call } else { self.evaluate_now(call, called) }
+    }
+
+    /// Reports too many or too few arguments after the guess; `parameters` are those of the
+    /// function without the unknown, each with its name and `true` if it is optional.
+    fn check_number_after_guess(
+        &mut self,
+        called: &str,
+        name: &str,
+        parameters: &[(&str, bool)],
+        rest: &[ast::Argument],
+        span: Span,
+    ) -> bool {
+        // Named arguments are matched by their names.
+        if rest.iter().any(|argument| argument.spread || argument.name.is_some()) {
+            return true;
+        }
+        let form: String = parameters.iter().map(|(parameter, _)| format!(", {parameter}")).collect();
+        let help = format!("write `{called}({name}, guess{form})`");
+        if let Some(extra) = rest.get(parameters.len()) {
+            let arguments = match parameters.len() {
+                0 => "no argument".into(),
+                1 => "1 argument".into(),
+                count => format!("{count} arguments"),
+            };
+            let message =
+                format!("`{called}` of `{name}` takes {arguments} after the guess, not {}", rest.len());
+            let problem = Diagnostic::error("E0206", message, extra.value.span, "extra argument");
+            self.report(problem.help(help));
+            return false;
+        }
+        let missing: Vec<String> = parameters[rest.len()..]
+            .iter()
+            .filter(|(_, optional)| !optional)
+            .map(|(parameter, _)| format!("`{parameter}`"))
+            .collect();
+        if !missing.is_empty() {
+            let message = format!("`{called}` of `{name}` lacks {} after the guess", missing.join(" and "));
+            let problem = Diagnostic::error("E0206", message, span, "an argument is missing");
+            self.report(problem.help(help));
+        }
+        missing.is_empty()
     }
 
     /// Checks the search of a root or minimum of a function that is a parameter. Its arguments have
@@ -147,6 +192,10 @@ impl<'a> Checker<'a> {
         let name = match &written.kind {
             ExprKind::Name(name) | ExprKind::Field { field: name, .. } if !argument.spread => Some(name),
             _ => None,
+        };
+        let name = match &written.kind {
+            ExprKind::Anonymous(decl) => Some(&decl.name),
+            _ => name,
         };
         let meant = name.and_then(|name| self.names.uses.get(&name.span).copied());
         let diagnostic = match meant {

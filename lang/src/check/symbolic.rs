@@ -6,6 +6,7 @@
 //! uses the values of the binding.
 
 use super::axes::has_symbols;
+use super::branches::{Branch, OutputCaptures, calls_functions, in_branches, may_fail};
 use super::dependence::Question;
 use super::dim::Dim;
 use super::infer::{Checker, Reaching};
@@ -30,6 +31,8 @@ struct Builder {
     observes: bool,
     closed: bool,
     chosen: BTreeSet<VarId>,
+    /// The branches of an output around the expression being split.
+    branches: Vec<Branch>,
 }
 
 impl<'a> Checker<'a> {
@@ -260,6 +263,7 @@ impl<'a> Checker<'a> {
             observes: false,
             closed: true,
             chosen: BTreeSet::new(),
+            branches: Vec::new(),
         };
         let expr = self.split(e, &mut builder);
         let id = DefId(self.defs.len() as u32);
@@ -348,8 +352,11 @@ impl<'a> Checker<'a> {
             {
                 return self.chosen_observable(*condition, *a, *b, span, to);
             }
-            Kind::If(a, b, c) => {
-                Kind::If(self.split_box(a, to), self.split_box(b, to), self.split_box(c, to))
+            Kind::If(condition, a, b) => {
+                let (condition, chosen) = self.branch_condition(condition, [&a, &b], to);
+                let condition = self.split_box(condition, to);
+                let a = self.split_branch(a, chosen.as_ref(), true, to);
+                Kind::If(condition, a, self.split_branch(b, chosen.as_ref(), false, to))
             }
             Kind::Derivative(inner, sym) => {
                 Kind::Derivative(self.differentiated(inner, &[sym], to, span), sym)
@@ -466,7 +473,49 @@ impl<'a> Checker<'a> {
         e
     }
 
+    fn split_branch(
+        &mut self,
+        e: Box<Expr>,
+        condition: Option<&Expr>,
+        is_first: bool,
+        to: &mut Builder,
+    ) -> Box<Expr> {
+        let Some(condition) = condition else { return self.split_box(e, to) };
+        to.branches.push(Branch { condition: condition.clone(), is_first });
+        let split = self.split_box(e, to);
+        to.branches.pop();
+        split
+    }
+
+    /// Returns the condition of a choice in an output, and its value if it is known when the
+    /// binding executes and a branch captures values that may not exist otherwise.
+    fn branch_condition(
+        &mut self,
+        condition: Box<Expr>,
+        branches: [&Expr; 2],
+        to: &mut Builder,
+    ) -> (Box<Expr>, Option<Expr>) {
+        let may_fail = branches.iter().any(|branch| may_fail(branch));
+        let Some(captures) = self.output_captures.filter(|_| may_fail && to.function.is_none()) else {
+            return (condition, None);
+        };
+        if !self.is_known_at_binding(&condition) {
+            return (condition, None);
+        }
+        let value = self.condition_value((*condition).clone());
+        if !calls_functions(&value) {
+            return (condition, Some(value));
+        }
+        if captures == OutputCaptures::Immediate {
+            return (condition, None);
+        }
+        // A function may have effects, so it is called once.
+        let kept = self.capture(value, to);
+        (Box::new(kept.clone()), Some(kept))
+    }
+
     fn capture(&mut self, value: Expr, to: &mut Builder) -> Expr {
+        let value = in_branches(value, &self.store, &to.branches);
         let (ty, span) = (value.ty.clone(), value.span);
         to.closed = false;
         if to.function.is_some() {

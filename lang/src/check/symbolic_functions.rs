@@ -52,8 +52,8 @@ impl<'a> Checker<'a> {
             self.report(diagnostic);
         }
         let name = decl.name.span;
-        let exported =
-            name.file == FileId(0) && self.names.functions[id.0 as usize].parent == Some(FuncId(0));
+        let is_outside = self.names.functions[id.0 as usize].parent == Some(FuncId(0));
+        let exported = name.file == FileId(0) && is_outside && !decl.is_anonymous();
         let statements = self.modules.first().map(|module| module.tree.statements.as_slice());
         let statement = statements.unwrap_or_default().iter().find(
             |statement| matches!(&statement.kind, ast::StmtKind::Function(decl) if decl.name.span == name),

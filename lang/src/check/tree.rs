@@ -156,6 +156,8 @@ pub enum Standard {
     Sort,
     /// The number of the table of a spline, given the abscissas and the ordinates.
     SplineTable,
+    /// The frame of a body, as an expression.
+    BodyFrame,
 }
 
 #[derive(Clone, Debug)]
@@ -346,7 +348,15 @@ pub enum ConstraintKind {
     /// `base[index] = result`, array or (with a constant index) tuple.
     Index(Type, Option<usize>, Type),
     /// `base.field = result`, record or vector.
-    Field(Type, String, Type),
+    Field(Type, String, Type, FieldUse),
+}
+
+/// How a function uses a field of a value whose type its calls determine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FieldUse {
+    Read,
+    /// Params and outputs of instances and components of vectors cannot be assigned.
+    Assigned,
 }
 
 /// A function's signature and body.

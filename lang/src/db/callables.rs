@@ -77,10 +77,6 @@ impl Database {
         let members = parameters.chain(declared).filter_map(|(name, doc)| {
             let moved = Span { file, start: name.span.start + base, end: name.span.end + base };
             let meaning = unit.meanings.at(&unit.typed, moved)?;
-            // Expressions are not members.
-            if meaning.kind == NameKind::Symbolic {
-                return None;
-            }
             let at = |from: u32| start + from;
             let declared =
                 SourceRange { file: place.file.clone(), start: at(name.span.start), end: at(name.span.end) };

@@ -3,7 +3,9 @@
 
 use super::document::Item;
 use super::printer::{Layout, Printer};
-use crate::ast::{Argument, BinaryOp, Bind, Comprehension, Expr, ExprKind, UnaryOp, Values};
+use crate::ast::{
+    Argument, BinaryOp, Bind, Comprehension, Expr, ExprKind, FunctionBody, Parameter, UnaryOp, Values,
+};
 use crate::lexer::Kind;
 use crate::units::Unit;
 
@@ -22,6 +24,21 @@ impl Printer<'_> {
                 self.unit_after(exponent_span.is_some());
             }
             ExprKind::Comprehension(parts) => self.group(|p| p.comprehension(parts)),
+            ExprKind::Anonymous(decl) => {
+                let parameter = |p: &mut Self, _: &Parameter| p.token(Kind::Identifier);
+                self.bracket(
+                    (Kind::OpenParen, Kind::CloseParen),
+                    &decl.parameters,
+                    Layout::Filled,
+                    parameter,
+                );
+                self.space();
+                self.token(Kind::FatArrow);
+                self.space();
+                if let FunctionBody::Symbolic(e) = &decl.body {
+                    self.expression(e);
+                }
+            }
             ExprKind::Bool(value) => self.token(if *value { Kind::True } else { Kind::False }),
             ExprKind::String(_) => self.string(),
             ExprKind::Name(_) => self.token(Kind::Identifier),
@@ -293,6 +310,7 @@ fn breaks_inside(e: &Expr) -> bool {
         | ExprKind::List(_)
         | ExprKind::Comprehension(_)
         | ExprKind::Binary { .. }
+        | ExprKind::Anonymous(_)
         | ExprKind::Paren(_) => true,
         _ => false,
     }
@@ -320,6 +338,7 @@ fn is_short(e: &Expr) -> bool {
         | ExprKind::If { .. }
         | ExprKind::At { .. }
         | ExprKind::Paren(_)
+        | ExprKind::Anonymous(_)
         | ExprKind::Block(_) => false,
     }
 }

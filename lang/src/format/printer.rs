@@ -265,6 +265,9 @@ impl<'t> Printer<'t> {
             self.comment_at += 1;
             let next =
                 self.comments.get(self.comment_at).map_or(next_token, |c| c.span.start.min(next_token));
+            // A line ends between the last statement of a block and its `}`.
+            let ends_line = ends_line
+                || self.kind() == Some(Kind::CloseBrace) && self.previous() == Some(Kind::Semicolon);
             let previous = self.end_before(start);
             let begins_line = previous == 0
                 || self.line_ends(previous, start) > 0

@@ -76,6 +76,8 @@ pub enum Kind {
     MultiplyAssign,
     DivideAssign,
     Arrow,
+    /// `=>`
+    FatArrow,
     Plus,
     Minus,
     Star,
@@ -228,6 +230,7 @@ pub(super) const CONTEXTUAL: &[Spelling] = &[
 pub(super) const SYMBOLS: &[Spelling] = &[
     ("..", Kind::DotDot, "`..`"),
     (":=", Kind::Bind, "`:=`"),
+    ("=>", Kind::FatArrow, "`=>`"),
     ("->", Kind::Arrow, "`->`"),
     ("+=", Kind::AddAssign, "`+=`"),
     ("-=", Kind::SubtractAssign, "`-=`"),

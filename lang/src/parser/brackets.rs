@@ -122,7 +122,28 @@ pub(super) fn values<'a>(any: Rule<'a, Expr>) -> Rule<'a, Values> {
 /// Parses `[index]` or `[low .. high]` after an operand.
 pub(super) fn element<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Suffix> {
     let limit = when(move |at| may_begin(source.kind(at))).ignore_then(any.clone()).or_not();
-    let high = just(Kind::DotDot).ignore_then(limit).boxed();
+    // `[low:high]`, as in other languages.
+    let colon = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Colon) {
+            return Err(Problem(None));
+        }
+        input.next();
+        let place = source.place(at);
+        input.emit(
+            Diagnostic::error(
+                "E0115",
+                "the limits of a slice are separated by `..`",
+                place,
+                "not expected here",
+            )
+            .help("write `array[low .. high]`, which excludes the element at `high`")
+            .fix("write `..`", place, " .. ")
+            .into(),
+        );
+        Ok(())
+    });
+    let high = just(Kind::DotDot).ignored().or(colon).ignore_then(limit).boxed();
     let from_start = high.clone().map(|high| Suffix::Slice(None, high));
     let other = any.then(high.or_not()).map(|(first, high)| match high {
         Some(high) => Suffix::Slice(Some(first), high),

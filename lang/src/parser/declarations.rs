@@ -3,7 +3,9 @@
 use super::Problem;
 use super::Rule;
 use super::expressions::Expressions;
-use super::recovery::{Reader, close, expect, identifier, name, position, renamed, semicolon, when};
+use super::recovery::{
+    Reader, close, expect, identifier, name, never_renamed, position, renamed, semicolon, when,
+};
 use super::source::Source;
 use crate::ast::{
     Bind, Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Import, Mode, ParamDecl, Parameter,
@@ -138,8 +140,9 @@ fn is_component_body(source: &Source<'_>, open: usize) -> bool {
         .checked_sub(1)
         .filter(|close| source.kind(*close) == Some(Kind::CloseParen))
         .and_then(|close| source.opening(close, Kind::CloseParen));
-    let word = header.and_then(|parameters| parameters.checked_sub(2));
-    word.is_some_and(|word| source.kind(word) == Some(Kind::Component))
+    let is_component = |word: usize| source.kind(word) == Some(Kind::Component);
+    // `component Name(`, or with a former name, which is reported.
+    [2, 4].into_iter().filter_map(|before| header?.checked_sub(before)).any(is_component)
 }
 
 /// Parses `in low .. high` or `in ["a", "b"]`.
@@ -189,7 +192,7 @@ pub(super) fn component<'a>(
         }
         Ok(())
     });
-    word.ignore_then(name(source, "the component"))
+    word.ignore_then(never_renamed(source, "the component", "components"))
         .then(parameters(source, parameter(source, e, type_expression(source), false)))
         .then_ignore(block)
         .then(body)

@@ -2,7 +2,7 @@
 
 use super::declarations::{inside_another, type_expression};
 use super::expressions::Expressions;
-use super::recovery::{Reader, close, expect, name, position, renamed, semicolon, when};
+use super::recovery::{Reader, close, expect, name, never_renamed, position, renamed, semicolon, when};
 use super::source::Source;
 use super::{Problem, Rule};
 use crate::ast::{EnumChoice, EnumDecl, RecordDecl, RecordField, StmtKind, UnitDecl, UnitMeaning};
@@ -104,7 +104,7 @@ fn enumeration<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
             name.map(|name| EnumChoice { name, doc })
         });
     just(Kind::Enum)
-        .ignore_then(name(source, "the enumeration"))
+        .ignore_then(never_renamed(source, "the enumeration", "enumerations"))
         .then_ignore(expect(source, Kind::OpenBrace, "before the choices of an enumeration"))
         .then(choice.separated_by(just(Kind::Comma)).allow_trailing().collect::<Vec<_>>())
         .then_ignore(close(source, Kind::CloseBrace, "`,` or `}`"))

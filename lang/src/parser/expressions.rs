@@ -1,5 +1,6 @@
 //! Parses expressions, literals and argument lists.
 
+use super::anonymous::anonymous;
 use super::brackets::{brackets, element, items, list, values};
 use super::recovery::{
     Reader, advance_to, assigns_on_new_line, close, expect, identifier, in_value, index_of, name, position,
@@ -323,7 +324,8 @@ fn arguments<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Ar
     let parameter = identifier(source).then(bind);
     let spread = just(Kind::DotDot).ignore_then(any.clone());
     let spread = spread.map(|value| Argument { name: None, value, spread: true });
-    let plain = parameter.or_not().then(any).map(|(name, value)| Argument { name, value, spread: false });
+    let value = anonymous(source, any.clone()).or(any);
+    let plain = parameter.or_not().then(value).map(|(name, value)| Argument { name, value, spread: false });
     let argument = spread.or(plain).boxed();
     just(Kind::OpenParen)
         .ignore_then(items(source, argument))

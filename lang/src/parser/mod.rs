@@ -6,11 +6,14 @@
 //! hide others and there is always a tree. Rules are boxed, because the types of unboxed rules take
 //! minutes to compile.
 
+mod anonymous;
 mod brackets;
 pub(crate) mod chunks;
 mod declarations;
 mod definitions;
 mod expressions;
+mod foreign_loops;
+mod layout;
 mod nesting;
 mod recovery;
 mod source;

@@ -115,6 +115,38 @@ pub(super) fn renamed<'a>(
     name(source, what).then(former.or_not()).boxed()
 }
 
+/// Parses a required name; reports and skips a former name after it. `what` is the named item and
+/// `kinds` its kind in the plural.
+pub(super) fn never_renamed<'a>(
+    source: &'a Source<'a>,
+    what: &'static str,
+    kinds: &'static str,
+) -> Rule<'a, Option<Ident>> {
+    let former = custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        let is_name = |at| source.kind(at) == Some(Kind::Identifier);
+        if source.text(at) == "was" && is_name(at) && is_name(at + 1) {
+            advance_to(input, at + 2);
+            let place = source.place(at).to(source.place(at + 1));
+            let removed = Span { start: source.after(at).start, ..place };
+            let help = "functions, parameters, records and fields keep former names; remove this one";
+            input.emit(
+                Diagnostic::error(
+                    "E0881",
+                    format!("{kinds} have no former names"),
+                    place,
+                    "not allowed here",
+                )
+                .help(help)
+                .fix("remove the former name", removed, "")
+                .into(),
+            );
+        }
+        Ok(())
+    });
+    name(source, what).then_ignore(former).boxed()
+}
+
 /// Returns `true` if a token starts a line with an assignment, such as `name = ...`. If a value is
 /// missing before it, this line is a separate statement and the one above is incomplete.
 pub(super) fn assigns_on_new_line(source: &Source<'_>, at: usize) -> bool {

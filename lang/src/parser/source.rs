@@ -1,5 +1,6 @@
 //! Properties of the source file that rules need: locations, texts, documentation.
 
+use super::layout::{Layout, is_unmatched};
 use crate::ast::Ident;
 use crate::lexer::{Kind, Token};
 use crate::span::{FileId, Span};
@@ -18,16 +19,17 @@ pub(super) struct Source<'a> {
     ends_file: bool,
     /// Index of the first token of the current statement, if it starts with an expression.
     statement: Cell<usize>,
-    /// For each kind of bracket, the innermost open bracket at each token. Computed on first use.
-    openings: OnceCell<[Vec<Option<usize>>; 3]>,
+    /// For parentheses and brackets, the innermost open one at each token. Computed on first use.
+    openings: OnceCell<[Vec<Option<usize>>; 2]>,
+    /// The blocks, computed on first use.
+    layout: OnceCell<Layout>,
+    /// `true` if some `{` has no `}`; computed on first use.
+    unmatched: OnceCell<bool>,
 }
 
-/// Kinds of brackets.
-const BRACKETS: [(Kind, Kind); 3] = [
-    (Kind::OpenParen, Kind::CloseParen),
-    (Kind::OpenBracket, Kind::CloseBracket),
-    (Kind::OpenBrace, Kind::CloseBrace),
-];
+/// Kinds of brackets other than those of blocks.
+const BRACKETS: [(Kind, Kind); 2] =
+    [(Kind::OpenParen, Kind::CloseParen), (Kind::OpenBracket, Kind::CloseBracket)];
 
 impl<'a> Source<'a> {
     pub(super) fn new(
@@ -45,6 +47,8 @@ impl<'a> Source<'a> {
             ends_file,
             statement: Cell::new(usize::MAX),
             openings: OnceCell::new(),
+            layout: OnceCell::new(),
+            unmatched: OnceCell::new(),
         }
     }
 
@@ -86,6 +90,10 @@ impl<'a> Source<'a> {
         &self.text[span.start as usize..span.end as usize]
     }
 
+    pub(super) fn text_of(&self, span: Span) -> &'a str {
+        self.text.get(span.start as usize..span.end as usize).unwrap_or_default()
+    }
+
     pub(super) fn ident(&self, index: usize) -> Ident {
         Ident { name: self.text(index).to_string(), span: self.place(index) }
     }
@@ -107,6 +115,26 @@ impl<'a> Source<'a> {
     pub(super) fn begins_line(&self, index: usize) -> bool {
         let (from, to) = (self.after(index).start as usize, self.place(index).start as usize);
         self.text[from..to.max(from)].contains('\n')
+    }
+
+    /// Returns the number of blanks at the start of a token's line.
+    pub(super) fn indent(&self, index: usize) -> usize {
+        let before = &self.text[..self.place(index).start as usize];
+        let line = before.rfind('\n').map_or(0, |end| end + 1);
+        self.text[line..].chars().take_while(|c| matches!(c, ' ' | '\t')).count()
+    }
+
+    fn is_unmatched(&self) -> bool {
+        *self.unmatched.get_or_init(|| is_unmatched(self))
+    }
+
+    fn layout(&self) -> &Layout {
+        self.layout.get_or_init(|| Layout::new(self, self.is_unmatched()))
+    }
+
+    /// Returns `true` if the block of a `{` ends before a token although its `}` is missing.
+    pub(super) fn ends_block(&self, open: usize, at: usize) -> bool {
+        self.is_unmatched() && self.layout().ends_before(open, at)
     }
 
     /// Returns `true` if a token directly follows the previous one, without a blank.
@@ -159,9 +187,13 @@ impl<'a> Source<'a> {
     /// Returns the last open bracket before `index` that `close` would close; other kinds of
     /// brackets are ignored.
     pub(super) fn opening(&self, index: usize, close: Kind) -> Option<usize> {
+        let index = index.min(self.tokens.len());
+        if close == Kind::CloseBrace {
+            return self.layout().openings.get(index).copied().flatten();
+        }
         let kind = BRACKETS.iter().position(|(_, closes)| *closes == close)?;
         let openings = self.openings.get_or_init(|| BRACKETS.map(|pair| self.openings_of(pair)));
-        openings[kind].get(index.min(self.tokens.len())).copied().flatten()
+        openings[kind].get(index).copied().flatten()
     }
 
     fn openings_of(&self, (opens, closes): (Kind, Kind)) -> Vec<Option<usize>> {

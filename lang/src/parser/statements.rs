@@ -6,7 +6,7 @@ use super::recovery::{
     skip_statement, unexpected, when,
 };
 use super::source::Source;
-use super::{Extra, Input, Problem, Rule, declarations, definitions};
+use super::{Extra, Input, Problem, Rule, declarations, definitions, foreign_loops};
 use crate::ast::{BinaryOp, Bind, Expr, ExprKind, Stmt, StmtKind};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
@@ -187,28 +187,42 @@ fn ends_here(source: &Source<'_>, at: usize) -> bool {
         || source.kind(at) == Some(Kind::If)
 }
 
+/// Parses a block. If its `}` is missing, the block ends where the indentation of the lines says, or
+/// else with the file.
 fn block<'a>(source: &'a Source<'a>, statement: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
-    let end = custom(move |input: &mut Reader<'a, '_>| {
-        let at = position(input);
-        if source.kind(at) == Some(Kind::CloseBrace) {
-            input.next();
-            return Ok(());
+    custom(move |input: &mut Reader<'a, '_>| {
+        let open = position(input);
+        if source.kind(open) != Some(Kind::OpenBrace) {
+            return Err(Problem(None));
         }
-        let open =
-            source.opening(at, Kind::CloseBrace).map_or_else(|| source.after(at), |open| source.place(open));
-        input.emit(
-            Diagnostic::error("E0111", "this block is not closed", open, "opened here")
-                .label(source.after(at), "the file ends inside it")
-                .help("close it with `}`")
-                .into(),
-        );
-        Ok(())
-    });
-    just(Kind::OpenBrace)
-        .ignore_then(statement.repeated().collect())
-        .then_ignore(end)
-        .map(StmtKind::Block)
-        .boxed()
+        input.next();
+        let mut statements = Vec::new();
+        let mut at = position(input);
+        while source.kind(at).is_some_and(|kind| kind != Kind::CloseBrace) && !source.ends_block(open, at) {
+            statements.push(input.parse(&statement)?);
+            at = position(input);
+        }
+        let ends_early = source.ends_block(open, at);
+        if source.kind(at) == Some(Kind::CloseBrace) && !ends_early {
+            input.next();
+            return Ok(StmtKind::Block(statements));
+        }
+        let after = source.after(at);
+        let label = if ends_early { "`}` is expected here" } else { "the file ends inside it" };
+        // At the end of the file, the innermost of the open blocks is reported.
+        let opening = if ends_early { Some(open) } else { source.opening(at, Kind::CloseBrace) };
+        let place = source.place(opening.unwrap_or(open));
+        let problem = Diagnostic::error("E0111", "this block is not closed", place, "opened here")
+            .label(after, label)
+            .help("close it with `}`");
+        let indent = " ".repeat(source.indent(open));
+        input.emit(match ends_early {
+            true => problem.suggest("insert `}`", after, format!("\n{indent}}}")).into(),
+            false => problem.into(),
+        });
+        Ok(StmtKind::Block(statements))
+    })
+    .boxed()
 }
 
 fn conditional<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
@@ -293,7 +307,7 @@ fn each<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -
         }
         Ok(())
     });
-    when(move |at| {
+    let looped = when(move |at| {
         let name = at + 2 + usize::from(declares(at + 2));
         source.kind(at) == Some(Kind::For)
             && source.kind(at + 1) == Some(Kind::OpenParen)
@@ -307,8 +321,13 @@ fn each<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) -
     .then_ignore(just(Kind::In))
     .then(e.values.clone())
     .then_ignore(close(source, Kind::CloseParen, "`)`"))
-    .then(body)
-    .map(|((variable, values), body)| StmtKind::ForEach { variable, values, body: Box::new(body) })
+    .then(body.clone())
+    .map(|((variable, values), body)| StmtKind::ForEach { variable, values, body: Box::new(body) });
+    choice((
+        looped.boxed(),
+        foreign_loops::without_parentheses(source, e, body.clone()),
+        foreign_loops::several_names(source, e, body),
+    ))
     .boxed()
 }
 

@@ -4,6 +4,8 @@
 use super::cursor::Call;
 use super::shape::Shape;
 use calyx_lang::analysis::{CallParameter, Callable, NameKind, Visible};
+use calyx_lang::ast::Mode;
+use calyx_lang::check::HANDLE_FIELDS;
 use calyx_lang::db::Database;
 
 /// Resolves a path to a callable: `sin`, `Size`, `gears.external`.
@@ -66,10 +68,34 @@ pub fn fields(database: &Database, visible: &[Visible], shape: &Shape) -> Option
         Some(known) => fields(known),
         None => {
             // The type of a record of a module is its unqualified name.
-            let exported = database.exported(record.rsplit('.').next().unwrap_or(record));
-            exported.iter().find(|(_, known)| is_type(known)).and_then(|(_, known)| fields(known))
+            let name = record.rsplit('.').next().unwrap_or(record);
+            let exported = database.exported(name);
+            let declared = exported.iter().find(|(_, known)| is_type(known));
+            declared.and_then(|(_, known)| fields(known)).or_else(|| handle_fields(name))
         }
     }
+}
+
+/// Returns the fields of an object of the library.
+fn handle_fields(handle: &str) -> Option<Vec<CallParameter>> {
+    let own: Vec<CallParameter> = HANDLE_FIELDS
+        .iter()
+        .filter(|(known, ..)| *known == handle)
+        .map(|(_, name, doc)| CallParameter {
+            name: (*name).into(),
+            former: None,
+            mode: Mode::In,
+            symbolic: true,
+            ty: "Transform".into(),
+            dimension: None,
+            default: None,
+            range: None,
+            choices: Vec::new(),
+            doc: Some((*doc).into()),
+            declared: None,
+        })
+        .collect();
+    (!own.is_empty()).then_some(own)
 }
 
 /// Assignment of arguments to parameters.

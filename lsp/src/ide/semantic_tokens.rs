@@ -187,6 +187,7 @@ fn of_kind(kind: Kind, before: Option<Kind>) -> Option<NameMeaning> {
         Kind::DotDot
         | Kind::Assign
         | Kind::Arrow
+        | Kind::FatArrow
         | Kind::Plus
         | Kind::Minus
         | Kind::Star

@@ -131,6 +131,7 @@ rows!(expression(ExprKind) {
     ExprKind::List(_) => "`[a, b]`",
     ExprKind::Measured { exponent_span: None, .. } => "`[a, b] unit`",
     ExprKind::Measured { exponent_span: Some(_), .. } => "`[a, b] unit^n`",
+    ExprKind::Anonymous(_) => "`(name) => e`",
     ExprKind::Comprehension(parts) if parts.condition.is_none() => "`[e for name in e]`",
     ExprKind::Comprehension(_) => "`[e for name in e if e]`",
     ExprKind::If { .. } => "`if (e) e else e`",

@@ -23,6 +23,9 @@ pub(super) fn declaration(function: Standard) -> Declaration {
             ("slice_end", vec![("start", n.clone()), ("end", n.clone()), ("length", n.clone())], n)
         }
         Standard::SplineTable => ("spline_table", vec![("xs", numbers()), ("ys", numbers())], n),
+        Standard::BodyFrame => {
+            ("body_frame", vec![("body", Repr::Handle)], Repr::Symbolic(Box::new(Repr::Transform)))
+        }
         Standard::Smallest => ("smallest", vec![("values", numbers())], n),
         Standard::Largest => ("largest", vec![("values", numbers())], n),
         Standard::Sort => ("sorted", vec![("values", numbers())], numbers()),

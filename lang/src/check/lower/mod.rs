@@ -83,6 +83,9 @@ pub(super) struct Lowering<'c> {
     placed: (usize, usize, usize),
 }
 
+/// The function that returns the frame of a body.
+const BODY_FRAME: &str = "calyx_std_body_frame";
+
 /// Properties of the model that its file declares.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {
@@ -111,6 +114,10 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
     lowering.program.main = main;
     lowering.work();
     lowering.export_symbolic_functions();
+    if lowering.externs.contains_key(BODY_FRAME) {
+        // Expressions capture the frame of any body.
+        lowering.program.sites.iter_mut().for_each(|site| site.part |= site.repr == Repr::Transform);
+    }
     lowering.program.graph_params = graph_params(&lowering.program);
     if let Some(main) = lowering.program.functions.get_mut(main.0 as usize) {
         main.span = Span::new(FileId(0), 0, text);

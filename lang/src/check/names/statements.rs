@@ -23,8 +23,11 @@ impl<'a> Resolver<'a> {
             StmtKind::Param(decl) => self.param(decl, statement.doc.as_deref(), top),
             StmtKind::Output { name, value } => self.output(name, value, statement.doc.as_deref(), top),
             StmtKind::Var(decls) => self.variables(decls),
-            StmtKind::Assign { place, value, .. } => {
+            StmtKind::Assign { place, bind, value } => {
                 self.place(place);
+                if let ExprKind::Name(name) = &place.kind {
+                    self.undeclared(name, *bind);
+                }
                 self.expr(value);
             }
             StmtKind::Update { place, value, .. } => {
@@ -80,6 +83,24 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// Offers the declaration of a name that is assigned without one, and declares it, so that its
+    /// uses cause no further errors.
+    fn undeclared(&mut self, name: &Ident, bind: Bind) {
+        if self.names.uses.get(&name.span) != Some(&Resolution::Unknown) {
+            return;
+        }
+        // A name that is similar to another one is more likely misspelt.
+        let is_own = |problem: &&mut Diagnostic| problem.primary.span == name.span && problem.fix.is_none();
+        let Some(problem) = self.names.diagnostics.last_mut().filter(is_own) else { return };
+        let sign = if bind == Bind::Symbolic { ":=" } else { "=" };
+        problem.help = Some(format!("declare it: `var {} {sign} ...;`", name.name));
+        let before = Span { end: name.span.start, ..name.span };
+        *problem = problem.clone().suggest(format!("declare `{}`", name.name), before, "var ");
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.names.entry(name.name.clone()).or_insert((Resolution::Unknown, name.span));
+        }
+    }
+
     fn record(&mut self, decl: &'a RecordDecl) {
         let mut seen = HashSet::new();
         for field in &decl.fields {
@@ -132,7 +153,27 @@ impl<'a> Resolver<'a> {
                 self.expr(value);
             }
             let symbolic = matches!(decl.init, Some((Bind::Symbolic, _)));
-            self.variable(&decl.name, if symbolic { VarKind::Symbolic } else { VarKind::Value });
+            let id = self.variable(&decl.name, if symbolic { VarKind::Symbolic } else { VarKind::Value });
+            // An instance adds params and outputs to the model, also if no expression uses it.
+            if decl.init.as_ref().is_some_and(|(_, value)| self.makes_instance(value)) {
+                self.names.variables[id.0 as usize].reads = 1;
+            }
+        }
+    }
+
+    fn makes_instance(&self, value: &Expr) -> bool {
+        match &value.kind {
+            ExprKind::Call { callee, .. } => {
+                let (ExprKind::Name(name) | ExprKind::Field { field: name, .. }) = &callee.kind else {
+                    return false;
+                };
+                matches!(self.names.uses.get(&name.span), Some(Resolution::Function(id))
+                    if self.names.functions[id.0 as usize].is_component())
+            }
+            ExprKind::Paren(inner) => self.makes_instance(inner),
+            ExprKind::List(elements) => elements.iter().any(|element| self.makes_instance(element)),
+            ExprKind::Comprehension(parts) => self.makes_instance(&parts.element),
+            _ => false,
         }
     }
 

@@ -177,6 +177,14 @@ impl<'a> Resolver<'a> {
                 self.expr(at);
             }
             ExprKind::Paren(inner) | ExprKind::IsNone(inner) => self.expr(inner),
+            ExprKind::Anonymous(decl) => {
+                let around = self.scopes.len();
+                // The name cannot be written, so no scope contains it.
+                let mut names = HashMap::new();
+                self.declare_function(decl, &mut names, "");
+                self.function(decl);
+                debug_assert_eq!(around, self.scopes.len());
+            }
             // The body of a symbolic function, which shares its block with the parameters.
             ExprKind::Block(body) => self.body(body),
         }
