@@ -269,8 +269,13 @@ impl<'a> Checker<'a> {
             return self.push(arguments, e.span);
         }
         let value = self.expr(e);
+        // Arguments that defaults use are stored before the call.
+        let mut result = &value;
+        while let Kind::Sequence(_, last) = &result.kind {
+            result = last;
+        }
         let call = matches!(
-            value.kind,
+            result.kind,
             Kind::Call(_) | Kind::CallExtern(..) | Kind::Print(..) | Kind::Assert(..) | Kind::Error
         );
         if !call {
