@@ -17,9 +17,33 @@ pub struct LibraryModule {
 pub const PRELUDE: LibraryModule =
     LibraryModule { path: "std", file: "<library>/prelude.cx", text: include_str!("../calyx/prelude.cx") };
 
+/// Declares library modules by their import paths, which are the names of their files.
+macro_rules! modules {
+    ($($name:literal),* $(,)?) => {
+        &[$(LibraryModule {
+            path: $name,
+            file: concat!("<library>/", $name, ".cx"),
+            text: include_str!(concat!("../calyx/", $name, ".cx")),
+        }),*]
+    };
+}
+
 /// Modules for import.
-pub const MODULES: &[LibraryModule] =
-    &[LibraryModule { path: "gears", file: "<library>/gears.cx", text: include_str!("../calyx/gears.cx") }];
+pub const MODULES: &[LibraryModule] = modules![
+    "gears",
+    "iso21771",
+    "iso1328",
+    "iso6336",
+    "iso6336_1",
+    "iso6336_2",
+    "iso6336_3",
+    "iso6336_5",
+    "iso6336_6",
+    "scuffing",
+    "micropitting",
+    "agma908",
+    "agma2101",
+];
 
 /// Tables of the functions that programs may call: those of the library, and those of the language
 /// itself.

@@ -7,6 +7,7 @@ mod examples;
 mod former_names;
 mod language;
 mod library;
+mod ratings;
 mod reference;
 mod report;
 mod rust_scene;

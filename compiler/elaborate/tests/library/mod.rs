@@ -1,7 +1,9 @@
 //! The declared functions of the library, and models that call one of them.
 
 use calyx_gears::library::{MODULES, PRELUDE};
-use calyx_lang::ast::{Domain, FunctionDecl, Mode, Parameter, StmtKind, TypeExpr, TypeKind};
+use calyx_lang::ast::{
+    Domain, FunctionBody, FunctionDecl, Mode, Parameter, Stmt, StmtKind, TypeExpr, TypeKind,
+};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::parser::parse;
 use calyx_lang::span::{FileId, Span};
@@ -46,12 +48,22 @@ const ANY_DIMENSION: [(&str, &str); 4] =
 /// Functions that read tables from files.
 const OF_FILES: [&str; 2] = ["read_table", "column"];
 
-/// Returns every function that programs may call.
+/// Returns true if the engine provides the function.
+fn is_extern(statement: &Stmt) -> bool {
+    matches!(&statement.kind, StmtKind::Function(decl) if matches!(decl.body, FunctionBody::Extern { .. }))
+}
+
+/// Returns every function of the modules whose functions the engine provides, or that call those.
+/// The functions of other modules are formulas in Calyx: they neither change the scene nor request
+/// memory in proportion to an argument.
 pub fn functions() -> Vec<Function> {
     let mut all = Vec::new();
     for module in [&PRELUDE].into_iter().chain(MODULES) {
         let (tree, problems) = parse(FileId(0), module.text);
         assert!(problems.is_empty(), "{problems:?}");
+        if !tree.statements.iter().any(is_extern) {
+            continue;
+        }
         for statement in tree.statements.iter().filter(|statement| !statement.private) {
             let StmtKind::Function(decl) = &statement.kind else { continue };
             let name = decl.name.name.clone();
