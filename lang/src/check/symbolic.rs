@@ -352,12 +352,7 @@ impl<'a> Checker<'a> {
             {
                 return self.chosen_observable(*condition, *a, *b, span, to);
             }
-            Kind::If(condition, a, b) => {
-                let (condition, chosen) = self.branch_condition(condition, [&a, &b], to);
-                let condition = self.split_box(condition, to);
-                let a = self.split_branch(a, chosen.as_ref(), true, to);
-                Kind::If(condition, a, self.split_branch(b, chosen.as_ref(), false, to))
-            }
+            Kind::If(condition, a, b) => self.split_choice(condition, a, b, to),
             Kind::Derivative(inner, sym) => {
                 Kind::Derivative(self.differentiated(inner, &[sym], to, span), sym)
             }
@@ -471,6 +466,13 @@ impl<'a> Checker<'a> {
         let inner = std::mem::replace(&mut *e, Expr::error(Span::default()));
         *e = self.split(inner, to);
         e
+    }
+
+    fn split_choice(&mut self, condition: Box<Expr>, a: Box<Expr>, b: Box<Expr>, to: &mut Builder) -> Kind {
+        let (condition, chosen) = self.branch_condition(condition, [&a, &b], to);
+        let condition = self.split_box(condition, to);
+        let a = self.split_branch(a, chosen.as_ref(), true, to);
+        Kind::If(condition, a, self.split_branch(b, chosen.as_ref(), false, to))
     }
 
     fn split_branch(
