@@ -43,8 +43,12 @@ impl Layout {
     pub(super) fn new(source: &Source<'_>, unmatched: bool) -> Self {
         let mut layout = Layout { openings: vec![None], ends: HashMap::new() };
         let mut stack: Vec<OpenBlock> = Vec::new();
+        // The first token of the line of each token.
+        let mut lines: Vec<usize> = Vec::new();
         for at in 0..source.len() {
             if unmatched {
+                let first = lines.last().copied().filter(|_| !source.begins_line(at));
+                lines.push(first.unwrap_or(at));
                 layout.end_blocks(source, at, &mut stack);
                 // The innermost block around this token.
                 if let Some(around) = layout.openings.last_mut() {
@@ -53,7 +57,7 @@ impl Layout {
             }
             match source.kind(at) {
                 Some(Kind::OpenBrace) => {
-                    let indent = if unmatched { statement_indent(source, at) } else { 0 };
+                    let indent = if unmatched { statement_indent(source, at, &lines) } else { 0 };
                     let is_indented =
                         unmatched && source.begins_line(at + 1) && source.indent(at + 1) > indent;
                     stack.push(OpenBlock { open: at, indent, is_indented });
@@ -99,16 +103,11 @@ impl Layout {
 }
 
 /// Returns the indentation of the line on which the statement of a `{` begins: its head may extend
-/// over several lines in parentheses.
-fn statement_indent(source: &Source<'_>, open: usize) -> usize {
-    let mut at = open;
-    loop {
-        while at > 0 && !source.begins_line(at) {
-            at -= 1;
-        }
-        match source.opening(at, Kind::CloseParen) {
-            Some(before) if before < at => at = before,
-            _ => return source.indent(at),
-        }
+/// over several lines in parentheses. `lines` has the first token of the line of each token.
+fn statement_indent(source: &Source<'_>, open: usize, lines: &[usize]) -> usize {
+    let mut first = lines[open];
+    while let Some(before) = source.opening(first, Kind::CloseParen).filter(|before| *before < first) {
+        first = lines[before];
     }
+    source.indent(first)
 }
