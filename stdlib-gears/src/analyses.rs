@@ -29,7 +29,7 @@ pub(crate) struct Arguments<'a> {
 type Create = fn(&ModelHost, Arguments<'_>) -> Result<Arc<dyn Analysis>, RuntimeError>;
 
 /// Analyses by the `method` of `analyze`, which `prelude.cx` declares with the same choices.
-const ANALYSES: [(&str, Create); 2] = [("quasi_static", quasi_static), ("dynamic", dynamic)];
+const ANALYSES: &[(&str, Create)] = &[("quasi_static", quasi_static), ("dynamic", dynamic)];
 
 /// Returns the names of all analyses.
 pub fn names() -> impl Iterator<Item = &'static str> {

@@ -66,7 +66,8 @@
 //!         .free_in(&[Component::ThetaZ])
 //!         .loaded(Wrench::of_moment([0.0, 0.0, torque])),
 //! )?;
-//! let motion = SteadyRotation { origin: [3.0 * INCH, 0.0], start: 0.0, speed: -speed * 20.0 / 40.0 };
+//! let (origin, speed) = ([3.0 * INCH, 0.0], -speed * 20.0 / 40.0);
+//! let motion = SteadyRotation { origin, start: 0.0, speed };
 //! let wheel = add_body(&mut scene, Body::new("wheel", wheel, motion))?;
 //! let meshed = mesh(&mut scene, pinion, wheel, &MeshOptions::default())?;
 //! assert!((meshed.geometry.contact_ratio - 1.6).abs() < 0.2);
