@@ -474,6 +474,7 @@ fn params_and_symbolic_values() {
         unit: DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 8] },
         integral: false,
         span: Span::default(),
+        given: None,
     };
     program.params = vec![param("first"), param("second")];
     let start = Start { params: vec![8.0, 4.0], ..Start::default() };

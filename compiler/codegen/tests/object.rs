@@ -81,6 +81,7 @@ fn model() -> Program {
         unit: DisplayUnit { name: String::new(), factor: 1.0, dimension: [(0, 1); 8] },
         integral: false,
         span: Span::default(),
+        given: None,
     };
     Program { functions: vec![main, sum], params: vec![param], ..Program::default() }
 }
