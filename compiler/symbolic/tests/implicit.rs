@@ -165,7 +165,7 @@ fn a_maximum_is_not_taken_for_a_minimum() {
     assert_close(evaluate(&g, &[minimum], &[-1.5])[0], -std::f64::consts::FRAC_PI_2, 1e-15, "minimum");
     assert!(evaluate(&g, &[minimum], &[1.5])[0].is_nan());
     let found = g.first_nan(&[minimum], &[1.5]).unwrap();
-    assert_eq!(found.search, Some(calyx_abi::newton::Search::Minimum));
+    assert_eq!(found.search.unwrap().search, calyx_abi::newton::Search::Minimum);
     // The root of the same derivative is another system.
     let cosine = g.cos(x);
     let root = g.solve(&UNKNOWNS[..1], &[cosine], &[s]).unwrap()[0];
