@@ -190,7 +190,9 @@ fn extreme_arguments_are_refused_or_work() {
     let mut random = Random(0x5EED_CA11);
     let calls: Vec<(String, bool)> = (0..rounds.map_or(FEW_CALLS, |rounds| CALLS * rounds))
         .flat_map(|call| functions.iter().map(move |function| (call, function)))
-        .map(|(call, function)| (crate::library::model(function, &function.extreme(&mut random)), call % 4 == 0))
+        .map(|(call, function)| {
+            (crate::library::model(function, &function.extreme(&mut random)), call % 4 == 0)
+        })
         .collect();
     let next = AtomicUsize::new(0);
     let tally = Mutex::new(Tally::default());

@@ -76,6 +76,7 @@ fn program(expr: SymExpr, captures: Vec<(Repr, bool)>, order: u8) -> Program {
         unit,
         integral: false,
         span: Span::default(),
+        given: None,
     };
     let captures = captures
         .into_iter()
