@@ -5,6 +5,7 @@ mod architecture;
 mod docs;
 mod examples;
 mod former_names;
+mod gear_data;
 mod language;
 mod library;
 mod ratings;

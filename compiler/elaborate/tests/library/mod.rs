@@ -1,6 +1,6 @@
 //! The declared functions of the library, and models that call one of them.
 
-use calyx_gears::library::{MODULES, PRELUDE};
+use calyx_gears::library::{LibraryModule, MODULES, PRELUDE};
 use calyx_lang::ast::{Domain, FunctionDecl, Mode, Parameter, StmtKind, TypeExpr, TypeKind};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::parser::parse;
@@ -81,17 +81,17 @@ pub fn functions() -> Vec<Function> {
                 "std" => name.clone(),
                 path => format!("{path}.{name}"),
             };
-            all.push(function(decl, name, path, module.text));
+            all.push(function(decl, name, path, module));
         }
     }
     assert!(all.len() > 80, "only {} functions", all.len());
     all
 }
 
-fn function(decl: &FunctionDecl, name: String, path: String, text: &str) -> Function {
+fn function(decl: &FunctionDecl, name: String, path: String, module: &LibraryModule) -> Function {
     let parameters = decl.parameters.iter().filter(|parameter| parameter.mode == Mode::In);
-    let parameters = parameters.map(|parameter| argument(&name, parameter, text)).collect();
-    let result = decl.result.as_ref().map_or("", |ty| slice(text, ty.span));
+    let parameters = parameters.map(|parameter| argument(&name, parameter, module)).collect();
+    let result = decl.result.as_ref().map_or("", |ty| slice(module.text, ty.span));
     let former = decl.former.as_ref().map(|former| former.name.clone());
     Function { is_observable: result.starts_with("Observable"), path, parameters, name, former }
 }
@@ -100,11 +100,20 @@ fn slice(text: &str, span: Span) -> &str {
     text.get(span.start as usize..span.end as usize).unwrap_or_default()
 }
 
-fn argument(function: &str, parameter: &Parameter, text: &str) -> Argument {
+/// Returns a default of a module as a model writes it: records and choices have the module's name.
+fn qualified(value: &str, module: &LibraryModule) -> String {
+    let word = value.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+    let is_type = word.starts_with(char::is_uppercase) && word.len() < value.len();
+    if is_type { format!("{}.{value}", module.path) } else { value.to_owned() }
+}
+
+fn argument(function: &str, parameter: &Parameter, module: &LibraryModule) -> Argument {
+    let text = module.text;
     let name = parameter.name.name.clone();
     let former = parameter.former.as_ref().map(|former| former.name.clone());
     let default = parameter.default.as_ref().and_then(|(_, value)| value.as_ref());
     let default = default.map(|value| slice(text, value.span).replace("ground()", "gears.ground()"));
+    let default = default.map(|value| qualified(&value, module));
     let (mut low, mut high, mut choices) = (None, None, Vec::new());
     match &parameter.domain {
         Some(Domain::Range { low: first, high: last, .. }) => {
@@ -128,7 +137,11 @@ fn argument(function: &str, parameter: &Parameter, text: &str) -> Argument {
     let known = SAMPLES.iter().find(|(of, sampled, _)| *of == function && *sampled == name);
     let sample = match known {
         Some((_, _, value)) => Some((*value).to_owned()),
-        None => default.clone().or_else(|| choices.first().cloned()).or_else(|| sample_of(&ty)),
+        None => default
+            .clone()
+            .or_else(|| choices.first().cloned())
+            .or_else(|| sample_of(&ty))
+            .or_else(|| sample_of_gear_data(&name)),
     };
     Argument { sample, name, former, default, low, high, choices, ty, is_number }
 }
@@ -161,7 +174,34 @@ fn sample_of(ty: &str) -> Option<String> {
         "LumpedMember" => "member",
         "Array(TimeRange)" => "[gears.time_range(1 ms, step = 0.1 ms)]",
         "Symbolic(Transform)" => "Translate(1 mm * e1)",
+        "BasicRack" => "iso21771.BasicRack()",
+        "GearData" => "gear_data",
+        "PairData" => "pair_data",
+        "PinionCutter" => "iso21771.PinionCutter(20, 68 mm)",
+        "Limit" => "\"upper\"",
+        "Extreme" => "\"maximum\"",
+        "Member" => "\"second\"",
+        "PathPoint" => "\"B\"",
         "String" => "\"x\"",
+        _ => return None,
+    };
+    Some(known.into())
+}
+
+/// Returns a value of a parameter of `iso21771` in [`SCENE`], which has the same meaning in every
+/// function.
+fn sample_of_gear_data(parameter: &str) -> Option<String> {
+    let known = match parameter {
+        "angle" => "20 deg",
+        "value" => "0.01 rad",
+        "diameter" => "74 mm",
+        "radius" => "10 mm",
+        "thickness" => "5 mm",
+        "ball" | "pin" => "5.5 mm",
+        "center_distance" => "72 mm",
+        "face_width" => "30 mm",
+        "measured" => "80 mm",
+        "teeth" => "24",
         _ => return None,
     };
     Some(known.into())
@@ -271,6 +311,7 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("lumped_planetary", "sun_pressure_angle", "20 deg"),
     ("lumped_planetary", "ring_pressure_angle", "20 deg"),
     ("mode_energy", "mode", "0"),
+    ("gear_data", "normal_module", "3 mm"),
 ];
 
 /// Functions that need a planetary set, a splined rim or a dynamic analysis; [`SCENE`] has none of
@@ -288,6 +329,7 @@ pub const NOT_IN_SCENE: [&str; 7] = [
 /// A pair of spur gears on their frames, and one object of every other kind.
 const SCENE: &str = r#"
 import gears;
+import iso21771;
 function same(in x) { return x; }
 var rack = gears.rack(module = 2 mm, tip_radius = 0.5 mm);
 var shaper = gears.shaper(teeth = 20, module = 2 mm, tip_radius = 0.2 mm);
@@ -298,6 +340,8 @@ var pinion_gear = gears.external(teeth = 20, rack = rack, face_width = 10 mm, ou
     root_diameter = 35 mm, material = steel, rim = rim, tooth_thickness = 3.1 mm);
 var ring_gear = gears.internal(teeth = 60, shaper = shaper, face_width = 10 mm, minor_diameter = 116.4 mm,
     root_diameter = 125 mm, material = steel, rim = outer_rim, tooth_thickness = 3.1 mm);
+var gear_data = iso21771.gear_data(24, 30 mm, normal_module = 3 mm);
+var pair_data = iso21771.pair_data(gear_data, gear_data);
 var speed = 1000 rpm;
 var member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm, 1e8 N/m);
 var planet_member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm);
