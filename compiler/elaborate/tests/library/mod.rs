@@ -188,8 +188,7 @@ fn sample_of(ty: &str) -> Option<String> {
     Some(known.into())
 }
 
-/// Returns a value of a parameter of `iso21771` in [`SCENE`], which has the same meaning in every
-/// function.
+/// Returns a value of a parameter of `iso21771`, which has the same meaning in every function.
 fn sample_of_gear_data(parameter: &str) -> Option<String> {
     let known = match parameter {
         "angle" => "20 deg",
@@ -329,7 +328,6 @@ pub const NOT_IN_SCENE: [&str; 7] = [
 /// A pair of spur gears on their frames, and one object of every other kind.
 const SCENE: &str = r#"
 import gears;
-import iso21771;
 function same(in x) { return x; }
 var rack = gears.rack(module = 2 mm, tip_radius = 0.5 mm);
 var shaper = gears.shaper(teeth = 20, module = 2 mm, tip_radius = 0.2 mm);
@@ -340,12 +338,18 @@ var pinion_gear = gears.external(teeth = 20, rack = rack, face_width = 10 mm, ou
     root_diameter = 35 mm, material = steel, rim = rim, tooth_thickness = 3.1 mm);
 var ring_gear = gears.internal(teeth = 60, shaper = shaper, face_width = 10 mm, minor_diameter = 116.4 mm,
     root_diameter = 125 mm, material = steel, rim = outer_rim, tooth_thickness = 3.1 mm);
-var gear_data = iso21771.gear_data(24, 30 mm, normal_module = 3 mm);
-var pair_data = iso21771.pair_data(gear_data, gear_data);
 var speed = 1000 rpm;
 var member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm, 1e8 N/m);
 var planet_member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm);
 var modes = gears.lumped_planetary(member, member, member, planet_member, 1e8 N/m, 1e8 N/m, 1e8 N/m, 20 deg, 20 deg);
+"#;
+
+/// The scene of functions of `iso21771`, which need no bodies.
+const GEAR_DATA: &str = r#"
+import iso21771;
+function same(in x) { return x; }
+var gear_data = iso21771.gear_data(24, 30 mm, normal_module = 3 mm);
+var pair_data = iso21771.pair_data(gear_data, gear_data);
 "#;
 
 const PAIR: &str = r#"
@@ -366,6 +370,9 @@ var planet_like = gears.body("fourth", pinion_gear, frame := Rotate(-speed * Tim
 /// Returns a model with one call.
 pub fn model(function: &Function, arguments: &[String]) -> String {
     let call = format!("{}({}) {MARK};", function.path, arguments.join(", "));
+    if function.path.starts_with("iso21771.") {
+        return format!("{GEAR_DATA}{call}\n");
+    }
     let mut text = SCENE.to_owned();
     if function.name != "planetary" {
         text += PAIR;
