@@ -398,8 +398,8 @@ pub enum ExprKind {
         at: Box<Expr>,
     },
     Paren(Box<Expr>),
-    /// `(x, y) => e`, an anonymous symbolic function; only arguments are such functions. Its name is
-    /// this text without the expression, at the arrow.
+    /// `(x, y) => e`, an anonymous symbolic function; only arguments are such functions. Its name
+    /// is this text without the expression, at the arrow.
     Anonymous(Box<FunctionDecl>),
     /// The body `{ var a = ...; return ...; }` of a symbolic function: a [`StmtKind::Block`]. It
     /// occurs nowhere else.

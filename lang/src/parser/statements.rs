@@ -187,8 +187,8 @@ fn ends_here(source: &Source<'_>, at: usize) -> bool {
         || source.kind(at) == Some(Kind::If)
 }
 
-/// Parses a block. If its `}` is missing, the block ends where the indentation of the lines says, or
-/// else with the file.
+/// Parses a block. If its `}` is missing, the block ends where the indentation of the lines says,
+/// or else with the file.
 fn block<'a>(source: &'a Source<'a>, statement: Rule<'a, Stmt>) -> Rule<'a, StmtKind> {
     custom(move |input: &mut Reader<'a, '_>| {
         let open = position(input);
