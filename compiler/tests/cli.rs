@@ -32,6 +32,25 @@ fn edited(edits: &[&str]) -> String {
     })
 }
 
+/// `calyx run MODEL.cx 2>&1 | head -1` neither panics nor ends the run.
+#[test]
+fn closed_pipes_do_not_end_a_command() {
+    let directory = tempfile::tempdir().expect("a temporary folder");
+    std::fs::write(directory.path().join("m.cx"), "for (i in 0 .. 20000) print(i);\n").expect("a file");
+    for arguments in [&["run", "m.cx"][..], &["explain"], &["dump", "m.cx", "--stage", "tree"]] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_calyx"))
+            .args(arguments)
+            .current_dir(directory.path())
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command");
+        drop((child.stdout.take(), child.stderr.take()));
+        assert_eq!(child.wait().expect("the command ends").code(), Some(0), "{arguments:?}");
+    }
+}
+
 fn calyx(directory: &Path, arguments: &[String]) -> Output {
     calyx_reads(directory, arguments, &[], "")
 }

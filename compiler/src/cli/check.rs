@@ -4,6 +4,7 @@ use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat};
 use calyx::elaborate::{Cancel, Extent, check_ranges};
 use calyx::fix::{Applied, fix_file};
+use calyx::rt::console::eprintln;
 use calyx::{Checked, check_file_allowing};
 use calyx_lang::diagnostic::Severity;
 use clap::Args;

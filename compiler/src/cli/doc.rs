@@ -3,6 +3,7 @@
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::doc::{DocError, library, page, write};
+use calyx::rt::console::eprintln;
 use clap::Args;
 use std::path::PathBuf;
 use std::process::ExitCode;

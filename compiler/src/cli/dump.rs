@@ -4,6 +4,7 @@ use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::check_file_allowing;
 use calyx::dump::{Format, ProgramStage, TextStage, names, of_program, of_text, types};
+use calyx::rt::console::print;
 use calyx_abi::visible::visible;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;

@@ -1,6 +1,7 @@
 //! `calyx eval`: evaluates one expression.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::console::println;
 use calyx::session::Session;
 use clap::Args;
 use std::path::PathBuf;

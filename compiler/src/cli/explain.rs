@@ -4,6 +4,7 @@ use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::explain::{all, page, similar_codes};
 use calyx::rt::ParamAssignment;
+use calyx::rt::console::{print, println};
 use calyx::rt::options::rates_file;
 use calyx::rt::settings_override::OverrideArguments;
 use calyx::{Checked, check_run_within};

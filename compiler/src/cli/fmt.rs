@@ -2,6 +2,7 @@
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::replace::replace;
+use calyx::rt::console::{eprintln, print, println};
 use calyx_lang::format::{FormatError, format};
 use calyx_lang::ir::SourceFile;
 use clap::Args;

@@ -1,5 +1,6 @@
 //! `calyx lsp`: the language server, for editors.
 
+use calyx::rt::console::eprintln;
 use calyx_gears::library::{LibraryModule, MODULES, PRELUDE};
 use calyx_lsp::server::library::{Library, LibraryFile, cache_folder};
 use calyx_lsp::server::log::Level;

@@ -1,5 +1,8 @@
 //! The `calyx` command, with one module per subcommand.
 
+// The macros of the standard library panic if a pipe is closed; those of `rt::console` do not.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod allow;
 mod build;
 mod bundled;

@@ -1,6 +1,7 @@
 //! Messages of the command: text for users, or one JSON object per line for programs. Both go to
 //! standard error, so that standard output contains only what the model prints.
 
+use calyx::rt::console::{eprint, eprintln};
 use calyx::rt::{InvalidParam, messages};
 use calyx::{Checked, render};
 use calyx_abi::visible::visible;

@@ -1,6 +1,7 @@
 //! `calyx new`: creates a model from a template.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::console::eprintln;
 use calyx::rt::shell;
 use clap::{Args, ValueEnum};
 use std::fs::{self, OpenOptions};

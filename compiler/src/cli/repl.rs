@@ -2,6 +2,7 @@
 
 use crate::eval::session;
 use crate::messages::{MODEL_ERROR, MessageFormat};
+use calyx::rt::console::{eprintln, print, println};
 use calyx::session::{Answer, Session};
 use clap::Args;
 use rustyline::error::ReadlineError;

@@ -1,6 +1,7 @@
 //! `calyx report`: regenerates the report of a run from its directory.
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::console::println;
 use calyx::rt::directory::default_directory;
 use calyx::rt::page;
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};

@@ -5,6 +5,7 @@ use crate::compile::{checked, compile};
 use crate::messages::{MessageFormat, USAGE};
 use calyx::rt::InvalidParam;
 use calyx::rt::command::{Messages, RunCommand, refused_by_check};
+use calyx::rt::console::println;
 use calyx::rt::directory::default_directory;
 use calyx::rt::options::RunArguments;
 use calyx::rt::schema::schema;

@@ -2,6 +2,7 @@
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::rt::console::println;
 use calyx::testing::{Outcome, Tested, files_with_tests, test_file};
 use calyx_lang::render::to_json;
 use clap::Args;

@@ -6,6 +6,7 @@ use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::elaborate::Planned;
 use calyx::rt::campaign::{Campaign, Outcome};
+use calyx::rt::console::{print, println};
 use calyx::rt::options::given_of;
 use calyx::rt::progress::{CampaignProgress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
@@ -362,7 +363,7 @@ impl Tradeoff {
             return ExitCode::SUCCESS;
         }
         print!("{}", table(comparison));
-        println!();
+        println!("");
         print!("{}", recommendations(comparison));
         print!("{}", omitted(left));
         if !self.quiet {

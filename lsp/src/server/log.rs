@@ -1,6 +1,7 @@
 //! Log of the server: standard error, and the log of the client.
 
 use std::fmt;
+use std::io::{self, Write};
 use std::str::FromStr;
 use tokio::runtime::Handle;
 use tower_lsp_server::Client;
@@ -67,7 +68,7 @@ impl Log {
         if level > self.level {
             return;
         }
-        eprintln!("calyx lsp: {level}: {message}");
+        let _ = writeln!(io::stderr(), "calyx lsp: {level}: {message}");
         let (client, message) = (self.client.clone(), message.to_owned());
         self.runtime.spawn(async move { client.log_message(kind, message).await });
     }

@@ -8,6 +8,7 @@ use crate::heap::{Heap, Kernel};
 use crate::host::Resolved;
 use crate::limits::Limits;
 use std::any::Any;
+use std::io::{self, Write};
 use std::mem::offset_of;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -106,7 +107,7 @@ impl Context {
             kernels: Vec::new(),
             host_functions: Resolved::default(),
             host,
-            print: Box::new(|line| println!("{line}")),
+            print: Box::new(|line| drop(writeln!(io::stdout(), "{line}"))),
             fuel: u64::MAX,
             cancel: Cancel::default(),
             limits: Limits::default(),

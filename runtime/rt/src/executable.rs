@@ -3,6 +3,7 @@
 
 use crate::adapted::AdaptedProgram;
 use crate::command::{MODEL_ERROR, Messages, RunCommand, USAGE, print_json};
+use crate::console::{eprint, eprintln};
 use crate::former_options;
 use crate::help;
 use crate::linked::LinkedProgram;

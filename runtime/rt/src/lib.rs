@@ -5,6 +5,9 @@
 //! The same code serves programs that embed models ([`Instance`]), `calyx run`, which compiles in
 //! memory, and executables linked from object files.
 
+// The macros of the standard library panic if a pipe is closed; those of `console` do not.
+#![cfg_attr(not(test), deny(clippy::print_stdout, clippy::print_stderr))]
+
 pub mod adapted;
 pub mod budget;
 pub mod c_api;
@@ -12,6 +15,7 @@ pub mod c_api;
 pub mod campaign;
 #[cfg(feature = "command")]
 pub mod command;
+pub mod console;
 pub mod engine;
 pub mod error;
 #[cfg(feature = "command")]

@@ -1,5 +1,6 @@
 //! Progress with the remaining time: a bar on a terminal, or one JSON object per line for programs.
 
+use crate::console::{eprintln, println};
 use calyx_runtime::tolerance::SearchProgress;
 use clap::ValueEnum;
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
