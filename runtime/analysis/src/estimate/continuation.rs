@@ -2,6 +2,7 @@
 //!
 //! Let `L(t)` and `R(t)`, `0 <= t <= 1`, continue a time history into an interval from its left and
 //! from its right end, each through positions on its own side alone. The model of the interval is
+//! (Harten 1989, subcell resolution)
 //!
 //! ```text
 //! f(t) = L(t) for t < s,   f(t) = R(t) for t > s,
@@ -24,6 +25,9 @@
 //! The estimates are expectations over `s`: of the largest value, `max(max L over t <= s, max R
 //! over t >= s)`, and of the integral. No constant is chosen.
 //!
+//! Each side is continued in two ways ([`Bend`]), because the third position may lie behind a kink
+//! or a jump of its own. The estimates are the averages of both.
+//!
 //! Two limits show why that is local. If one side is constant and the other leads to the same
 //! value, as at the end of a plateau, `D` vanishes there and the largest value is that of the
 //! plateau. If a history rises to a position by `d` in an interval and falls behind it by a slope
@@ -32,11 +36,53 @@
 
 /// Parts of an interval in which the continuations are taken as linear.
 const PARTS: usize = 16;
-/// Fraction of the largest distance of the two continuations that counts as zero.
+/// Fraction of the largest distance of the two continuations that counts as zero, and of the values
+/// for the deviation from a line.
 const NEGLIGIBLE: f64 = 1e-12;
 
 /// A point of a time history: position and value.
 pub(super) type Point = (f64, f64);
+
+/// How a continuation departs from the line through the two nearest points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bend {
+    /// Follows the parabola through three points, but neither rises nor falls faster than the line.
+    /// If the third point lies behind a kink, the parabola bends away without bound, while the line
+    /// does not. Too flat where the history accelerates towards the interval.
+    Limited,
+    /// Uses the smallest second difference of the stencils: a stencil across a kink or a jump has a
+    /// large one (Harten, Engquist, Osher and Chakravarthy 1987, essentially non-oscillatory
+    /// interpolation). Too steep where the history accelerated only up to its last point.
+    Smoothest,
+}
+
+impl Bend {
+    pub const ALL: [Bend; 2] = [Bend::Limited, Bend::Smoothest];
+}
+
+/// Points on one side of an interval, nearest first.
+#[derive(Clone, Debug)]
+pub(super) struct Side {
+    /// Up to three points; those behind the first one are of the other side if this side has only
+    /// one.
+    pub points: Vec<Point>,
+    /// Stencils of this side alone.
+    pub stencils: Vec<[Point; 3]>,
+}
+
+impl Side {
+    fn at(&self, x: f64, bend: Bend) -> f64 {
+        let parabola = lagrange(&self.points, x);
+        let [nearest, next, ..] = self.points[..] else { return parabola };
+        let line = lagrange(&[nearest, next], x);
+        let differences = self.stencils.iter().map(second_difference);
+        let smallest = differences.min_by(|one, other| one.abs().total_cmp(&other.abs()));
+        match bend {
+            Bend::Limited => nearest.1 + common_to(line - nearest.1, parabola - nearest.1),
+            Bend::Smoothest => smallest.map_or(parabola, |bent| line + bent * (x - nearest.0) * (x - next.0)),
+        }
+    }
+}
 
 /// Both continuations at the ends of all parts of an interval.
 #[derive(Clone, Debug)]
@@ -55,25 +101,10 @@ pub(super) struct Largest {
 }
 
 impl Continuations {
-    /// Continues a time history between two positions, from the points on either side, nearest
-    /// first.
-    ///
-    /// A parabola neither rises nor falls faster than the line through the two nearest points. If
-    /// the third point lies behind a kink or a jump, the parabola bends away without bound, while
-    /// the line does not.
-    pub fn new(points: &[Vec<Point>; 2], [from, to]: [f64; 2]) -> Continuations {
-        let at = |points: &[Point], part: usize| {
-            let x = from + part as f64 / PARTS as f64 * (to - from);
-            let parabola = lagrange(points, x);
-            match points {
-                [nearest, next, _] => {
-                    let line = lagrange(&[*nearest, *next], x);
-                    nearest.1 + common_to(line - nearest.1, parabola - nearest.1)
-                }
-                _ => parabola,
-            }
-        };
-        let [left, right] = [0, 1].map(|side: usize| std::array::from_fn(|part| at(&points[side], part)));
+    /// Continues a time history between two positions from both sides.
+    pub fn new(sides: &[Side; 2], [from, to]: [f64; 2], bend: Bend) -> Continuations {
+        let at = |side: &Side, part: usize| side.at(from + part as f64 / PARTS as f64 * (to - from), bend);
+        let [left, right] = [0, 1].map(|side: usize| std::array::from_fn(|part| at(&sides[side], part)));
         Continuations { left, right }
     }
 
@@ -177,4 +208,17 @@ fn lagrange(points: &[Point], x: f64) -> f64 {
         others.fold(value, |product, (_, (other, _))| product * (x - other) / (own - other))
     };
     points.iter().enumerate().map(term).sum()
+}
+
+/// Returns the second divided difference of three points.
+fn second_difference(&[one, two, three]: &[Point; 3]) -> f64 {
+    let slope = |from: Point, to: Point| (to.1 - from.1) / (to.0 - from.0);
+    (slope(two, three) - slope(one, two)) / (three.0 - one.0)
+}
+
+/// Returns whether three points lie on a line, within rounding.
+pub(super) fn is_straight(points: &[Point; 3]) -> bool {
+    let span = (points[2].0 - points[0].0).powi(2);
+    let magnitude: f64 = points.iter().map(|point| point.1.abs()).sum();
+    second_difference(points).abs() * span <= NEGLIGIBLE * magnitude
 }

@@ -39,9 +39,12 @@ pub(crate) fn perturbed_solves_of(
         coarse_grid,
         condensed,
     };
+    // In three dimensions the extremes at added positions are solved on the coarse grid as well.
+    let added = added_positions(positions, fidelity, three_dimensional);
+    let extremes = if three_dimensional { added.min(2 * outputs) } else { 0 };
     let mut all = vec![
-        perturbed_solve(own.clone(), samples, true, false),
-        perturbed_solve(own, added_positions(positions, fidelity, three_dimensional), false, false),
+        perturbed_solve(own.clone(), samples + extremes, true, false),
+        perturbed_solve(own, added, false, false),
     ];
     if fidelity.body_model() == BodyModel::Elements {
         let others = MeshVariant::of(fidelity, structure).map(|other| (fidelity, other.structure));

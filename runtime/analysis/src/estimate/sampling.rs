@@ -1,19 +1,19 @@
 //! Error estimates of the variation between positions: extremes and means.
 //!
 //! In every interval between two positions an output is continued from the left and from the right,
-//! by parabolas through the positions on that side ([`super::continuation`]). The error of an
-//! extreme is the excess of the largest expected value in the intervals over the largest value at
-//! the positions. It depends only on the interval and the positions next to it: an extreme on a
-//! plateau has no error, however much the output varies elsewhere. Where loads of rigid teeth jump,
-//! positions lie on both sides of the jump, and nothing is continued across it. Elastic teeth do
-//! not jump there, so their time histories are continued through both positions.
+//! by parabolas through the positions on that side, in two ways ([`super::continuation`]). The
+//! error of an extreme is the excess of the largest expected value in the intervals over the
+//! largest value at the positions. It depends only on the interval and the positions next to it: an
+//! extreme on a plateau has no error, however much the output varies elsewhere. Where loads of
+//! rigid teeth jump, positions lie on both sides of the jump, and nothing is continued across it.
+//! Elastic teeth do not jump there, so their time histories are continued through both positions.
 //!
 //! Continuations miss events that begin and end inside an interval. Therefore a few intervals are
 //! divided ([`most_promising`]), alternately the one with the largest expected extreme and the one
 //! whose continuations fit worst. The values at the new positions are known, and continuations
 //! start from them.
 
-use super::continuation::{Continuations, Point};
+use super::continuation::{Bend, Continuations, Point, Side, is_straight};
 use super::{Ends, Statistics, ends};
 use crate::results::DirectedErrors;
 use crate::rows::StepRow;
@@ -30,6 +30,9 @@ const JUMP: f64 = 0.01;
 /// Least distance of positions for a parabola, relative to the interval of the extrapolation:
 /// smaller distances amplify small differences too much.
 const APART: f64 = 0.3;
+/// The same for a stencil whose ends are that far apart, and for the slope if there is no other
+/// position.
+const CLOSE: f64 = 0.1;
 /// Intervals shorter than this fraction of the analysis's average are not divided.
 const SHORTEST: f64 = 0.02;
 /// Point of division of an interval with a named position at one end, as a fraction from that end.
@@ -112,11 +115,10 @@ impl SamplingContext {
         self.at[index.rem_euclid(count) as usize] + self.period * index.div_euclid(count) as f64
     }
 
-    /// Returns positions from one on, away from the interval behind it (`step` is their direction),
-    /// that define a parabola over an interval of this length.
-    fn stencil(&self, from: isize, step: isize, length: f64, closed: bool) -> Vec<isize> {
+    /// Returns up to three positions from one on, away from the interval behind it (`step` is their
+    /// direction), that are at least this far apart.
+    fn stencil(&self, from: isize, step: isize, apart: f64, closed: bool) -> Vec<isize> {
         let count = self.at.len() as isize;
-        let apart = APART * length;
         let mut stencil = vec![from];
         let mut last = from;
         for _ in 1..count {
@@ -150,41 +152,61 @@ impl SamplingContext {
         (0..if closed { count } else { count - 1 }).filter(|&interval| !self.beside[interval as usize])
     }
 
-    /// Returns the stencils of the extrapolation into an interval from the left and from the right,
-    /// and which of them are sufficient on their own.
-    fn stencils(&self, interval: isize, closed: bool) -> ([Vec<isize>; 2], [bool; 2]) {
-        let length = self.place(interval + 1) - self.place(interval);
-        let mut stencils =
-            [self.stencil(interval, -1, length, closed), self.stencil(interval + 1, 1, length, closed)];
-        let alone = [0, 1].map(|side: usize| stencils[side].len() > 1);
-        // A single position next to a jump or an end defines no extrapolation; the other side
-        // provides it.
-        let nearest = [0, 1].map(|side: usize| stencils[side].iter().take(2).copied().collect::<Vec<_>>());
-        for side in 0..2 {
-            if !alone[side] {
-                stencils[side].extend(&nearest[1 - side]);
-            }
+    /// Returns both sides of an interval, and which of them is sufficient on its own.
+    fn sides(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool) -> ([Side; 2], [bool; 2]) {
+        let [start, end] = [interval, interval + 1].map(|end| self.place(end));
+        let length = end - start;
+        let own = |part: f64| {
+            [(interval, -1), (interval + 1, 1)]
+                .map(|(from, step)| self.stencil(from, step, part * length, closed))
+        };
+        let [mut apart, close] = [APART, CLOSE].map(own);
+        for (apart, close) in apart.iter_mut().zip(&close).filter(|(apart, _)| apart.len() == 1) {
+            apart.extend(close.get(1));
         }
-        (stencils, alone)
+        let alone = [0, 1].map(|side: usize| apart[side].len() > 1);
+        let point = |&index: &isize| (self.place(index), of(index));
+        let spans = |stencil: &[Point; 3]| (stencil[2].0 - stencil[0].0).abs() >= APART * length;
+        let side = |side: usize| {
+            let stencils = [&apart[side], &close[side]].into_iter();
+            let stencils = stencils.filter_map(|stencil| match stencil[..] {
+                [one, two, three] => Some([one, two, three].map(|index| point(&index))),
+                _ => None,
+            });
+            // On a plateau the positions on both sides of the interval define a stencil of this
+            // side.
+            let opposite = interval + 1 - side as isize;
+            let across = match apart[side][..] {
+                [one, two, ..] => Some([opposite, one, two].map(|index| point(&index))),
+                _ => None,
+            };
+            let stencils = stencils.chain(across.filter(is_straight));
+            // A single position next to a jump or an end defines no extrapolation; the other side
+            // provides it.
+            let other = if alone[side] { &[] } else { &apart[1 - side][..] };
+            let points = apart[side].iter().chain(other.iter().take(2)).map(point).collect();
+            Side { points, stencils: stencils.filter(spans).collect() }
+        };
+        ([side(0), side(1)], alone)
     }
 
-    /// Returns both continuations into an interval, and which of them has two positions of its own.
+    /// Returns the continuations into an interval from both sides, for each kind of bend, and which
+    /// side has two positions of its own.
     fn continued(
         &self,
         interval: isize,
         of: impl Fn(isize) -> f64,
         closed: bool,
-    ) -> (Continuations, [bool; 2]) {
-        let (stencils, alone) = self.stencils(interval, closed);
-        let points =
-            stencils.map(|stencil| stencil.iter().map(|&i| (self.place(i), of(i))).collect::<Vec<Point>>());
+    ) -> ([Continuations; 2], [bool; 2]) {
+        let (sides, alone) = self.sides(interval, of, closed);
         let ends = [interval, interval + 1].map(|end| self.place(end));
-        (Continuations::new(&points, ends), alone)
+        (Bend::ALL.map(|bend| Continuations::new(&sides, ends, bend)), alone)
     }
 
-    /// Evaluates the largest value in an interval relative to a level.
+    /// Evaluates the largest value in an interval relative to a level, by the continuations that
+    /// accelerate: an interval is divided if it may hide something.
     fn look(&self, interval: isize, of: impl Fn(isize) -> f64, closed: bool, level: f64) -> Extrapolation {
-        let (continued, alone) = self.continued(interval, of, closed);
+        let ([_, continued], alone) = self.continued(interval, of, closed);
         let missed = missed(&continued, alone);
         let both = alone.iter().all(|&alone| alone);
         let more = continued.misses().into_iter().map(f64::abs).fold(0.0, f64::max);
@@ -202,7 +224,10 @@ impl SamplingContext {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let largest = |i| self.continued(i, of, closed).0.largest(most).expected;
+        let largest = |interval| {
+            let (continued, _) = self.continued(interval, of, closed);
+            average(continued.map(|continued| continued.largest(most).expected.max(most)))
+        };
         self.intervals(closed).map(largest).fold(most, f64::max)
     }
 
@@ -220,7 +245,8 @@ impl SamplingContext {
         let of = |index: isize| values[index.rem_euclid(count) as usize];
         let above_chord = |interval| {
             let (continued, _) = self.continued(interval, of, closed);
-            continued.above_chord() * (self.place(interval + 1) - self.place(interval))
+            let above_chord = average(continued.map(|continued| continued.above_chord()));
+            above_chord * (self.place(interval + 1) - self.place(interval))
         };
         self.intervals(closed).map(above_chord).sum()
     }
@@ -231,12 +257,12 @@ impl SamplingContext {
         let of = |index: isize| values[index.rem_euclid(count) as usize];
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let missed = |interval: isize| {
+        let square = |interval: isize| {
             let (continued, alone) = self.continued(interval, of, closed);
-            let missed = missed(&continued, alone).min(most - least);
-            missed * (self.place(interval + 1) - self.place(interval))
+            let length = self.place(interval + 1) - self.place(interval);
+            average(continued.map(|own| (missed(&own, alone).min(most - least) * length).powi(2)))
         };
-        self.intervals(closed).map(|interval| missed(interval).powi(2)).sum::<f64>().sqrt()
+        self.intervals(closed).map(square).sum::<f64>().sqrt()
     }
 
     /// Estimates the errors of the statistics due to the variation between positions. `known` is
@@ -262,6 +288,10 @@ impl SamplingContext {
         let directed = Statistics { min: below, max: -above, mean: -beside, peak_to_peak: -peak_to_peak };
         DirectedErrors::new(Statistics { min: below, max: above, mean, peak_to_peak }, directed)
     }
+}
+
+fn average([one, other]: [f64; 2]) -> f64 {
+    0.5 * (one + other)
 }
 
 /// Returns the smaller miss distance of the continuations that have two positions of their own, at

@@ -124,6 +124,22 @@ fn an_extreme_on_a_plateau_has_no_error() {
     }
 }
 
+/// The largest root stress of a gear rises slowly behind a kink, and another tooth takes over in
+/// the next interval. The parabola through the position before the kink would hide the rise.
+#[test]
+fn a_kink_behind_another_kink_is_seen() {
+    let stress = |x: f64| match x {
+        x if x < 0.15 => 86.2 - 200.0 * x,
+        x if x < 0.775 => (96.0 - 170.0 * (0.775 - x)).max(56.2),
+        x if x < 0.93 => 96.0 + 27.0 * (x - 0.775),
+        x => 100.185 - 200.0 * (x - 0.93),
+    };
+    let at = [0.0, 0.1, 0.2, 0.4, 0.55, 0.7143, 0.8214, 0.839, 0.8571, 0.9643].map(|x| (x, ""));
+    let (errors, [of_max, _]) = estimated_and_true(&at, 100.185, 0.0, stress);
+    let effectivity = errors.max / of_max;
+    assert!((0.45..1.5).contains(&effectivity), "{effectivity}");
+}
+
 /// Largest root stress of a gear whose most stressed tooth changes between two positions, with
 /// another kink close to the next position.
 #[test]
@@ -266,6 +282,19 @@ fn parts_of_opposite_directions_do_not_add_up() {
     assert_eq!(total([(4.0, 0.0), (1.0, -1.0)]), 5.0);
     // Most of the error has no direction.
     assert_eq!(total([(4.0, 2.0), (1.0, -1.0)]), 5.0);
+}
+
+/// A larger error at a position between those of the run replaces the one at them.
+#[test]
+fn errors_at_added_extremes_replace_smaller_ones() {
+    let all = |error: f64| Statistics { min: error, max: error, mean: error, peak_to_peak: error };
+    let found = DirectedErrors::new(all(2.0), all(2.0));
+    let signed = Statistics { min: -1.0, max: -3.0, mean: 0.0, peak_to_peak: -2.0 };
+    let expected = DirectedErrors {
+        size: Statistics { max: 3.0, ..all(2.0) },
+        direction: Statistics { max: -1.0, ..all(1.0) },
+    };
+    assert_eq!(found.at_least(signed), expected);
 }
 
 /// An output that jumps twice between positions: parabolas through points behind the jumps would

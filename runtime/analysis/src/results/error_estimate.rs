@@ -113,6 +113,20 @@ impl DirectedErrors {
         DirectedErrors { size, direction }
     }
 
+    /// Replaces the errors that are smaller than these signed ones.
+    pub fn at_least(self, signed: Statistics) -> DirectedErrors {
+        let choose = |old: fn(&DirectedErrors) -> &Statistics, new: fn(f64) -> f64| {
+            Statistics::of_each(|of| {
+                let is_larger = of(&signed).abs() > of(&self.size);
+                if is_larger { new(of(&signed)) } else { of(old(&self)) }
+            })
+        };
+        DirectedErrors {
+            size: choose(|own| &own.size, f64::abs),
+            direction: choose(|own| &own.direction, f64::signum),
+        }
+    }
+
     /// Multiplies the magnitudes by one factor and the directions by another one, which is 1, -1 or
     /// 0.
     pub fn times(self, factor: f64, direction: f64) -> DirectedErrors {
