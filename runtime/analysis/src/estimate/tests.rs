@@ -252,7 +252,7 @@ fn rows_that_go_nowhere_say_nothing_of_what_lies_between() {
 }
 
 #[test]
-fn parts_add_up_but_for_the_mesh_which_the_level_above_sees_too() {
+fn parts_add_up_but_for_the_mesh_that_the_level_above_includes() {
     let all = |error: f64| -> DirectedErrors {
         Statistics { min: error, max: 2.0 * error, mean: 0.5 * error, peak_to_peak: error }.into()
     };
@@ -263,11 +263,11 @@ fn parts_add_up_but_for_the_mesh_which_the_level_above_sees_too() {
         (Part::Level, all(3.0)),
     ];
     let estimate = ErrorEstimate::new(parts, Vec::new(), 0.0);
-    assert_eq!(estimate.total, all(3.75).size);
+    assert_eq!(estimate.total, all(3.25).size);
 }
 
-/// Parts span an interval: those of opposite directions extend it at different ends, and one of
-/// unknown direction at both.
+/// Parts of opposite directions extend an interval at different ends; those of unknown direction
+/// are added in quadrature, but not if both change the solution.
 #[test]
 fn parts_of_opposite_directions_do_not_add_up() {
     let all = |error: f64| Statistics { min: error, max: error, mean: error, peak_to_peak: error };
@@ -279,9 +279,12 @@ fn parts_of_opposite_directions_do_not_add_up() {
     assert_eq!(total([(4.0, 4.0), (1.0, 1.0)]), 5.0);
     assert_eq!(total([(4.0, 4.0), (1.0, -1.0)]), 4.0);
     assert_eq!(total([(4.0, -4.0), (5.0, 5.0)]), 5.0);
-    assert_eq!(total([(4.0, 0.0), (1.0, -1.0)]), 5.0);
+    assert_eq!(total([(4.0, 0.0), (3.0, -3.0)]), 5.0);
+    assert_eq!(total([(4.0, 0.0), (3.0, 0.0)]), 5.0);
     // Most of the error has no direction.
-    assert_eq!(total([(4.0, 2.0), (1.0, -1.0)]), 5.0);
+    assert_eq!(total([(4.0, 2.0), (3.0, -3.0)]), 5.0);
+    let solution = [Part::Discretization, Part::ContactGrid].map(|part| (part, all(2.0).into()));
+    assert_eq!(ErrorEstimate::new(solution.to_vec(), Vec::new(), 0.0).total.max, 4.0);
 }
 
 /// A larger error at a position between those of the run replaces the one at them.

@@ -147,9 +147,11 @@ impl From<Statistics> for DirectedErrors {
 pub struct ErrorEstimate {
     /// Estimated parts, in the order of [`Part::ALL`].
     pub parts: Vec<(Part, Statistics)>,
-    /// Total: the larger end of the interval that the parts span. A part whose direction is known
-    /// extends it at one end, any other part at both. Of mesh error and model error the larger one
-    /// counts, because the next fidelity level includes both.
+    /// Total. Parts of known direction span an interval, of which the larger end counts; parts of
+    /// unknown direction are added to it in quadrature. Mesh, grid, level and time step change the
+    /// same solution, so their errors may have a common cause: the total is no less than the larger
+    /// end of the interval that they span alone, those of unknown direction at both ends. Of mesh
+    /// error and model error the larger one counts, because the next fidelity level includes both.
     pub total: Statistics,
     /// Parts that exist but were not estimated, with the reason.
     pub not_estimated: Vec<(Part, String)>,
@@ -187,11 +189,18 @@ impl ErrorEstimate {
             let [mesh, grid, positions, level, step] =
                 all.map(|errors| (of(&errors.size), of(&errors.direction)));
             let model = if level.0 > mesh.0 { level } else { mesh };
-            let towards = |sign: f64| {
-                let parts = [model, grid, positions, step].into_iter();
-                parts.filter(|(_, direction)| sign * direction >= 0.0).map(|(size, _)| size).sum::<f64>()
+            let solution = [model, grid, step];
+            let interval = |parts: &[(f64, f64)], unknown_too: bool| {
+                let towards = |sign: f64| {
+                    let extends =
+                        |direction: f64| sign * direction > 0.0 || (unknown_too && direction == 0.0);
+                    parts.iter().filter(|part| extends(part.1)).map(|part| part.0).sum::<f64>()
+                };
+                towards(1.0).max(towards(-1.0))
             };
-            towards(1.0).max(towards(-1.0))
+            let parts = [model, grid, step, positions];
+            let unknown = parts.iter().filter(|part| part.1 == 0.0).map(|part| part.0);
+            unknown.fold(interval(&parts, false), f64::hypot).max(interval(&solution, true))
         })
     }
 
