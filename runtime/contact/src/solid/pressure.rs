@@ -228,10 +228,11 @@ fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent
     let count = pressures.iter().filter(|&&p| p > 0.0).count();
     let ended = count == pieces.len() && surface_ends == [true; 2];
     let under_resolved = count > 0 && count < LEAST_LOADED_CELLS && !ended;
-    // The loaded pieces bound the patch from above. A grid smaller than they are would truncate it.
+    // The loaded pieces bound the patch from above. A grid without a margin around them could
+    // truncate it, and the next one would be wider again.
     let reach = pieces.iter().zip(pressures).filter(|&(_, &p)| p > 0.0);
     let needed = 2.0 * reach.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
-    let fitted = (MARGIN * needed).min((0.5 * extent).max(needed));
+    let fitted = MARGIN * needed;
     let recommended = Some(fitted).filter(|fitted| under_resolved && *fitted < LEAST_CHANGE * extent);
     Judgement { truncated: false, under_resolved, recommended }
 }
