@@ -82,7 +82,7 @@ fn the_errors_of_a_loop_are_reported_once() {
         var gear = gears.external(20, rack, 10 mm, 44 mm, 35 mm, steel, gears.simple_rim(30 mm, 20 mm),
             tooth_thickness = 3.1 mm);
         var shaper = gears.shaper(20, module = 2 mm, tip_radius = 0.2 mm);
-        var ring = gears.internal(60, shaper, 10 mm, 116.4 mm, 125 mm, steel, gears.outer_rim(130 mm, 150 mm),
+        var ring = gears.internal(64, shaper, 10 mm, 124.4 mm, 133 mm, steel, gears.outer_rim(138 mm, 158 mm),
             tooth_thickness = 3.1 mm);
         var set = gears.planetary(gear, gear, ring, 4 mm, planets = 4, sun_speed = 9 rpm, sun_torque = 9 N*m);
         print(set.mesh_period);";

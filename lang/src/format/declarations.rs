@@ -93,30 +93,30 @@ impl Printer<'_> {
         self.space();
         self.token(Kind::Identifier);
         self.space();
-        self.group(|p| {
-            p.token(Kind::OpenBrace);
-            p.item(Item::Indent);
-            let documented = decl.choices.iter().any(|choice| choice.doc.is_some());
-            for index in 0..decl.choices.len() {
-                if index > 0 {
-                    p.token(Kind::Comma);
-                }
-                match documented {
-                    true => p.begin_item(),
-                    false => p.line(),
-                }
-                p.token(Kind::Identifier);
+        self.open();
+        self.token(Kind::OpenBrace);
+        self.item(Item::Indent);
+        let documented = decl.choices.iter().any(|choice| choice.doc.is_some());
+        for index in 0..decl.choices.len() {
+            if index > 0 {
+                self.token(Kind::Comma);
             }
-            if p.kind() == Some(Kind::Comma) {
-                p.token(Kind::Comma);
+            match documented {
+                true => self.begin_item(),
+                false => self.line(),
             }
-            p.comments();
-            p.item(Item::Dedent);
-            if !decl.choices.is_empty() {
-                p.item(if documented { Item::HardLine } else { Item::Line });
-            }
-            p.token(Kind::CloseBrace);
-        });
+            self.token(Kind::Identifier);
+        }
+        if self.kind() == Some(Kind::Comma) {
+            self.token(Kind::Comma);
+        }
+        self.comments();
+        self.item(Item::Dedent);
+        if !decl.choices.is_empty() {
+            self.item(if documented { Item::HardLine } else { Item::Line });
+        }
+        self.token(Kind::CloseBrace);
+        self.item(Item::Close);
     }
 
     /// Formats `dimension Name = Force/Length;`.
