@@ -87,8 +87,7 @@ pub struct Slice {
     pub y: [f64; 2],
     /// Its cells in [`Grid::cells`], ascending in x.
     pub cells: Range<usize>,
-    /// True at low and at high x if the slice ends there because a surface does, at the end of its
-    /// flank or at an oblique side face.
+    /// True at low and at high x if the slice ends there because a surface does.
     pub surface_ends: [bool; 2],
     /// Ends of the flanks next to the slice, within its cells or beyond them.
     pub edges: Edges,
@@ -374,18 +373,14 @@ impl Layer<'_> {
         }
         let column = (contact_line.at()[0] / self.pitch[0]).round();
         let center = column * self.pitch[0];
-        let (bounds, mut surface_ends) = self.bounds(center, y, places);
+        let (bounds, surface_ends) = self.bounds(center, y, places);
         let cut = self.is_cut(&bounds, y, places);
-        let mut cells: Vec<Cell> = Vec::with_capacity(bounds.len());
+        let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
         for x in bounds.windows(2) {
-            match self.cell([x[0], x[1]], [y, contact_line.at()[0]], cut, guess) {
-                Some((cell, found)) => {
-                    guess = found;
-                    cells.push(cell);
-                }
-                // An oblique side face passes between this cell and the others.
-                None => surface_ends[usize::from(!cells.is_empty())] = true,
+            if let Some((cell, found)) = self.cell([x[0], x[1]], [y, contact_line.at()[0]], cut, guess) {
+                guess = found;
+                cells.push(cell);
             }
         }
         let edges = Some(self.edges_beside(y, contact_line.at()[0], places));

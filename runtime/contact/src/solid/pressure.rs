@@ -137,19 +137,17 @@ pub struct GridReport {
     /// True across and along if an outermost cell is loaded although the surfaces continue.
     /// Pressures are overestimated then.
     pub truncated: [bool; 2],
-    /// True across and along if fewer than five cells of the slice with the largest force, or fewer
-    /// than five slices, are loaded: too few for a pressure distribution. A patch whose surfaces
-    /// end on both sides has no distribution to resolve if all its cells are loaded.
+    /// True across and along if fewer than five cells or slices are loaded, too few for a pressure
+    /// distribution.
     pub under_resolved: [bool; 2],
-    /// Recommended width and length (m), for the same M and N. `None` for an under-resolved patch
-    /// that no smaller grid covers: it needs more cells or slices.
+    /// Recommended width and length (m), for the same M and N.
     pub recommended: [Option<f64>; 2],
 }
 
-/// Assesses a grid from the pressures (Pa) on it: across each slice, and along the patch by the
-/// peaks of the slices.
+/// Assesses a grid from the pressures (Pa) on it.
 pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     let loaded_cells = pressures.iter().filter(|&&p| p > 0.0).count();
+    let peaks: Vec<f64> = slice_peaks(grid, pressures).iter().map(|peak| peak.pressure).collect();
     let mut report = GridReport {
         loaded_cells,
         truncated: [false; 2],
@@ -159,53 +157,48 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     if loaded_cells == 0 {
         return report;
     }
-    // The slice with the largest force carries the patch; slices at its ends have narrow contact
-    // and are not resolved across.
-    let (mut main, mut widest) = (None::<(f64, Judgement)>, 0.0f64);
+    let mut most_loaded = 0;
+    let mut width = None;
     for (index, slice) in grid.slices.iter().enumerate() {
         let (cells, own) = strip(grid, pressures, index);
-        let force: f64 = slice.cells.clone().map(|cell| pressures[cell] * grid.cells[cell].area()).sum();
-        // The width of a grid is measured from the contact line of each slice, which is not the
-        // middle of a slice that a surface ends.
-        let cells: Vec<[f64; 2]> = cells.iter().map(|cell| cell.map(|x| x - slice.edges.closest)).collect();
+        // Widths are measured from the middle of the slice.
+        let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
+        let cells: Vec<[f64; 2]> = cells.iter().map(|cell| cell.map(|x| x - middle)).collect();
         let judged = judge(&cells, &own, slice.surface_ends, grid.extent[0]);
+        report.truncated[0] |= judged.truncated;
+        most_loaded = most_loaded.max(own.iter().filter(|&&p| p > 0.0).count());
         if judged.truncated {
-            report.truncated[0] = true;
-            widest = judged.recommended.map_or(widest, |wanted| widest.max(wanted));
-        }
-        if main.as_ref().is_none_or(|(largest, _)| force > *largest) {
-            main = Some((force, judged));
+            width = Some(width.map_or(judged.recommended, |w: f64| w.max(judged.recommended)));
         }
     }
-    if report.truncated[0] {
-        report.recommended[0] = Some(if widest > 0.0 { widest } else { UNKNOWN * grid.extent[0] });
-    } else if let Some((_, judged)) = main {
-        report.under_resolved[0] = judged.under_resolved;
-        report.recommended[0] = judged.recommended;
+    let largest = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j]).then(j.cmp(&i)));
+    let available = largest.map_or(0, |slice| grid.slices[slice].cells.len());
+    if width.is_none() && most_loaded < LEAST_LOADED_CELLS.min(available) {
+        report.under_resolved[0] = true;
+        let farthest = largest.map(|slice| {
+            let (cells, own) = strip(grid, pressures, slice);
+            let loaded: Vec<f64> =
+                cells.iter().zip(&own).filter(|&(_, &p)| p > 0.0).flat_map(|(cell, _)| *cell).collect();
+            let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
+            loaded.iter().map(|x| (x - middle).abs()).fold(0.0, f64::max)
+        });
+        width = farthest.map(|farthest| (2.0 * MARGIN * farthest).min(0.5 * grid.extent[0]));
     }
-    let peaks: Vec<f64> = slice_peaks(grid, pressures).iter().map(|peak| peak.pressure).collect();
-    // The length is measured from the closest approach, the origin of the frame.
+    report.recommended[0] = width;
     let along = judge(&lengths(grid), &peaks, grid.surface_ends, grid.extent[1]);
     report.truncated[1] = along.truncated;
     report.under_resolved[1] = along.under_resolved;
-    report.recommended[1] = match along.recommended {
-        None if along.truncated => Some(UNKNOWN * grid.extent[1]),
-        recommended => recommended,
-    };
+    if along.truncated || along.under_resolved {
+        report.recommended[1] = Some(along.recommended);
+    }
     report
 }
-
-/// A grid is made smaller only to less than this part of its size.
-const LEAST_CHANGE: f64 = 0.95;
-/// Factor on the size of a grid that truncates a patch too much for an estimate of its size.
-const UNKNOWN: f64 = 2.0;
 
 struct Judgement {
     truncated: bool,
     under_resolved: bool,
-    /// Recommended extent, if another one is better, m; `None` for a truncated patch whose size
-    /// cannot be estimated.
-    recommended: Option<f64>,
+    /// Recommended extent, if any.
+    recommended: f64,
 }
 
 /// Assesses intervals, measured from the middle of the region that they should cover, with their
@@ -213,26 +206,23 @@ struct Judgement {
 fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent: f64) -> Judgement {
     let loaded = |p: Option<&f64>| p.is_some_and(|&p| p > 0.0);
     let truncated =
-        [loaded(pressures.first()) && !surface_ends[0], loaded(pressures.last()) && !surface_ends[1]];
-    if truncated != [false; 2] {
-        // Zeros of the extrapolated p² if they lie outside. The side that is not truncated is wide
-        // enough.
-        let reach = |zeros: [f64; 2]| {
-            let sides = zeros.into_iter().zip(truncated).filter(|(_, truncated)| *truncated);
-            2.0 * MARGIN * sides.map(|(zero, _)| zero.abs()).fold(0.0, f64::max)
-        };
-        let zeros = zeros_of_squared_pressure(pieces, pressures);
-        let recommended = zeros.map(reach).filter(|&wanted| wanted > 1.1 * extent);
-        return Judgement { truncated: true, under_resolved: false, recommended };
-    }
+        (loaded(pressures.first()) && !surface_ends[0]) || (loaded(pressures.last()) && !surface_ends[1]);
     let count = pressures.iter().filter(|&&p| p > 0.0).count();
-    let ended = count == pieces.len() && surface_ends == [true; 2];
-    let under_resolved = count > 0 && count < LEAST_LOADED_CELLS && !ended;
-    // The loaded pieces bound the patch from above. A grid without a margin around them could
-    // truncate it, and the next one would be wider again.
     let reach = pieces.iter().zip(pressures).filter(|&(_, &p)| p > 0.0);
-    let needed = 2.0 * reach.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
-    let fitted = MARGIN * needed;
-    let recommended = Some(fitted).filter(|fitted| under_resolved && *fitted < LEAST_CHANGE * extent);
-    Judgement { truncated: false, under_resolved, recommended }
+    let reach = reach.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
+    // A load at one end only must remain within a grid of the same middle.
+    let smaller = 2.0 * MARGIN * reach;
+    let few = count > 0 && count < LEAST_LOADED_CELLS.min(pieces.len());
+    let under_resolved = !truncated && few && smaller < extent;
+    let recommended = if truncated {
+        // Zero of the extrapolated p² if it lies outside; otherwise the patch is truncated too much
+        // for an estimate.
+        zeros_of_squared_pressure(pieces, pressures)
+            .map(|zeros| 2.0 * MARGIN * zeros[0].abs().max(zeros[1].abs()))
+            .filter(|&w| w > 1.1 * extent)
+            .unwrap_or(2.0 * extent)
+    } else {
+        smaller
+    };
+    Judgement { truncated, under_resolved, recommended }
 }

@@ -99,12 +99,9 @@ pub(super) trait ContactGeometry {
     fn compliance(&self, laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Result<Vec<f64>, EngineError>;
 
     /// Returns the growth of the gap of each cell by the forces on the flanks of all spline teeth;
-    /// none in three dimensions. There is a checkpoint before each side of a patch.
-    fn by_spline_teeth(
-        &self,
-        _laid: &[(&Candidate<Self::Site>, &Self::Grid)],
-    ) -> Result<Mat<f64>, EngineError> {
-        Ok(Mat::zeros(0, 0))
+    /// none in three dimensions.
+    fn by_spline_teeth(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Mat<f64> {
+        Mat::zeros(0, 0)
     }
 
     /// Returns an initial active set; it affects only the time of the solution.
@@ -126,13 +123,7 @@ pub(super) trait ContactGeometry {
     /// prescribed width, m.
     fn automatic_width(&self, candidate: &Candidate<Self::Site>, force: f64) -> f64;
 
-    /// Returns the length of the contact line of a patch relative to that of others, m; 1 in a
-    /// plane model.
-    fn contact_line_length(&self, _grid: &Self::Grid) -> f64 {
-        1.0
-    }
-
-    /// Assesses a grid from the solution (report figures 3.40 to 3.42).
+    /// Assesses the width of a grid from the solution (report figures 3.40 to 3.42).
     fn assess_width(&self, grid: &Self::Grid, forces: &[f64]) -> WidthReport;
 
     /// Returns the growth of the gap of each cell by each modal coordinate; none in three
@@ -145,7 +136,7 @@ pub(super) trait ContactGeometry {
     fn patch(&self, candidate: &Candidate<Self::Site>, laid: Option<(Self::Grid, Vec<f64>)>) -> ContactPatch;
 }
 
-/// Assessment of a grid: of its width and, in three dimensions, of its slices.
+/// Assessment of the width of a grid.
 #[derive(Clone, Copy)]
 pub(super) struct WidthReport {
     /// Requested width, m.
@@ -156,9 +147,6 @@ pub(super) struct WidthReport {
     pub(super) truncated: bool,
     /// True if too few cells are loaded for a pressure distribution.
     pub(super) under_resolved: bool,
-    /// N, half the number of slices, if too few of them are loaded for a pressure distribution
-    /// along the patch.
-    pub(super) few_slices: Option<usize>,
     /// Recommended width for this patch, m.
     pub(super) recommended: Option<f64>,
 }

@@ -25,8 +25,7 @@ struct Loaded {
     report: WidthReport,
     /// Sum of its cell forces.
     force: f64,
-    /// Width of its grid at the load per length of the longest contact line that carries the whole
-    /// load, m.
+    /// Width of its grid if it carries the whole load, m.
     whole: f64,
 }
 
@@ -40,13 +39,6 @@ impl<S: ContactGeometry> Solver<'_, S> {
         largest_forces: &[f64],
     ) -> Vec<String> {
         let mut by_pair: Vec<Vec<Loaded>> = self.system.scene.pairs.iter().map(|_| Vec::new()).collect();
-        // Teeth of helical gears with a short contact line never carry the whole load: it is
-        // distributed over the contact lines. The longest one bounds the load per length.
-        let mut longest = vec![0.0f64; by_pair.len()];
-        for (candidate, grid) in candidates.iter().zip(grids) {
-            let longest = &mut longest[candidate.teeth.0];
-            *longest = longest.max(self.space.contact_line_length(grid));
-        }
         let mut rest = forces;
         for ((candidate, grid), &largest) in candidates.iter().zip(grids).zip(largest_forces) {
             let (own, others) = rest.split_at(self.space.count(grid));
@@ -55,11 +47,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
             if force > 0.0 {
                 let mut report = self.space.assess_width(grid, own);
                 report.under_resolved &= !self.under.in_time;
-                report.few_slices = report.few_slices.filter(|_| !self.under.in_time);
-                let pair = candidate.teeth.0;
-                let share = self.space.contact_line_length(grid) / longest[pair];
-                let whole = self.space.automatic_width(candidate, share * largest);
-                by_pair[pair].push(Loaded { report, force, whole });
+                let whole = self.space.automatic_width(candidate, largest);
+                by_pair[candidate.teeth.0].push(Loaded { report, force, whole });
             }
         }
         let scene = self.system.scene;
@@ -91,14 +80,6 @@ fn trouble(patches: &[Loaded], prescribed: bool) -> Option<String> {
         return Some(format!(
             "is too narrow: the pressure does not fall to zero inside it, and pressures are too high; \
              `grid_width = {width} mm` suits it"
-        ));
-    }
-    // The slices of a patch cover its length as the load requires, so that only their number can
-    // be too small. Lightly loaded patches do not need the resolution of the main one.
-    if let Some(half_slices) = main.report.few_slices.filter(|_| !main.report.under_resolved && !few) {
-        let slices = (2 * half_slices).max(4);
-        return Some(format!(
-            "has too few slices: only a few of them carry load; `contact_slices = {slices}` suits it"
         ));
     }
     if truncated.is_empty() && !patches.iter().any(|patch| patch.report.under_resolved) {
@@ -135,14 +116,8 @@ mod tests {
     use super::*;
 
     fn patch(width: f64, force: f64, whole: f64) -> Loaded {
-        let report = WidthReport {
-            width,
-            half_count: 24,
-            truncated: false,
-            under_resolved: false,
-            few_slices: None,
-            recommended: None,
-        };
+        let report =
+            WidthReport { width, half_count: 24, truncated: false, under_resolved: false, recommended: None };
         Loaded { report, force, whole }
     }
 
@@ -161,19 +136,6 @@ mod tests {
         edge.report.under_resolved = true;
         edge.report.recommended = Some(0.02e-3);
         assert_eq!(trouble(&[patch(0.25e-3, 90.0, 0.24e-3), edge], true), None);
-    }
-
-    /// In three dimensions the advice covers both directions.
-    #[test]
-    fn a_patch_on_few_slices_needs_more_of_them() {
-        let mut crowned = patch(0.25e-3, 90.0, 0.24e-3);
-        crowned.report.few_slices = Some(1);
-        let message = trouble(&[crowned], false).expect("a warning");
-        assert!(message.ends_with("`contact_slices = 4` suits it"), "{message}");
-        // A lightly loaded patch beside a main one that is resolved.
-        let mut light = patch(0.25e-3, 10.0, 0.24e-3);
-        light.report.few_slices = Some(8);
-        assert_eq!(trouble(&[patch(0.25e-3, 90.0, 0.24e-3), light], false), None);
     }
 
     #[test]

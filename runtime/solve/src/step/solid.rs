@@ -213,18 +213,13 @@ impl ContactGeometry for Solid<'_> {
         Some([Some(width.unwrap_or(own_width)), Some(length.unwrap_or(own_length))])
     }
 
-    fn contact_line_length(&self, grid: &Grid) -> f64 {
-        grid.line
-    }
-
     fn assess_width(&self, grid: &Grid, forces: &[f64]) -> WidthReport {
         let report = assess(grid, &pressures(&grid.cells, forces));
         WidthReport {
             width: grid.extent[0],
             half_count: grid.half_counts[0],
-            truncated: report.truncated[0],
+            truncated: report.recommended[0].is_some() && !report.under_resolved[0],
             under_resolved: report.under_resolved[0],
-            few_slices: Some(grid.half_counts[1]).filter(|_| report.under_resolved[1]),
             recommended: report.recommended[0],
         }
     }
