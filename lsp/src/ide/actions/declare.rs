@@ -21,17 +21,12 @@ pub(super) fn of(asked: &ActionRequest, problem: &Diagnostic, found: &mut Vec<Ac
         return;
     }
     let around = asked.around(place);
-    // Inserts `var`: `b = 3;` becomes `var b = 3;`.
-    let assigned = around.statements().next_back().filter(|statement| match &statement.kind {
+    // The compiler suggests `var` for an assignment itself.
+    let is_assigned = around.statements().next_back().is_some_and(|statement| match &statement.kind {
         StmtKind::Assign { place: Expr { kind: ExprKind::Name(target), .. }, .. } => target.span == place,
         _ => false,
     });
-    if let Some(statement) = assigned {
-        let start = statement.span.start;
-        found.push(
-            fix(format!("Declare `{name}` here with `var`"), vec![asked.edit(start, start, "var ")])
-                .preferred(),
-        );
+    if is_assigned {
         return;
     }
     // A called name is a function, a name with members may be a module.

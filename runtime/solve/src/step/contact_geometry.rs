@@ -99,9 +99,12 @@ pub(super) trait ContactGeometry {
     fn compliance(&self, laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Result<Vec<f64>, EngineError>;
 
     /// Returns the growth of the gap of each cell by the forces on the flanks of all spline teeth;
-    /// none in three dimensions.
-    fn by_spline_teeth(&self, _laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Mat<f64> {
-        Mat::zeros(0, 0)
+    /// none in three dimensions. There is a checkpoint before each side of a patch.
+    fn by_spline_teeth(
+        &self,
+        _laid: &[(&Candidate<Self::Site>, &Self::Grid)],
+    ) -> Result<Mat<f64>, EngineError> {
+        Ok(Mat::zeros(0, 0))
     }
 
     /// Returns an initial active set; it affects only the time of the solution.

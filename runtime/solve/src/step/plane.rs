@@ -209,7 +209,6 @@ impl ContactGeometry for Plane<'_> {
             half_count: grid.half_count,
             truncated: report.truncated != [false; 2],
             under_resolved: report.under_resolved,
-            few_slices: None,
             recommended: report.recommended_width,
         }
     }
