@@ -15,7 +15,8 @@ struct Row {
     published: String,
     /// Unit of the digits; empty for pure numbers.
     unit: String,
-    /// "digit": half a unit of the last digit; "unit": one unit; or a relative deviation in percent.
+    /// "digit": half a unit of the last digit; "unit": one unit; or a relative deviation in
+    /// percent.
     agreement: String,
     expression: String,
 }

@@ -164,9 +164,9 @@ mod tests {
         (arms, load)
     }
 
-    /// The search for the load's contacts, the completion of the basis and the exchanges of contacts
-    /// have checkpoints: two wheels that a stop drives, of which the load determines one, and the
-    /// nearer of two stops for the other.
+    /// The search for the load's contacts, the completion of the basis and the exchanges of
+    /// contacts have checkpoints: two wheels that a stop drives, of which the load determines one,
+    /// and the nearer of two stops for the other.
     #[test]
     fn every_stage_has_checkpoints() {
         let arms = [-1.0, 0.0, 0.0, -1.0, 0.0, -1.0];
