@@ -58,6 +58,9 @@ impl Constraint {
     }
 }
 
+/// What makes two constraints the same: kind, name and types of the arguments.
+type ConstraintKey = (Discriminant<ConstraintKind>, String, Vec<Type>);
+
 impl Checker<'_> {
     /// Adds a constraint, and solves it immediately if possible.
     pub fn constrain(&mut self, constraint: Constraint) {
@@ -103,8 +106,7 @@ impl Checker<'_> {
     /// twice would double at each level.
     fn merge_constraints(&mut self) {
         // The result of each constraint and its index.
-        let mut seen: HashMap<(Discriminant<ConstraintKind>, String, Vec<Type>), (Type, usize)> =
-            HashMap::new();
+        let mut seen: HashMap<ConstraintKey, (Type, usize)> = HashMap::new();
         for constraint in std::mem::take(&mut self.pending) {
             let kind = discriminant(&constraint.kind);
             let field = match &constraint.kind {
