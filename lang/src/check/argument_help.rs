@@ -50,8 +50,8 @@ impl Checker<'_> {
         let found = self.dimension_of(&given.ty);
         let Some((wanted, found)) = self.dimension_of(ty).zip(found) else { return };
         let literal = number_of(&argument.value);
-        // A ratio such as a coefficient and a quantity are different concepts: no other parameter of
-        // the quantity is a likely alternative.
+        // A ratio such as a coefficient and a quantity are different concepts: no other parameter
+        // of the quantity is a likely alternative.
         let is_ratio = wanted.is_none();
         let fits = |other: &&Free<'_>| {
             !is_ratio && self.dimension_of(&other.ty).is_some_and(|d| d.fits(found) && !found.is_none())

@@ -58,7 +58,7 @@ impl Constraint {
     }
 }
 
-/// What makes two constraints the same: kind, name and types of the arguments.
+/// Key of equal constraints: their kind, name and the types of their arguments.
 type ConstraintKey = (Discriminant<ConstraintKind>, String, Vec<Type>);
 
 impl Checker<'_> {
