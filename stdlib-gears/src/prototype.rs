@@ -26,7 +26,7 @@ use calyx_runtime::structure::{
     Structure, StructureSize, SurfaceSource, VisualizationMesh,
 };
 use calyx_runtime::surface::Surface;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// Hash of this library's source. It is part of every key, so cached gear structures are only used
 /// by the version that meshed them.
@@ -74,6 +74,8 @@ pub struct GearPrototype {
     /// Options accepted by [`Prototype::check`], each with a flag for three dimensions. They are
     /// stored because meshing a section takes a large part of a check.
     accepted: Mutex<Vec<(StructureOptions, bool)>>,
+    /// Inertia, once it has been requested: its integration meshes a section.
+    inertia: OnceLock<Inertia>,
 }
 
 /// Fraction of the usual element number per direction below which a mesh is coarse. Error estimates
@@ -109,13 +111,14 @@ impl GearPrototype {
             pitch_errors,
             flanks,
             accepted,
+            inertia: OnceLock::new(),
         })
     }
 
     /// Returns the gear with its teeth along a helix.
     #[must_use]
     pub fn along(self, helix: Helix) -> Self {
-        GearPrototype { helix, accepted: Mutex::default(), ..self }
+        GearPrototype { helix, accepted: Mutex::default(), inertia: OnceLock::new(), ..self }
     }
 
     /// Counter-clockwise rotation of the transverse section per length along z, rad/m.
@@ -408,7 +411,7 @@ impl Prototype for GearPrototype {
     }
 
     fn inertia(&self) -> Inertia {
-        self.whole_inertia().unwrap_or_default()
+        *self.inertia.get_or_init(|| self.whole_inertia().unwrap_or_default())
     }
 
     fn modes_key(&self, options: &StructureOptions, highest: f64) -> Option<Key> {

@@ -34,6 +34,7 @@ use crate::flank::Flank;
 use crate::gear::Gear;
 use calyx_abi::math;
 use calyx_runtime::fe::block::{graded, uniform};
+use calyx_runtime::fe::memoized::Memoized;
 use calyx_runtime::fe::{Block, Curve, MeshBuilder, MeshError, PlaneMesh, Side};
 use calyx_runtime::profile::Profile;
 use std::sync::Arc;
@@ -353,10 +354,14 @@ impl Layout {
                 names.push((Side::Left, Name::Cut, None));
             }
             let layout = self.clone();
-            let through = move |u: f64, v: f64| {
+            let columns = Memoized::new(move |u| {
                 let p = (1.0 - u) * from + u * to;
-                let v = piecewise_linear(&layout.layers_at(p), v);
-                let (inner, outer) = (layout.boundary.inner(p), layout.boundary.outer(p).position);
+                let ends = [layout.boundary.inner(p), layout.boundary.outer(p).position];
+                (Arc::new(layout.layers_at(p)), ends)
+            });
+            let through = move |u: f64, v: f64| {
+                let (layers, [inner, outer]) = columns.at(u);
+                let v = piecewise_linear(&layers, v);
                 [0, 1].map(|axis| (1.0 - v) * inner[axis] + v * outer[axis])
             };
             let across = |u: f64| {

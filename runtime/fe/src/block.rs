@@ -1,6 +1,7 @@
 //! Four-sided blocks bounded by curves, from which structured meshes are built.
 
 use super::interpolation::ElementOrder;
+use super::memoized::Memoized;
 use std::sync::Arc;
 
 /// Plane curve over a parameter in 0 ..= 1.
@@ -83,7 +84,7 @@ type Mapping = Arc<dyn Fn(f64, f64) -> [f64; 2] + Send + Sync>;
 /// Right-handed block: bottom to the right and left upwards (in any rotated position).
 #[derive(Clone)]
 pub struct Block {
-    pub(super) sides: [Curve; 4],
+    pub(super) sides: [Memoized<[f64; 2]>; 4],
     pub(super) u: Vec<f64>,
     pub(super) v: Vec<f64>,
     pub(super) order: Option<ElementOrder>,
@@ -96,7 +97,7 @@ impl Block {
     /// with `u`, right and left with `v`. They must meet at the corners.
     pub fn new(bottom: Curve, right: Curve, top: Curve, left: Curve) -> Self {
         Self {
-            sides: [bottom, right, top, left],
+            sides: [bottom, right, top, left].map(|curve| Memoized::new(move |u| curve.at(u))),
             u: uniform(1),
             v: uniform(1),
             order: None,

@@ -14,6 +14,7 @@ pub mod inertia;
 pub mod interpolation;
 mod load;
 pub mod material;
+pub mod memoized;
 pub mod mesh;
 pub mod model;
 pub mod revolution;

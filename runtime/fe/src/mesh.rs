@@ -141,17 +141,14 @@ impl PlaneMesh {
     /// Returns the area and its polar second moment about the origin, m² and m⁴.
     pub fn area_and_polar_moment(&self) -> [f64; 2] {
         let mut sums = [0.0; 2];
-        for (number, element) in self.elements.iter().enumerate() {
-            // The integrand has degree 4q - 1 in each direction, q the order of the coordinates.
-            let rule = gauss_legendre(2 * usize::from(element.coordinate_order.highest()));
-            for (eta, of_eta) in &rule {
-                for (xi, of_xi) in &rule {
-                    let ([x, y], [[a, b], [c, d]]) =
-                        self.map(ElementPoint { element: number, xi: *xi, eta: *eta });
-                    let area = of_xi * of_eta * (a * d - b * c);
-                    sums[0] += area;
-                    sums[1] += area * (x * x + y * y);
-                }
+        let mut tables = BTreeMap::new();
+        for element in &self.elements {
+            let points = tables.entry(element.coordinate_order).or_insert_with_key(integration_points);
+            for (weight, shapes) in points {
+                let ([x, y], [[a, b], [c, d]]) = self.map_with(element, shapes);
+                let area = *weight * (a * d - b * c);
+                sums[0] += area;
+                sums[1] += area * (x * x + y * y);
             }
         }
         sums
@@ -260,4 +257,18 @@ impl PlaneMesh {
         let (index, t) = self.locate(chain, s)?;
         Some(self.edge_point(&chain.edges[index], t))
     }
+}
+
+/// Returns weights and shape functions at the points of the rule that integrates the area and its
+/// second moment of an element exactly: the integrand has degree 4q - 1 in each direction, q the
+/// order of the coordinates.
+fn integration_points(order: &ElementOrder) -> Vec<(f64, Vec<Shape>)> {
+    let rule = gauss_legendre(2 * usize::from(order.highest()));
+    let mut points = Vec::with_capacity(rule.len() * rule.len());
+    for (eta, of_eta) in &rule {
+        for (xi, of_xi) in &rule {
+            points.push((of_xi * of_eta, order.shapes(*xi, *eta)));
+        }
+    }
+    points
 }
