@@ -134,7 +134,8 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
     }
     for modification in &prototype.modifications {
         if let Some(ProfilePart::TipRelief(relief)) = modification.parts().profile {
-            let diameter = 2.0 * form.radius_at_roll(relief.start_roll);
+            let Ok(start) = relief.start_roll(&form, false) else { continue };
+            let diameter = 2.0 * form.radius_at_roll(start);
             all.push(Quantity::length("diameter at which the tip relief begins", "d_Ca", diameter).further());
         }
     }

@@ -14,6 +14,7 @@ use crate::error::GeometryError;
 use crate::fillet::Side;
 use crate::gear::ToothForm;
 use crate::modification::{Modification, ProfilePart, TipRelief};
+use crate::relief::{PlacedRelief, check_depth};
 use crate::root_finding::solve_bracketed;
 use calyx_abi::math;
 use calyx_runtime::fe::quadrature::gauss_legendre;
@@ -39,10 +40,12 @@ pub struct Flank {
     half_base_angle: f64,
     form_roll: f64,
     tip_roll: f64,
-    reliefs: Vec<Relief>,
+    reliefs: Vec<PlacedRelief>,
     deviations: Vec<Arc<CubicSpline>>,
     /// Profile slope deviation: material removed per roll angle from the form circle.
     slope: f64,
+    /// Profile crowning: material removed at the form circle and at the tip circle, m.
+    crown: f64,
     /// Parts of the flank with smooth curvature, in ascending order; the first starts at the form
     /// circle.
     parts: Vec<Part>,
@@ -52,35 +55,11 @@ pub struct Flank {
     quadrature: Vec<(f64, f64)>,
 }
 
-/// Tip relief, or a root relief expressed as the tip relief of the reversed flank.
-#[derive(Clone, Copy, Debug)]
-struct Relief {
-    relief: TipRelief,
-    at_root: bool,
-}
-
 #[derive(Clone, Copy, Debug)]
 struct Part {
     start_roll: f64,
     start_s: f64,
     modified: bool,
-}
-
-impl Relief {
-    fn amount(&self, roll: f64, form_roll: f64, tip_roll: f64) -> [f64; 3] {
-        if !self.at_root {
-            return self.relief.amount(roll, form_roll, tip_roll);
-        }
-        let [amount, slope, bend] = self.relief.amount(-roll, -tip_roll, -form_roll);
-        [amount, -slope, bend]
-    }
-
-    fn breaks(&self, form_roll: f64, tip_roll: f64) -> Vec<f64> {
-        if !self.at_root {
-            return self.relief.breaks(form_roll, tip_roll);
-        }
-        self.relief.breaks(-tip_roll, -form_roll).into_iter().rev().map(|roll| -roll).collect()
-    }
 }
 
 /// Rounded tip edge: an arc tangent to the flank and to the tip circle.
@@ -119,13 +98,14 @@ impl Flank {
     ) -> Result<Self, Vec<GeometryError>> {
         let form: ToothForm = gear.into();
         let (mut reliefs, mut deviations, mut errors) = (Vec::new(), Vec::new(), Vec::new());
-        let mut slope = 0.0;
-        for modification in modifications {
+        let (mut slope, mut crown) = (0.0, 0.0);
+        for modification in modifications.iter().filter(|one| one.applies_to(side, form.internal)) {
             let mut relieve = |relief: TipRelief, at_root: bool| {
                 if relief.depth != 0.0 {
-                    errors.extend(relief.check(&form, at_root).err());
-                    let relief = TipRelief { start_roll: form.sense() * relief.start_roll, ..relief };
-                    reliefs.push(Relief { relief: if at_root { relief.turned() } else { relief }, at_root });
+                    match relief.placed(&form, at_root) {
+                        Ok(relief) => reliefs.push(relief),
+                        Err(error) => errors.push(error),
+                    }
                 }
             };
             match modification.parts().profile {
@@ -133,6 +113,10 @@ impl Flank {
                 Some(ProfilePart::RootRelief(relief)) => relieve(relief, true),
                 Some(ProfilePart::Slope(deviation)) => {
                     slope -= deviation / (form.tip_roll - form.form_roll);
+                }
+                Some(ProfilePart::Crown(depth)) => {
+                    errors.extend(check_depth(["profile", " crown"], depth, &form).err());
+                    crown += depth;
                 }
                 Some(ProfilePart::Deviation(deviation)) => match deviation.sampled(&form) {
                     Ok(sampled) => deviations.extend(sampled.map(Arc::new)),
@@ -154,6 +138,7 @@ impl Flank {
             reliefs,
             deviations,
             slope,
+            crown,
             parts: Vec::new(),
             edge: Edge {
                 centre: [0.0; 2],
@@ -206,7 +191,7 @@ impl Flank {
     /// enough to measure its parts.
     fn divide(&mut self) {
         let end = self.edge.start_roll;
-        let jumps = self.reliefs.iter().flat_map(|relief| relief.breaks(self.form_roll, self.tip_roll));
+        let jumps = self.reliefs.iter().flat_map(PlacedRelief::breaks);
         let mut rolls: Vec<(f64, bool)> = jumps.map(|roll| (roll, true)).collect();
         if self.has_deviations() {
             let part = |k: usize| self.form_roll + (end - self.form_roll) * k as f64 / DEVIATED_PARTS as f64;
@@ -244,8 +229,16 @@ impl Flank {
     /// Material removed at a roll angle (m), and its first and second derivatives by the roll
     /// angle.
     fn amount(&self, roll: f64) -> [f64; 3] {
-        let reliefs = self.reliefs.iter().map(|relief| relief.amount(roll, self.form_roll, self.tip_roll));
+        let reliefs = self.reliefs.iter().map(|relief| relief.amount(roll));
         let mut total = [self.slope * (roll - self.form_roll), self.slope, 0.0];
+        if self.crown != 0.0 {
+            // The parabola is -1 to 1 from the form circle to the tip circle.
+            let rate = 2.0 / (self.tip_roll - self.form_roll);
+            let part = rate * (roll - self.form_roll) - 1.0;
+            total[0] += self.crown * part * part;
+            total[1] += 2.0 * self.crown * part * rate;
+            total[2] += 2.0 * self.crown * rate * rate;
+        }
         for amount in reliefs.chain(self.deviations.iter().map(|deviation| deviation.at(roll))) {
             for order in 0..3 {
                 total[order] += amount[order];
@@ -355,7 +348,7 @@ impl Flank {
 
     /// Returns whether the flank has deviations that may extend over its whole length.
     fn has_deviations(&self) -> bool {
-        !self.deviations.is_empty() || self.slope != 0.0
+        !self.deviations.is_empty() || self.slope != 0.0 || self.crown != 0.0
     }
 
     /// Largest amount removed or added between form and tip circle, m.
@@ -364,6 +357,17 @@ impl Flank {
         let range = self.tip_roll - self.form_roll;
         let at = |step: usize| self.amount(self.form_roll + range * step as f64 / STEPS as f64)[0].abs();
         if self.is_modified() { (0..=STEPS).map(at).fold(0.0, f64::max) } else { 0.0 }
+    }
+
+    /// Material removed at a roll angle, normal to the involute, m.
+    pub fn amount_at(&self, roll: f64) -> f64 {
+        self.amount(roll)[0]
+    }
+
+    /// Position between form circle (0) and tip circle (1) of a roll angle, and its derivative.
+    pub(crate) fn part_of_profile(&self, roll: f64) -> [f64; 2] {
+        let range = self.tip_roll - self.form_roll;
+        [(roll - self.form_roll) / range, 1.0 / range]
     }
 
     /// Roll angle at the form circle, rad.

@@ -63,11 +63,12 @@ impl GearSurface {
         surface
     }
 
-    /// Amount that the topographies remove at a point beyond their profile at mid-face, m, and its
-    /// derivatives by `u` and `v`. The modified profile contains the profile at mid-face. The roll
-    /// angle is extrapolated in proportion to the length on the tip edge and below the form circle.
+    /// Amount that the twist and the topographies remove at a point beyond their profile at
+    /// mid-face, m, and its derivatives by `u` and `v`. The modified profile contains the profile
+    /// at mid-face. The roll angle is extrapolated in proportion to the length on the tip edge and
+    /// below the form circle.
     fn off(&self, u: f64, v: f64) -> [f64; 3] {
-        if self.lead.topographies.is_empty() {
+        if !self.lead.varies_over_both() {
             return [0.0; 3];
         }
         let on_flank = u.clamp(0.0, self.plain.edge_range()[0]);
@@ -75,10 +76,19 @@ impl GearSurface {
         let per_length = 1.0 / self.plain.at_roll(plain_roll).1;
         let roll = plain_roll + (u - on_flank) * per_length;
         let sense = plain_roll.signum();
-        self.lead.topographies.iter().fold([0.0; 3], |[amount, by_u, by_v], topography| {
+        let twist = self.twist_off(roll, v);
+        let twist = [twist[0], per_length * twist[1], twist[2]];
+        self.lead.topographies.iter().fold(twist, |[amount, by_u, by_v], topography| {
             let [off, by_roll, along] = topography.beyond_mid_face(roll.abs(), v);
             [amount + off, by_u + sense * per_length * by_roll, by_v + along]
         })
+    }
+
+    /// Amount that the twist removes at a roll angle and an axial position, m, and its derivatives.
+    fn twist_off(&self, roll: f64, v: f64) -> [f64; 3] {
+        let [part, rate] = self.plain.part_of_profile(roll);
+        let per_length = -self.lead.flank_twist / self.face_width;
+        [per_length * v * (part - 0.5), per_length * v * rate, per_length * (part - 0.5)]
     }
 
     /// Difference of the roll angles of the modified and the plain profile at the tip edge, and the
@@ -140,6 +150,25 @@ impl GearSurface {
             Side::Clockwise => 1.0 / self.plain.base_radius(),
         };
         [self.twist * v + inwards * amount, self.twist + inwards * slope]
+    }
+}
+
+impl GearSurface {
+    /// Material removed from the involute helicoid at a roll angle (signed as in
+    /// [`crate::gear::ToothForm`]) and a distance from mid-face (m), m: the sum of all
+    /// modifications of the flank.
+    pub fn amount_at(&self, roll: f64, v: f64) -> f64 {
+        // The helix slope deviation rotates counter-clockwise towards +z.
+        let helix = self.lead.helix_slope * v / self.face_width;
+        let outwards = match self.plain.side() {
+            Side::CounterClockwise => helix,
+            Side::Clockwise => -helix,
+        };
+        let topographies =
+            self.lead.topographies.iter().map(|topography| topography.beyond_mid_face(roll.abs(), v)[0]);
+        self.modified.amount_at(roll) + self.lead.amount(v, self.face_width)[0] - outwards
+            + self.twist_off(roll, v)[0]
+            + topographies.sum::<f64>()
     }
 }
 

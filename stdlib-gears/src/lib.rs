@@ -152,6 +152,7 @@ pub(crate) mod phase_check;
 mod plausibility;
 pub mod prototype;
 pub mod rack;
+mod relief;
 mod root_finding;
 pub mod sector_mesh;
 pub mod shaper;

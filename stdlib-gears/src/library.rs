@@ -33,6 +33,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "gears",
     "iso21771",
     "iso1328",
+    "deviations",
     "iso6336",
     "iso6336_1",
     "iso6336_2",

@@ -9,33 +9,32 @@
 
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, sentence};
+use crate::fillet::Side;
 use crate::gear::ToothForm;
+use crate::relief::ReliefRange;
+pub(crate) use crate::relief::without_start;
+pub use crate::relief::{LARGEST_EXPONENT, LINEAR_BLEND, ReliefShape, ReliefStart, TipRelief};
 use crate::table_splines::{NaturalSpline, TensorSpline};
 use std::sync::Arc;
 
-/// Growth of a tip relief from its start to the tip circle.
+/// Flank of a tooth by its position (ISO 1122-1): seen from the end of the face towards +z, with
+/// the tip of the tooth upwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ReliefShape {
-    /// Proportional to the roll angle. The corner at the start is rounded over [`LINEAR_BLEND`] of
-    /// its length to both sides, because no tool leaves a sharp corner.
-    Linear,
-    /// Proportional to the square of the roll angle.
-    Quadratic,
+pub enum ToothFlank {
+    /// Left flank: counter-clockwise side of an external tooth, clockwise side of an internal one.
+    Left,
+    /// Right flank.
+    Right,
 }
 
-/// Half-width of the rounding at the start of a linear relief, as a fraction of the relief's roll
-/// range.
-pub const LINEAR_BLEND: f64 = 0.05;
-
-/// Tip relief. As a root relief, "tip" stands for the form circle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TipRelief {
-    /// Amount at the tip circle, m.
-    pub depth: f64,
-    /// Roll angle at the start, rad.
-    pub start_roll: f64,
-    /// Shape of the relief.
-    pub shape: ReliefShape,
+impl ToothFlank {
+    /// Side of the tooth on which the flank lies.
+    pub fn side(self, internal: bool) -> Side {
+        match (self == ToothFlank::Left) != internal {
+            true => Side::CounterClockwise,
+            false => Side::Clockwise,
+        }
+    }
 }
 
 /// Modification or deviation of the flank.
@@ -62,6 +61,91 @@ pub enum Modification {
         /// Amount at both ends of the face, m.
         depth: f64,
     },
+    /// Profile crowning `C_alpha`: a parabola over the roll angle that is zero midway between root
+    /// form circle and tip circle and has this amount at both, m.
+    ProfileCrown(f64),
+    /// End relief. Plane models ignore it.
+    EndRelief(EndRelief),
+    /// Flank twist: profile slope deviation at the end of the face towards +z minus that at the
+    /// other end, m. It is zero at mid-face and midway between root form circle and tip circle.
+    /// Plane models ignore it.
+    Twist(f64),
+    /// Modification of one flank of every tooth.
+    OneFlank(ToothFlank, Arc<Modification>),
+}
+
+/// Ends of the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaceEnds {
+    /// Both ends.
+    Both,
+    /// End towards +z.
+    Positive,
+    /// End towards -z.
+    Negative,
+}
+
+/// Relief at the ends of the face, constant along the profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EndRelief {
+    /// Amount at the end of the face, m.
+    pub depth: f64,
+    /// Axial length, m.
+    pub length: f64,
+    /// Growth from the start to the end of the face.
+    pub shape: ReliefShape,
+    /// Ends with the relief.
+    pub ends: FaceEnds,
+}
+
+impl EndRelief {
+    /// Checks the relief against the face width (m).
+    ///
+    /// # Errors
+    /// E0938: the relief extends beyond mid-face, or is an arc of at least half its length.
+    pub fn check(&self, face_width: f64) -> Result<(), GeometryError> {
+        if !(self.length > 0.0 && self.length <= 0.5 * face_width) {
+            return Err(GeometryError::error(
+                "E0938",
+                "length",
+                sentence![
+                    "the end relief is ", length self.length, " long, but must be between zero and half the face width, ",
+                    length 0.5 * face_width
+                ],
+                sentence![
+                    "reduce the length, or use `lead_crown` or `lead_table` for a modification over the whole face"
+                ],
+            ));
+        }
+        if self.shape == ReliefShape::Arc && self.depth >= 0.5 * self.length {
+            return Err(GeometryError::error(
+                "E0938",
+                "depth",
+                sentence![
+                    "the end relief is ", length self.depth, " deep, but an arc of a length of ", length self.length,
+                    " can only be half as deep as it is long"
+                ],
+                sentence!["reduce the depth, or make the relief longer"],
+            ));
+        }
+        Ok(())
+    }
+
+    /// Amount (m) at a distance from mid-face (m), and its derivative; `face_width` in m.
+    pub fn amount(&self, z: f64, face_width: f64) -> [f64; 2] {
+        let start = 0.5 * face_width - self.length;
+        let range = ReliefRange { length: self.length, room: start, metres: 1.0 };
+        let at = |sign: f64| {
+            let [amount, slope, _] = self.shape.amount(self.depth, sign * z - start, &range);
+            [amount, sign * slope]
+        };
+        match self.ends {
+            // Up to mid-face, only one of the ends removes material.
+            FaceEnds::Both => at(if z < 0.0 { -1.0 } else { 1.0 }),
+            FaceEnds::Positive => at(1.0),
+            FaceEnds::Negative => at(-1.0),
+        }
+    }
 }
 
 impl From<TipRelief> for Modification {
@@ -141,6 +225,10 @@ impl Modification {
             Modification::HelixSlope(deviation) => lead("helix_slope", LeadPart::HelixSlope(*deviation)),
             Modification::LeadTable(table) => lead("lead_table", LeadPart::Table(table.clone())),
             Modification::LeadCrown { depth } => lead("lead_crown", LeadPart::Crown(*depth)),
+            Modification::ProfileCrown(depth) => profile(ProfilePart::Crown(*depth)),
+            Modification::EndRelief(relief) => lead("end_relief", LeadPart::EndRelief(*relief)),
+            Modification::Twist(twist) => lead("twist", LeadPart::Twist(*twist)),
+            Modification::OneFlank(_, modification) => modification.parts(),
             Modification::Topography(topography) => Parts {
                 profile: Some(ProfilePart::Deviation(topography.at_mid_face())),
                 lead: Some(("topography", LeadPart::Topography(topography.clone()))),
@@ -151,8 +239,54 @@ impl Modification {
     /// Creates a tip relief from its amount at the tip circle (m), the roll angle at its start
     /// (rad) and its shape. Whether it lies on the flank is checked with the gear.
     pub fn tip_relief(depth: f64, start_roll: f64, shape: ReliefShape) -> Modification {
-        Modification::TipRelief(TipRelief { depth, start_roll, shape })
+        Modification::TipRelief(TipRelief { depth, start: ReliefStart::at_roll(start_roll), shape })
     }
+
+    /// Restricts the modification to one flank of every tooth.
+    #[must_use]
+    pub fn on(self, flank: ToothFlank) -> Modification {
+        Modification::OneFlank(flank, Arc::new(self))
+    }
+
+    /// Returns whether the modification applies to a side of the teeth.
+    pub(crate) fn applies_to(&self, side: Side, internal: bool) -> bool {
+        match self {
+            Modification::OneFlank(flank, inner) => {
+                flank.side(internal) == side && inner.applies_to(side, internal)
+            }
+            _ => true,
+        }
+    }
+
+    /// Checks the modification against the face width (m).
+    ///
+    /// # Errors
+    /// E0938: an end relief does not fit.
+    pub(crate) fn check_face(&self, face_width: f64) -> Result<(), GeometryError> {
+        match self {
+            Modification::EndRelief(relief) => relief.check(face_width),
+            Modification::OneFlank(_, inner) => inner.check_face(face_width),
+            _ => Ok(()),
+        }
+    }
+
+    /// Returns all values on which a plane structure of these teeth may depend.
+    pub(crate) fn profile_numbers(&self, form: &ToothForm) -> Vec<f64> {
+        let Some(profile) = self.parts().profile else { return Vec::new() };
+        let sides = [Side::CounterClockwise, Side::Clockwise];
+        let applies = sides.map(|side| f64::from(u8::from(self.applies_to(side, form.internal))));
+        [profile.numbers(form), applies.to_vec()].concat()
+    }
+}
+
+/// Checks modifications against the face width (m).
+///
+/// # Errors
+/// E0938: an end relief does not fit.
+pub(crate) fn check_faces(modifications: &[Modification], face_width: f64) -> Result<(), Vec<GeometryError>> {
+    let wrong = modifications.iter().filter_map(|one| one.check_face(face_width).err());
+    let wrong: Vec<GeometryError> = wrong.collect();
+    if wrong.is_empty() { Ok(()) } else { Err(wrong) }
 }
 
 /// Returns the library functions of the modifications with a part along the face, which a plane
@@ -179,6 +313,8 @@ pub(crate) enum ProfilePart {
     RootRelief(TipRelief),
     /// [`Modification::ProfileSlope`], m.
     Slope(f64),
+    /// [`Modification::ProfileCrown`], m.
+    Crown(f64),
     /// Amount given by a function of the roll angle.
     Deviation(Deviation),
 }
@@ -187,13 +323,14 @@ impl ProfilePart {
     /// Returns all values on which a structure of these teeth may depend.
     pub fn numbers(&self, form: &ToothForm) -> Vec<f64> {
         let of_relief = |relief: &TipRelief, at_root: bool| {
-            let linear = relief.shape == ReliefShape::Linear;
-            vec![relief.depth, relief.start_roll, f64::from(u8::from(linear)), f64::from(u8::from(at_root))]
+            let start = relief.start_roll(form, at_root).unwrap_or(f64::NAN);
+            vec![relief.depth, start, relief.shape.number(), f64::from(u8::from(at_root))]
         };
         match self {
             ProfilePart::TipRelief(relief) => of_relief(relief, false),
             ProfilePart::RootRelief(relief) => of_relief(relief, true),
             ProfilePart::Slope(slope) => vec![*slope],
+            ProfilePart::Crown(depth) => vec![*depth, 1.0],
             ProfilePart::Deviation(deviation) => deviation.samples(form),
         }
     }
@@ -209,13 +346,20 @@ pub(crate) enum LeadPart {
     Table(Arc<NaturalSpline>),
     /// Amounts over both coordinates, minus those at mid-face.
     Topography(Arc<Topography>),
+    /// End relief.
+    EndRelief(EndRelief),
+    /// [`Modification::Twist`], m.
+    Twist(f64),
 }
 
 impl LeadPart {
     /// Returns whether the part removes nothing.
     pub fn vanishes(&self) -> bool {
         match self {
-            LeadPart::Crown(amount) | LeadPart::HelixSlope(amount) => *amount == 0.0,
+            LeadPart::Crown(amount) | LeadPart::HelixSlope(amount) | LeadPart::Twist(amount) => {
+                *amount == 0.0
+            }
+            LeadPart::EndRelief(relief) => relief.depth == 0.0,
             LeadPart::Table(_) | LeadPart::Topography(_) => false,
         }
     }
@@ -251,129 +395,48 @@ pub struct LeadModification {
     pub helix_slope: f64,
     /// Tables of amounts over the distance from mid-face.
     pub tables: Vec<Arc<NaturalSpline>>,
+    /// End reliefs.
+    pub end_reliefs: Vec<EndRelief>,
     /// Amounts that depend on the roll angle too.
     pub topographies: Vec<Arc<Topography>>,
+    /// [`Modification::Twist`], m.
+    pub flank_twist: f64,
 }
 
 impl LeadModification {
-    /// Sums the lead parts of modifications.
-    pub fn of(modifications: &[Modification]) -> LeadModification {
+    /// Sums the lead parts of modifications on one side of the teeth.
+    pub fn of(modifications: &[Modification], side: Side, internal: bool) -> LeadModification {
         let mut lead = LeadModification::default();
-        for modification in modifications {
+        for modification in modifications.iter().filter(|one| one.applies_to(side, internal)) {
             match modification.parts().lead.map(|(_, part)| part) {
                 Some(LeadPart::Crown(depth)) => lead.crown += depth,
                 Some(LeadPart::HelixSlope(deviation)) => lead.helix_slope += deviation,
                 Some(LeadPart::Table(table)) => lead.tables.push(table),
                 Some(LeadPart::Topography(topography)) => lead.topographies.push(topography),
+                Some(LeadPart::EndRelief(relief)) => lead.end_reliefs.push(relief),
+                Some(LeadPart::Twist(twist)) => lead.flank_twist += twist,
                 None => {}
             }
         }
         lead
     }
 
-    /// Amount (m) on both flanks at a distance from mid-face (m), and its derivative; `face_width`
-    /// in m. It excludes the helix slope deviation, whose sense is opposite on the two flanks, and
-    /// topographies, which depend on the roll angle.
+    /// Amount (m) at a distance from mid-face (m), and its derivative; `face_width` in m. It
+    /// excludes the helix slope deviation, whose sense is opposite on the two flanks, and
+    /// topographies and twist, which depend on the roll angle.
     pub fn amount(&self, z: f64, face_width: f64) -> [f64; 2] {
         let part = 2.0 * z / face_width;
         let crown = [self.crown * part * part, 4.0 * self.crown * part / face_width];
-        self.tables.iter().fold(crown, |[amount, slope], table| {
+        let tables = self.tables.iter().map(|table| {
             let [value, rate, _] = table.at(z);
-            [amount + value, slope + rate]
-        })
-    }
-}
-
-impl TipRelief {
-    /// Relief of one end of the flank expressed for the other end of the reversed flank, where roll
-    /// angles change sign.
-    pub(crate) fn turned(self) -> TipRelief {
-        TipRelief { start_roll: -self.start_roll, ..self }
+            [value, rate]
+        });
+        let reliefs = self.end_reliefs.iter().map(|relief| relief.amount(z, face_width));
+        tables.chain(reliefs).fold(crown, |[amount, slope], [value, rate]| [amount + value, slope + rate])
     }
 
-    /// Checks the relief against the tip or the root of the teeth.
-    pub fn check(&self, form: &ToothForm, at_root: bool) -> Result<(), GeometryError> {
-        let end = if at_root { "root" } else { "tip" };
-        let (form_roll, tip_roll, tip_thickness) = (form.form_roll, form.tip_roll, form.tip_thickness());
-        if !(form_roll..tip_roll).contains(&(form.sense() * self.start_roll)) {
-            return Err(GeometryError::error(
-                "E0640",
-                "start_roll_angle",
-                sentence![
-                    "the ", text end, " relief starts at a roll angle of ", angle self.start_roll,
-                    ", but the involute runs from ", angle form_roll.abs(), " to ", angle tip_roll.abs()
-                ],
-                sentence![
-                    "start the relief on the involute, usually near the last point of single-tooth contact towards that end"
-                ],
-            ));
-        }
-        if !(self.depth >= 0.0 && self.depth < 0.5 * tip_thickness) {
-            return Err(GeometryError::error(
-                "E0641",
-                "depth",
-                sentence![
-                    "the ", text end, " relief is ", length self.depth, " deep, but must be between zero and half the tip thickness, ",
-                    length 0.5 * tip_thickness
-                ],
-                sentence![
-                    "usual depths are near the deflection of the teeth under load, a few thousandths of a module"
-                ],
-            ));
-        }
-        Ok(())
-    }
-
-    /// Half-width of the rounding at the start in roll angle; it never extends below the form
-    /// circle.
-    fn blend(&self, form_roll: f64, tip_roll: f64) -> f64 {
-        match self.shape {
-            ReliefShape::Linear => {
-                (LINEAR_BLEND * (tip_roll - self.start_roll)).min(self.start_roll - form_roll)
-            }
-            ReliefShape::Quadratic => 0.0,
-        }
-    }
-
-    /// Roll angles at which the second derivative of the amount is discontinuous, ascending.
-    pub fn breaks(&self, form_roll: f64, tip_roll: f64) -> Vec<f64> {
-        let blend = self.blend(form_roll, tip_roll);
-        if blend > 0.0 {
-            vec![self.start_roll - blend, self.start_roll + blend]
-        } else {
-            vec![self.start_roll]
-        }
-    }
-
-    /// Amount (m) at a roll angle, and its first and second derivatives by the roll angle.
-    pub fn amount(&self, roll: f64, form_roll: f64, tip_roll: f64) -> [f64; 3] {
-        let range = tip_roll - self.start_roll;
-        let from_start = roll - self.start_roll;
-        match self.shape {
-            ReliefShape::Quadratic => {
-                if from_start <= 0.0 {
-                    return [0.0; 3];
-                }
-                let part = from_start / range;
-                [
-                    self.depth * part * part,
-                    2.0 * self.depth * part / range,
-                    2.0 * self.depth / (range * range),
-                ]
-            }
-            ReliefShape::Linear => {
-                let blend = self.blend(form_roll, tip_roll);
-                let slope = self.depth / range;
-                if from_start <= -blend {
-                    [0.0; 3]
-                } else if from_start < blend {
-                    // Parabola tangent to both straight parts.
-                    let into = from_start + blend;
-                    [slope * into * into / (4.0 * blend), slope * into / (2.0 * blend), slope / (2.0 * blend)]
-                } else {
-                    [slope * from_start, slope, 0.0]
-                }
-            }
-        }
+    /// Returns whether some amount depends on the roll angle and on the position along the face.
+    pub(crate) fn varies_over_both(&self) -> bool {
+        self.flank_twist != 0.0 || !self.topographies.is_empty()
     }
 }

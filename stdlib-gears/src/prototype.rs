@@ -7,7 +7,7 @@ use crate::fillet::Side;
 use crate::flank::Flank;
 use crate::gear::{Gear, ToothForm};
 use crate::helix::Helix;
-use crate::modification::{Modification, ProfilePart, along_face};
+use crate::modification::{Modification, along_face, check_faces};
 use crate::modified_structure::modified_structure;
 use crate::sector_mesh::{Refinement, sector_mesh};
 use crate::solid_prototype::SolidSector;
@@ -98,7 +98,8 @@ impl GearPrototype {
         pitch_errors: Vec<f64>,
     ) -> Result<Self, Vec<GeometryError>> {
         let gear = gear.into();
-        let flanks = flanks(gear.form(), &modifications)?;
+        let flanks =
+            check_faces(&modifications, face_width).and_then(|()| flanks(gear.form(), &modifications))?;
         let helix = Helix::SPUR;
         let accepted = Mutex::default();
         Ok(GearPrototype {
@@ -280,8 +281,8 @@ impl GearPrototype {
             .flag(options.stresses)
             .flag(options.sharp_edges)
             .flag(self.is_modified());
-        let profiles = self.meshed_modifications().iter().filter_map(|one| one.parts().profile);
-        profiles.fold(key, |key: KeyWriter, part: ProfilePart| key.numbers(&part.numbers(&self.form())))
+        let profiles = self.meshed_modifications().iter().filter(|one| one.parts().profile.is_some());
+        profiles.fold(key, |key: KeyWriter, one| key.numbers(&one.profile_numbers(&self.form())))
     }
 
     /// Flank curves of the contact problem for [`Prototype::build`].

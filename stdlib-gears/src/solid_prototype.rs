@@ -70,11 +70,12 @@ impl GearPrototype {
         let [tip, _] = self.roundings(options);
         let plain = self.flanks_with(tip, &[])?;
         let modified = self.flanks_with(tip, modifications)?;
-        let lead = LeadModification::of(modifications);
+        let internal = self.form().internal;
         let twist = self.twist_per_length();
         let surface = |side: usize| {
             let (plain, modified) = (plain[side].clone(), modified[side].clone());
-            Arc::new(GearSurface::new(plain, modified, self.face_width, twist, lead.clone()))
+            let lead = LeadModification::of(modifications, plain.side(), internal);
+            Arc::new(GearSurface::new(plain, modified, self.face_width, twist, lead))
         };
         Ok([surface(0), surface(1)])
     }

@@ -23,6 +23,7 @@ mod internal_gears;
 mod internal_solid;
 mod ladder;
 mod matching_depth;
+mod microgeometry;
 mod modes;
 mod modifications;
 mod pair;

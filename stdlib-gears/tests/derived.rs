@@ -5,7 +5,7 @@ use calyx_gears::blank::Rim;
 use calyx_gears::derived_quantities::{Quantity, of_gear, of_mesh};
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::mesh_geometry::MeshGeometry;
-use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::modification::{Modification, ReliefShape};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::material::Material;
@@ -194,8 +194,8 @@ fn the_margin_of_undercut_is_the_shift_that_reaches_it() {
 
 #[test]
 fn a_relief_is_told_by_the_diameter_where_it_begins() {
-    let relief = TipRelief { depth: 2e-5, start_roll: 0.45, shape: ReliefShape::Linear };
-    let gear = prototype(standard(25, 3e-3, 0.0), vec![Modification::TipRelief(relief)]);
+    let relief = Modification::tip_relief(2e-5, 0.45, ReliefShape::Linear);
+    let gear = prototype(standard(25, 3e-3, 0.0), vec![relief]);
     let quantities = of_gear(&gear);
     close(find(&quantities, "d_Ca", None).value, 2.0 * gear.form().base_radius * 0.45_f64.hypot(1.0), "d_Ca");
     assert!(find(&quantities, "d_Fa", None).value < find(&quantities, "d_a", None).value);

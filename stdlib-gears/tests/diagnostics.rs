@@ -8,7 +8,7 @@ use calyx_gears::external::{ExternalGear, ExternalGearData, check_rim};
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::mesh_geometry::{HelicalTeeth, MeshGeometry};
-use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::modification::{Modification, ReliefShape};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::interrupt::Interrupt;
@@ -151,9 +151,9 @@ fn impossible_racks_rims_and_reliefs_are_refused() {
     ];
     for (start, depth, code, argument, says) in reliefs {
         let start_roll = f64::to_radians(start);
-        let relief = TipRelief { depth: depth * INCH, start_roll, shape: ReliefShape::Quadratic };
-        let errors = Flank::new(&chapter_5(20), &[Modification::TipRelief(relief)], Side::CounterClockwise)
-            .expect_err("an impossible relief");
+        let relief = Modification::tip_relief(depth * INCH, start_roll, ReliefShape::Quadratic);
+        let errors =
+            Flank::new(&chapter_5(20), &[relief], Side::CounterClockwise).expect_err("an impossible relief");
         expect(code, &errors, code, argument, says);
     }
 }

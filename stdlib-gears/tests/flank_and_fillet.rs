@@ -6,12 +6,12 @@ use calyx_gears::external::ExternalGear;
 use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::mesh_geometry::MeshGeometry;
-use calyx_gears::modification::{LINEAR_BLEND, Modification, ReliefShape, TipRelief};
+use calyx_gears::modification::{LINEAR_BLEND, Modification, ReliefShape};
 use calyx_runtime::profile::{Profile, ProfilePoint};
 use std::f64::consts::PI;
 
 fn relief(shape: ReliefShape, start_deg: f64) -> Modification {
-    Modification::TipRelief(TipRelief { depth: 0.0005 * INCH, start_roll: start_deg.to_radians(), shape })
+    Modification::tip_relief(0.0005 * INCH, start_deg.to_radians(), shape)
 }
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -144,7 +144,7 @@ fn relief_is_measured_normal_to_the_involute() {
             assert!((dot(offset, involute.normal) - expected).abs() < 1e-16, "{shape:?} at {roll}");
             assert!(dot(offset, involute.tangent).abs() < 1e-16, "{shape:?} at {roll}");
         }
-        let amount = TipRelief { depth, start_roll: start, shape }.amount(tip, gear.form_roll, tip)[0];
+        let amount = flank.amount_at(tip);
         assert!((amount - depth).abs() < 1e-18, "{shape:?}: {amount}");
     }
 }

@@ -2,7 +2,7 @@
 
 use calyx_gears::blank::GearBlank;
 use calyx_gears::flank::Flank;
-use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::modification::{Modification, ReliefShape, ReliefStart, TipRelief};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_gears::shaper::Shaper;
@@ -49,7 +49,8 @@ fn reliefs_of_tip_and_root_are_deepest_at_their_ends() {
     for index in 0..2 {
         let [tip_from, root_from] = [0.7, 0.3].map(|part| roll_at(&plain[index], part));
         for shape in [ReliefShape::Linear, ReliefShape::Quadratic] {
-            let relief = |depth, start_roll| TipRelief { depth, start_roll, shape };
+            let relief =
+                |depth, start_roll| TipRelief { depth, start: ReliefStart::at_roll(start_roll), shape };
             let gear = &made(
                 index,
                 &[
@@ -78,8 +79,8 @@ fn reliefs_of_tip_and_root_are_deepest_at_their_ends() {
         }
     }
     // A root relief must also begin on the involute.
-    let outside =
-        Modification::RootRelief(TipRelief { depth: 5.0 * UM, start_roll: 2.0, shape: ReliefShape::Linear });
+    let start = ReliefStart::at_roll(2.0);
+    let outside = Modification::RootRelief(TipRelief { depth: 5.0 * UM, start, shape: ReliefShape::Linear });
     let rack = Rack::new(MODULE, 0.35, 0.3 * MODULE).expect("a rack");
     let refused = GearBlank::standard(25, rack).modified(outside).cut().err().expect("refused");
     assert!(refused.to_string().contains("the root relief starts"), "{refused}");

@@ -8,6 +8,7 @@ mod former_names;
 mod gear_data;
 mod language;
 mod library;
+mod microgeometry;
 mod ratings;
 mod reference;
 mod report;

@@ -6,7 +6,7 @@ use calyx_gears::blank::Rim;
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::gear::{Gear, ToothForm};
 use calyx_gears::mesh_geometry::MeshGeometry;
-use calyx_gears::modification::{Modification, ReliefShape, TipRelief};
+use calyx_gears::modification::{Modification, ReliefShape};
 use calyx_gears::mounting::{Mounting, mount};
 use calyx_gears::prototype::GearPrototype;
 use calyx_runtime::error::EngineError;
@@ -161,11 +161,8 @@ pub fn chapter_5_member(teeth: u32, relief: f64, scale: Scale) -> Member {
     data.root_radius *= length;
     let (rim, start_roll) = if teeth == 20 { ([0.7, 0.6], 27.25) } else { ([1.7, 1.2], 19.60) };
     let relief = (relief > 0.0).then(|| {
-        Modification::TipRelief(TipRelief {
-            depth: relief * INCH * length,
-            start_roll: f64::to_radians(start_roll),
-            shape: ReliefShape::Quadratic,
-        })
+        let start_roll = f64::to_radians(start_roll);
+        Modification::tip_relief(relief * INCH * length, start_roll, ReliefShape::Quadratic)
     });
     let material = Material { youngs_modulus: modulus * steel().youngs_modulus, ..steel() };
     let [radius, fixed_radius] = rim.map(|radius| radius * INCH * length);

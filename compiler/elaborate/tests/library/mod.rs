@@ -47,9 +47,10 @@ const ANY_DIMENSION: [(&str, &str); 4] =
 const OF_FILES: [&str; 2] = ["read_table", "column"];
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
-/// memory in proportion to a number, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 11] = [
+/// memory in proportion to a number without a limit, so that their numbers need no ranges.
+const OF_FORMULAS: [&str; 12] = [
     "iso1328",
+    "deviations",
     "iso6336",
     "iso6336_1",
     "iso6336_2",
@@ -238,7 +239,12 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("tip_relief", "start_roll_angle", "0.5 rad"),
     ("root_relief", "depth", "10 um"),
     ("root_relief", "start_roll_angle", "0.2 rad"),
+    ("profile_crown", "depth", "5 um"),
     ("lead_crown", "depth", "5 um"),
+    ("end_relief", "depth", "5 um"),
+    ("end_relief", "length", "2 mm"),
+    ("twist", "amount", "5 um"),
+    ("modification_amount", "roll_angle", "0.4 rad"),
     ("profile_table", "roll_angles", "[0.1 rad, 0.3 rad, 0.6 rad]"),
     ("profile_table", "depths", "[0 um, 1 um, 5 um]"),
     ("lead_table", "axial_positions", "[-5 mm, 0 mm, 5 mm]"),
@@ -246,6 +252,9 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("topography", "roll_angles", "[0.1 rad, 0.3 rad, 0.6 rad]"),
     ("topography", "axial_positions", "[-5 mm, 5 mm]"),
     ("topography", "depths", "[0 um, 1 um, 2 um, 3 um, 4 um, 5 um]"),
+    ("topography_of_points", "roll_angles", "[0.1 rad, 0.6 rad, 0.1 rad, 0.6 rad]"),
+    ("topography_of_points", "axial_positions", "[-5 mm, -5 mm, 5 mm, 5 mm]"),
+    ("topography_of_points", "depths", "[0 um, 1 um, 2 um, 3 um]"),
     ("profile_slope", "deviation", "5 um"),
     ("helix_slope", "deviation", "5 um"),
     ("external", "teeth", "20"),
