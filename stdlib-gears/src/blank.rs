@@ -304,6 +304,9 @@ pub struct GearBlank {
     pub material: Material,
     /// Rim that carries the teeth; for an internal gear, see [`Rim::outer`].
     pub rim: Rim,
+    /// True for a gear that is solid to its axis: the material inside the supported surface of the
+    /// rim is rigid, and has mass.
+    pub solid: bool,
     /// Tooth thickness.
     pub thickness: Thickness,
     /// Radius of the rounded tip edge; `None` selects [`crate::external::DEFAULT_TIP_EDGE`]
@@ -346,6 +349,7 @@ impl GearBlank {
             helix: Helix::SPUR,
             material: Material::STEEL,
             rim: Rim { radius, fixed_radius, web: None, support: BoreSupport::Rigid },
+            solid: false,
             thickness: Thickness::ProfileShift(0.0),
             tip_edge_radius: None,
             modifications: Vec::new(),
@@ -415,7 +419,9 @@ impl GearBlank {
         let pitch_errors = self.pitch_errors.iter().map(|error| error / pitch_radius).collect();
         let (material, rim, face_width) = (self.material, self.rim, self.face_width);
         let cut = GearPrototype::new(gear, self.modifications, material, rim, face_width, pitch_errors);
-        Ok(Arc::new(cut.map_err(of_modifications)?.along(self.helix)))
+        let mut cut = cut.map_err(of_modifications)?.along(self.helix);
+        cut.solid = self.solid;
+        Ok(Arc::new(cut))
     }
 
     fn external(&self, rack: Rack, thickness: f64) -> Result<ExternalGear, Refusal> {

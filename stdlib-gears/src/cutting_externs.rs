@@ -1,31 +1,49 @@
 //! Tools, rims and gears for programs: the Rust side of `rack`, `shaper`, `external` and `internal`
 //! of `gears.cx`. Those of rims on webs are in [`crate::web`].
 
+use crate::basic_rack::StatedRack;
 use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport, Tool};
-use crate::error::{Refusal, Severity};
+use crate::error::{GeometryError, Refusal, Severity};
 use crate::externs::{entry, host, refusal};
 use crate::helix::{Hand, Helix};
 use crate::host::{ModelHost, keep};
+use crate::material_names;
 use crate::modification::Modification;
-use crate::plausibility::{of_gear, thickness};
+use crate::plausibility::of_gear;
 use crate::prototype::GearPrototype;
 use crate::rack::{Plane, Rack};
 use crate::shaper::Shaper;
+use crate::stated_gear::{
+    BlankStatements, ModuleStatement, Proportions, TipStatements, sized_rack, sized_shaper,
+};
+use crate::stated_thickness::{Limit, ThicknessStatements};
 use calyx_abi::externs::Handle;
-use calyx_abi::{Context, RuntimeError};
+use calyx_abi::{Context, RuntimeError, math};
 use calyx_runtime::structure::BoreSupport;
 use std::sync::Arc;
 
 calyx_abi::externs! {
     Pure fn calyx_gears_rack(
         context, module: Option<f64>, diametral_pitch: Option<f64>, pressure_angle: f64, tip_radius: f64,
-        plane: Option<String>,
+        plane: Option<String>, addendum: Option<f64>, dedendum: Option<f64>,
     ) -> Handle {
         let module = module_of("rack", module, diametral_pitch)?;
         let (place, host) = (context.place, host(context)?);
         let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| host.runtime_error(&error, place))?;
         let plane = plane.map_or(Plane::Unstated, |plane| Plane::named(&plane).unwrap_or_default());
-        Ok(keep(&mut host.racks, rack.in_plane(plane)))
+        let rack = StatedRack::sized(rack.in_plane(plane), addendum, dedendum);
+        Ok(keep(&mut host.racks, rack))
+    }
+
+    Pure fn calyx_gears_named_rack(context, name: String) -> Handle {
+        let rack = StatedRack::named(&name).ok_or_else(|| unknown_name("basic rack", &name, StatedRack::names()))?;
+        Ok(keep(&mut host(context)?.racks, rack))
+    }
+
+    Pure fn calyx_gears_named_material(context, name: String) -> Handle {
+        let material = material_names::named(&name)
+            .ok_or_else(|| unknown_name("material", &name, material_names::names()))?;
+        Ok(keep(&mut host(context)?.materials, material))
     }
 
     Pure fn calyx_gears_shaper(
@@ -94,30 +112,89 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_external(
-        context, teeth: f64, rack: Handle, face_width: f64, outer_diameter: f64, root_diameter: f64,
-        material: Handle, rim: Handle, tooth_thickness: Option<f64>, profile_shift: f64,
-        tip_edge_radius: Option<f64>, modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64,
-        hand: String,
+        context, teeth: f64, rack: Handle, face_width: f64, outer_diameter: Option<f64>,
+        root_diameter: Option<f64>, material: Handle, rim: Option<Handle>, tooth_thickness: Option<f64>,
+        profile_shift: Option<f64>, tip_edge_radius: Option<f64>, modifications: Vec<Handle>,
+        pitch_errors: Vec<f64>, helix_angle: f64, hand: String, normal_module: Option<f64>,
+        transverse_module: Option<f64>, module: Option<f64>, normal_diametral_pitch: Option<f64>,
+        transverse_diametral_pitch: Option<f64>, diametral_pitch: Option<f64>, tip_diameter: Option<f64>,
+        tip_alteration: Option<f64>, bore: Option<f64>, rim_thickness: Option<f64>,
+        normal_thickness: Option<f64>, transverse_thickness: Option<f64>, span: Option<f64>,
+        span_teeth: Option<f64>, over_balls: Option<f64>, ball: Option<f64>, upper_allowance: Option<f64>,
+        lower_allowance: Option<f64>, stated_at: String, thickness_limit: String,
     ) -> Handle {
         let given = GearArguments {
-            teeth, diameters: [outer_diameter, root_diameter], face_width, material, rim, tooth_thickness,
-            profile_shift, tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
+            teeth,
+            tip: TipStatements { diameter: ("outer_diameter", outer_diameter), tip_diameter, alteration: tip_alteration },
+            root_diameter, face_width, material, rim,
+            far: ("bore", bore),
+            rim_thickness,
+            modules: ModuleStatement::all(
+                [module, normal_module, transverse_module],
+                [diametral_pitch, normal_diametral_pitch, transverse_diametral_pitch],
+            ),
+            thickness: ThicknessStatements {
+                profile_shift, tooth_thickness, normal_thickness, transverse_thickness, span, span_teeth,
+                over_balls: ("over_balls", over_balls),
+                ball,
+                allowances: [upper_allowance, lower_allowance],
+                stated_at: Limit::named(&stated_at),
+                limit: Limit::named(&thickness_limit),
+            },
+            tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
         };
-        cut_gear(context, |host| Ok(Tool::from(*entry(&host.racks, rack)?)), given)
+        let stated = *entry(&host(context)?.racks, rack)?;
+        cut_gear(context, &stated, given, |_, modules, helix| {
+            Ok((Tool::from(sized_rack(&stated, modules, helix)?), false))
+        })
     }
 
     Pure fn calyx_gears_internal(
-        context, teeth: f64, shaper: Handle, face_width: f64, minor_diameter: f64, root_diameter: f64,
-        material: Handle, rim: Handle, tooth_thickness: Option<f64>, profile_shift: f64,
-        tip_edge_radius: Option<f64>, modifications: Vec<Handle>, pitch_errors: Vec<f64>, helix_angle: f64,
-        hand: String,
+        context, teeth: f64, shaper: Option<Handle>, face_width: f64, minor_diameter: Option<f64>,
+        root_diameter: Option<f64>, material: Handle, rim: Option<Handle>, tooth_thickness: Option<f64>,
+        profile_shift: Option<f64>, tip_edge_radius: Option<f64>, modifications: Vec<Handle>,
+        pitch_errors: Vec<f64>, helix_angle: f64, hand: String, rack: Handle, normal_module: Option<f64>,
+        transverse_module: Option<f64>, module: Option<f64>, normal_diametral_pitch: Option<f64>,
+        transverse_diametral_pitch: Option<f64>, diametral_pitch: Option<f64>, tip_diameter: Option<f64>,
+        tip_alteration: Option<f64>, outer_diameter: Option<f64>, rim_thickness: Option<f64>,
+        normal_thickness: Option<f64>, transverse_thickness: Option<f64>, span: Option<f64>,
+        span_teeth: Option<f64>, between_balls: Option<f64>, ball: Option<f64>, upper_allowance: Option<f64>,
+        lower_allowance: Option<f64>, stated_at: String, thickness_limit: String,
     ) -> Handle {
         let given = GearArguments {
-            teeth, diameters: [minor_diameter, root_diameter], face_width, material, rim, tooth_thickness,
-            profile_shift, tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
+            teeth,
+            tip: TipStatements { diameter: ("minor_diameter", minor_diameter), tip_diameter, alteration: tip_alteration },
+            root_diameter, face_width, material, rim,
+            far: ("outer_diameter", outer_diameter),
+            rim_thickness,
+            modules: ModuleStatement::all(
+                [module, normal_module, transverse_module],
+                [diametral_pitch, normal_diametral_pitch, transverse_diametral_pitch],
+            ),
+            thickness: ThicknessStatements {
+                profile_shift, tooth_thickness, normal_thickness, transverse_thickness, span, span_teeth,
+                over_balls: ("between_balls", between_balls),
+                ball,
+                allowances: [upper_allowance, lower_allowance],
+                stated_at: Limit::named(&stated_at),
+                limit: Limit::named(&thickness_limit),
+            },
+            tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
         };
-        cut_gear(context, |host| Ok(Tool::from(*entry(&host.shapers, shaper)?)), given)
+        let host = host(context)?;
+        let stated = *entry(&host.racks, rack)?;
+        let shaper = shaper.map(|shaper| entry(&host.shapers, shaper).copied()).transpose()?;
+        cut_gear(context, &stated, given, |teeth, modules, helix| {
+            let sized = sized_shaper(shaper, &stated, modules, teeth, helix)?;
+            Ok((Tool::from(sized), shaper.is_none()))
+        })
     }
+}
+
+fn unknown_name(what: &str, name: &str, names: impl Iterator<Item = &'static str>) -> RuntimeError {
+    let known: Vec<String> = names.map(|name| format!("\"{name}\"")).collect();
+    let help = format!("choose one of {}", known.join(", "));
+    refusal("E0918", "name", &format!("there is no {what} called \"{name}\""), &help)
 }
 
 /// Source location of a call.
@@ -201,13 +278,16 @@ fn modifications_of(host: &ModelHost, handles: Vec<Handle>) -> Result<Vec<Modifi
 /// Arguments that `external` and `internal` have in common.
 struct GearArguments {
     teeth: f64,
-    /// Tip and root diameter.
-    diameters: [f64; 2],
+    tip: TipStatements,
+    root_diameter: Option<f64>,
     face_width: f64,
     material: Handle,
-    rim: Handle,
-    tooth_thickness: Option<f64>,
-    profile_shift: f64,
+    rim: Option<Handle>,
+    /// Diameter of the bore, or outer diameter of an internal gear, with its argument.
+    far: (&'static str, Option<f64>),
+    rim_thickness: Option<f64>,
+    modules: Vec<ModuleStatement>,
+    thickness: ThicknessStatements,
     tip_edge_radius: Option<f64>,
     modifications: Vec<Handle>,
     pitch_errors: Vec<f64>,
@@ -215,33 +295,56 @@ struct GearArguments {
     hand: String,
 }
 
+/// Generates a gear. `tool` returns its tool, and `true` if profile shift coefficients count normal
+/// modules although the tool is given in the transverse plane.
 fn cut_gear(
     context: &mut Context,
-    tool: impl FnOnce(&ModelHost) -> Result<Tool, RuntimeError>,
-    given: GearArguments,
+    rack: &StatedRack,
+    mut given: GearArguments,
+    tool: impl FnOnce(u32, &[ModuleStatement], &Helix) -> Result<(Tool, bool), GeometryError>,
 ) -> Result<Handle, RuntimeError> {
     let teeth = whole_teeth(given.teeth)?;
     let (place, host) = (context.place, host(context)?);
-    let tool = tool(host)?;
-    let of_shift = |shift: f64| tool.thickness_of_shift(shift);
-    let thickness = thickness(given.tooth_thickness, given.profile_shift, tool.module(), of_shift)
-        .map_err(|error| host.runtime_error(&error, place))?;
-    let [tip_diameter, root_diameter] = given.diameters;
+    let helix = helix(host, given.helix_angle, &given.hand, place)?;
+    let report = |host: &mut ModelHost, error: GeometryError| host.runtime_error(&error, place);
+    let (tool, normal) = tool(teeth, &given.modules, &helix).map_err(|error| report(host, error))?;
+    let proportions = Proportions::of(&tool, rack, teeth, &helix, normal);
+    // Ratio of the module of the tool to the module that shift coefficients count.
+    let per_module = if normal && !helix.is_spur() { math::cos(helix.angle()) } else { 1.0 };
+    given.thickness.profile_shift = given.thickness.profile_shift.map(|shift| shift * per_module);
+    let found = given.thickness.resolve(&tool, teeth, &helix).map_err(|error| report(host, error))?;
+    let [shift, generated] = [found.shift, found.generated_shift].map(|shift| shift / per_module);
+    let tip_diameter = given.tip.resolve(&proportions, shift).map_err(|error| report(host, error))?;
+    let root_diameter = given.root_diameter.unwrap_or_else(|| proportions.root_diameter(generated));
+    let rim = given.rim.map(|rim| entry(&host.rims, rim).cloned()).transpose()?;
+    let blank = BlankStatements { rim, far: given.far, rim_thickness: given.rim_thickness };
+    let (rim, solid) = blank.resolve(&proportions, root_diameter).map_err(|error| report(host, error))?;
+    host.note(&found.warnings, place);
     let blank = GearBlank {
         teeth,
         tool,
         tip_diameter,
         root_diameter,
         face_width: given.face_width,
-        helix: helix(host, given.helix_angle, &given.hand, place)?,
+        helix,
         material: *entry(&host.materials, given.material)?,
-        rim: entry(&host.rims, given.rim)?.clone(),
-        thickness,
+        rim,
+        solid,
+        thickness: found.thickness,
         tip_edge_radius: given.tip_edge_radius,
         modifications: modifications_of(host, given.modifications)?,
         pitch_errors: given.pitch_errors,
     };
-    keep_gear(host, blank.cut(), tool.module(), place)
+    let stated = [(given.tip.diameter.0, given.tip.stated()), ("tooth_thickness", given.thickness.stated())];
+    let blame = |error: GeometryError| {
+        let other = stated.iter().find(|(argument, _)| *argument == error.argument);
+        GeometryError { argument: other.and_then(|(_, stated)| *stated).unwrap_or(error.argument), ..error }
+    };
+    let cut = blank.cut().map_err(|refusal| match refusal {
+        Refusal::Geometry(errors) => Refusal::Geometry(errors.into_iter().map(blame).collect()),
+        other => other,
+    });
+    keep_gear(host, cut, tool.module(), place)
 }
 
 fn keep_gear(

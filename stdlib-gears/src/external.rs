@@ -29,6 +29,9 @@ pub struct ExternalGearData {
 /// Default radius of the rounded tip edge, in modules.
 pub const DEFAULT_TIP_EDGE: f64 = 0.02;
 
+/// Half the width of the rack's tip land in modules up to which it counts as zero.
+const MEETING: f64 = 1e-12;
+
 /// Roll angle up to which the fillet counts as meeting the involute on the base circle. Fillet and
 /// involute differ by the cube of this angle, so rounding errors hide the intersection of an
 /// undercut fillet with the involute below it.
@@ -91,6 +94,8 @@ impl ExternalGear {
         let halfwidth = 0.5 * (rack.pitch() - tooth_thickness)
             - tip_centre_depth * sine / cosine
             - rack.tip_support(rack.pressure_angle) / cosine;
+        // The fillets of a full fillet rack meet in the middle of its tooth, up to rounding errors.
+        let halfwidth = if halfwidth.abs() < MEETING * rack.module { 0.0 } else { halfwidth };
         let generation = RackRoot {
             teeth,
             pitch_radius,

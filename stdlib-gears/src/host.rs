@@ -1,6 +1,7 @@
 //! State of the library for a running model: all gears, racks and materials that the program has
 //! created, and the scene.
 
+use crate::basic_rack::StatedRack;
 use crate::blank::Rim;
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, Refusal, Severity};
@@ -9,7 +10,6 @@ use crate::lumped_planetary::{LumpedMember, Mode};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
-use crate::rack::Rack;
 use crate::shaper::Shaper;
 use crate::tables::Table;
 use calyx_abi::externs::Handle;
@@ -73,7 +73,7 @@ pub struct ModelHost {
     /// Materials, by handle like all tables here.
     pub materials: Vec<Material>,
     /// Racks.
-    pub racks: Vec<Rack>,
+    pub racks: Vec<StatedRack>,
     /// Shaper cutters.
     pub shapers: Vec<Shaper>,
     /// Rims.

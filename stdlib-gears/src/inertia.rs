@@ -9,6 +9,7 @@ use calyx_runtime::fe::Section;
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::material::Material;
 use calyx_runtime::scene::StructureOptions;
+use std::f64::consts::PI;
 
 impl GearPrototype {
     /// Inertia of the whole gear; `None` if it cannot be meshed, which the construction of its
@@ -21,8 +22,17 @@ impl GearPrototype {
         let mass = density * area * width;
         let polar = density * polar * width;
         let toothed = Inertia::axial(mass, polar, 0.5 * polar + mass * width * width / 12.0);
+        let toothed = if self.solid { toothed + self.core_inertia() } else { toothed };
         let carried = self.carrying().map(|(section, material)| material.density * section.inertia());
         Some(toothed + carried.unwrap_or_default())
+    }
+
+    /// Inertia of the cylinder inside the supported surface of the rim.
+    fn core_inertia(&self) -> Inertia {
+        let (radius, width) = (self.rim.fixed_radius, self.face_width);
+        let mass = self.material.density * PI * radius * radius * width;
+        let polar = 0.5 * mass * radius * radius;
+        Inertia::axial(mass, polar, 0.5 * polar + mass * width * width / 12.0)
     }
 
     /// Section and material of the body between rim and bore.
@@ -42,7 +52,6 @@ mod tests {
     use calyx_runtime::fe::Station;
     use calyx_runtime::profile::Profile;
     use calyx_runtime::scene::Prototype;
-    use std::f64::consts::PI;
     use std::sync::Arc;
 
     const MODULE: f64 = 4e-3;
@@ -143,6 +152,17 @@ mod tests {
         let transverse = 0.5 * polar + mass * width * width / 12.0;
         assert!((found.about[0][0] / transverse - 1.0).abs() < 2e-5);
         assert!(found.moment[2] == 0.0);
+    }
+
+    #[test]
+    fn a_solid_gear_includes_the_material_inside_its_support() {
+        let plain = blank();
+        let [without, solid] =
+            [false, true].map(|solid| GearBlank { solid, ..plain.clone() }.cut().expect("a gear").inertia());
+        let [mass, polar, transverse] = ring([0.0, plain.rim.fixed_radius], plain.face_width);
+        assert!(is_near(solid.mass - without.mass, mass));
+        assert!(is_near(solid.polar() - without.polar(), polar));
+        assert!(is_near(solid.about[0][0] - without.about[0][0], transverse));
     }
 
     #[test]

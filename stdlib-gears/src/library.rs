@@ -53,6 +53,7 @@ const TABLES: &[&[Extern]] = &[
     crate::bearing_externs::EXTERNS,
     crate::body_externs::EXTERNS,
     crate::cutting_externs::EXTERNS,
+    crate::drawing_externs::EXTERNS,
     crate::gauge_externs::EXTERNS,
     crate::lumped_externs::EXTERNS,
     crate::dynamics_externs::EXTERNS,

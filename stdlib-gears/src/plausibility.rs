@@ -5,7 +5,7 @@
 //! that was probably meant. The limits lie far outside of actual products: materials from
 //! elastomers to tungsten carbide, gears from watches to mills.
 
-use crate::blank::{Rim, Thickness};
+use crate::blank::Rim;
 use crate::error::{GeometryError, Severity, sentence};
 use crate::gear::ToothForm;
 use crate::host::Finding;
@@ -33,9 +33,6 @@ const USUAL_FACE_WIDTHS: RangeInclusive<f64> = 2.0..=50.0;
 /// modules.
 const THINNEST_METAL: f64 = 0.4;
 const THINNEST_RING: f64 = 0.1;
-/// Largest difference, in modules, of tooth thicknesses from a profile shift and a given thickness
-/// that count as equal: more than the rounding of a drawing.
-const SAME_THICKNESS: f64 = 1e-3;
 /// Largest single pitch deviation in modules: twice that of the lowest flank tolerance class of ISO
 /// 1328-1 for small gears.
 const LARGEST_PITCH_DEVIATION: f64 = 0.1;
@@ -193,41 +190,6 @@ fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
             ],
         )
     })
-}
-
-/// Tooth thickness from a given tooth thickness and a profile shift coefficient, where a shift of
-/// zero agrees with any thickness. `of_shift` returns the thickness of a shift; `module` is that
-/// of the tool.
-///
-/// # Errors
-/// E0605: the thickness is negative. E0805: the values contradict each other.
-pub(crate) fn thickness(
-    tooth_thickness: Option<f64>,
-    profile_shift: f64,
-    module: f64,
-    of_shift: impl Fn(f64) -> f64,
-) -> Result<Thickness, GeometryError> {
-    let Some(tooth_thickness) = tooth_thickness else {
-        return Ok(Thickness::ProfileShift(profile_shift));
-    };
-    let shifted = of_shift(profile_shift);
-    if profile_shift == 0.0 || (tooth_thickness - shifted).abs() <= SAME_THICKNESS * module {
-        return Ok(Thickness::Circular(tooth_thickness));
-    }
-    // The thickness is linear in the shift.
-    let slope = of_shift(1.0) - of_shift(0.0);
-    let shift = (tooth_thickness - of_shift(0.0)) / slope;
-    Err(GeometryError::error(
-        "E0805",
-        "profile_shift",
-        sentence![
-            "a profile shift of ", number profile_shift, " makes teeth ", length shifted,
-            " thick, but `tooth_thickness` is ", length tooth_thickness
-        ],
-        sentence![
-            "leave one of them out; the thickness alone is that of a profile shift of ", number shift
-        ],
-    ))
 }
 
 /// Warns of an implausible pitch line velocity, from rad/s and the pitch radius in m.

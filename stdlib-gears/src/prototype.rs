@@ -66,6 +66,8 @@ pub struct GearPrototype {
     pub material: Material,
     /// Rim that carries the teeth.
     pub rim: Rim,
+    /// True for a gear that is solid to its axis, see [`crate::blank::GearBlank::solid`].
+    pub solid: bool,
     /// Face width, m.
     pub face_width: f64,
     /// Pitch deviation of each tooth as an angle, rad; teeth beyond the list have none.
@@ -100,18 +102,17 @@ impl GearPrototype {
         let gear = gear.into();
         let flanks =
             check_faces(&modifications, face_width).and_then(|()| flanks(gear.form(), &modifications))?;
-        let helix = Helix::SPUR;
-        let accepted = Mutex::default();
         Ok(GearPrototype {
             gear,
-            helix,
+            helix: Helix::SPUR,
             modifications,
             material,
             rim,
+            solid: false,
             face_width,
             pitch_errors,
             flanks,
-            accepted,
+            accepted: Mutex::default(),
             inertia: OnceLock::new(),
         })
     }

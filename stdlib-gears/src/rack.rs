@@ -95,6 +95,8 @@ impl Rack {
     pub fn transverse(&self, helix: &Helix) -> Rack {
         let cosine = match self.plane {
             Plane::Transverse | Plane::Unstated => return *self,
+            // Both planes of a spur gear are the same, to the last bit.
+            Plane::Normal if helix.is_spur() => return self.in_plane(Plane::Transverse),
             Plane::Normal => math::cos(helix.angle()),
         };
         Rack {

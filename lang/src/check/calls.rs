@@ -183,6 +183,7 @@ impl<'a> Checker<'a> {
             let value = c.whole_for(ty, &argument.value);
             c.fitted(ty, value)
         });
+        let value = self.named_handle(ty, value, &parameter.name);
         let cause = Some((
             parameter.span,
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
@@ -439,6 +440,7 @@ impl<'a> Checker<'a> {
         let value = self.in_file(file, |c| {
             c.as_value(|c| {
                 let value = c.whole_for(ty, default);
+                let value = c.named_handle(ty, value, "the default");
                 let wanted = c.without_optional(ty, &value);
                 c.expect(&wanted, &value, "the default", None);
                 c.as_optional(ty, value)

@@ -178,6 +178,7 @@ impl<'a> Checker<'a> {
     pub(super) fn parameter_default(&mut self, ty: &Type, name: &ast::Ident, default: &'a ast::Expr) {
         let around = self.constant_place.replace("a default");
         let value = self.as_value(|c| c.whole_for(ty, default));
+        let value = self.named_handle(ty, value, &name.name);
         self.constant_place = around;
         // Under a unit system, a literal without a unit has the dimension of each call.
         let open = matches!(self.store.shallow(ty), Type::Unknown(_));

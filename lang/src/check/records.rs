@@ -92,7 +92,8 @@ impl<'a> Checker<'a> {
             self.in_file(file, |c| {
                 let value = c.as_value(|c| {
                     let value = c.whole_for(&ty, default);
-                    c.fitted(&ty, value)
+                    let value = c.fitted(&ty, value);
+                    c.named_handle(&ty, value, &field.name.name)
                 });
                 let what = format!("the default of `{}`", field.name.name);
                 match c.store.unify(&ty, &value.ty) {
@@ -226,6 +227,7 @@ impl<'a> Checker<'a> {
                         c.as_value(|c| {
                             let value = c.whole_for(&wanted, default);
                             let value = c.fitted(&wanted, value);
+                            let value = c.named_handle(&wanted, value, &field.name.name);
                             c.expect(&wanted, &value, "the default", None);
                             value
                         })
@@ -366,6 +368,7 @@ impl<'a> Checker<'a> {
             parameter.span,
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
         ));
+        let value = self.named_handle(ty, value, &parameter.name);
         let wanted = self.without_optional(ty, &value);
         self.expect(&wanted, &value, &format!("`{}`", parameter.name), cause);
         self.as_optional(ty, value)

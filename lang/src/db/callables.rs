@@ -3,9 +3,10 @@
 
 use super::Database;
 use super::analysis::{extern_scheme, unit_of};
+use super::items::namings;
 use super::units::id;
 use crate::analysis::{CallParameter, Callable, NameKind, SourceRange};
-use crate::ast::{Bind, FunctionBody, FunctionDecl, Mode, RecordDecl, RecordField, Stmt, StmtKind};
+use crate::ast::{Bind, FunctionBody, FunctionDecl, Mode, RecordDecl, RecordField, Stmt, StmtKind, TypeKind};
 use crate::check::{ShownScheme, declared_names};
 use crate::declared::{self, Declared};
 use crate::deep_recursion::with_deep_stack;
@@ -105,7 +106,28 @@ impl Database {
         let content = self.text(&place.file)?.get(part.start as usize..)?;
         let found = declared::find_in(&part.piece.statements, place.start - part.start)?;
         let (_, Declared::Statement(statement)) = found else { return None };
-        described(place, part.start, content, statement, types)
+        let mut callable = described(place, part.start, content, statement, types)?;
+        self.offer_names(place, statement, &mut callable);
+        Some(callable)
+    }
+}
+
+impl Database {
+    /// Adds the names of handles to the choices of the parameters that take one.
+    fn offer_names(&self, place: &SourceRange, statement: &Stmt, callable: &mut Callable) {
+        let (StmtKind::Function(decl), Some(text)) = (&statement.kind, self.find(&place.file)) else {
+            return;
+        };
+        let namings = namings(&self.salsa, text);
+        for (parameter, described) in decl.parameters.iter().zip(&mut callable.parameters) {
+            let Some(TypeKind::Name(handle)) = parameter.annotation.as_ref().map(|ty| &ty.kind) else {
+                continue;
+            };
+            let Some(item) = namings.get(&handle.name) else { continue };
+            let StmtKind::Function(naming) = &item.content(&self.salsa).statement.kind else { continue };
+            let domain = naming.parameters.first().and_then(|parameter| parameter.domain.as_ref());
+            described.choices = declared::choices(domain);
+        }
     }
 }
 

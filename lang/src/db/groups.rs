@@ -1,7 +1,7 @@
 //! Queries over names: the items that an item depends on, and groups of mutually recursive
 //! functions.
 
-use super::items::{Item, declared, items, module, nameable, reachable, state_names};
+use super::items::{Item, declared, items, module, nameable, namings, reachable, state_names};
 use super::{Library, Text};
 use crate::check::excerpt::{Extract, Part};
 use crate::check::item::{self, ItemKind};
@@ -34,6 +34,11 @@ fn meant<'db>(
         found.push(item);
     }
     imported.extend((prelude != file).then_some(prelude));
+    // A text may stand for a handle of a type that the item names.
+    for file in imported.iter().copied().chain([file]) {
+        let namings = namings(db, file).iter().filter(|(handle, _)| names.contains(*handle));
+        found.extend(namings.map(|(_, item)| *item));
+    }
     for file in imported {
         let exported = nameable(db, file);
         let all = names.iter().filter_map(|name| exported.get(name).copied());

@@ -3,7 +3,7 @@
 use super::{Library, Parsed, Text};
 use crate::ast::StmtKind;
 use crate::check::item::{self, ItemKind, Split};
-use crate::check::{handles_of, model_doc};
+use crate::check::{handles_of, model_doc, named_type};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{self, Tokens};
 use crate::parser;
@@ -291,6 +291,20 @@ pub(super) fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<Stri
         known.get(name).is_some_and(|all| all.iter().any(|item| *item.kind(db) == ItemKind::Declaration))
     };
     decls.flatten().filter(|name| !other(name)).collect()
+}
+
+/// Returns the functions of a file that declare the names of handles, by handle type.
+#[salsa::tracked]
+pub(super) fn namings(db: &dyn salsa::Database, text: Text) -> HashMap<String, Item<'_>> {
+    let mut found = HashMap::new();
+    for &item in items(db, text).iter().filter(|item| *item.kind(db) == ItemKind::Extern) {
+        if let StmtKind::Function(decl) = &item.content(db).statement.kind
+            && let Some(handle) = named_type(decl)
+        {
+            found.entry(handle.to_owned()).or_insert(item);
+        }
+    }
+    found
 }
 
 /// Returns the handle types that a file may use.
