@@ -55,10 +55,12 @@ pub enum StmtKind {
         value: Option<TypeExpr>,
     },
     Unit(UnitDecl),
-    /// Checks `output name := value;`.
+    /// `output name := value;` or `output name := value in W;`
     Output {
         name: Ident,
         value: Expr,
+        /// The unit of results, a product of units.
+        unit: Option<Expr>,
     },
     /// `var a = 1, b := 2, c;`
     Var(Vec<VarDecl>),

@@ -153,6 +153,8 @@ const CODES: &[Explanation] = codes! {
     "E0874" "an instance without a name" "The names of params and outputs contain the name of the instance, and must be known before the model runs. Declare instances at the top level of a model or component: `var low = Stage(3);`, or `var stages = [Stage(3), Stage(4)];`. A function cannot create them."
     "E0875" "an argument that is not known before the run" "The default or the range of a param of the component uses this parameter. Params are set before the model runs, so the argument may contain literals, params and functions of them, but no variables."
     "E0876" "a return in a component" "A component does not return a value: its members are its parameters, params, variables and outputs, which all need values. Use `if`, or move the statements into a function."
+    "E0925" "an output without a unit after `in`" "`output loss := value in W;` states the unit in which results show the output: a product of units, such as `N*m`, or `%`. A range belongs to a param: outputs have none."
+    "E0926" "a unit that does not fit an output" "The unit after `in` must have the dimension of the output. A rate in `1/s` or `Hz` and one in `rad/s` or `rpm` differ by 2 pi per cycle: multiply or divide the output by it."
 };
 
 #[cfg(test)]

@@ -58,9 +58,16 @@ pub fn statement(s: &mut Stmt, visit: &mut Visit<'_>) {
             expr(&mut decl.default, visit);
             domain(&mut decl.domain, visit);
         }
-        StmtKind::Output { name, value } | StmtKind::Const { name, value } => {
+        StmtKind::Const { name, value } => {
             ident(name, visit);
             expr(value, visit);
+        }
+        StmtKind::Output { name, value, unit } => {
+            ident(name, visit);
+            expr(value, visit);
+            if let Some(unit) = unit {
+                expr(unit, visit);
+            }
         }
         StmtKind::Record(decl) => record(decl, visit),
         StmtKind::Enum(decl) => {

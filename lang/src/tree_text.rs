@@ -53,7 +53,9 @@ fn statement_head<'s>(kind: &'s StmtKind, children: &mut Vec<&'s Stmt>) -> Strin
         }
         StmtKind::Units(system) => format!("(units {}", system.name),
         StmtKind::Param(p) => format!("(param {} {}{}", p.name.name, expr(&p.default), domain(&p.domain)),
-        StmtKind::Output { name, value } => format!("(output {} {}", name.name, expr(value)),
+        StmtKind::Output { name, value, unit } => {
+            format!("(output {} {}{}", name.name, expr(value), optional(unit))
+        }
         StmtKind::Const { name, value } => format!("(const {} {}", name.name, expr(value)),
         StmtKind::Record(decl) => record(decl),
         StmtKind::Enum(decl) => {

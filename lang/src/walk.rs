@@ -109,9 +109,14 @@ fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
             visit(Node::Expression(&param.default));
             param.domain.iter().for_each(|domain| visit(Node::Domain(domain)));
         }
-        StmtKind::Const { name, value } | StmtKind::Output { name, value } => {
+        StmtKind::Const { name, value } => {
             visit(Node::Name(name));
             visit(Node::Expression(value));
+        }
+        StmtKind::Output { name, value, unit } => {
+            visit(Node::Name(name));
+            visit(Node::Expression(value));
+            unit.iter().for_each(|unit| visit(Node::Expression(unit)));
         }
         StmtKind::Record(record) => {
             visit(Node::Name(&record.name));

@@ -92,7 +92,7 @@ fn programs_of_the_grammar_are_read_and_formatted() {
     let grammar = Grammar::of_the_reference();
     let mut random = random(1);
     let mut kinds = BTreeSet::new();
-    for round in 0..count(1500) {
+    for round in 0..count(2500) {
         // A call with an argument is 28 rules deep.
         let pieces = grammar.program(&mut random, 4 + round % 32);
         let text = written(&pieces, &mut random);
@@ -384,7 +384,7 @@ fn half_typed_records_do_no_harm() {
 fn any_text_does_no_harm() {
     let library = Library::read();
     let mut random = random(4);
-    for round in 0..count(1500) {
+    for round in 0..count(2500) {
         let length = random.below(80);
         let text: String = match round % 3 {
             0 => {

@@ -142,7 +142,7 @@ impl Reader<'_> {
                 let signature = format!("--set \"{}={default}\"", param.name.name);
                 Entry { fields: vec![field], ..entry(Kind::Param, &param.name, signature) }
             }
-            StmtKind::Output { name, value } => {
+            StmtKind::Output { name, value, .. } => {
                 Entry { result: self.inferred(name), ..entry(Kind::Output, name, self.slice(value.span)) }
             }
             StmtKind::Const { name, value } => entry(Kind::Constant, name, self.slice(value.span)),

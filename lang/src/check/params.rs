@@ -192,15 +192,21 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks `output name := value;`.
-    pub(super) fn output(&mut self, id: u32, name: &ast::Ident, value: &'a ast::Expr) -> StmtKind {
+    /// Checks `output name := value in unit;`.
+    pub(super) fn output(
+        &mut self,
+        id: u32,
+        name: &ast::Ident,
+        value: &'a ast::Expr,
+        unit: Option<&'a ast::Expr>,
+    ) -> StmtKind {
         let e = match listed(value) {
             Some(elements) => self.listed_outputs(name, elements, value.span),
             None => self.as_symbolic(|c| c.whole(value)),
         };
         self.solve_open_constraints(std::iter::once(&e.ty));
         if matches!(self.store.shallow(&e.ty), Type::Array(_)) && !self.is_symbolic_brackets(&e) {
-            return self.array_output(id, name, e);
+            return self.array_output(id, name, e, unit);
         }
         let number = self.fresh_number();
         self.expect(&number, &e, &format!("the output `{}`", name.name), None);
@@ -214,15 +220,23 @@ impl<'a> Checker<'a> {
         // The instance of a component has the output as a member.
         let member = info.is_some_and(|info| info.owner != FuncId(0));
         let member = member.then(|| self.observable_variable(&name.name, &ty, name.span));
-        let index = self.add_output(id, name, ty, member);
+        let index = self.add_output(id, name, ty, (value.span, unit), member);
         StmtKind::Output(index, def)
     }
 
-    fn add_output(&mut self, id: u32, name: &ast::Ident, ty: Type, member: Option<VarId>) -> u32 {
+    fn add_output(
+        &mut self,
+        id: u32,
+        name: &ast::Ident,
+        ty: Type,
+        (value, unit): (Span, Option<&'a ast::Expr>),
+        member: Option<VarId>,
+    ) -> u32 {
+        let unit = unit.and_then(|unit| self.output_unit(&ty, value, unit));
         let info = self.names.outputs.get(id as usize);
         let doc = info.and_then(|info| info.doc).unwrap_or_default().to_string();
         let owner = info.map_or(FuncId(0), |info| info.owner);
-        self.outputs.push(Output { name: name.name.clone(), doc, ty, owner, member, span: name.span });
+        self.outputs.push(Output { name: name.name.clone(), doc, ty, unit, owner, member, span: name.span });
         self.outputs.len() as u32 - 1
     }
 
@@ -255,7 +269,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Checks `output name := array;`. The outputs have indices: `name[0]`.
-    fn array_output(&mut self, id: u32, name: &ast::Ident, e: Expr) -> StmtKind {
+    fn array_output(&mut self, id: u32, name: &ast::Ident, e: Expr, unit: Option<&'a ast::Expr>) -> StmtKind {
         let mut element = self.store.shallow(&e.ty);
         while let Type::Array(inner) = element {
             element = self.store.shallow(&inner);
@@ -273,7 +287,7 @@ impl<'a> Checker<'a> {
         let variable = self.hidden_variable(&name.name, name.span, e.ty.clone());
         self.dependence.variable(variable, &e);
         self.output_arrays.insert(id, variable);
-        let index = self.add_output(id, name, number, Some(variable));
+        let index = self.add_output(id, name, number, (e.span, unit), Some(variable));
         StmtKind::ArrayOutput(index, e)
     }
 }

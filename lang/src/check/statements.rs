@@ -52,8 +52,8 @@ impl<'a> Checker<'a> {
                 self.units(name);
                 StmtKind::Nothing
             }
-            Ast::Output { name, value } => match self.names.uses.get(&name.span) {
-                Some(Resolution::Output(id)) => self.output(*id, name, value),
+            Ast::Output { name, value, unit } => match self.names.uses.get(&name.span) {
+                Some(Resolution::Output(id)) => self.output(*id, name, value, unit.as_ref()),
                 _ => StmtKind::Nothing,
             },
             Ast::Var(decls) => self.variables(decls),

@@ -414,6 +414,8 @@ pub struct Output {
     pub name: String,
     pub doc: String,
     pub ty: Type,
+    /// The stated unit; `None` for that of the model's unit system.
+    pub unit: Option<DisplayUnit>,
     /// The component that declares it, or the top level.
     pub owner: FuncId,
     /// The variable with its observable, which is a member of the component's instances, or with

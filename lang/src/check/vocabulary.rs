@@ -1,11 +1,13 @@
 //! Checks `dimension` and `unit` declarations, and units in source text.
 
 use super::constant;
+use super::dim::Dim;
 use super::infer::Checker;
 use super::order::MOST_OPEN;
-use super::symbols::Resolution;
+use super::symbols::{Resolution, with_article};
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind, UnitMeaning};
+use crate::common_units::usual;
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Dimension, Rational};
 use crate::ir::DisplayUnit;
@@ -13,6 +15,9 @@ use crate::span::Span;
 use crate::units::{Unit, combined, powered, pure};
 use crate::vocabulary::OwnBase;
 use calyx_abi::description::OWN_BASES;
+
+/// Largest number of units that the message about an unsuitable one proposes.
+const FITTING_UNITS: usize = 4;
 
 impl<'a> Checker<'a> {
     /// Computes all declared dimensions and units, including unused ones.
@@ -272,14 +277,25 @@ impl<'a> Checker<'a> {
 
     /// Returns the unit in a format, which must be a product of units.
     pub(super) fn format_unit(&mut self, e: &'a ast::Expr) -> Option<(DisplayUnit, Dimension)> {
+        self.stated_unit(e, |span| {
+            Diagnostic::error("E0408", "a format must end with a unit", span, "not a product of units")
+                .help("write units joined by `*` and `/`: `{x : .3 lbf/inch^2}`")
+        })
+    }
+
+    /// Returns the unit that stands alone, and its dimension including cycles; reports `otherwise` if
+    /// it is not a product of units.
+    fn stated_unit(
+        &mut self,
+        e: &'a ast::Expr,
+        otherwise: impl Fn(Span) -> Diagnostic,
+    ) -> Option<(DisplayUnit, Dimension)> {
         let mut sound = true;
-        self.check_unit_names(e, &mut sound);
-        let unit = if sound { self.written_unit(e) } else { return None };
+        let message = otherwise(e.span).message;
+        self.check_unit_names(e, &message, &mut sound);
+        let unit = if sound { self.written_unit(e).filter(|_| is_unit_product(e)) } else { return None };
         let Some(unit) = unit else {
-            self.report(
-                Diagnostic::error("E0408", "a format must end with a unit", e.span, "not a product of units")
-                    .help("write units joined by `*` and `/`: `{x : .3 lbf/inch^2}`"),
-            );
+            self.report(otherwise(e.span));
             return None;
         };
         let dimension = match self.counted_unit(e) {
@@ -287,6 +303,38 @@ impl<'a> Checker<'a> {
             None => Dimension::from_exponents(unit.dimension)?,
         };
         Some((unit, dimension))
+    }
+
+    /// Returns the unit after `in` of an output of a type, which must have its dimension.
+    pub(super) fn output_unit(&mut self, ty: &Type, value: Span, e: &'a ast::Expr) -> Option<DisplayUnit> {
+        let (unit, dimension) = self.stated_unit(e, |span| {
+            Diagnostic::error("E0925", "after `in` an output states a unit", span, "not a product of units")
+                .help("write units joined by `*` and `/`: `in N*m`; a range belongs to a param")
+        })?;
+        let dim = match self.store.shallow(ty) {
+            Type::Number(dim) | Type::Observable(dim) => dim,
+            _ => return None,
+        };
+        let known = self.store.dim(&dim).as_known();
+        let without_turn = known.is_some_and(|known| known.lacks_turn(dimension));
+        if !without_turn && self.store.unify_dims(&dim, &Dim::known(dimension)).is_ok() {
+            return Some(unit);
+        }
+        let found = with_article(&self.store.show_dim(&dim));
+        let stated = with_article(&self.store.vocabulary.show(dimension));
+        let message = match without_turn {
+            true => "a rate in `1/s` cannot be shown in revolutions or cycles".to_owned(),
+            false => format!("this output is {found} and cannot be shown in a unit of {stated}"),
+        };
+        let mut problem = Diagnostic::error("E0926", message, e.span, format!("a unit of {stated}"))
+            .label(value, format!("this is {found}"))
+            .help("use a unit of its dimension, or omit `in` and the unit");
+        let system = self.system().unwrap_or_default();
+        for fitting in known.iter().flat_map(|known| usual(*known, system)).take(FITTING_UNITS) {
+            problem = problem.suggest(format!("show it in `{}`", fitting.name), e.span, fitting.name);
+        }
+        self.report(problem);
+        None
     }
 
     /// Returns the dimension of a product of units, including cycles.
@@ -309,20 +357,33 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn check_unit_names(&mut self, e: &ast::Expr, sound: &mut bool) {
+    fn check_unit_names(&mut self, e: &ast::Expr, message: &str, sound: &mut bool) {
         match &e.kind {
             ExprKind::Name(name) if self.names.uses.get(&name.span) == Some(&Resolution::Unknown) => {
                 *sound = false;
-                self.unknown_unit(name, "a format must end with a unit");
+                self.unknown_unit(name, message);
             }
             ExprKind::Binary { left, right, .. } => {
-                self.check_unit_names(left, sound);
-                self.check_unit_names(right, sound);
+                self.check_unit_names(left, message, sound);
+                self.check_unit_names(right, message, sound);
             }
-            ExprKind::Paren(inner) => self.check_unit_names(inner, sound),
+            ExprKind::Paren(inner) => self.check_unit_names(inner, message, sound),
             ExprKind::Error => *sound = false,
             _ => {}
         }
+    }
+}
+
+/// Returns whether an expression consists of names, products, quotients and powers, and of the 1 of
+/// `1/mm`.
+fn is_unit_product(e: &ast::Expr) -> bool {
+    match &e.kind {
+        ExprKind::Name(_) => true,
+        ExprKind::Number(value) => *value == 1.0,
+        ExprKind::Paren(inner) => is_unit_product(inner),
+        ExprKind::Binary { op: BinaryOp::Power, left, .. } => is_unit_product(left),
+        ExprKind::Binary { left, right, .. } => is_unit_product(left) && is_unit_product(right),
+        _ => false,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Formats declarations: interfaces, functions with their parameters, types.
 
 use super::document::Item;
+use super::expressions::operator;
 use super::printer::{Layout, Printer};
 use crate::ast::{
     Bind, Domain, EnumDecl, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, Parameter,
@@ -24,6 +25,36 @@ impl Printer<'_> {
         }
         self.item(Item::Close);
         self.token(Kind::Semicolon);
+    }
+
+    /// Formats `output name := value in unit;`.
+    pub(super) fn output_in(&mut self, value: &Expr, unit: &Expr) {
+        self.token(Kind::Output);
+        self.space();
+        self.open();
+        self.token(Kind::Identifier);
+        self.value(Bind::Symbolic, value);
+        self.item(Item::Indent);
+        self.line();
+        self.token(Kind::In);
+        self.space();
+        self.unit_product(unit);
+        self.item(Item::Dedent);
+        self.item(Item::Close);
+        self.token(Kind::Semicolon);
+    }
+
+    /// Formats a product of units, without spaces.
+    fn unit_product(&mut self, e: &Expr) {
+        match &e.kind {
+            ExprKind::Name(name) if name.name == "%" => self.token(Kind::Percent),
+            ExprKind::Binary { op, left, right, .. } => {
+                self.unit_product(left);
+                self.token(operator(*op));
+                self.unit_product(right);
+            }
+            _ => self.expression(e),
+        }
     }
 
     fn domain(&mut self, domain: &Domain) {

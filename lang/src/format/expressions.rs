@@ -371,7 +371,7 @@ fn precedence(op: BinaryOp) -> u8 {
     }
 }
 
-fn operator(op: BinaryOp) -> Kind {
+pub(super) fn operator(op: BinaryOp) -> Kind {
     match op {
         BinaryOp::Or => Kind::Or,
         BinaryOp::And => Kind::And,

@@ -49,7 +49,10 @@ impl Printer<'_> {
             StmtKind::Enum(decl) => self.enumeration(decl),
             StmtKind::Dimension { value, .. } => self.dimension(value.is_some()),
             StmtKind::Unit(unit) => self.unit(unit),
-            StmtKind::Output { value, .. } => self.named_value(Kind::Output, Bind::Symbolic, value),
+            StmtKind::Output { value, unit: None, .. } => {
+                self.named_value(Kind::Output, Bind::Symbolic, value);
+            }
+            StmtKind::Output { value, unit: Some(unit), .. } => self.output_in(value, unit),
             StmtKind::Var(_) | StmtKind::Assign { .. } | StmtKind::Update { .. } | StmtKind::Expr(_) => {
                 self.simple(statement);
                 self.token(Kind::Semicolon);

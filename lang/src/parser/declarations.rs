@@ -2,7 +2,7 @@
 
 use super::Problem;
 use super::Rule;
-use super::expressions::Expressions;
+use super::expressions::{Expressions, unit_product};
 use super::recovery::{
     Reader, close, expect, identifier, name, never_renamed, position, renamed, semicolon, when,
 };
@@ -61,8 +61,12 @@ pub(super) fn interface<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule
         .ignore_then(name(source, "the output"))
         .then_ignore(expect(source, Kind::Bind, "before the value of an output"))
         .then(e.full.clone())
+        .then(just(Kind::In).ignore_then(unit_product(source, e.operators.clone())).or_not())
         .then_ignore(end)
-        .map(|(name, value)| name.map_or(StmtKind::Error, |name| StmtKind::Output { name, value }));
+        .map(|((name, value), unit)| match name {
+            Some(name) => StmtKind::Output { name, value, unit },
+            None => StmtKind::Error,
+        });
     top_level_only(source).ignore_then(choice((import, units, param, output))).boxed()
 }
 

@@ -210,11 +210,18 @@ fn string<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
     spanned(source, parts.map(ExprKind::String))
 }
 
-/// Parses `: 10.3e lbf*inch` after an interpolated value.
-fn format<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Format> {
+/// Parses a unit of its own, not after a number: `%`, or a product of units, which is an expression
+/// until its names are known.
+pub(super) fn unit_product<'a>(source: &'a Source<'a>, product: Rule<'a, Expr>) -> Rule<'a, Expr> {
     let percent = index_of(Kind::Percent)
         .map(|at| Expr { kind: ExprKind::Name(source.ident(at)), span: source.place(at) });
-    let unit = percent.or(when(move |at| source.kind(at) != Some(Kind::InterpolationClose)).ignore_then(any));
+    percent.or(product).boxed()
+}
+
+/// Parses `: 10.3e lbf*inch` after an interpolated value.
+fn format<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Format> {
+    let product = when(move |at| source.kind(at) != Some(Kind::InterpolationClose)).ignore_then(any);
+    let unit = unit_product(source, product.boxed());
     index_of(Kind::Format)
         .then(unit.or_not())
         .map_with(move |(at, unit), extra| {

@@ -230,7 +230,10 @@ impl<'c> Lowering<'c> {
             is_array,
             // Set when the statement is lowered.
             site: SiteId(0),
-            unit: checker.store.vocabulary.unit_of(self.system, dimension),
+            unit: output
+                .unit
+                .clone()
+                .unwrap_or_else(|| checker.store.vocabulary.unit_of(self.system, dimension)),
             si: checker.store.vocabulary.unit_of(UnitSystem::Si, dimension).name,
             span: self.places().map_or(output.span, |places| places.span(output.span)),
         });

@@ -21,7 +21,10 @@ impl<'a> Resolver<'a> {
                 UnitMeaning::Equal(value) => self.expr(value),
             },
             StmtKind::Param(decl) => self.param(decl, statement.doc.as_deref(), top),
-            StmtKind::Output { name, value } => self.output(name, value, statement.doc.as_deref(), top),
+            StmtKind::Output { name, value, unit } => {
+                self.output(name, value, statement.doc.as_deref(), top);
+                unit.iter().for_each(|unit| self.unit_product(unit));
+            }
             StmtKind::Var(decls) => self.variables(decls),
             StmtKind::Assign { place, bind, value } => {
                 self.place(place);

@@ -34,7 +34,7 @@ pub enum CompletionSite {
     Member(Range<usize>, Value),
     /// After a number; the words are those of [`CompletionSite::After`].
     Unit(Value, Vec<&'static str>),
-    /// In a format: the tokens of the formatted value.
+    /// In a format, or after the `in` of an output: the tokens of the value.
     FormatUnit(Range<usize>),
     /// Between the quotes of a string that is the whole value; the range of its text.
     Text(Value, Range<usize>),
@@ -393,6 +393,10 @@ impl<'a> Context<'a> {
     fn operand(&self, depth: usize, end: usize) -> CompletionSite {
         let value = self.value(depth, end);
         let start = self.region(depth, end);
+        if let Some(shown) = self.shown_value(depth, start) {
+            let joins = start == end || matches!(self.kind(end - 1), Some(Kind::Star | Kind::Slash));
+            return if joins { CompletionSite::FormatUnit(shown) } else { CompletionSite::Nothing };
+        }
         let Some(last) = end.checked_sub(1).filter(|&last| last >= start) else {
             return CompletionSite::Value(value);
         };
@@ -432,7 +436,7 @@ impl<'a> Context<'a> {
             words.push("else");
         }
         if depth == self.statement.open.len()
-            && self.kind(self.statement.start) == Some(Kind::Param)
+            && matches!(self.kind(self.statement.start), Some(Kind::Param | Kind::Output))
             && !(start..end).any(|at| matches!(self.kind(at), Some(Kind::In | Kind::DotDot)))
         {
             words.push("in");
@@ -441,6 +445,15 @@ impl<'a> Context<'a> {
             words.push("at");
         }
         CompletionSite::After(words)
+    }
+
+    /// Returns the tokens of an output's value if the region from the token `start` is its unit.
+    fn shown_value(&self, depth: usize, start: usize) -> Option<Range<usize>> {
+        let output = self.statement.start;
+        let outside = depth == self.statement.open.len() && self.kind(output) == Some(Kind::Output);
+        let stated = start.checked_sub(1).filter(|&at| outside && self.kind(at) == Some(Kind::In))?;
+        let bind = (output..stated).find(|&at| self.kind(at) == Some(Kind::Bind))?;
+        Some(bind + 1..stated)
     }
 
     /// Returns true if an `if (c) a` expression lacks its `else`.
