@@ -116,8 +116,8 @@ calyx_abi::externs! {
         root_diameter: Option<f64>, material: Handle, rim: Option<Handle>, tooth_thickness: Option<f64>,
         profile_shift: Option<f64>, tip_edge_radius: Option<f64>, modifications: Vec<Handle>,
         pitch_errors: Vec<f64>, helix_angle: f64, hand: String, normal_module: Option<f64>,
-        transverse_module: Option<f64>, module: Option<f64>, normal_diametral_pitch: Option<f64>,
-        transverse_diametral_pitch: Option<f64>, diametral_pitch: Option<f64>, tip_diameter: Option<f64>,
+        normal_diametral_pitch: Option<f64>, transverse_module: Option<f64>,
+        transverse_diametral_pitch: Option<f64>, module: Option<f64>, diametral_pitch: Option<f64>, tip_diameter: Option<f64>,
         tip_alteration: Option<f64>, bore: Option<f64>, rim_thickness: Option<f64>,
         normal_thickness: Option<f64>, transverse_thickness: Option<f64>, span: Option<f64>,
         span_teeth: Option<f64>, over_balls: Option<f64>, ball: Option<f64>, upper_allowance: Option<f64>,
@@ -154,8 +154,8 @@ calyx_abi::externs! {
         root_diameter: Option<f64>, material: Handle, rim: Option<Handle>, tooth_thickness: Option<f64>,
         profile_shift: Option<f64>, tip_edge_radius: Option<f64>, modifications: Vec<Handle>,
         pitch_errors: Vec<f64>, helix_angle: f64, hand: String, rack: Handle, normal_module: Option<f64>,
-        transverse_module: Option<f64>, module: Option<f64>, normal_diametral_pitch: Option<f64>,
-        transverse_diametral_pitch: Option<f64>, diametral_pitch: Option<f64>, tip_diameter: Option<f64>,
+        normal_diametral_pitch: Option<f64>, transverse_module: Option<f64>,
+        transverse_diametral_pitch: Option<f64>, module: Option<f64>, diametral_pitch: Option<f64>, tip_diameter: Option<f64>,
         tip_alteration: Option<f64>, outer_diameter: Option<f64>, rim_thickness: Option<f64>,
         normal_thickness: Option<f64>, transverse_thickness: Option<f64>, span: Option<f64>,
         span_teeth: Option<f64>, between_balls: Option<f64>, ball: Option<f64>, upper_allowance: Option<f64>,
@@ -194,7 +194,7 @@ calyx_abi::externs! {
 fn unknown_name(what: &str, name: &str, names: impl Iterator<Item = &'static str>) -> RuntimeError {
     let known: Vec<String> = names.map(|name| format!("\"{name}\"")).collect();
     let help = format!("choose one of {}", known.join(", "));
-    refusal("E0918", "name", &format!("there is no {what} called \"{name}\""), &help)
+    refusal("E0314", "name", &format!("there is no {what} called \"{name}\""), &help)
 }
 
 /// Source location of a call.

@@ -73,8 +73,7 @@ pub struct GearPrototype {
     /// Pitch deviation of each tooth as an angle, rad; teeth beyond the list have none.
     pub pitch_errors: Vec<f64>,
     flanks: [Arc<Flank>; 2],
-    /// Options accepted by [`Prototype::check`], each with a flag for three dimensions. They are
-    /// stored because meshing a section takes a large part of a check.
+    /// Options that [`Prototype::check`] has accepted, each with a flag for three dimensions.
     accepted: Mutex<Vec<(StructureOptions, bool)>>,
     /// Inertia, once it has been requested: its integration meshes a section.
     inertia: OnceLock<Inertia>,

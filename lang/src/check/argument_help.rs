@@ -13,7 +13,13 @@ use crate::dimension::Dimension;
 pub(super) struct Free<'a> {
     pub name: &'a str,
     pub ty: Type,
+    /// Start of its declaration.
+    pub start: u32,
 }
+
+/// Number of parameters of the given quantity above which the help names one of them only: the
+/// last one before the parameter, since alternatives are declared next to each other.
+const MOST_ALTERNATIVES: usize = 2;
 
 impl Checker<'_> {
     /// Returns the omitted parameters that have a default and a declared type.
@@ -27,7 +33,7 @@ impl Checker<'_> {
         });
         let typed = left_out.filter_map(|(parameter, _)| {
             let ty = self.annotation(parameter.annotation.as_ref()?, false);
-            Some(Free { name: &parameter.name.name, ty })
+            Some(Free { name: &parameter.name.name, ty, start: parameter.name.span.start })
         });
         typed.collect()
     }
@@ -56,7 +62,18 @@ impl Checker<'_> {
         let fits = |other: &&Free<'_>| {
             !is_ratio && self.dimension_of(&other.ty).is_some_and(|d| d.fits(found) && !found.is_none())
         };
-        let known: Vec<&str> = free.iter().filter(fits).map(|other| other.name).collect();
+        let mut known: Vec<&str> = free.iter().filter(fits).map(|other| other.name).collect();
+        if known.len() > MOST_ALTERNATIVES {
+            let before = |other: &&Free<'_>| other.start < parameter.span.start;
+            known = free
+                .iter()
+                .filter(fits)
+                .filter(before)
+                .map(|other| other.name)
+                .next_back()
+                .into_iter()
+                .collect();
+        }
         let of = |d: Dimension| with_article(&self.store.vocabulary.show(d));
         let inverse = !wanted.without_angle().is_none() && wanted.times(found).without_angle().is_none();
         let units = usual(wanted, self.shown_system());
