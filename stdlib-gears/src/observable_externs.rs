@@ -1,16 +1,17 @@
 //! Observables of bodies and meshes for programs: the Rust side of the observables of `gears.cx`.
 
-use crate::externs::{self, host, refusal, spline_tooth_number, tooth_number};
+use crate::externs::{self, entry, host, refusal, spline_tooth_number, tooth_number};
 use crate::lumped_scene::{LumpedFrequency, LumpedSet};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observables::{
-    Coordinate, Displacement, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact, LoadShare,
-    LoadedFace, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
-    MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce, MeshStiffness,
-    ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad, PairsInContact,
-    PlanetSet, Rotation, SecantStiffness, SlidingVelocity, SplineToothLoad, SupportForce, SupportMoment,
-    ToothLoad, TransmissionError, UnloadedTransmissionError,
+    Coordinate, Displacement, DynamicFactor, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact,
+    LoadShare, LoadedFace, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad,
+    MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce,
+    MeshStiffness, ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad,
+    PairsInContact, PlanetSet, RootFaceLoadFactor, Rotation, SecantStiffness, SlidingVelocity,
+    SplineToothLoad, SupportForce, SupportMoment, ToothLoad, TransmissionError, TransverseLoadFactor,
+    UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -129,6 +130,29 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_face_load_factor(context, mesh: Handle) -> Handle {
         observe(context, FaceLoadFactor(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_face_load_factor_bending(context, mesh: Handle) -> Handle {
+        let host = host(context)?;
+        let mut depth_ratio = 0.0_f64;
+        for body in entry(&host.scene.pairs, mesh)?.bodies {
+            let gear = host.gear_on("mesh", body)?;
+            let form = gear.gear.form();
+            depth_ratio = depth_ratio.max((form.tip_radius - form.root_radius).abs() / gear.face_width);
+        }
+        observe(context, RootFaceLoadFactor::new(pair(mesh), depth_ratio))
+    }
+
+    Scene fn calyx_gears_transverse_load_factor(context, mesh: Handle) -> Handle {
+        observe(context, TransverseLoadFactor(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_transverse_load_factor_bending(context, mesh: Handle) -> Handle {
+        observe(context, TransverseLoadFactor(pair(mesh)))
+    }
+
+    Scene fn calyx_gears_dynamic_factor(context, mesh: Handle) -> Handle {
+        observe(context, DynamicFactor(pair(mesh)))
     }
 
     Scene fn calyx_gears_loaded_face_fraction(context, mesh: Handle) -> Handle {

@@ -103,8 +103,11 @@ pub struct GearMesh {
     /// Roll angles of the first gear's tooth of the entering pair at the start and at the end of
     /// the cycle, rad.
     pub roll: [f64; 2],
-    /// Nominal path of contact: least and greatest roll angle of the first gear, rad.
+    /// Nominal path of contact: least and greatest roll angle of the first gear, rad, with the
+    /// overlap of helical teeth.
     pub path: [f64; 2],
+    /// Overlap ratio: common face width in axial pitches; 0 for spur teeth.
+    pub overlap_ratio: f64,
     /// Roll angle of the contact on tooth 0 of the first gear (extrapolated if out of contact) at
     /// gear angle 0 and with the line of centres in its position at time 0, rad.
     pub roll_at_zero: f64,
@@ -122,6 +125,12 @@ impl GearMesh {
     #[deprecated(since = "0.1.0", note = "use the field `phase_offset`")]
     pub fn center_offset(&self) -> f64 {
         self.phase_offset
+    }
+
+    /// Returns the transverse contact ratio: length of the nominal path of contact at one transverse
+    /// section, in pitches.
+    pub fn transverse_contact_ratio(&self) -> f64 {
+        (self.path[1] - self.path[0]) * f64::from(self.teeth[0]) / TAU - self.overlap_ratio
     }
 
     /// Returns whether a tooth of the first gear is on the nominal path of contact. `angle` is the

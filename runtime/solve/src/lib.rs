@@ -3,6 +3,7 @@
 
 #![warn(missing_docs)]
 
+pub mod derived;
 pub mod integration;
 pub mod modal;
 pub mod restraint_check;

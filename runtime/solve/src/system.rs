@@ -1,6 +1,7 @@
 //! System of a planned scene: condensed structures, numbered DOFs and loads. All positions share
 //! it.
 
+use crate::derived::DerivedResults;
 use crate::modal::Modes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
@@ -57,6 +58,8 @@ pub struct System<'s> {
     inertias: OnceLock<Vec<Inertia>>,
     /// True for bodies that the plan leaves out.
     pub left_out: Vec<bool>,
+    /// Results that observables derive from other positions than their own.
+    pub derived: DerivedResults,
 }
 
 /// Models of the bodies of a scene, in order; `None` for a body that the plan leaves out.
@@ -176,6 +179,7 @@ impl<'s> System<'s> {
             structure_counts,
             inertias: OnceLock::new(),
             left_out: plan.bodies.iter().map(|body| body.left_out).collect(),
+            derived: DerivedResults::default(),
         };
         let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
         let line = |pair| turns(pair).then(|| system.line_of_centres(pair, 0.0));
@@ -216,6 +220,7 @@ impl<'s> System<'s> {
             rigid: self.rigid,
             inertias: OnceLock::new(),
             left_out: self.left_out.clone(),
+            derived: DerivedResults::default(),
         }
     }
 

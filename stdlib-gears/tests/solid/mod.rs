@@ -6,6 +6,7 @@ mod both_sides;
 mod elastic;
 mod helical;
 mod ladder;
+mod load_factors;
 mod misaligned;
 pub mod pairs;
 mod runout;

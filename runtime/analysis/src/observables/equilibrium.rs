@@ -138,6 +138,15 @@ impl<'a> Equilibrium<'a> {
     }
 }
 
+/// Force on a part of the face of the first body, uniform along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct AxialLoad {
+    /// Ends along the axis of the first body, ascending, m from the middle of its face.
+    pub ends: [f64; 2],
+    /// Normal force, N.
+    pub force: f64,
+}
+
 /// Contact patch of two surfaces, loaded or not.
 #[derive(Clone, Copy)]
 pub struct Contact<'a> {
@@ -246,6 +255,19 @@ impl Contact<'_> {
                 grid.slices.iter().enumerate().filter_map(slice).collect()
             }
         }
+    }
+
+    /// Returns the forces of the loaded cells with their extents along the face of the first body;
+    /// none in a plane model, where the load is uniform along the face.
+    pub(super) fn axial_loads(&self) -> Vec<AxialLoad> {
+        let ContactGrid::Solid(grid) = &self.patch.grid else { return Vec::new() };
+        let load = |(index, &force): (usize, &f64)| {
+            let middle = self.location(0, index)?.axial?;
+            let half = 0.5 * grid.cells[index].axial[0];
+            Some(AxialLoad { ends: [middle - half, middle + half], force })
+        };
+        let loaded = self.patch.forces.iter().enumerate().filter(|(_, force)| **force > 0.0);
+        loaded.filter_map(load).collect()
     }
 
     /// Returns the length of the contact line, m, including unloaded parts beyond the slices; the

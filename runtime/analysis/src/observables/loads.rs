@@ -1,6 +1,6 @@
 //! Observables of load sharing: between tooth pairs, and along contact lines.
 
-use super::{Contact, Equilibrium, Needs, Observable, Quantity, Slice};
+use super::{Contact, Equilibrium, Needs, Observable, Quantity};
 use calyx_model::ids::PairId;
 use calyx_model::observed::Observed;
 use calyx_model::pairs::GearMesh;
@@ -141,30 +141,6 @@ impl Observable for MaxLineLoad {
     }
 }
 
-/// The largest line load divided by the mean along the contact line of the most loaded pair; 1
-/// without load and in a plane model, where the load is uniform along the face.
-///
-/// On spur gears this is the face load factor `K_Hbeta` of ISO 6336-1. On helical gears the contact
-/// line crosses the profile, so the ratio includes the variation along the profile, which `K_Hbeta`
-/// does not.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FaceLoadFactor(pub PairId);
-
-impl Observable for FaceLoadFactor {
-    fn quantity(&self) -> Quantity {
-        Quantity::repeating("face_load_factor", "1")
-    }
-
-    fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        let factor = |contact: Contact<'_>| face_load_factor(&contact.slices(), contact.line_length());
-        Observed::number(most_loaded(at, self.0).map_or(1.0, factor))
-    }
-
-    fn pair_of(&self) -> Option<PairId> {
-        Some(self.0)
-    }
-}
-
 /// Loaded fraction of the contact line of the most loaded pair; 1 in a plane model, 0 without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadedFace(pub PairId);
@@ -191,56 +167,4 @@ impl Observable for LoadedFace {
 fn most_loaded<'a>(at: &Equilibrium<'a>, pair: PairId) -> Option<Contact<'a>> {
     let loaded = at.contacts(pair).filter(|contact| contact.force() > 0.0);
     loaded.max_by(|a, b| a.force().total_cmp(&b.force()))
-}
-
-/// Returns the largest line load divided by the mean, for the slices of a contact line of some
-/// length, m.
-fn face_load_factor(slices: &[Slice], length: f64) -> f64 {
-    let force: f64 = slices.iter().map(|slice| slice.force).sum();
-    let largest = slices.iter().map(Slice::line_load).fold(0.0, f64::max);
-    largest * length / force
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Parallel springs on a face, loaded by a straight misaligned edge: the loads of their slices.
-    fn misaligned(stiffness: f64, slope: f64, face: f64, force: f64) -> Vec<Slice> {
-        const COUNT: usize = 4000;
-        let length = face / COUNT as f64;
-        let along = |index: usize| (index as f64 + 0.5) * length - 0.5 * face;
-        let load = |middle: f64| move |index| (stiffness * (middle + slope * along(index))).max(0.0) * length;
-        // Bisect the approach until the springs balance the force.
-        let (mut high, mut low) = (2.0 * face, -2.0 * face);
-        for _ in 0..200 {
-            let middle = 0.5 * (low + high);
-            let total: f64 = (0..COUNT).map(load(middle)).sum();
-            if total > force { high = middle } else { low = middle }
-        }
-        let slice = |force| Slice {
-            length,
-            force,
-            pressure: 0.0,
-            edge_pressure: 0.0,
-            point: [0.0; 3],
-            locations: [None, None],
-        };
-        (0..COUNT).map(load(low)).map(slice).collect()
-    }
-
-    /// With stiffness c per length, misalignment f and face width b: K_Hbeta = 1 + c f b² / 2F
-    /// while the whole face carries load, and the root of 2 c f b² / F beyond, from 2 on (ISO
-    /// 6336-1 with the mean load F/b and the misalignment f b).
-    #[test]
-    fn a_misaligned_uniform_stiffness_has_its_face_load_factor_in_closed_form() {
-        let (stiffness, face, force) = (14e9, 0.02, 5000.0);
-        for slope in [0.0, 1e-4, 5e-4, 1.6e-3, 4e-3] {
-            let misaligned = misaligned(stiffness, slope, face, force);
-            let by_load = stiffness * slope * face * face / force;
-            let expected = if by_load <= 2.0 { 1.0 + 0.5 * by_load } else { (2.0 * by_load).sqrt() };
-            let found = face_load_factor(&misaligned, face);
-            assert!((found / expected - 1.0).abs() < 1e-3, "slope {slope}: {found} {expected}");
-        }
-    }
 }
