@@ -266,8 +266,8 @@ fn rigid_errors(modification: Modification) -> Vec<[f64; 2]> {
         let time = mesh.start + (f64::from(step) + 0.3) / 40.0 * mesh.period;
         let touching = system.touch(time).expect("contact");
         let error = system.value(&touching, &TransmissionError(MESH)).value;
-        // A pinion rotates counter-clockwise and pushes with its counter-clockwise flanks: the flank
-        // touches the line of action at the roll angle `rotation + half angle + pressure angle`.
+        // The pinion rotates counter-clockwise and pushes with its counter-clockwise flanks. These
+        // touch the line of action at the roll angle `rotation + half angle + pressure angle`.
         let rotation = options.start + options.speed * time;
         let roll = rotation + form.half_base_angle + geometry.operating_pressure_angle;
         let amounts = (-25..=25)
