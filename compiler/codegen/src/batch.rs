@@ -14,8 +14,8 @@ use crate::backend::Backend;
 use crate::error::CodegenError;
 use crate::function::TRUSTED;
 use crate::jit::Jit;
-use crate::kernel::Newton;
 use crate::module::ModuleLowering;
+use crate::newton::Solver;
 use crate::operation::{self, References};
 use calyx_lang::ir::Program;
 use calyx_symbolic::batch::{BatchTape, Source};
@@ -63,10 +63,10 @@ pub fn compile_batch(tape: &Tape, varying: &[bool]) -> Result<BatchKernel, Codeg
     let mut jit = Jit::of_kernels()?;
     let mut lowering = ModuleLowering::new(jit.module(), &program)?;
     let uniform = crate::kernel::lower(&mut lowering, "calyx_uniform", &batch.uniform)?;
-    let residuals = crate::kernel::residuals(&mut lowering, "calyx_batch", &batch.tape)?;
+    let solvers = crate::kernel::solvers(&mut lowering, "calyx_batch", &batch.tape)?;
     let mut functions = Vec::new();
     for chunk in 0..plan.chunks.len() {
-        functions.push(define_chunk(&mut lowering, &batch, (&plan, &residuals), chunk)?);
+        functions.push(define_chunk(&mut lowering, &batch, (&plan, &solvers), chunk)?);
     }
     let code = jit.into_code()?;
     Ok(BatchKernel::new(&batch, &plan, code, uniform, &functions))
@@ -165,7 +165,7 @@ fn signature<M: Module>(module: &M) -> Signature {
 fn define_chunk<M: Module>(
     module: &mut ModuleLowering<M>,
     batch: &BatchTape,
-    (plan, residuals): (&Plan, &[FuncId]),
+    (plan, solvers): (&Plan, &[FuncId]),
     number: usize,
 ) -> Result<FuncId, CodegenError> {
     let signature = signature(module.module);
@@ -210,7 +210,7 @@ fn define_chunk<M: Module>(
             addresses: HashMap::new(),
             done: 0,
             references: References::new(),
-            residuals,
+            solvers,
             solved: HashMap::new(),
         };
         let Lanes { module, mut builder, pointers, .. } = lanes.lower(chunk)?;
@@ -253,8 +253,8 @@ struct Lanes<'c, 'm, 'f, M: Module> {
     /// Number of operations so far.
     done: usize,
     references: References,
-    /// The residual kernels of the tape's implicit functions.
-    residuals: &'c [FuncId],
+    /// The functions that solve the tape's systems.
+    solvers: &'c [FuncId],
     /// The unknowns of the implicit functions that this function solved.
     solved: HashMap<u32, Vec<Value>>,
 }
@@ -342,22 +342,21 @@ impl<M: Module> Lanes<'_, '_, '_, M> {
     /// Returns an unknown of an implicit function, which is solved lane by lane.
     fn solution(&mut self, solve: u32, unknown: u32) -> Result<Value, CodegenError> {
         if !self.solved.contains_key(&solve) {
-            let (Some(solved), Some(&residual)) =
-                (self.batch.tape.solves.get(solve as usize), self.residuals.get(solve as usize))
+            let (Some(solved), Some(&function)) =
+                (self.batch.tape.solves.get(solve as usize), self.solvers.get(solve as usize))
             else {
                 return Err(CodegenError::Malformed("a solution without equations"));
             };
             let operands =
                 solved.operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
-            let system = &solved.system;
-            let newton = Newton { search: system.search, residual, unknowns: system.unknowns };
+            let solver = Solver { function, unknowns: solved.system.unknowns };
             let mut lane = |lane: u8| {
                 let builder = &mut self.builder;
                 let operands: Vec<Value> =
                     operands.iter().map(|&operand| builder.ins().extractlane(operand, lane)).collect();
-                newton.solve(self.module, builder, &mut self.references, &operands)
+                solver.call(self.module, builder, &operands)
             };
-            let (first, second) = (lane(0)?, lane(1)?);
+            let (first, second) = (lane(0), lane(1));
             let joined = first.into_iter().zip(second).map(|(first, second)| {
                 let both = self.builder.ins().splat(types::F64X2, first);
                 self.builder.ins().insertlane(both, second, 1)

@@ -9,8 +9,8 @@ use crate::batched_sincos;
 use crate::error::CodegenError;
 use crate::function::{SLOT, TRUSTED};
 use crate::module::ModuleLowering;
+use crate::newton::{self, Solver};
 use crate::operation::{self, References};
-use calyx_abi::newton::Search;
 use calyx_symbolic::{Instruction, System, Tape};
 use cranelift_codegen::ir::{
     AbiParam, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
@@ -39,7 +39,7 @@ pub fn lower<M: Module>(
     }
     let tape = &*batched_sincos::gathered(tape);
     let plan = Plan::new(tape)?;
-    let residuals = residuals(module, name, tape)?;
+    let solvers = solvers(module, name, tape)?;
     let pointers = |count: usize| {
         let mut signature = module.module.make_signature();
         signature.params.extend(std::iter::repeat_n(AbiParam::new(types::I64), count));
@@ -48,13 +48,13 @@ pub fn lower<M: Module>(
     let (kernel_signature, chunk_signature) = (pointers(2), pointers(3));
     let kernel = module.module.declare_function(name, Linkage::Local, &kernel_signature)?;
     if let [range] = &plan.chunks[..] {
-        define_chunk(module, kernel, kernel_signature, tape, (&plan, &residuals), range.clone())?;
+        define_chunk(module, kernel, kernel_signature, tape, (&plan, &solvers), range.clone())?;
         return Ok(kernel);
     }
     let mut chunks = Vec::new();
     for range in &plan.chunks {
         let id = module.module.declare_anonymous_function(&chunk_signature)?;
-        define_chunk(module, id, chunk_signature.clone(), tape, (&plan, &residuals), range.clone())?;
+        define_chunk(module, id, chunk_signature.clone(), tape, (&plan, &solvers), range.clone())?;
         chunks.push(id);
     }
     module.define(kernel, kernel_signature, |module, mut builder| {
@@ -73,64 +73,50 @@ pub fn lower<M: Module>(
     Ok(kernel)
 }
 
-/// Defines the residual kernels of a tape's implicit functions, in order of [`Tape::solves`]. Equal
-/// systems share a kernel.
-pub fn residuals<M: Module>(
+/// Defines the functions that solve a tape's systems, in order of [`Tape::solves`]. Equal systems
+/// share a function.
+pub fn solvers<M: Module>(
     module: &mut ModuleLowering<M>,
     name: &str,
     tape: &Tape,
 ) -> Result<Vec<FuncId>, CodegenError> {
     let mut known: HashMap<*const System, FuncId> = HashMap::new();
-    let mut kernels = Vec::with_capacity(tape.solves.len());
+    let mut functions = Vec::with_capacity(tape.solves.len());
     for solve in &tape.solves {
         let system = Arc::as_ptr(&solve.system);
-        let kernel = match known.get(&system) {
-            Some(&kernel) => kernel,
-            None => lower(module, &format!("{name}_residual_{}", known.len()), &solve.system.residual)?,
+        let function = match known.get(&system) {
+            Some(&function) => function,
+            None => newton::define(module, &format!("{name}_solve_{}", known.len()), &solve.system)?,
         };
-        known.insert(system, kernel);
-        kernels.push(kernel);
+        known.insert(system, function);
+        functions.push(function);
     }
-    Ok(kernels)
+    Ok(functions)
 }
 
-/// A call of [`calyx_abi::newton::newton`].
-pub struct Newton {
-    pub search: Search,
-    pub residual: FuncId,
-    pub unknowns: usize,
-}
-
-impl Newton {
-    /// Returns the unknowns. The operands are the guess and the arguments, one number each.
-    pub fn solve<M: Module>(
-        &self,
-        module: &mut ModuleLowering<M>,
-        builder: &mut FunctionBuilder,
-        references: &mut References,
-        operands: &[Value],
-    ) -> Result<Vec<Value>, CodegenError> {
-        let size = (operands.len() * SLOT) as u32;
-        let buffer =
-            builder.create_sized_stack_slot(StackSlotData::new(StackSlotKind::ExplicitSlot, size, 3));
-        for (place, &operand) in operands.iter().enumerate() {
-            builder.ins().stack_store(types::I64, operand, buffer, (place * SLOT) as i32);
+/// Evaluates a tape within the function under construction, and returns the builder and the
+/// outputs. `inputs` are the inputs of the tape.
+pub fn inline<'f, M: Module>(
+    module: &mut ModuleLowering<M>,
+    builder: FunctionBuilder<'f>,
+    (tape, solvers): (&Tape, &[FuncId]),
+    inputs: &[Value],
+) -> Result<(FunctionBuilder<'f>, Vec<Value>), CodegenError> {
+    let range = 0..tape.instructions.len();
+    let plan = Plan { chunks: Vec::new(), places: HashMap::new(), scratch: 0 };
+    let mut runs = batched_sincos::runs(tape, &range).into_iter().peekable();
+    let mut chunk = Chunk::new(module, builder, (tape, range.clone()), &plan, solvers);
+    chunk.inputs = Inputs::Values(inputs);
+    for index in range {
+        if let Some(run) = runs.next_if(|run| run.start == index) {
+            chunk.take_together(&run.angles)?;
         }
-        let residual = module.module.declare_func_in_func(self.residual, builder.func);
-        let residual = builder.ins().func_addr(types::I64, residual);
-        let address = builder.ins().stack_addr(types::I64, buffer, 0);
-        let [unknowns, count] =
-            [self.unknowns, operands.len()].map(|number| builder.ins().iconst(types::I64, number as i64));
-        let symbol = match self.search {
-            Search::Root => "calyx_math_newton",
-            Search::Minimum => "calyx_math_minimum",
-        };
-        let function = operation::reference(module, builder, references, symbol)?;
-        // Without convergence, the unknowns are NaN.
-        builder.ins().call(function, &[residual, unknowns, address, count]);
-        let load = |place| builder.ins().stack_load(types::I64, types::F64, buffer, (place * SLOT) as i32);
-        Ok((0..self.unknowns).map(load).collect())
+        if !tape.instructions[index].is_leaf() && chunk.in_buffer(index).is_none() {
+            chunk.value(index)?;
+        }
     }
+    let outputs = tape.outputs.iter().map(|&output| chunk.operand(output)).collect::<Result<Vec<_>, _>>()?;
+    Ok((chunk.builder, outputs))
 }
 
 /// The instructions of each function, and the values passed between functions.
@@ -192,7 +178,7 @@ impl Plan {
 }
 
 /// Starts a function and returns its parameters.
-fn entry<const N: usize>(builder: &mut FunctionBuilder) -> Result<[Value; N], CodegenError> {
+pub fn entry<const N: usize>(builder: &mut FunctionBuilder) -> Result<[Value; N], CodegenError> {
     let block = builder.create_block();
     builder.append_block_params_for_function_params(block);
     builder.switch_to_block(block);
@@ -200,7 +186,8 @@ fn entry<const N: usize>(builder: &mut FunctionBuilder) -> Result<[Value; N], Co
     params.ok_or(CodegenError::Malformed("a kernel of another signature"))
 }
 
-fn finish<M: Module>(module: &ModuleLowering<M>, mut builder: FunctionBuilder) {
+/// Returns from a function and finishes it.
+pub fn finish<M: Module>(module: &ModuleLowering<M>, mut builder: FunctionBuilder) {
     builder.ins().return_(&[]);
     builder.seal_all_blocks();
     builder.finalize(module.module.target_config());
@@ -212,7 +199,7 @@ fn define_chunk<M: Module>(
     id: FuncId,
     signature: Signature,
     tape: &Tape,
-    (plan, residuals): (&Plan, &[FuncId]),
+    (plan, solvers): (&Plan, &[FuncId]),
     range: std::ops::Range<usize>,
 ) -> Result<(), CodegenError> {
     module.define(id, signature, |module, mut builder| {
@@ -223,23 +210,9 @@ fn define_chunk<M: Module>(
         for (position, &output) in tape.outputs.iter().enumerate() {
             wanted.entry(output as usize).or_default().push(position);
         }
-        let pairs = sine_cosine_pairs(tape, &range);
         let mut runs = batched_sincos::runs(tape, &range).into_iter().peekable();
-        let mut chunk = Chunk {
-            module,
-            builder,
-            tape,
-            plan,
-            inputs,
-            scratch,
-            values: HashMap::new(),
-            references: HashMap::new(),
-            pairs,
-            pair_buffer: None,
-            together: HashMap::new(),
-            residuals,
-            solved: HashMap::new(),
-        };
+        let mut chunk = Chunk::new(module, builder, (tape, range.clone()), plan, solvers);
+        (chunk.inputs, chunk.scratch) = (Inputs::Memory(inputs), scratch);
         for index in range {
             if let Some(run) = runs.next_if(|run| run.start == index) {
                 chunk.take_together(&run.angles)?;
@@ -279,13 +252,21 @@ fn sine_cosine_pairs(tape: &Tape, range: &std::ops::Range<usize>) -> HashMap<u32
     wanted.into_iter().filter(|(_, both)| *both == (true, true)).map(|(angle, _)| (angle, None)).collect()
 }
 
+/// The inputs of a tape.
+#[derive(Clone, Copy)]
+enum Inputs<'c> {
+    /// The address of the first one.
+    Memory(Value),
+    Values(&'c [Value]),
+}
+
 /// A function of a kernel, under construction.
 struct Chunk<'c, 'm, 'f, M: Module> {
     module: &'c mut ModuleLowering<'m, M>,
     builder: FunctionBuilder<'f>,
     tape: &'c Tape,
     plan: &'c Plan,
-    inputs: Value,
+    inputs: Inputs<'c>,
     scratch: Option<Value>,
     /// Available values, by instruction.
     values: HashMap<usize, Value>,
@@ -295,8 +276,8 @@ struct Chunk<'c, 'm, 'f, M: Module> {
     pair_buffer: Option<StackSlot>,
     /// Angles whose sines and cosines were computed together with others.
     together: HashMap<u32, Buffered>,
-    /// The residual kernels of the tape's implicit functions.
-    residuals: &'c [FuncId],
+    /// The functions that solve the tape's systems.
+    solvers: &'c [FuncId],
     /// The unknowns of the implicit functions that this function solved.
     solved: HashMap<u32, Vec<Value>>,
 }
@@ -309,7 +290,32 @@ struct Buffered {
     cosine: i32,
 }
 
-impl<M: Module> Chunk<'_, '_, '_, M> {
+impl<'c, 'm, 'f, M: Module> Chunk<'c, 'm, 'f, M> {
+    /// Starts a function without inputs and scratch memory.
+    fn new(
+        module: &'c mut ModuleLowering<'m, M>,
+        builder: FunctionBuilder<'f>,
+        (tape, range): (&'c Tape, std::ops::Range<usize>),
+        plan: &'c Plan,
+        solvers: &'c [FuncId],
+    ) -> Self {
+        Chunk {
+            module,
+            builder,
+            tape,
+            plan,
+            inputs: Inputs::Values(&[]),
+            scratch: None,
+            values: HashMap::new(),
+            references: HashMap::new(),
+            pairs: sine_cosine_pairs(tape, &range),
+            pair_buffer: None,
+            together: HashMap::new(),
+            solvers,
+            solved: HashMap::new(),
+        }
+    }
+
     /// Returns the value of an instruction: available, loaded from scratch memory, or computed.
     fn value(&mut self, index: usize) -> Result<Value, CodegenError> {
         if let Some(value) = self.values.get(&index) {
@@ -374,10 +380,16 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
         let instruction = self.tape.instructions[index];
         match instruction {
             Instruction::Constant(value) => return Ok(self.builder.ins().f64const(value)),
-            Instruction::Input(input) => {
-                let offset = (input as usize * SLOT) as i32;
-                return Ok(self.builder.ins().load(types::F64, TRUSTED, self.inputs, offset));
-            }
+            Instruction::Input(input) => match self.inputs {
+                Inputs::Memory(address) => {
+                    let offset = (input as usize * SLOT) as i32;
+                    return Ok(self.builder.ins().load(types::F64, TRUSTED, address, offset));
+                }
+                Inputs::Values(values) => {
+                    let value = values.get(input as usize).copied();
+                    return value.ok_or(CodegenError::Malformed("a tape with too few inputs"));
+                }
+            },
             Instruction::Sin(angle) | Instruction::Cos(angle) => {
                 if let Some((buffer, offset)) = self.in_buffer(index) {
                     return Ok(self.builder.ins().stack_load(types::I64, types::F64, buffer, offset));
@@ -423,16 +435,15 @@ impl<M: Module> Chunk<'_, '_, '_, M> {
     /// Returns an unknown of an implicit function. All its unknowns are computed with one call.
     fn solution(&mut self, solve: u32, unknown: u32) -> Result<Value, CodegenError> {
         if !self.solved.contains_key(&solve) {
-            let (Some(solved), Some(&residual)) =
-                (self.tape.solves.get(solve as usize), self.residuals.get(solve as usize))
+            let (Some(solved), Some(&function)) =
+                (self.tape.solves.get(solve as usize), self.solvers.get(solve as usize))
             else {
                 return Err(CodegenError::Malformed("a solution without equations"));
             };
             let operands =
                 solved.operands.iter().map(|&id| self.operand(id)).collect::<Result<Vec<_>, _>>()?;
-            let count = solved.system.unknowns;
-            let newton = Newton { search: solved.system.search, residual, unknowns: count };
-            let found = newton.solve(self.module, &mut self.builder, &mut self.references, &operands)?;
+            let solver = Solver { function, unknowns: solved.system.unknowns };
+            let found = solver.call(self.module, &mut self.builder, &operands);
             self.solved.insert(solve, found);
         }
         let found = self.solved.get(&solve).and_then(|unknowns| unknowns.get(unknown as usize));

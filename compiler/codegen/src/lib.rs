@@ -20,6 +20,7 @@ mod kernel;
 mod listing;
 mod load;
 mod module;
+mod newton;
 mod object;
 mod operation;
 mod place;

@@ -64,7 +64,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
                 MathFn::Binary(_) => (&[types::F64, types::F64], &[types::F64]),
                 MathFn::Sincos(_) => (&[types::F64, types::I64, types::I64], &[]),
                 MathFn::SincosColumns(_) => (&[types::I64; 4], &[]),
-                MathFn::Newton(_) => (&[types::I64; 4], &[types::I32]),
+                MathFn::Unsolved(_) => (&[types::I64], &[]),
                 MathFn::Registered(_) => (&[types::F64; 3], &[types::F64]),
                 MathFn::Piecewise(_) => (&[types::I64, types::F64], &[types::F64]),
             };

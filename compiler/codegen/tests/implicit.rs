@@ -10,7 +10,7 @@ use calyx_symbolic::{Graph, NodeId, Tape, TapeKernel, Unary};
 
 const INPUTS: usize = 3;
 /// Symbols of unknowns.
-const X: [u32; 3] = [100, 101, 102];
+const X: [u32; 4] = [100, 101, 102, 103];
 
 /// Returns Kepler's equation solved for the anomaly.
 fn kepler(g: &mut Graph, mean: NodeId, eccentricity: NodeId) -> NodeId {
@@ -20,6 +20,36 @@ fn kepler(g: &mut Graph, mean: NodeId, eccentricity: NodeId) -> NodeId {
     let left = g.subtract(x, product);
     let residual = g.subtract(left, mean);
     g.solve(&X[..1], &[residual], &[mean]).unwrap()[0]
+}
+
+/// Returns the solution of `x[i] + 0.3 sin(a x[i + 1]) = (i + 1) b` for cyclic `i`.
+fn ring(g: &mut Graph, count: usize, [a, b]: [NodeId; 2]) -> Vec<NodeId> {
+    let x: Vec<NodeId> = X[..count].iter().map(|&symbol| g.symbol(symbol)).collect();
+    let mut residuals = Vec::new();
+    for i in 0..count {
+        let product = g.multiply(a, x[(i + 1) % count]);
+        let sine = g.sin(product);
+        let part = g.scale(0.3, sine);
+        let sum = g.add(x[i], part);
+        let right = g.scale((i + 1) as f64, b);
+        residuals.push(g.subtract(sum, right));
+    }
+    let guess = vec![b; count];
+    g.solve(&X[..count], &residuals, &guess).unwrap()
+}
+
+/// Returns the solution of an equation that is too long to be inlined into the iteration.
+fn long(g: &mut Graph, a: NodeId, b: NodeId) -> NodeId {
+    let x = g.symbol(X[0]);
+    let mut residual = g.subtract(x, b);
+    for k in 1..200 {
+        let phase = g.scale(f64::from(k), a);
+        let angle = g.add(x, phase);
+        let sine = g.sin(angle);
+        let part = g.scale(0.002, sine);
+        residual = g.add(residual, part);
+    }
+    g.solve(&X[..1], &[residual], &[b]).unwrap()[0]
 }
 
 /// Returns a kernel with implicit functions of one and of several unknowns, within each other, and
@@ -41,14 +71,24 @@ fn tape() -> Tape {
     let difference = g.subtract(x, product);
     let second = g.subtract(difference, a);
     let guess = [c, g.constant(0.1)];
-    let pair = g.solve(&X[1..], &[first, second], &guess).unwrap();
+    let pair = g.solve(&X[1..3], &[first, second], &guess).unwrap();
     // A minimum: the gradient and the Hessian are one kernel.
     let (product, distance) = (g.multiply(b, x), g.subtract(x, c));
     let (cosine, square) = (g.cos(product), g.multiply(distance, distance));
     let wave = g.scale(0.2, cosine);
     let objective = g.add(square, wave);
     let minimum = g.minimize(&X[1..2], objective, &[c]).unwrap()[0];
-    let mut outputs = vec![one, two, pair[0], pair[1], minimum];
+    // A minimum of two unknowns, `(x - c)^2 + b^2 (y - x^2)^2 + y^2`.
+    let square = g.multiply(x, x);
+    let difference = g.subtract(y, square);
+    let scaled = g.multiply(b, difference);
+    let parts = [distance, scaled, y].map(|part| g.multiply(part, part));
+    let objective = parts.into_iter().reduce(|sum, part| g.add(sum, part)).unwrap();
+    let basin = g.minimize(&X[1..3], objective, &[c, c]).unwrap();
+    let (three, four) = (ring(&mut g, 3, [a, b]), ring(&mut g, 4, [c, a]));
+    let long = long(&mut g, a, b);
+    let mut outputs = vec![one, two, pair[0], pair[1], minimum, long];
+    outputs.extend(basin.into_iter().chain(three).chain(four));
     for at in 0..10 {
         let next = g.derivative(outputs[at], (at % INPUTS) as u32);
         outputs.push(next);

@@ -69,7 +69,7 @@ impl Fingerprint {
                 MathFn::Binary(_) => 2,
                 MathFn::Sincos(_) => 3,
                 MathFn::SincosColumns(_) => 4,
-                MathFn::Newton(_) => 5,
+                MathFn::Unsolved(_) => 5,
                 MathFn::Piecewise(_) => 6,
                 MathFn::Registered(_) => 7,
             };

@@ -14,8 +14,7 @@
 //! Booleans are 1.0 and 0.0; any value not equal to zero, including NaN, counts as true. No
 //! operation traps.
 
-use crate::call::KernelFn;
-use crate::newton::{calyx_math_minimum, calyx_math_newton};
+use crate::newton::calyx_math_unsolved;
 use crate::piecewise::{calyx_math_piecewise, calyx_math_spline};
 
 /// Tolerance of the length of a unit vector. It covers components rounded to six digits.
@@ -160,11 +159,8 @@ pub enum MathFn {
     Piecewise(unsafe extern "C" fn(*const f64, f64) -> f64),
     /// Arguments: number of a registered table, order of the derivative, number.
     Registered(extern "C" fn(f64, f64, f64) -> f64),
-    /// Arguments: residual kernel, number of unknowns, pointer to the guess and the arguments of
-    /// the kernel, their number.
-    ///
-    /// See [`calyx_math_newton`] for safety.
-    Newton(unsafe extern "C" fn(KernelFn, usize, *mut f64, usize) -> i32),
+    /// Argument: see [`calyx_math_unsolved`].
+    Unsolved(extern "C" fn(usize)),
 }
 
 impl MathFn {
@@ -175,7 +171,7 @@ impl MathFn {
             MathFn::Binary(function) => function as *const u8,
             MathFn::Sincos(function) => function as *const u8,
             MathFn::SincosColumns(function) => function as *const u8,
-            MathFn::Newton(function) => function as *const u8,
+            MathFn::Unsolved(function) => function as *const u8,
             MathFn::Piecewise(function) => function as *const u8,
             MathFn::Registered(function) => function as *const u8,
         }
@@ -205,8 +201,7 @@ macro_rules! called {
             $((stringify!($symbol), MathFn::$kind($symbol)),)+
             ("calyx_math_sincos", MathFn::Sincos(calyx_math_sincos)),
             ("calyx_math_sincos_columns", MathFn::SincosColumns(calyx_math_sincos_columns)),
-            ("calyx_math_newton", MathFn::Newton(calyx_math_newton)),
-            ("calyx_math_minimum", MathFn::Newton(calyx_math_minimum)),
+            ("calyx_math_unsolved", MathFn::Unsolved(calyx_math_unsolved)),
             ("calyx_math_piecewise", MathFn::Piecewise(calyx_math_piecewise)),
             ("calyx_math_spline", MathFn::Registered(calyx_math_spline)),
         ];

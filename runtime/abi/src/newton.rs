@@ -4,9 +4,17 @@
 //! The iteration is damped by the natural monotonicity test (Deuflhard, *Newton Methods for
 //! Nonlinear Problems*, 2004, section 3.3). The test compares corrections instead of residuals, so
 //! neither the units of the residuals nor their scale affects it.
+//!
+//! [`Step`] contains the arithmetic of one iteration. [`newton`] executes it; the code generator
+//! emits the same arithmetic around the inlined residuals.
 
-use crate::call::KernelFn;
+mod step;
+
 use std::cell::Cell;
+
+pub use step::{
+    Arithmetic, Judgement, MOST_UNKNOWNS, MOST_VALUES, Numbers, Step, Trial, is_positive_definite,
+};
 
 /// The kind of point that an iteration finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,27 +26,8 @@ pub enum Search {
     Minimum,
 }
 
-/// Limit of the number of unknowns of one system.
-pub const MOST_UNKNOWNS: usize = 4;
-
-/// Number of values of the largest system: the residuals, and the Jacobian row by row.
-pub const MOST_VALUES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 1);
-
-/// Limit of the number of evaluations, including those of rejected steps.
-const MOST_EVALUATIONS: usize = 100;
-
-/// The smallest damping factor.
-const SMALLEST_DAMPING: f64 = 1.0 / 4096.0;
-
-/// A correction of this size relative to the unknowns does not change the solution.
-const ROUNDING: f64 = f64::EPSILON / 2.0;
-
-/// Bound of corrections that rounding errors of the residual explain, relative to the largest
-/// unknown of all iterates.
-const NOISE: f64 = 1e-11;
-
-/// The same bound for a solution at zero, SI units.
-const NOISE_AT_ZERO: f64 = 1e-15;
+/// Limit of the number of evaluations after that of the guess, including those of rejected steps.
+pub const MOST_EVALUATIONS: usize = 100;
 
 /// Numbers of unsuccessful iterations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,25 +64,34 @@ pub fn newton(
     inputs: &mut [f64],
     evaluate: impl FnMut(&[f64], &mut [f64; MOST_VALUES]),
 ) -> bool {
-    let found = inputs.len() >= unknowns
-        && match unknowns {
-            1 => find::<1>(search, inputs, evaluate),
-            2 => find::<2>(search, inputs, evaluate),
-            3 => find::<3>(search, inputs, evaluate),
-            4 => find::<4>(search, inputs, evaluate),
-            _ => false,
-        };
-    if !found {
-        let mut failures = FAILURES.get();
-        let count = match search {
-            Search::Root => &mut failures.roots,
-            Search::Minimum => &mut failures.minima,
-        };
-        *count = count.wrapping_add(1);
-        FAILURES.set(failures);
+    let found = match unknowns {
+        1 => find::<1>(search, inputs, evaluate),
+        2 => find::<2>(search, inputs, evaluate),
+        3 => find::<3>(search, inputs, evaluate),
+        4 => find::<4>(search, inputs, evaluate),
+        _ => None,
+    };
+    if found.is_none() {
+        count_failure(search);
         inputs.iter_mut().take(unknowns).for_each(|unknown| *unknown = f64::NAN);
     }
-    found
+    found.is_some()
+}
+
+fn count_failure(search: Search) {
+    let mut failures = FAILURES.get();
+    let count = match search {
+        Search::Root => &mut failures.roots,
+        Search::Minimum => &mut failures.minima,
+    };
+    *count = count.wrapping_add(1);
+    FAILURES.set(failures);
+}
+
+/// Counts an iteration of machine code that failed: 0 for a root, otherwise a minimum.
+#[unsafe(no_mangle)]
+pub extern "C" fn calyx_math_unsolved(search: usize) {
+    count_failure(if search == 0 { Search::Root } else { Search::Minimum });
 }
 
 /// Repeats an iteration that failed, and leaves the unknowns at its last iterate. Returns the
@@ -119,226 +117,56 @@ pub fn last_iterate(
     values
 }
 
+/// Returns `None` if the iteration fails. The start of `inputs` contains the last trial point.
 fn find<const N: usize>(
     search: Search,
     inputs: &mut [f64],
     mut evaluate: impl FnMut(&[f64], &mut [f64; MOST_VALUES]),
-) -> bool {
-    if !iterate::<N>(inputs, &mut evaluate) {
-        return false;
+) -> Option<()> {
+    let mut values = [0.0; MOST_VALUES];
+    let solution = iterate::<N>(inputs, &mut values, &mut evaluate)?;
+    inputs.first_chunk_mut::<N>()?.copy_from_slice(&solution);
+    if search == Search::Root {
+        return Some(());
     }
-    match search {
-        Search::Root => true,
-        Search::Minimum => {
-            let mut values = [0.0; MOST_VALUES];
-            evaluate(inputs, &mut values);
-            is_positive_definite::<N>(&values)
-        }
-    }
+    evaluate(inputs, &mut values);
+    is_positive_definite::<Numbers, N>(&mut Numbers, &values)?.then_some(())
 }
 
-/// Returns `true` if the Hessian that follows the gradient is positive definite: all pivots of its
-/// factorization `L D L^T` are positive, by more than their rounding errors.
-fn is_positive_definite<const N: usize>(values: &[f64; MOST_VALUES]) -> bool {
-    let mut matrix = [[0.0; N]; N];
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row.copy_from_slice(&values[N + i * N..N + (i + 1) * N]);
-    }
-    let diagonal: [f64; N] = std::array::from_fn(|i| matrix[i][i]);
-    for k in 0..N {
-        let pivot = matrix[k][k];
-        let rounding = diagonal[k] * (N as f64 * f64::EPSILON);
-        // A NaN is not finite.
-        if !pivot.is_finite() || !rounding.is_finite() || pivot <= rounding.max(0.0) {
-            return false;
-        }
-        for i in k + 1..N {
-            let factor = matrix[i][k] / pivot;
-            for j in k + 1..N {
-                matrix[i][j] -= factor * matrix[k][j];
-            }
-        }
-    }
-    true
-}
-
+/// Returns the solution; `None` if the iteration fails. The code generator emits the same blocks.
 fn iterate<const N: usize>(
     inputs: &mut [f64],
+    values: &mut [f64; MOST_VALUES],
     mut evaluate: impl FnMut(&[f64], &mut [f64; MOST_VALUES]),
-) -> bool {
-    let mut values = [0.0; MOST_VALUES];
-    let mut x = [0.0; N];
-    x.copy_from_slice(&inputs[..N]);
-    evaluate(inputs, &mut values);
-    let Some(mut jacobian) = Factors::<N>::new(&values) else { return false };
-    let mut correction = jacobian.solve(&values);
-    let mut size = largest(&correction);
-    // The largest unknown so far.
-    let mut range = largest(&x);
-    let mut previous = f64::INFINITY;
-    let mut damping = 1.0;
-    for _ in 0..MOST_EVALUATIONS {
-        if !size.is_finite() {
-            return false;
+) -> Option<[f64; N]> {
+    let a = &mut Numbers;
+    let mut step = Step::<f64, N>::new(a, *inputs.first_chunk::<N>()?);
+    for _ in 0..=MOST_EVALUATIONS {
+        let trial = step.propose(a);
+        if trial.converged {
+            return Some(trial.x);
         }
-        let trial: [f64; N] = std::array::from_fn(|i| x[i] - damping * correction[i]);
-        inputs[..N].copy_from_slice(&trial);
-        // The corrections of a quadratically convergent iteration satisfy d'' = d' (d' / d)^2.
-        let next = if previous.is_finite() { size * (size / previous) * (size / previous) } else { size };
-        let magnitude = largest(&trial);
-        if damping == 1.0 && next <= ROUNDING * magnitude.max(1e-4 * range) {
-            return true;
-        }
-        evaluate(inputs, &mut values);
-        let simplified = largest(&jacobian.solve(&values));
-        if simplified < (1.0 - damping / 4.0) * size
-            && let Some(factors) = Factors::new(&values)
-        {
-            (x, jacobian) = (trial, factors);
-            correction = jacobian.solve(&values);
-            previous = if damping == 1.0 { size } else { f64::INFINITY };
-            size = largest(&correction);
-            range = range.max(magnitude);
-            damping = 1.0;
-            continue;
-        }
-        if size <= (NOISE * range).max(NOISE_AT_ZERO) {
-            // If the trial gave NaN, its correction is not smaller either.
-            let better = if simplified < size { trial } else { x };
-            inputs[..N].copy_from_slice(&better);
-            return true;
-        }
-        damping *= 0.5;
-        if damping < SMALLEST_DAMPING {
-            return false;
+        inputs.first_chunk_mut::<N>()?.copy_from_slice(&trial.x);
+        evaluate(inputs, values);
+        let judgement = step.judge(a, values)?;
+        let promising = if judgement.accepted {
+            let finite;
+            (step, finite) = step.accept(a, &trial, values, judgement)?;
+            finite
+        } else {
+            let (better, settled) = step.settle(a, &trial, &judgement);
+            if settled {
+                return Some(better);
+            }
+            let worthwhile;
+            (step, worthwhile) = step.damp(a);
+            worthwhile
+        };
+        if !promising {
+            return None;
         }
     }
-    false
-}
-
-/// Returns the largest absolute value; NaN if there is a NaN.
-fn largest<const N: usize>(vector: &[f64; N]) -> f64 {
-    vector
-        .iter()
-        .fold(0.0, |largest, x| if x.abs() <= largest || largest.is_nan() { largest } else { x.abs() })
-}
-
-/// Triangular factors of a Jacobian with rows scaled to a largest entry of 1.
-struct Factors<const N: usize> {
-    /// The rows in pivot order: multipliers below the diagonal, the upper factor from it on.
-    rows: [[f64; N]; N],
-    /// For each row in pivot order, its index in the Jacobian and its scale.
-    order: [(usize, f64); N],
-}
-
-impl<const N: usize> Factors<N> {
-    /// Factors the Jacobian that follows the residuals; `None` if it is singular or not finite.
-    fn new(values: &[f64; MOST_VALUES]) -> Option<Self> {
-        let mut rows = [[0.0; N]; N];
-        let mut order = [(0, 1.0); N];
-        for (i, (row, place)) in rows.iter_mut().zip(&mut order).enumerate() {
-            row.copy_from_slice(&values[N + i * N..N + (i + 1) * N]);
-            let scale = largest(row);
-            if !(scale > 0.0 && scale.is_finite()) {
-                return None;
-            }
-            *place = (i, scale);
-            if N > 1 {
-                row.iter_mut().for_each(|entry| *entry /= scale);
-            }
-        }
-        for k in 0..N {
-            let mut pivot = k;
-            for i in k + 1..N {
-                if rows[i][k].abs() > rows[pivot][k].abs() {
-                    pivot = i;
-                }
-            }
-            rows.swap(k, pivot);
-            order.swap(k, pivot);
-            if rows[k][k] == 0.0 {
-                return None;
-            }
-            for i in k + 1..N {
-                let factor = rows[i][k] / rows[k][k];
-                rows[i][k] = factor;
-                for j in k + 1..N {
-                    rows[i][j] -= factor * rows[k][j];
-                }
-            }
-        }
-        Some(Factors { rows, order })
-    }
-
-    /// Returns the correction for the residuals at the start of `values`.
-    fn solve(&self, values: &[f64; MOST_VALUES]) -> [f64; N] {
-        let mut x: [f64; N] = std::array::from_fn(|k| {
-            let (row, scale) = self.order[k];
-            if N > 1 { values[row] / scale } else { values[row] }
-        });
-        for k in 1..N {
-            for j in 0..k {
-                x[k] -= self.rows[k][j] * x[j];
-            }
-        }
-        for k in (0..N).rev() {
-            for j in k + 1..N {
-                x[k] -= self.rows[k][j] * x[j];
-            }
-            x[k] /= self.rows[k][k];
-        }
-        x
-    }
-}
-
-/// [`newton`] for machine code. `inputs` holds `count` numbers: the guess and the arguments of the
-/// residual kernel. Returns 0 if the iteration converges, otherwise 1.
-///
-/// # Safety
-/// `inputs` must be valid for reading and writing `count` numbers. `residual` must read at most
-/// `count` inputs and write at most [`MOST_VALUES`] outputs.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn calyx_math_newton(
-    residual: KernelFn,
-    unknowns: usize,
-    inputs: *mut f64,
-    count: usize,
-) -> i32 {
-    // SAFETY: guaranteed by the caller.
-    unsafe { search(Search::Root, residual, unknowns, (inputs, count)) }
-}
-
-/// As [`calyx_math_newton`], for a minimum: the residual kernel returns the gradient of a function
-/// and its Hessian.
-///
-/// # Safety
-/// As for [`calyx_math_newton`].
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn calyx_math_minimum(
-    gradient: KernelFn,
-    unknowns: usize,
-    inputs: *mut f64,
-    count: usize,
-) -> i32 {
-    // SAFETY: guaranteed by the caller.
-    unsafe { search(Search::Minimum, gradient, unknowns, (inputs, count)) }
-}
-
-/// # Safety
-/// As for [`calyx_math_newton`].
-unsafe fn search(
-    search: Search,
-    residual: KernelFn,
-    unknowns: usize,
-    (inputs, count): (*mut f64, usize),
-) -> i32 {
-    // SAFETY: guaranteed by the caller.
-    let inputs = unsafe { std::slice::from_raw_parts_mut(inputs, count) };
-    let found = newton(search, unknowns, inputs, |inputs, values| {
-        // SAFETY: guaranteed by the caller.
-        unsafe { residual(inputs.as_ptr(), values.as_mut_ptr()) };
-    });
-    i32::from(!found)
+    None
 }
 
 #[cfg(test)]
@@ -443,6 +271,24 @@ mod tests {
         let b = (17f64.sqrt() - 1.0) / 2.0;
         assert!((inputs[1] - b).abs() < 4e-16 && (inputs[0] - b.sqrt()).abs() < 4e-16, "{inputs:?}");
 
+        // The same with an exchange of the equations and of the unknowns.
+        let mut inputs = [2.0, 0.5];
+        assert!(newton(Search::Root, 2, &mut inputs, |x, values| {
+            let [b, a] = [x[0], x[1]];
+            values[..2].copy_from_slice(&[(b - a * a) * 1e-9, (a * a + b * b - 4.0) * 1e12]);
+            values[2..6].copy_from_slice(&[1e-9, -2e-9 * a, 2e12 * b, 2e12 * a]);
+        }));
+        assert!((inputs[0] - b).abs() < 4e-16 && (inputs[1] - b.sqrt()).abs() < 4e-16, "{inputs:?}");
+        // Equations that are nearly dependent: x + y = 2, x + (1 + 2^-30) y = 2 + 2^-30.
+        let mut inputs = [0.0, 0.0];
+        let small = 2f64.powi(-30);
+        assert!(newton(Search::Root, 2, &mut inputs, |x, values| {
+            let sum = (x[0] - 1.0) + (x[1] - 1.0);
+            values[..2].copy_from_slice(&[sum, sum + small * (x[1] - 1.0)]);
+            values[2..6].copy_from_slice(&[1.0, 1.0, 1.0, 1.0 + small]);
+        }));
+        assert_eq!(inputs, [1.0, 1.0]);
+
         // A linear system that needs pivoting.
         let matrix = [[0.0, 2.0, 1.0, 0.0], [1.0, 0.0, 0.0, 3.0], [0.0, 0.0, 4.0, 1.0], [2.0, 1.0, 0.0, 0.0]];
         let expected = [1.0, -2.0, 0.5, 3.0];
@@ -454,5 +300,10 @@ mod tests {
             }
         }));
         assert!(inputs.iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-15), "{inputs:?}");
+        assert!(!newton(Search::Root, 3, &mut [0.1; 3], |x, values| {
+            // The third equation is the sum of the others.
+            values[..3].copy_from_slice(&[x[0] + x[1], x[1] - x[2], x[0] + 2.0 * x[1] - x[2] - 1.0]);
+            values[3..12].copy_from_slice(&[1.0, 1.0, 0.0, 0.0, 1.0, -1.0, 1.0, 2.0, -1.0]);
+        }));
     }
 }
