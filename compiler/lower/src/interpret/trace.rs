@@ -160,6 +160,15 @@ fn marked(repr: &Repr, slots: &[Slot], heap: &Heap) -> Option<u32> {
             let (elements, stride) = heap.array(*slots.first()?)?;
             elements.chunks(stride.max(1)).find_map(|value| marked(element, value, heap))
         }
+        // Such as an optional value, whose presence precedes it.
+        Repr::Tuple(parts) => {
+            let mut at = 0;
+            parts.iter().find_map(|part| {
+                let value = slots.get(at..at + part.slots()).unwrap_or_default();
+                at += part.slots();
+                marked(part, value, heap)
+            })
+        }
         _ => None,
     }
 }
