@@ -31,6 +31,7 @@ use best_result::Best;
 use calyx_model::fidelity::{BodyModel, Fidelity, Template};
 use calyx_model::observed::OutputRequest;
 use calyx_model::pairs::SurfacePair;
+use calyx_model::plan::is_three_dimensional;
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 use calyx_structure::cache::OperatorCache;
@@ -282,13 +283,16 @@ impl Search<'_> {
     ) -> Result<bool, Stop> {
         let Setting { fidelity, refinement, cells, .. } = self.ladder.setting;
         let mut scene = self.scene.clone();
+        let three_dimensional = is_three_dimensional(&scene, fidelity);
         for SurfacePair { grid, .. } in scene.pairs.iter_mut().filter(|_| cells > 1) {
             let own = match fidelity {
                 Fidelity::Solid(_) => grid.solid_half_cells(),
                 Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => grid.plane_half_cells(),
             };
             grid.half_cells = Some(cells * own);
-            grid.half_slices *= cells;
+            if three_dimensional {
+                grid.half_slices *= cells;
+            }
         }
         let mut options = AnalysisOptions { fidelity, ..self.options.clone() };
         options.structure.refinement *= refinement;

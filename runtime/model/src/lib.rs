@@ -24,6 +24,7 @@ pub mod rigid;
 pub mod spline_contact;
 pub mod structure_building;
 pub mod target;
+mod unused_settings;
 
 /// Fingerprint of this crate's source: stored structures of its own bodies depend on it.
 const SOURCE: &str = env!("CALYX_SOURCE");

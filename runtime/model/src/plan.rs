@@ -13,6 +13,7 @@ use crate::motion::{check_in_plane, spatial_pose};
 use crate::observed::OutputRequest;
 use crate::prototype::{Ignored, Prototype};
 use crate::target::{Examined, Target};
+use crate::unused_settings::unused_settings;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_structure::cache::Key;
 use std::sync::Arc;
@@ -209,6 +210,7 @@ impl Plan {
                 rigid,
             });
         }
+        ignored.extend(unused_settings(scene, fidelity, three_dimensional, &options));
         if !three_dimensional {
             ignored.extend(unequal_widths(scene, &bodies));
             ignored.extend(out_of_plane(scene, targets, &bodies));
@@ -318,7 +320,7 @@ impl Identity {
 /// so if a section cannot represent the scene.
 ///
 /// Spline teeth with clearance are modelled as plane contact, so such scenes remain plane.
-fn is_three_dimensional(scene: &Mechanism, fidelity: Fidelity) -> bool {
+pub fn is_three_dimensional(scene: &Mechanism, fidelity: Fidelity) -> bool {
     let leaves_plane = |body: &Body| {
         body.prototype.needs_solid_model()
             || [2, 3, 4].iter().any(|&dof| body.free[dof])
