@@ -76,6 +76,23 @@ fn close(found: f64, expected: f64, part: f64) {
     assert!((found - expected).abs() <= part * expected.abs(), "{found} {expected}");
 }
 
+/// Without any load, the sun drives all planets and each planet the ring, in the limit of vanishing
+/// load.
+#[test]
+fn a_set_without_torque_has_no_forces() {
+    for supports in ["", ", pin_stiffness = 5e8 N/m, sun_stiffness = 2e7 N/m"] {
+        let found = set(
+            &format!("sun_speed = 1000 rpm{supports}"),
+            OUTPUTS,
+            "analyze(\"quasi_static\", over = gears.mesh_cycle(set.sun_meshes[0], steps = 3), fidelity = \"analytic\");",
+        );
+        for name in ["one", "two", "three", "sun_moment", "carrier_moment"] {
+            assert!(found[name].iter().all(|value| value.abs() < 1e-9), "{name} {:?}", found[name]);
+        }
+        assert!(found["sun_turn"].iter().all(|turn| turn.abs() < 1e-9), "{:?}", found["sun_turn"]);
+    }
+}
+
 /// For a torque on any member, the moments on sun, ring and carrier are proportional to Zs, Zr and
 /// -(Zs + Zr), and the tooth forces are equal.
 #[test]

@@ -480,10 +480,16 @@ fn driven(scene: &Scene, id: BodyId) -> f64 {
         return moment.signum();
     }
     let driving = scene.pairs.iter().filter(|pair| pair.front.is_none());
+    // Without any load, the first gear of each mesh drives, and the reaction does not drive it.
+    let unloaded = scene.bodies.iter().all(|body| body.load.at(0.0).moment[2] == 0.0);
     let torque = |pair: &SurfacePair| {
         let mesh = pair.mesh.as_ref()?;
         let side = pair.bodies.iter().position(|body| on_shaft.contains(body))?;
-        Some(-mesh.drive_sense * if side == 0 { 1.0 } else { mesh.sign })
+        match side {
+            0 if unloaded => None,
+            0 => Some(-mesh.drive_sense),
+            _ => Some(-mesh.drive_sense * mesh.sign),
+        }
     };
     driving.filter_map(torque).sum()
 }
