@@ -316,6 +316,8 @@ pub enum TypeKind {
     Quotient(Box<TypeExpr>, Box<TypeExpr>),
     /// A power with the rational exponent `numerator/denominator`.
     Power(Box<TypeExpr>, i32, i32),
+    /// The type of a parameter that is a function: `Function(Length, Force) -> Pressure`.
+    Function(Vec<TypeExpr>, Box<TypeExpr>),
     Error,
 }
 
@@ -385,8 +387,11 @@ pub enum ExprKind {
     },
     /// `[element for variable in values if condition]`
     Comprehension(Box<Comprehension>),
-    /// `e is none`
-    IsNone(Box<Expr>),
+    /// `e is none`, or `e is not none`.
+    IsNone {
+        value: Box<Expr>,
+        negated: bool,
+    },
     /// `if (c) a else b`
     If {
         condition: Box<Expr>,

@@ -362,7 +362,7 @@ const KEYWORDS: &[Help] = &[
     ),
     help(
         "is",
-        "`e is none` tests whether an optional parameter or field has no value.",
+        "`e is none` tests whether an optional parameter or field has no value, `e is not none` whether it has one.",
         "function area(in length, in width = none) {\n    if (width is none) return length^2;\n    return length * width;\n}\nprint(area(2 mm));",
     ),
     help(

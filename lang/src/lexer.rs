@@ -49,7 +49,8 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let (next_word, name_follows) = (word_at(i + 1), word_at(i + 2).is_some());
         let is_name = match (next_word, word_at(i + 2)) {
             (Some("at" | "was"), Some(_)) => word_at(i + 3).is_none(),
-            (Some("is"), Some(word)) => word == "none",
+            (Some("is"), Some("none")) => true,
+            (Some("is"), Some("not")) => word_at(i + 3) == Some("none"),
             _ => false,
         };
         let previous = i.checked_sub(1).map(|p| tokens[p].kind);
@@ -59,8 +60,11 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
         let is_word = match kind {
             Kind::At => next == Some(Kind::Identifier) && previous.is_some_and(Kind::ends_expression),
             Kind::Is => {
-                let none = |t: &Token| &text[t.span.start as usize..t.span.end as usize] == "none";
-                previous.is_some_and(Kind::ends_expression) && tokens.get(i + 1).is_some_and(none)
+                let tests = match next_word {
+                    Some("not") => word_at(i + 2) == Some("none"),
+                    word => word == Some("none"),
+                };
+                previous.is_some_and(Kind::ends_expression) && tests
             }
             Kind::Extern | Kind::Private => matches!(next, Some(Kind::Identifier | Kind::Function)),
             Kind::Host | Kind::Test => next == Some(Kind::Function),

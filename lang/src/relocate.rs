@@ -237,6 +237,10 @@ fn type_expr(ty: &mut TypeExpr, visit: &mut Visit<'_>) {
             type_expr(b, visit);
         }
         TypeKind::Power(base, ..) => type_expr(base, visit),
+        TypeKind::Function(parameters, result) => {
+            parameters.iter_mut().for_each(|part| type_expr(part, visit));
+            type_expr(result, visit);
+        }
         TypeKind::Error => {}
     }
 }
@@ -331,7 +335,7 @@ pub fn expr(e: &mut Expr, visit: &mut Visit<'_>) {
             ident(symbol, visit);
             expr(at, visit);
         }
-        ExprKind::Paren(inner) | ExprKind::IsNone(inner) => expr(inner, visit),
+        ExprKind::Paren(inner) | ExprKind::IsNone { value: inner, .. } => expr(inner, visit),
         ExprKind::Anonymous(decl) => {
             function_header(decl, visit);
             function_body(decl, visit);

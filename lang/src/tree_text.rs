@@ -251,6 +251,10 @@ fn type_text(t: &TypeExpr) -> String {
         TypeKind::Product(a, b) => format!("(* {} {})", type_text(a), type_text(b)),
         TypeKind::Quotient(a, b) => format!("(/ {} {})", type_text(a), type_text(b)),
         TypeKind::Power(base, n, d) => format!("(^ {} {n}/{d})", type_text(base)),
+        TypeKind::Function(parameters, result) => {
+            let parameters: Vec<String> = parameters.iter().map(type_text).collect();
+            format!("(-> [{}] {})", parameters.join(" "), type_text(result))
+        }
         TypeKind::Error => "error".into(),
     }
 }
@@ -321,7 +325,8 @@ pub fn expr(e: &Expr) -> String {
             format!("(if {} {} {})", expr(condition), expr(then), expr(otherwise))
         }
         ExprKind::At { value, symbol, at } => format!("(at {} {} {})", expr(value), symbol.name, expr(at)),
-        ExprKind::IsNone(value) => format!("(is-none {})", expr(value)),
+        ExprKind::IsNone { value, negated: false } => format!("(is-none {})", expr(value)),
+        ExprKind::IsNone { value, negated: true } => format!("(is-not-none {})", expr(value)),
         ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
         ExprKind::Anonymous(decl) => match &decl.body {
             FunctionBody::Symbolic(e) => format!("({} {})", decl.name.name, expr(e)),

@@ -85,6 +85,10 @@ impl<'t> Node<'t> {
                     visit(Node::Type(right));
                 }
                 TypeKind::Power(base, ..) => visit(Node::Type(base)),
+                TypeKind::Function(parameters, result) => {
+                    parameters.iter().for_each(|ty| visit(Node::Type(ty)));
+                    visit(Node::Type(result));
+                }
             },
             Node::Name(_) => {}
         }
@@ -255,7 +259,7 @@ fn expression_children<'t>(kind: &'t ExprKind, visit: &mut dyn FnMut(Node<'t>)) 
             visit(Node::Name(symbol));
             visit(Node::Expression(at));
         }
-        ExprKind::Paren(inner) | ExprKind::IsNone(inner) => visit(Node::Expression(inner)),
+        ExprKind::Paren(inner) | ExprKind::IsNone { value: inner, .. } => visit(Node::Expression(inner)),
         ExprKind::Anonymous(decl) => {
             decl.parameters.iter().for_each(|parameter| visit(Node::Parameter(parameter)));
             if let FunctionBody::Symbolic(e) = &decl.body {

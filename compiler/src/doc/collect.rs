@@ -341,7 +341,7 @@ fn dimension(ty: &TypeExpr) -> Option<Dimension> {
         TypeKind::Power(base, numerator, denominator) => {
             dimension(base)?.power(Rational::new(i64::from(*numerator), i64::from(*denominator))?)
         }
-        TypeKind::Member(..) | TypeKind::Error => None,
+        TypeKind::Member(..) | TypeKind::Function(..) | TypeKind::Error => None,
     }
 }
 
@@ -362,6 +362,10 @@ fn type_names(ty: &TypeExpr, names: &mut Vec<String>) {
             type_names(b, names);
         }
         TypeKind::Power(base, ..) => type_names(base, names),
+        TypeKind::Function(parameters, result) => {
+            parameters.iter().for_each(|ty| type_names(ty, names));
+            type_names(result, names);
+        }
         TypeKind::Error => {}
     }
 }

@@ -4,7 +4,7 @@ use super::dim::Dim;
 use super::infer::Checker;
 use super::symbols::{Resolution, similar};
 use super::types::Type;
-use crate::ast::{FunctionBody, FunctionDecl, Ident, Mode, StmtKind, TypeExpr, TypeKind};
+use crate::ast::{FunctionBody, FunctionDecl, Ident, Mode, Parameter, StmtKind, TypeExpr, TypeKind};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Dimension, Rational};
 use crate::span::Span;
@@ -94,7 +94,39 @@ impl<'a> Checker<'a> {
             TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) => {
                 self.dimension(annotation).map_or(Type::Error, Type::quantity)
             }
+            TypeKind::Function(..) => {
+                self.report(
+                    Diagnostic::error(
+                        "E0883",
+                        "only a parameter of a function can be a function",
+                        annotation.span,
+                        "the type of a function",
+                    )
+                    .help("functions are not values: pass the function to each function that calls it"),
+                );
+                Type::Error
+            }
         }
+    }
+
+    /// Returns the type for the annotation of a parameter of an ordinary or symbolic function, which
+    /// may be the type of a function.
+    pub(super) fn parameter_annotation(
+        &mut self,
+        decl: &FunctionDecl,
+        parameter: &Parameter,
+        annotation: &TypeExpr,
+        symbolic: bool,
+    ) -> Type {
+        let TypeKind::Function(parameters, result) = &annotation.kind else {
+            return self.annotation(annotation, symbolic);
+        };
+        let has_default = parameter.default.is_some() || parameter.domain.is_some();
+        if decl.is_component || decl.is_host || parameter.mode != Mode::In || has_default {
+            return self.annotation(annotation, symbolic);
+        }
+        let parameters = parameters.iter().map(|part| self.annotation(part, false)).collect();
+        Type::Function(parameters, Box::new(self.annotation(result, false)))
     }
 
     /// Returns the type for a name that the program declares.
@@ -141,7 +173,7 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
-            TypeKind::Apply(..) => {
+            TypeKind::Apply(..) | TypeKind::Function(..) => {
                 self.bad_annotation("write a dimension, such as `Length`".into(), annotation.span);
                 None
             }

@@ -116,6 +116,8 @@ impl<'a> Checker<'a> {
         let [Some(written), message] = given[..] else { return Expr::error(span) };
         let condition = self.as_value(|c| c.expr(&written.value));
         self.expect(&Type::Bool, &condition, "the condition of `assert`", None);
+        // The message already contains the value of a side that it consists of.
+        let shown = message.map_or("", |message| self.text(message.value.span));
         let message = match message {
             Some(message) => {
                 let message = self.as_value(|c| c.expr(&message.value));
@@ -127,7 +129,10 @@ impl<'a> Checker<'a> {
             }
         };
         let sides = match &condition.kind {
-            Kind::Binary(op, a, b) if op.compares() => Some([a, b].map(|side| self.text(side.span).into())),
+            Kind::Binary(op, a, b) if op.compares() => Some([a, b].map(|side| {
+                let text = self.text(side.span);
+                (text != shown).then(|| text.to_string())
+            })),
             _ => None,
         };
         let assertion = Assertion { condition, message, sides, system: self.shown_system() };

@@ -281,12 +281,17 @@ impl<'a> Checker<'a> {
         Type::array(part)
     }
 
+    /// Checks the array, or the name of an enumeration, after the `in` of a loop.
+    pub(super) fn elements_of(&mut self, values: &'a ast::Expr) -> Expr {
+        self.choices_in_order(values).unwrap_or_else(|| self.as_value(|c| c.whole(values)))
+    }
+
     /// Checks the values that a loop goes through.
     fn loop_over(&mut self, values: &'a Values, variable: &'a ast::Ident) -> Loop {
         let span = values.span();
         match values {
             Values::Elements(array) => {
-                let array = self.as_value(|c| c.whole(array));
+                let array = self.elements_of(array);
                 let element = self.element_type(
                     &array,
                     "a loop goes through an array or a range",

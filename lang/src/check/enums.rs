@@ -31,6 +31,16 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// Returns the choices of an enumeration in order, if an expression after the `in` of a loop
+    /// denotes one.
+    pub(super) fn choices_in_order(&self, e: &ast::Expr) -> Option<Expr> {
+        let ty = self.enum_type(self.enum_of(e)?);
+        let Type::Enum(of) = &ty else { return None };
+        let choice = |name: &String| Expr { kind: Kind::Text(name.clone()), ty: ty.clone(), span: e.span };
+        let choices = of.choices.iter().map(choice).collect();
+        Some(Expr { kind: Kind::Array(choices), ty: Type::array(ty.clone()), span: e.span })
+    }
+
     /// Checks `Hand.left`.
     pub(super) fn choice(&mut self, id: u32, choice: &ast::Ident, span: Span) -> Expr {
         let ty = self.enum_type(id);

@@ -61,6 +61,10 @@ impl<'a> Checker<'a> {
             return self.optional_choice([condition, then, otherwise], given, e.span);
         }
         let checked = self.expr_of_any_type(e, given);
+        // A field that was tested before is optional.
+        if self.is_present(e) {
+            self.make_optional(&checked);
+        }
         match self.store.known(&checked.ty) {
             Type::Optional(_) => self.presence(e, checked, accepted, tested),
             _ => checked,
@@ -78,7 +82,7 @@ impl<'a> Checker<'a> {
             ExprKind::String(parts) => self.string(parts),
             ExprKind::Name(name) => return self.name(name, span),
             ExprKind::Field { base, field } => return self.field(base, field, span),
-            ExprKind::Call { callee, arguments } => return self.call(callee, arguments, span),
+            ExprKind::Call { callee, arguments } => return self.call_with_records(callee, arguments, span),
             ExprKind::Index { base, index } => return self.index(base, index, span),
             ExprKind::Unary { op, operand } => {
                 let value = self.expr_at(operand, position);
@@ -115,11 +119,18 @@ impl<'a> Checker<'a> {
                         span,
                         "functions are not values",
                     )
-                    .help("pass it to `solve`, `minimize`, or a function that calls the parameter"),
+                    .help(
+                        "declare `function name(in x) := ...;` and call it, or pass the anonymous function to \
+                         `solve`, `minimize`, or a function that calls its parameter",
+                    ),
                 );
                 return Expr::error(span);
             }
-            ExprKind::IsNone(value) => return self.is_none(value, span),
+            ExprKind::IsNone { value, negated: false } => return self.is_none(value, span),
+            ExprKind::IsNone { value, negated: true } => {
+                let absent = self.is_none(value, span);
+                (Kind::Unary(UnaryOp::Not, Box::new(absent)), Type::Bool)
+            }
             ExprKind::If { condition, then, otherwise } => {
                 let (yes, no) = self.facts(condition);
                 let condition = self.expr(condition);
@@ -195,7 +206,7 @@ impl<'a> Checker<'a> {
         let kind = match pieces.as_slice() {
             [] => Kind::Text(String::new()),
             [TextPart::Text(text)] => Kind::Text(text.clone()),
-            _ => Kind::Format(pieces, self.system().unwrap_or_default()),
+            _ => Kind::Format(pieces, self.shown_system()),
         };
         (kind, Type::String)
     }

@@ -30,6 +30,14 @@ impl<'a> Checker<'a> {
             && matches!(known, None | Some(Type::Unknown(_) | Type::Function(..)))
     }
 
+    /// Returns `true` if the parameter of the current function that is declared at a location has a
+    /// type.
+    fn is_annotated(&self, declared: Span) -> bool {
+        let decl = self.names.functions[self.function.0 as usize].decl;
+        let mut parameters = decl.into_iter().flat_map(|decl| &decl.parameters);
+        parameters.any(|parameter| parameter.name.span == declared && parameter.annotation.is_some())
+    }
+
     /// Returns `true` if the value of a function depends on `Time`.
     pub(super) fn depends_on_time(&self, id: FuncId) -> bool {
         let definition = self.functions.get(&id).and_then(|function| function.definition.as_ref());
@@ -80,7 +88,10 @@ impl<'a> Checker<'a> {
                 self.report(
                     Diagnostic::error(
                         "E0865",
-                        format!("`{shown}` is called with {here} here and with {before} before"),
+                        match self.is_annotated(declared) {
+                            true => format!("`{shown}` takes {before}, not {here}"),
+                            false => format!("`{shown}` is called with {here} here and with {before} before"),
+                        },
                         span,
                         "another number of arguments",
                     )
@@ -102,8 +113,12 @@ impl<'a> Checker<'a> {
                 (parameters, result)
             }
         };
+        let cause = match self.is_annotated(declared) {
+            true => format!("the type of `{shown}`"),
+            false => format!("`{shown}` is called with other arguments before"),
+        };
         for (parameter, value) in parameters.iter().zip(&values) {
-            let cause = Some((declared, format!("`{shown}` is called with other arguments before")));
+            let cause = Some((declared, cause.clone()));
             self.expect(parameter, value, &format!("an argument of `{shown}`"), cause);
         }
         let applied = Applied { parameter: id, arguments: values, search: None };

@@ -73,7 +73,7 @@ impl Checker<'_> {
                 let _ = self.store.unify(&ty, &Type::optional(inner));
             }
             if let Some(annotation) = &parameter.annotation {
-                let annotated = self.annotation(annotation, symbolic);
+                let annotated = self.parameter_annotation(decl, parameter, annotation, symbolic);
                 let annotated = if optional { Type::optional(annotated) } else { annotated };
                 // A fresh type variable unifies with any type.
                 let _ = self.store.unify(&ty, &annotated);

@@ -106,6 +106,8 @@ pub struct Checker<'a> {
     pub(super) opening: Vec<Resolution>,
     /// Records whose defaults are being inserted, outermost first.
     pub(super) making: Vec<RecordId>,
+    /// Assignments of the computed records that the arguments of the current call spread.
+    pub(super) spread_records: Vec<Stmt>,
     pub(super) function: FuncId,
     pub(super) file: FileId,
     /// Paths of optional values that are present at the current position.
@@ -205,6 +207,7 @@ impl<'a> Checker<'a> {
             own_units: HashMap::new(),
             opening: Vec::new(),
             making: Vec::new(),
+            spread_records: Vec::new(),
             function: FuncId(0),
             file: FileId(0),
             present: Default::default(),

@@ -109,7 +109,7 @@ impl<'a> Checker<'a> {
                 Some(Passes { statements: Vec::new(), values: (0..count).map(value).collect() })
             }
             Values::Elements(array) => {
-                let array = self.as_value(|c| c.whole(array));
+                let array = self.elements_of(array);
                 self.passes_through(array, &parts.variable)
             }
         }

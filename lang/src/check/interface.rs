@@ -262,6 +262,7 @@ impl Interface {
                 expr: Expr::error(place),
                 captures: Vec::new(),
                 stored: false,
+                checks: Vec::new(),
                 on_time,
                 observes: false,
                 closed: true,

@@ -3,10 +3,23 @@
 
 use super::dependence::{MissedDependence, Question};
 use super::infer::Checker;
+use super::symbols::{Resolution, VarKind, Variable};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
 impl Checker<'_> {
+    /// Returns the name of the function whose call a hidden variable contains.
+    fn called_function(&self, captured: &Variable) -> Option<&str> {
+        let (name, _) = self.text(captured.span).split_once('(')?;
+        let name = name.trim_end().rsplit('.').next()?;
+        let at = captured.span.start + self.text(captured.span).find(name)? as u32;
+        let span = Span { start: at, end: at + name.len() as u32, ..captured.span };
+        match self.names.uses.get(&span)? {
+            Resolution::Function(id) => Some(&self.names.functions[id.0 as usize].name),
+            _ => None,
+        }
+    }
+
     /// Returns the diagnostic for a derivative or value that would miss a dependence on a param.
     pub(super) fn blind(
         &self,
@@ -27,12 +40,24 @@ impl Checker<'_> {
         match blind {
             MissedDependence::Computed(id) => {
                 let captured = self.variable(id);
-                error(format!("`{}` was computed from `{name}` before", captured.name))
-                    .label(captured.span, "captured as a value here")
-                    .help(format!(
+                let help = match (captured.kind, self.called_function(captured)) {
+                    (VarKind::Hidden, Some(function)) => format!(
+                        "`{function}` is an ordinary function, whose value the expression captures: write it as a \
+                         symbolic function, `function {function}(...) := ...;`, so that the value depends on \
+                         `{name}` symbolically"
+                    ),
+                    (VarKind::Hidden, None) => format!(
+                        "write an expression of names that are bound with `:=`, so that it depends on `{name}` \
+                         symbolically"
+                    ),
+                    _ => format!(
                         "bind `{}` with `:=`, so that it depends on `{name}` symbolically",
                         captured.name
-                    ))
+                    ),
+                };
+                error(format!("`{}` was computed from `{name}` before", captured.name))
+                    .label(captured.span, "captured as a value here")
+                    .help(help)
             }
             MissedDependence::Conditional(id) => {
                 let captured = self.variable(id);

@@ -205,8 +205,9 @@ fn not_a_value(meaning: Resolution, is_component: bool, name: &str, span: Span) 
         }
         Resolution::Enum(_) => {
             let message = format!("`{name}` is an enumeration, not a value");
-            Diagnostic::error("E0306", message, span, "not a value")
-                .help(format!("write a choice of it: `{name}.choice`"))
+            Diagnostic::error("E0306", message, span, "not a value").help(format!(
+                "write a choice of it, `{name}.choice`; a loop goes through all: `for (x in {name})`"
+            ))
         }
         Resolution::Dimension(_) => {
             Diagnostic::error("E0306", format!("`{name}` is a dimension"), span, "not a value")

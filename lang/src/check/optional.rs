@@ -1,4 +1,5 @@
-//! Optional values: parameters and fields whose default is `none`, the test `e is none`, and the
+//! Optional values: parameters and fields whose default is `none`, the tests `e is none` and `e is
+//! not none`, and the
 //! analysis that finds where a value is present.
 //!
 //! The analysis determines the presence of a value per path, a variable with fields. It follows the
@@ -221,25 +222,43 @@ impl<'a> Checker<'a> {
             c.tests_presence = false;
             value
         });
+        self.make_optional(&value);
         match self.store.shallow(&value.ty) {
             Type::Error => return Expr { kind: Kind::Error, ty: Type::Bool, span },
             Type::Optional(_) => {}
+
             other => {
-                let shown = with_article(&self.store.show(&other));
                 let what = self.text(value.span).to_string();
+                let message = match &other {
+                    Type::Unknown(_) => format!("`{what}` is never `none`"),
+                    other => format!(
+                        "`{what}` is {}, which is never `none`",
+                        with_article(&self.store.show(other))
+                    ),
+                };
                 self.report(
-                    Diagnostic::error(
-                        "E0856",
-                        format!("`{what}` is {shown}, which is never `none`"),
-                        value.span,
-                        "always has a value",
-                    )
-                    .help("only parameters and fields with the default `none` can be `none`"),
+                    Diagnostic::error("E0856", message, value.span, "always has a value")
+                        .help("only parameters and fields with the default `none` can be `none`"),
                 );
                 return Expr { kind: Kind::Error, ty: Type::Bool, span };
             }
         }
         Expr { kind: Kind::IsNone(Box::new(value)), ty: Type::Bool, span }
+    }
+
+    /// Makes the type of a field optional if the record is an argument whose type the calls
+    /// determine.
+    pub(super) fn make_optional(&mut self, field: &Expr) {
+        let is_unknown = |c: &Self| matches!(c.store.known(&field.ty), Type::Unknown(_));
+        if !matches!(field.kind, Kind::Field(..)) || !is_unknown(self) {
+            return;
+        }
+        self.solve_constraints();
+        if is_unknown(self) {
+            let optional = Type::optional(self.store.fresh());
+            // A new type is not part of the field's type, so it cannot contain itself.
+            let _ = self.store.unify(&field.ty, &optional);
+        }
     }
 
     /// Returns the other operand of a comparison with the word `none`, and whether the comparison
@@ -269,7 +288,7 @@ impl<'a> Checker<'a> {
             return tested;
         }
         let what = self.text(operand.span).to_string();
-        let test = if absent { format!("{what} is none") } else { format!("!({what} is none)") };
+        let test = if absent { format!("{what} is none") } else { format!("{what} is not none") };
         self.report(
             Diagnostic::error("E0855", "`none` is not a value to compare with", span, "not a test")
                 .help(format!("write `{test}`"))
@@ -282,7 +301,7 @@ impl<'a> Checker<'a> {
     /// any other use, unless the expression stands where an optional value is accepted.
     pub(super) fn presence(&mut self, written: &'a ast::Expr, e: Expr, accepted: bool, tested: bool) -> Expr {
         let Type::Optional(inner) = self.store.shallow(&e.ty) else { return e };
-        let present = self.path(written).is_some_and(|path| self.present.contains(&path));
+        let present = self.is_present(written);
         let span = e.span;
         if present && !tested {
             return Expr { kind: Kind::TupleElement(Box::new(e), 1), ty: *inner, span };
@@ -309,6 +328,11 @@ impl<'a> Checker<'a> {
         };
         self.report(diagnostic);
         Expr { kind: Kind::Error, ty: *inner, span }
+    }
+
+    /// Returns `true` if an expression denotes a path whose value is present.
+    pub(super) fn is_present(&self, e: &ast::Expr) -> bool {
+        !self.present.is_empty() && self.path(e).is_some_and(|path| self.present.contains(&path))
     }
 
     /// Returns the path that an expression denotes.
@@ -338,7 +362,10 @@ impl<'a> Checker<'a> {
             return if absent { (Present::new(), path) } else { (path, Present::new()) };
         }
         match &condition.kind {
-            ExprKind::IsNone(e) => (Present::new(), self.path(e).into_iter().collect()),
+            ExprKind::IsNone { value, negated } => {
+                let path = self.path(value).into_iter().collect();
+                if *negated { (path, Present::new()) } else { (Present::new(), path) }
+            }
             ExprKind::Paren(inner) => self.facts(inner),
             ExprKind::Unary { op: UnaryOp::Not, operand } => {
                 let (yes, no) = self.facts(operand);

@@ -256,6 +256,25 @@ impl<'a> Checker<'a> {
         value
     }
 
+    /// Checks a call, which computes the records that its arguments spread (`..f()`) first.
+    pub(super) fn call_with_records(
+        &mut self,
+        callee: &'a ast::Expr,
+        arguments: &'a [ast::Argument],
+        span: Span,
+    ) -> Expr {
+        let around = std::mem::take(&mut self.spread_records);
+        let call = self.call(callee, arguments, span);
+        let records = std::mem::replace(&mut self.spread_records, around);
+        match records.is_empty() {
+            true => call,
+            false => {
+                let ty = call.ty.clone();
+                Expr { kind: Kind::Sequence(records, Box::new(call)), ty, span }
+            }
+        }
+    }
+
     /// Returns the fields of spread records (`..r`) by name, except those with an explicit
     /// argument. Returns `None` if an error was reported.
     pub(super) fn spread(
@@ -292,11 +311,12 @@ impl<'a> Checker<'a> {
                     continue;
                 }
             };
-            if super::places::calls(&record) {
+            let computed = super::places::calls(&record);
+            if computed && (self.symbolic || self.constant_place.is_some()) {
                 self.report(
                     Diagnostic::error(
                         "E0206",
-                        "the record after `..` must be a variable, because each field reads it",
+                        "the record after `..` must be a variable here, because each field reads it",
                         argument.value.span,
                         "computed here",
                     )
@@ -305,6 +325,15 @@ impl<'a> Checker<'a> {
                 sound = false;
                 continue;
             }
+            // Each field reads the record, which is computed once.
+            let record = match computed {
+                true => {
+                    let (record, keep) = self.keep("record", record);
+                    self.spread_records.push(keep);
+                    record
+                }
+                false => record,
+            };
             let Some(found) = self.store.record(id).cloned() else { continue };
             for (at, (name, ty)) in found.fields.iter().enumerate() {
                 let place = argument.value.span;

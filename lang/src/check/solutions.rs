@@ -103,7 +103,10 @@ impl<'a> Checker<'a> {
         self.expect(&ty, &guess, "the guess", cause);
         let others = types.get(1..).unwrap_or_default();
         let mut values = vec![guess];
-        values.extend(self.symbolic_arguments(parameters, others, (given, fields), (id, file, span)));
+        let (arguments, demands) =
+            self.symbolic_arguments(parameters, others, (given, fields), (id, file, span));
+        let demands = demands.into_iter().map(|(at, demand)| (at + 1, demand)).collect();
+        values.extend(arguments);
         self.check_residual(search, &ty, &result, function.value.span);
         let call = Call {
             function: id,
@@ -114,8 +117,7 @@ impl<'a> Checker<'a> {
             demands: Vec::new(),
             search: Some(search),
         };
-        let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty, span };
-        if self.symbolic { call } else { self.evaluate_now(call, called) }
+        self.symbolic_or_evaluated(call, demands, (ty, span), called)
     }
 
     /// Reports too many or too few arguments after the guess; `parameters` are those of the

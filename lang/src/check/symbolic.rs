@@ -283,6 +283,7 @@ impl<'a> Checker<'a> {
             chosen: builder.chosen,
             part: false,
             stored: false,
+            checks: Vec::new(),
             span,
         });
         id

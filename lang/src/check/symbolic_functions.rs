@@ -100,7 +100,7 @@ impl<'a> Checker<'a> {
         let Some(given) = given else {
             return Expr { kind: Kind::Error, ty: result, span };
         };
-        let arguments = self.symbolic_arguments(&decl.parameters, &types, given, (id, file, span));
+        let (arguments, demands) = self.symbolic_arguments(&decl.parameters, &types, given, (id, file, span));
         let call = Call {
             function: id,
             instance,
@@ -110,21 +110,68 @@ impl<'a> Checker<'a> {
             demands: Vec::new(),
             search: None,
         };
-        let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty: result, span };
-        if self.symbolic { call } else { self.evaluate_now(call, &name.name) }
+        self.symbolic_or_evaluated(call, demands, (result, span), &name.name)
+    }
+
+    /// Returns a call of a symbolic function: as a part of the current symbolic expression, or as
+    /// its value. A value is computed after a check of the arguments.
+    pub(super) fn symbolic_or_evaluated(
+        &mut self,
+        mut call: Call,
+        demands: Vec<(usize, ArgumentRange)>,
+        (ty, span): (Type, Span),
+        name: &str,
+    ) -> Expr {
+        let (mut kept, mut checks) = (Vec::new(), Vec::new());
+        if !self.symbolic {
+            for (at, demand) in demands {
+                let Some(argument) = call.arguments.get_mut(at) else { continue };
+                if demand.is_decided(argument, &self.store) {
+                    continue;
+                }
+                // The check and the call use the same value.
+                if super::places::calls(argument) {
+                    let value = std::mem::replace(argument, Expr::error(span));
+                    let written = value.span;
+                    let value = self.evaluate_now(value, &demand.name);
+                    let (value, keep) = self.keep(&demand.name, value);
+                    kept.push(keep);
+                    *argument = Expr { span: written, ..value };
+                }
+                let def = self.make_def(&demand.name, argument.clone(), argument.span);
+                let checked = &self.defs[def.0 as usize];
+                // Otherwise, the evaluation of the call reports that it has no value.
+                if !checked.on_time && !checked.observes {
+                    checks.push((def, demand));
+                }
+            }
+        }
+        let call = Expr { kind: Kind::SymbolicCall(Box::new(call)), ty: ty.clone(), span };
+        if self.symbolic {
+            return call;
+        }
+        let def = self.make_def(name, call, span);
+        self.defs[def.0 as usize].checks = checks;
+        let value = self.evaluated(def, span);
+        match kept.is_empty() {
+            true => value,
+            false => Expr { kind: Kind::Sequence(kept, Box::new(value)), ty, span },
+        }
     }
 
     /// Checks the arguments of parameters of the symbolic function `id`, which is declared in
-    /// `file` and called at `span`.
+    /// `file` and called at `span`. Returns the arguments, and the domains of those that are no
+    /// defaults, by position.
     pub(super) fn symbolic_arguments(
         &mut self,
         parameters: &'a [ast::Parameter],
         types: &[Type],
         (given, mut fields): MatchedArguments<'a>,
         (id, file, span): (FuncId, FileId, Span),
-    ) -> Vec<Expr> {
-        let mut values = Vec::new();
+    ) -> (Vec<Expr>, Vec<(usize, ArgumentRange)>) {
+        let (mut values, mut demands) = (Vec::new(), Vec::new());
         for ((parameter, argument), ty) in parameters.iter().zip(given).zip(types) {
+            let is_default = argument.is_none() && !fields.contains_key(&parameter.name.name);
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) if self.is_function(ty) => {
                     self.function_argument(ty, &parameter.name, argument)
@@ -161,9 +208,14 @@ impl<'a> Checker<'a> {
                 // Already reported as missing.
                 (None, _) => Expr::error(span),
             };
+            if !is_default {
+                let domain = parameter.domain.as_ref();
+                let demand = self.in_file(file, |c| c.domain(ty, domain, Some(&value), &parameter.name.name));
+                demands.extend(demand.map(|demand| (values.len(), demand)));
+            }
             values.push(value);
         }
-        values
+        (values, demands)
     }
 
     /// Returns `true` if a variable is an argument of the current symbolic function.
@@ -363,7 +415,7 @@ fn parts(e: &ast::Expr) -> Vec<&ast::Expr> {
         ExprKind::Field { base: a, .. }
         | ExprKind::Unary { operand: a, .. }
         | ExprKind::Paren(a)
-        | ExprKind::IsNone(a) => vec![a],
+        | ExprKind::IsNone { value: a, .. } => vec![a],
         ExprKind::Index { base: a, index: b } | ExprKind::Binary { left: a, right: b, .. } => vec![a, b],
         ExprKind::At { value, at, .. } => vec![value, at],
         ExprKind::If { condition, then, otherwise } => vec![condition, then, otherwise],

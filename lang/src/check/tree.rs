@@ -110,7 +110,8 @@ pub enum Kind {
     /// The axis of a rotation, which must be a unit vector.
     UnitAxis(Box<Expr>),
     Len(Box<Expr>),
-    /// Alternating text and values; numbers are displayed in units of the system.
+    /// Alternating text and values; numbers are displayed in units of the model's system, or of this
+    /// one if the model declares none.
     Format(Vec<TextPart>, UnitSystem),
     Derivative(Box<Expr>, Sym),
     /// The gradient: derivatives in brackets.
@@ -179,9 +180,10 @@ pub struct Style {
 pub struct Assertion {
     pub condition: Expr,
     pub message: Expr,
-    /// The source texts of both sides of a comparison, for the message of a failure.
-    pub sides: Option<[String; 2]>,
-    /// The unit system for the displayed values.
+    /// The source texts of both sides of a comparison, for the message of a failure; `None` for a
+    /// side that is the message itself.
+    pub sides: Option<[Option<String>; 2]>,
+    /// The unit system of the file for the displayed values, see [`Kind::Format`].
     pub system: UnitSystem,
 }
 
@@ -299,6 +301,8 @@ pub struct Def {
     /// `true` if a statement sets its hidden variables. Those of an argument are set where the
     /// argument is evaluated.
     pub stored: bool,
+    /// Arguments of a call, as definitions, that are checked before the value is computed.
+    pub checks: Vec<(DefId, ArgumentRange)>,
     /// `true` if it depends on `Time`, directly or through other definitions.
     pub on_time: bool,
     /// `true` if it contains an observable, directly or through other definitions.

@@ -80,7 +80,7 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
         diagnostics.extend(placed(&|unit| &unit.flow));
         if !has_errors(&diagnostics) {
             let facts = facts(db, model);
-            let about = Model { system: facts.system.unwrap_or_default(), doc: facts.doc.clone() };
+            let about = Model { system: facts.system, doc: facts.doc.clone() };
             let (lowered, mut found) = lower(&linked, about, sources.clone());
             diagnostics.append(&mut found);
             program = (!has_errors(&diagnostics)).then_some(lowered);

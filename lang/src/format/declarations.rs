@@ -308,8 +308,17 @@ impl Printer<'_> {
     pub(super) fn type_expression(&mut self) {
         let mut open = 0_usize;
         let mut operand_ahead = true;
+        // `Function(Length) -> Force`
+        let mut is_function = self.word() == Some("Function");
         while let Some(kind) = self.kind() {
             match kind {
+                Kind::Arrow if is_function && open == 0 && !operand_ahead => {
+                    (is_function, operand_ahead) = (false, true);
+                    self.space();
+                    self.token(kind);
+                    self.space();
+                    continue;
+                }
                 Kind::Identifier | Kind::Number if operand_ahead => operand_ahead = false,
                 // The exponent of a dimension may have a sign.
                 Kind::Minus if operand_ahead => {}

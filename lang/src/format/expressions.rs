@@ -1,7 +1,7 @@
 //! Formats expressions: operators have spaces and follow line breaks, units are next to their
 //! numbers, brackets are filled or have one item per line.
 
-use super::document::Item;
+use super::document::{Breaks, Item};
 use super::printer::{Layout, Printer};
 use crate::ast::{
     Argument, BinaryOp, Bind, Comprehension, Expr, ExprKind, FunctionBody, Parameter, UnaryOp, Values,
@@ -83,11 +83,15 @@ impl Printer<'_> {
             }
             ExprKind::Binary { op, .. } => self.group(|p| p.chain(e, *op)),
             ExprKind::List(items) => self.list(items),
-            ExprKind::IsNone(value) => {
+            ExprKind::IsNone { value, negated } => {
                 self.expression(value);
                 self.space();
                 self.token(Kind::Is);
                 self.space();
+                if *negated {
+                    self.token(Kind::Identifier);
+                    self.space();
+                }
                 self.token(Kind::Identifier);
             }
             ExprKind::If { .. } => self.group(|p| p.conditional(e)),
@@ -171,8 +175,24 @@ impl Printer<'_> {
         self.assigned(e);
     }
 
-    /// Formats the value after the operator of an assignment.
+    /// Formats the value after the operator of an assignment. A conditional starts on the next line
+    /// if its first branch does not fit on this one; then `if` and each `else` are in one column.
     pub(super) fn assigned(&mut self, e: &Expr) {
+        if let ExprKind::If { condition, then, otherwise } = &e.kind
+            && !self.comment_ahead()
+        {
+            return self.group(|p| {
+                p.item(Item::Open(Breaks::Filled));
+                p.line();
+                p.first_choice(condition, then);
+                p.item(Item::Close);
+                p.otherwise(otherwise);
+            });
+        }
+        self.after_operator(e);
+    }
+
+    fn after_operator(&mut self, e: &Expr) {
         // Otherwise the value starts on the same line and breaks inside.
         let below = self.comment_ahead();
         if below {
@@ -216,7 +236,9 @@ impl Printer<'_> {
         match &argument.name {
             Some((_, bind)) => {
                 self.token(Kind::Identifier);
-                self.value(*bind, &argument.value);
+                self.space();
+                self.bind(*bind);
+                self.after_operator(&argument.value);
             }
             None => self.expression(&argument.value),
         }
@@ -271,15 +293,29 @@ impl Printer<'_> {
 
     /// Formats `if (c) a else if (d) b else e`.
     fn conditional(&mut self, e: &Expr) {
+        if let ExprKind::If { condition, then, otherwise } = &e.kind {
+            self.first_choice(condition, then);
+            self.otherwise(otherwise);
+        }
+    }
+
+    /// Formats `if (c) a`.
+    fn first_choice(&mut self, condition: &Expr, then: &Expr) {
+        self.token(Kind::If);
+        self.condition(condition);
+        self.space();
+        self.expression(then);
+    }
+
+    /// Formats `else if (d) b else e`, each `else` after an optional line break.
+    fn otherwise(&mut self, e: &Expr) {
         let mut rest = e;
-        while let ExprKind::If { condition, then, otherwise } = &rest.kind {
-            self.token(Kind::If);
-            self.condition(condition);
-            self.space();
-            self.expression(then);
+        loop {
             self.line();
             self.token(Kind::Else);
             self.space();
+            let ExprKind::If { condition, then, otherwise } = &rest.kind else { break };
+            self.first_choice(condition, then);
             rest = otherwise;
         }
         self.expression(rest);
@@ -334,7 +370,7 @@ fn is_short(e: &Expr) -> bool {
         | ExprKind::Measured { .. }
         | ExprKind::Comprehension(_)
         | ExprKind::Slice { .. }
-        | ExprKind::IsNone(_)
+        | ExprKind::IsNone { .. }
         | ExprKind::If { .. }
         | ExprKind::At { .. }
         | ExprKind::Paren(_)

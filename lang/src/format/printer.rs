@@ -60,6 +60,12 @@ impl<'t> Printer<'t> {
         self.kind_after(0)
     }
 
+    /// Returns the text of the next token.
+    pub(super) fn word(&self) -> Option<&'t str> {
+        let span = self.tokens.get(self.at)?.span;
+        self.text.get(span.start as usize..span.end as usize)
+    }
+
     /// Returns the kind of a later token.
     pub(super) fn kind_after(&self, distance: usize) -> Option<Kind> {
         self.tokens.get(self.at + distance).map(|t| t.kind)

@@ -427,6 +427,22 @@ fn type_grammar<'a>(source: &'a Source<'a>, any: Rule<'a, TypeExpr>) -> Rule<'a,
     let arguments = just(Kind::OpenParen)
         .ignore_then(any.clone().separated_by(just(Kind::Comma)).allow_trailing().collect())
         .then_ignore(close(source, Kind::CloseParen, "`,` or `)`"));
+    let none = just(Kind::OpenParen).ignore_then(just(Kind::CloseParen)).map(|_| Vec::new());
+    let function =
+        when(move |at| source.text(at) == "Function" && source.kind(at + 1) == Some(Kind::OpenParen))
+            .ignore_then(identifier(source))
+            .ignore_then(none.or(arguments.clone()))
+            .then(just(Kind::Arrow).ignore_then(any.clone()).or_not())
+            .map_with(|(parameters, result), extra| {
+                let span = source.range(extra.span());
+                let result = result.unwrap_or_else(|| {
+                    let message = "the type of a function ends with the type of its result";
+                    let problem = Diagnostic::error("E0124", message, span, "without a result");
+                    extra.emit(problem.help("write `Function(Length) -> Force`").into());
+                    TypeExpr { kind: TypeKind::Error, span }
+                });
+                TypeKind::Function(parameters, Box::new(result))
+            });
     let member = just(Kind::Dot).ignore_then(identifier(source));
     let named = identifier(source).then(member.map(Ok).or(arguments.map(Err)).or_not()).map(
         |(name, rest)| match rest {
@@ -453,9 +469,14 @@ fn type_grammar<'a>(source: &'a Source<'a>, any: Rule<'a, TypeExpr>) -> Rule<'a,
     });
     let inner =
         just(Kind::OpenParen).ignore_then(any.clone()).then_ignore(close(source, Kind::CloseParen, "`)`"));
-    let atom =
-        choice((spanned(named.boxed()), spanned(one.boxed()), inner.boxed(), spanned(missing.boxed())))
-            .boxed();
+    let atom = choice((
+        spanned(function.boxed()),
+        spanned(named.boxed()),
+        spanned(one.boxed()),
+        inner.boxed(),
+        spanned(missing.boxed()),
+    ))
+    .boxed();
     let exponent = just(Kind::Caret)
         .ignore_then(rational(source))
         .map_with(|power, extra| (power, source.range(extra.span())))

@@ -67,6 +67,8 @@ fn operators<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> 
             string(source, any.clone()),
             boolean(source),
             variable(source),
+            // Only arguments can be functions, which the checker reports.
+            anonymous(source, any.clone()),
             parenthesised(source, any.clone()),
             brackets(source, any.clone()),
             conditional(source, condition, any.clone(), operators.boxed()),
@@ -504,10 +506,13 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
     .map_with(|suffix, extra| (suffix, source.range(extra.span())))
     .boxed();
 
-    // The word after `is` is `none`, or the lexer would not have marked it.
+    // `none` or `not none` follows `is`, or the lexer would not have marked it.
     let is_none = just(Kind::Is)
-        .ignore_then(index_of(Kind::Identifier))
-        .map_with(|_, extra| source.range(extra.span()))
+        .ignore_then(
+            when(move |at| source.text(at) == "not").ignore_then(index_of(Kind::Identifier)).or_not(),
+        )
+        .then_ignore(index_of(Kind::Identifier))
+        .map_with(|not, extra| (not.is_some(), source.range(extra.span())))
         .boxed();
 
     atom.pratt((
@@ -542,9 +547,9 @@ fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<
         ),
         infix(left(SUM), sum, |l, op, r, _: &mut _| binary(l, op, r)),
         infix(left(RELATION), relation, |l, op, r, _: &mut _| binary(l, op, r)),
-        postfix(RELATION, is_none, |value: Expr, word: Span, _: &mut _| {
-            let span = value.span.to(word);
-            Expr { kind: ExprKind::IsNone(Box::new(value)), span }
+        postfix(RELATION, is_none, |value: Expr, (negated, words): (bool, Span), _: &mut _| {
+            let span = value.span.to(words);
+            Expr { kind: ExprKind::IsNone { value: Box::new(value), negated }, span }
         }),
         infix(left(AND), and, |l, op, r, _: &mut _| binary(l, op, r)),
         infix(left(OR), or, |l, op, r, _: &mut _| binary(l, op, r)),

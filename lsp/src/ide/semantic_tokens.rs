@@ -352,6 +352,10 @@ fn of_type(source: &Source<'_>, ty: &TypeExpr, found: &mut HashMap<u32, NameMean
             found.insert(module.span.start, (TokenKind::Namespace, Modifiers::NONE));
             name
         }
+        TypeKind::Function(..) => {
+            found.insert(ty.span.start, (TokenKind::Type, Modifiers::DEFAULT_LIBRARY));
+            return;
+        }
         _ => return,
     };
     // Names that the program declares are classified by resolution.

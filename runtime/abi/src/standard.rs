@@ -4,6 +4,9 @@
 use crate::context::{RuntimeError, codes};
 use crate::limits;
 
+/// Start of the message of a failed assertion.
+const FAILED: &str = "assertion failed";
+
 crate::externs! {
     /// `print(String)`: passes one line to [`Context::print`](crate::Context::print). The caller of
     /// the program decides about its use, so it may be called while nothing is solved.
@@ -23,8 +26,10 @@ crate::externs! {
             return Ok(());
         }
         let message = match message.as_str() {
-            "" => "assertion failed".to_string(),
-            _ => format!("assertion failed: {message}"),
+            "" => FAILED.to_string(),
+            // The message of another assertion, as `e.message` in a `catch`.
+            repeated if repeated.strip_prefix(FAILED).is_some_and(|rest| rest.starts_with(':')) => message,
+            _ => format!("{FAILED}: {message}"),
         };
         let _ = context;
         Err(RuntimeError::new(codes::ASSERTION, message, ""))

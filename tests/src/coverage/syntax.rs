@@ -109,6 +109,7 @@ rows!(annotation(TypeKind) {
     TypeKind::Quotient(..) => "type `T/T`",
     TypeKind::Power(_, _, 1) => "type `T^n`",
     TypeKind::Power(..) => "type `T^(n/m)`",
+    TypeKind::Function(..) => "type `Function(T) -> T`",
     TypeKind::Error => "a type that cannot be read",
 });
 
@@ -136,7 +137,8 @@ rows!(expression(ExprKind) {
     ExprKind::Comprehension(_) => "`[e for name in e if e]`",
     ExprKind::If { .. } => "`if (e) e else e`",
     ExprKind::At { .. } => "`e at name = e`",
-    ExprKind::IsNone(_) => "`e is none`",
+    ExprKind::IsNone { negated: false, .. } => "`e is none`",
+    ExprKind::IsNone { negated: true, .. } => "`e is not none`",
     ExprKind::Paren(_) => "`(e)`",
     ExprKind::Block(_) => "`{ var a = e; return e; }`",
 });

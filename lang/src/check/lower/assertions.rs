@@ -39,12 +39,13 @@ impl Body<'_, '_> {
         let (left, right) = (self.kept(left), self.kept(right));
         let mut operands = Vec::new();
         for (text, side, value) in [(left_text, a, &left), (right_text, b, &right)] {
-            if says_itself(side) || !has_text(&value.repr) {
+            let Some(text) = text.as_ref().filter(|_| !says_itself(side) && has_text(&value.repr)) else {
                 continue;
-            }
+            };
             let before = if operands.is_empty() { " (" } else { ", " };
             operands.push(FormatPart::Text(format!("{before}{text} is ")));
-            operands.push(FormatPart::Value(value.clone(), self.display(&side.ty, None, assertion.system)));
+            let system = self.lowering.declared_system.unwrap_or(assertion.system);
+            operands.push(FormatPart::Value(value.clone(), self.display(&side.ty, None, system)));
         }
         if !operands.is_empty() {
             operands.push(FormatPart::Text(")".into()));

@@ -67,6 +67,8 @@ pub(super) struct Lowering<'c> {
     program: Program,
     /// The unit system in which the model displays numbers.
     system: UnitSystem,
+    /// This system if the model declares it.
+    declared_system: Option<UnitSystem>,
     instances: HashMap<Instance, FunctionId>,
     components: instances::Instances,
     /// The instance whose code is being lowered.
@@ -89,18 +91,20 @@ const BODY_FRAME: &str = "calyx_std_body_frame";
 /// Properties of the model that its file declares.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {
-    pub system: UnitSystem,
+    /// The unit system of the model, if it declares one.
+    pub system: Option<UnitSystem>,
     pub doc: String,
 }
 
 /// Returns the typed program and the diagnostics that only lowering finds.
 pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
     let mut lowering = Lowering::new(linked);
-    lowering.system = model.system;
+    lowering.declared_system = model.system;
+    lowering.system = model.system.unwrap_or_default();
     let text = files.first().map_or(0, |file| file.text.len());
     lowering.program = Program {
         files,
-        units: model.system.name().into(),
+        units: lowering.system.name().into(),
         own_units: lowering.checker.store.vocabulary.units.clone(),
         own_dimensions: lowering.checker.store.vocabulary.own_dimensions(),
         doc: model.doc,
@@ -175,6 +179,7 @@ impl<'c> Lowering<'c> {
             components: Default::default(),
             around: None,
             system: UnitSystem::default(),
+            declared_system: None,
             wanted: Vec::new(),
             symbolic_functions: Default::default(),
             showing: HashMap::new(),
@@ -416,8 +421,10 @@ pub(super) fn annotated_repr(
                 _ => inner,
             }
         }
-        TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) | TypeKind::Error => {
-            Repr::Number
-        }
+        TypeKind::Product(..)
+        | TypeKind::Quotient(..)
+        | TypeKind::Power(..)
+        | TypeKind::Function(..)
+        | TypeKind::Error => Repr::Number,
     }
 }

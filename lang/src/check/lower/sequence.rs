@@ -50,7 +50,8 @@ impl Body<'_, '_> {
             Kind::Unary(..) => self.is_array(&e.ty),
             Kind::MakeSymbolic(def) | Kind::Eval(def, _) => {
                 let def = &self.lowering.checker.defs[def.0 as usize];
-                !def.stored && def.captures.iter().any(|(_, value)| self.searched(value))
+                !def.checks.is_empty()
+                    || !def.stored && def.captures.iter().any(|(_, value)| self.searched(value))
             }
             _ => false,
         };

@@ -171,6 +171,15 @@ impl Body<'_, '_> {
     /// Lowers the evaluation of a definition at a time, by default 0.
     fn evaluation(&mut self, def: DefId, time: Option<&Expr>, ty: &Type, span: Span) -> ir::Expr {
         let make = |kind, repr| ir::Expr { kind, repr, span };
+        let checker = self.lowering.checker;
+        for (argument, demand) in &checker.defs[def.0 as usize].checks {
+            let written = &checker.defs[argument.0 as usize].expr;
+            if !demand.is_decided(written, &checker.store) {
+                let value = self.evaluation(*argument, None, &written.ty, written.span);
+                let value = self.kept(value);
+                self.demand_of_any(demand, value, written);
+            }
+        }
         let mut value = self.make_symbolic(def, span);
         let time = match time {
             Some(time) => {
@@ -293,13 +302,13 @@ impl Body<'_, '_> {
         if let (Kind::Text(text), None) = (&value.kind, style) {
             return parts.push(FormatPart::Text(text.clone()));
         }
-        let display = self.display(&value.ty, style, system);
+        let display = self.display(&value.ty, style, self.lowering.declared_system.unwrap_or(system));
         let value = self.value(value);
         let value = if kept { self.kept(value) } else { value };
         parts.push(FormatPart::Value(value, display));
     }
 
-    /// Returns the display of values of a type.
+    /// Returns the display of values of a type in the units of a system.
     pub(super) fn display(&self, ty: &Type, style: Option<&Style>, system: UnitSystem) -> Display {
         let store = &self.lowering.checker.store;
         let number = |unit: Option<DisplayUnit>| {

@@ -52,6 +52,10 @@ impl<'a> Resolver<'a> {
                 self.type_expr(b);
             }
             TypeKind::Power(base, ..) => self.type_expr(base),
+            TypeKind::Function(parameters, result) => {
+                parameters.iter().for_each(|part| self.type_expr(part));
+                self.type_expr(result);
+            }
             TypeKind::Error => {}
         }
     }
@@ -176,7 +180,7 @@ impl<'a> Resolver<'a> {
                 self.name(symbol);
                 self.expr(at);
             }
-            ExprKind::Paren(inner) | ExprKind::IsNone(inner) => self.expr(inner),
+            ExprKind::Paren(inner) | ExprKind::IsNone { value: inner, .. } => self.expr(inner),
             ExprKind::Anonymous(decl) => {
                 let around = self.scopes.len();
                 // The name cannot be written, so no scope contains it.
