@@ -80,9 +80,9 @@ pub fn define<M: Module>(
 
 /// How a solver evaluates the residuals.
 enum Evaluation {
-    /// By code of its own, with the solvers of the implicit functions in the residuals.
+    /// Instructions in the loop, with the solvers of the implicit functions in the residuals.
     Inlined(Vec<FuncId>),
-    /// By a kernel.
+    /// A call of a kernel.
     Called(FuncId),
 }
 

@@ -109,8 +109,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Returns the type for the annotation of a parameter of an ordinary or symbolic function, which
-    /// may be the type of a function.
+    /// Returns the type for the annotation of a parameter of a function, which may be the type of a
+    /// function.
     pub(super) fn parameter_annotation(
         &mut self,
         decl: &FunctionDecl,

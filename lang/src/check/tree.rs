@@ -110,8 +110,8 @@ pub enum Kind {
     /// The axis of a rotation, which must be a unit vector.
     UnitAxis(Box<Expr>),
     Len(Box<Expr>),
-    /// Alternating text and values; numbers are displayed in units of the model's system, or of this
-    /// one if the model declares none.
+    /// Alternating text and values; numbers are displayed in units of the model's system, or of
+    /// this one if the model declares none.
     Format(Vec<TextPart>, UnitSystem),
     Derivative(Box<Expr>, Sym),
     /// The gradient: derivatives in brackets.
