@@ -283,8 +283,8 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// Returns the unit that stands alone, and its dimension including cycles; reports `otherwise` if
-    /// it is not a product of units.
+    /// Returns the unit that stands alone, and its dimension including cycles; reports `otherwise`
+    /// if it is not a product of units.
     fn stated_unit(
         &mut self,
         e: &'a ast::Expr,

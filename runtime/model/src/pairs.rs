@@ -127,8 +127,8 @@ impl GearMesh {
         self.phase_offset
     }
 
-    /// Returns the transverse contact ratio: length of the nominal path of contact at one transverse
-    /// section, in pitches.
+    /// Returns the transverse contact ratio: length of the nominal path of contact at one
+    /// transverse section, in pitches.
     pub fn transverse_contact_ratio(&self) -> f64 {
         (self.path[1] - self.path[0]) * f64::from(self.teeth[0]) / TAU - self.overlap_ratio
     }

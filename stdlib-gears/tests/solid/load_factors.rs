@@ -37,10 +37,9 @@ fn means<const N: usize>(options: &Options, positions: usize, observables: [&dyn
     sums
 }
 
-/// Without modifications and misalignment the load per face width is uniform. On spur teeth, where
-/// the sides of slices are free, K_Hbeta is 1 to the accuracy of the contact grid. On helical teeth
-/// the contact lines end at the side faces and at the tips at once, which makes them stiffer there:
-/// K_Hbeta is 1.009, 1.017 and 1.020.
+/// Without modifications and misalignment, K_Hbeta of spur teeth is 1 to the accuracy of the contact
+/// grid. On helical teeth, where the side faces cut the contact lines, it has an end effect and is
+/// 1.009, 1.017 and 1.020.
 #[test]
 fn perfect_pairs_have_a_face_load_factor_of_one_apart_from_end_effects() {
     for (helix_angle, end_effect) in [(0.0, 1e-3), (0.1, 0.012), (0.2, 0.02), (0.35, 0.025)] {

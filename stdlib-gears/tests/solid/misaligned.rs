@@ -175,8 +175,8 @@ fn teeth_that_touch_at_one_end_are_in_equilibrium() {
 /// Shift of the load by misalignment. With a stiffness c per face width b, force F and angle f in
 /// the plane of action, the load is linear along the face as long as all of it carries load. Its
 /// centre is off the middle by c f b³ / 12 F, and K_Hbeta = 1 + c f b² / 2 F (ISO 6336-1, stiff
-/// bodies under the teeth). Here c is the mesh stiffness of teeth and rims under a uniform load, for
-/// K_Hbeta its mean over the mesh cycle.
+/// bodies under the teeth). Here c is the mesh stiffness of teeth and rims under a uniform load,
+/// for K_Hbeta its mean over the mesh cycle.
 ///
 /// The coupling of the teeth along the face makes them stiffer under a load of alternating sign
 /// than under a uniform one, because compliance decreases with the wavenumber. The centre is

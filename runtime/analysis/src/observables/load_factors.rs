@@ -42,8 +42,8 @@ pub struct RootFaceLoadFactor {
 }
 
 impl RootFaceLoadFactor {
-    /// Creates the factor of a mesh from the larger ratio of tooth depth to face width of its gears,
-    /// which counts as at most 1/3.
+    /// Creates the factor of a mesh from the larger ratio of tooth depth to face width of its
+    /// gears, which counts as at most 1/3.
     pub fn new(pair: PairId, depth_ratio: f64) -> RootFaceLoadFactor {
         let ratio = depth_ratio.min(1.0 / 3.0);
         RootFaceLoadFactor { pair, exponent: 1.0 / (1.0 + ratio + ratio * ratio) }
@@ -124,9 +124,9 @@ fn k_h_beta(at: &Equilibrium<'_>, pair: PairId) -> f64 {
     largest_over_mean(&loads, face, window(mesh, face[1] - face[0]))
 }
 
-/// Returns the largest load per face width over its mean, for forces on a face. The load is averaged
-/// over windows of a width (m); at the ends of the face, the straight line through the two outermost
-/// windows continues it. 1 without load.
+/// Returns the largest load per face width over its mean, for forces on a face. The load is
+/// averaged over windows of a width (m); at the ends of the face, the straight line through the two
+/// outermost windows continues it. 1 without load.
 fn largest_over_mean(loads: &[AxialLoad], [start, end]: [f64; 2], window: f64) -> f64 {
     let total: f64 = loads.iter().map(|load| load.force).sum();
     let width = end - start;
@@ -161,9 +161,9 @@ fn largest_over_mean(loads: &[AxialLoad], [start, end]: [f64; 2], window: f64) -
 /// on all contact lines of the nominal path of contact.
 ///
 /// A pair that entered contact `x` pitches ago is in contact along the sections of the face whose
-/// phase is on the path: the fraction `min(1, x/eps_beta, eps_alpha/eps_beta, ...)` of its line. The
-/// share is largest at a kink of one of these lengths, because between kinks it is the quotient of
-/// two linear functions.
+/// phase is on the path: the fraction `min(1, x/eps_beta, eps_alpha/eps_beta, ...)` of its line.
+/// The share is largest at a kink of one of these lengths, because between kinks it is the quotient
+/// of two linear functions.
 fn ideal_share(contact_ratio: f64, overlap_ratio: f64) -> f64 {
     let total = contact_ratio + overlap_ratio;
     if !(total.is_finite() && total > 0.0) {

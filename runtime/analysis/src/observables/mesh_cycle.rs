@@ -120,8 +120,8 @@ pub(super) fn window(mesh: &GearMesh, face: f64) -> f64 {
     if wide <= (WIDE + ROUNDING) * face { wide } else { NARROW * face }
 }
 
-/// Returns the ends of the common face of a mesh along the axis of its first body, m from the middle
-/// of that body's face.
+/// Returns the ends of the common face of a mesh along the axis of its first body, m from the
+/// middle of that body's face.
 pub(super) fn common_face(at: &Equilibrium<'_>, bodies: [BodyId; 2]) -> [f64; 2] {
     let system = at.system;
     let half = bodies.map(|body| 0.5 * system.scene.bodies[body.0].prototype.face_width());

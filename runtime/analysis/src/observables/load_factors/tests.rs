@@ -25,9 +25,9 @@ fn misaligned(stiffness: f64, slope: f64, force: f64) -> Vec<AxialLoad> {
     (0..COUNT).map(part).collect()
 }
 
-/// With stiffness c per length, misalignment f and face width b: K_Hbeta = 1 + c f b² / 2F while the
-/// whole face carries load, and the root of 2 c f b² / F beyond, from 2 on (ISO 6336-1, method C,
-/// with the mean load F/b and the misalignment f b).
+/// With stiffness c per length, misalignment f and face width b: K_Hbeta = 1 + c f b² / 2F while
+/// the whole face carries load, and the root of 2 c f b² / F beyond, from 2 on (ISO 6336-1, method
+/// C, with the mean load F/b and the misalignment f b).
 #[test]
 fn a_misaligned_uniform_stiffness_has_its_face_load_factor_in_closed_form() {
     let (stiffness, force) = (14e9, 5000.0);
