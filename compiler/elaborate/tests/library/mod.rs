@@ -154,7 +154,7 @@ fn is_number(ty: &TypeExpr) -> bool {
             name.name == "Vector" || name.name == "Array" && parts.iter().all(is_number)
         }
         TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) => true,
-        TypeKind::Member(..) | TypeKind::Error => false,
+        TypeKind::Member(..) | TypeKind::Function(..) | TypeKind::Error => false,
     }
 }
 
