@@ -308,12 +308,17 @@ impl Printer<'_> {
     pub(super) fn type_expression(&mut self) {
         let mut open = 0_usize;
         let mut operand_ahead = true;
-        // `Function(Length) -> Force`
-        let mut is_function = self.word() == Some("Function");
+        // `Function(Length) -> Force`: depths of the functions whose arrow is ahead, and whether the
+        // token before is the word.
+        let mut functions = Vec::new();
+        let mut after_word = false;
         while let Some(kind) = self.kind() {
+            let is_word =
+                self.word() == Some("Function") && operand_ahead && self.previous() != Some(Kind::Dot);
             match kind {
-                Kind::Arrow if is_function && open == 0 && !operand_ahead => {
-                    (is_function, operand_ahead) = (false, true);
+                Kind::Arrow if functions.last() == Some(&open) && !operand_ahead => {
+                    functions.pop();
+                    operand_ahead = true;
                     self.space();
                     self.token(kind);
                     self.space();
@@ -323,6 +328,7 @@ impl Printer<'_> {
                 // The exponent of a dimension may have a sign.
                 Kind::Minus if operand_ahead => {}
                 Kind::OpenParen if operand_ahead || self.previous() == Some(Kind::Identifier) => {
+                    functions.extend(after_word.then_some(open));
                     open += 1;
                     operand_ahead = true;
                 }
@@ -335,6 +341,7 @@ impl Printer<'_> {
                 }
                 _ => return,
             }
+            after_word = is_word;
             self.token(kind);
             if kind == Kind::Comma && self.kind() != Some(Kind::CloseParen) {
                 self.space();
