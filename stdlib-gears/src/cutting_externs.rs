@@ -344,6 +344,13 @@ fn cut_gear(
         Refusal::Geometry(errors) => Refusal::Geometry(errors.into_iter().map(blame).collect()),
         other => other,
     });
+    let cut = cut.map(|mut gear| {
+        // Nothing else refers to the gear yet.
+        if let Some(gear) = Arc::get_mut(&mut gear) {
+            gear.allowance = found.allowance;
+        }
+        gear
+    });
     keep_gear(host, cut, tool.module(), place)
 }
 

@@ -111,9 +111,11 @@ impl Pair {
             ));
         }
         let pitch = std::f64::consts::PI * a.module;
+        // Allowances are the backlash at the nominal centre distance.
+        let both = (a.tooth_thickness - first.allowance) + (b.tooth_thickness - second.allowance);
         let (reference, excess) = match b.internal {
-            false => (a.pitch_radius + b.pitch_radius, a.tooth_thickness + b.tooth_thickness - pitch),
-            true => (b.pitch_radius - a.pitch_radius, pitch - b.tooth_thickness - a.tooth_thickness),
+            false => (a.pitch_radius + b.pitch_radius, both - pitch),
+            true => (b.pitch_radius - a.pitch_radius, pitch - both),
         };
         let normal = math::cos(first.helix.angle());
         let per_shift = 2.0 * a.module * normal * math::tan(a.pressure_angle);

@@ -72,6 +72,8 @@ pub struct GearPrototype {
     pub face_width: f64,
     /// Pitch deviation of each tooth as an angle, rad; teeth beyond the list have none.
     pub pitch_errors: Vec<f64>,
+    /// Difference of the transverse tooth thickness from its nominal value, m.
+    pub allowance: f64,
     flanks: [Arc<Flank>; 2],
     /// Options that [`Prototype::check`] has accepted, each with a flag for three dimensions.
     accepted: Mutex<Vec<(StructureOptions, bool)>>,
@@ -110,6 +112,7 @@ impl GearPrototype {
             solid: false,
             face_width,
             pitch_errors,
+            allowance: 0.0,
             flanks,
             accepted: Mutex::default(),
             inertia: OnceLock::new(),

@@ -66,6 +66,8 @@ pub(crate) struct StatedThickness {
     pub shift: f64,
     /// Profile shift coefficient at the limit that the gear has, in modules of the tool.
     pub generated_shift: f64,
+    /// Allowance of the transverse thickness that the gear has, m.
+    pub allowance: f64,
     pub warnings: Vec<GeometryError>,
 }
 
@@ -218,13 +220,33 @@ impl ThicknessStatements {
                 sentence!["give one of them only, or correct one"],
             ));
         }
-        let allowance = geometry.of_normal(self.allowance(self.limit)?);
-        if allowance == 0.0 {
-            return Ok(StatedThickness { thickness: nominal, shift, generated_shift: shift, warnings });
+        warnings.extend(self.unused_allowance());
+        let normal = self.allowance(self.limit)?;
+        if normal == 0.0 {
+            let (thickness, generated_shift) = (nominal, shift);
+            return Ok(StatedThickness { thickness, shift, generated_shift, allowance: 0.0, warnings });
         }
-        let generated = thickness + allowance;
+        let generated = thickness + geometry.of_normal(normal);
         let generated_shift = geometry.shift_of(generated);
-        Ok(StatedThickness { thickness: Thickness::Circular(generated), shift, generated_shift, warnings })
+        let allowance = normal / math::cos(helix.angle());
+        let thickness = Thickness::Circular(generated);
+        Ok(StatedThickness { thickness, shift, generated_shift, allowance, warnings })
+    }
+
+    /// Warns about allowances that change nothing: the gear has the nominal thickness unless a limit
+    /// is stated.
+    fn unused_allowance(&self) -> Option<GeometryError> {
+        if self.limit != Limit::Nominal || self.stated_at != Limit::Nominal {
+            return None;
+        }
+        let names = ["upper_allowance", "lower_allowance"];
+        let (_, name) = self.allowances.iter().zip(names).find(|(allowance, _)| allowance.is_some())?;
+        Some(GeometryError::warning(
+            "W0847",
+            name,
+            sentence!["the teeth have their nominal thickness, so the allowances have no effect"],
+            sentence!["state the limit that the gear has, such as `thickness_limit = \"mean\"`"],
+        ))
     }
 
     /// Compares a thickness with a profile shift coefficient. A shift of zero, which meant "not

@@ -217,6 +217,8 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("interpolate", "x", "2 mm"),
     ("material", "youngs_modulus", "206 GPa"),
     ("material", "poissons_ratio", "0.3"),
+    ("external", "rack", "rack"),
+    ("internal", "shaper", "shaper"),
     ("rack", "module", "2 mm"),
     ("rack", "tip_radius", "0.5 mm"),
     ("shaper", "teeth", "20"),

@@ -174,15 +174,12 @@ impl CallSites {
                 let mut chain = chain.clone();
                 chain.push(Call { function: name.clone(), place: *caller });
                 match self.inside.get(caller) {
-                    Some(around) if self.library.contains(&caller.0) => match chains.get_mut(around) {
-                        None => {
+                    Some(around) if self.library.contains(&caller.0) => {
+                        if !chains.contains_key(around) {
                             chains.insert(*around, chain);
                             waiting.push(*around);
                         }
-                        // Several calls in one function: which of them raised it, and with which
-                        // arguments, is not known. The location of the function describes no call.
-                        Some(known) => known.iter_mut().for_each(|call| call.place = *around),
-                    },
+                    }
                     _ if found.is_none() => found = Some(chain),
                     _ => return Vec::new(),
                 }
