@@ -284,7 +284,7 @@ fn rigid_errors(modification: Modification) -> Vec<[f64; 2]> {
 #[test]
 fn the_unloaded_transmission_error_is_the_modification_along_the_path_of_contact() {
     // Long reliefs, which extend into single-pair contact; elsewhere the other pair touches.
-    let length = ReliefStart { length: Some(0.2 * INCH), ..ReliefStart::default() };
+    let length = ReliefStart { length: Some(0.3 * INCH), ..ReliefStart::default() };
     // The shift of the contact point along the flank changes the error by the square of the amount.
     let depth = 0.05 * UM;
     let relief = |shape| Modification::TipRelief(TipRelief { depth, start: length, shape });
