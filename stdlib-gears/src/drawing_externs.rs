@@ -75,8 +75,8 @@ fn profile_shift(gear: &GearPrototype) -> f64 {
 struct Pair {
     /// Sum of the reference radii, or their difference for an internal gear, m.
     reference: f64,
-    /// Arc by which both gears together exceed a pitch at the reference circles, or the space of the
-    /// internal gear exceeds the tooth of its mate, m.
+    /// Arc by which both gears together exceed a pitch at the reference circles, or the space of
+    /// the internal gear exceeds the tooth of its mate, m.
     excess: f64,
     pressure_angle: f64,
     /// Length of excess per unit of the sum of the profile shift coefficients, m.

@@ -139,8 +139,8 @@ fn unknown_size(rack: &'static str) -> GeometryError {
     )
 }
 
-/// Ratio of the numbers of teeth of an internal gear and of its default shaper cutter, and the least
-/// number of teeth of this cutter.
+/// Ratio of the numbers of teeth of an internal gear and of its default shaper cutter, and the
+/// least number of teeth of this cutter.
 const DEFAULT_CUTTER_RATIO: f64 = 2.0;
 const DEFAULT_CUTTER_LEAST: f64 = 10.0;
 /// Tip radius of the default shaper cutter in normal modules.
@@ -210,8 +210,8 @@ impl Proportions {
         }
     }
 
-    /// Tip diameter `d + 2 (h_aP* + x + k) m`; for an internal gear `d - 2 (h_aP* - x + k) m`, where
-    /// a positive shift is outwards (ISO 21771:2007, 4.4.3).
+    /// Tip diameter `d + 2 (h_aP* + x + k) m`; for an internal gear `d - 2 (h_aP* - x + k) m`,
+    /// where a positive shift is outwards (ISO 21771:2007, 4.4.3).
     pub fn tip_diameter(&self, shift: f64, alteration: f64) -> f64 {
         let addendum = self.addendum + self.sense * shift + alteration;
         self.reference_diameter + self.sense * (2.0 * addendum * self.module)

@@ -136,8 +136,8 @@ impl<'t> Geometry<'t> {
     }
 
     /// As [`crate::external::ExternalGear::over_pins`] and
-    /// [`crate::internal::InternalGear::between_pins`]; `None` if the balls would be inside the base
-    /// circle.
+    /// [`crate::internal::InternalGear::between_pins`]; `None` if the balls would be inside the
+    /// base circle.
     fn of_balls(&self, dimension: f64, ball: f64) -> Option<f64> {
         let sense = if self.internal { -1.0 } else { 1.0 };
         let odd = if self.teeth % 2.0 == 1.0 { math::cos(FRAC_PI_2 / self.teeth) } else { 1.0 };
@@ -233,8 +233,8 @@ impl ThicknessStatements {
         Ok(StatedThickness { thickness, shift, generated_shift, allowance, warnings })
     }
 
-    /// Warns about allowances that change nothing: the gear has the nominal thickness unless a limit
-    /// is stated.
+    /// Warns about allowances that change nothing: the gear has the nominal thickness unless a
+    /// limit is stated.
     fn unused_allowance(&self) -> Option<GeometryError> {
         if self.limit != Limit::Nominal || self.stated_at != Limit::Nominal {
             return None;

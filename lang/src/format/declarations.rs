@@ -308,8 +308,8 @@ impl Printer<'_> {
     pub(super) fn type_expression(&mut self) {
         let mut open = 0_usize;
         let mut operand_ahead = true;
-        // `Function(Length) -> Force`: depths of the functions whose arrow is ahead, and whether the
-        // token before is the word.
+        // `Function(Length) -> Force`: depths of the functions whose arrow is ahead, and whether
+        // the token before is the word.
         let mut functions = Vec::new();
         let mut after_word = false;
         while let Some(kind) = self.kind() {

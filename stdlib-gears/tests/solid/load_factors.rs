@@ -37,8 +37,9 @@ fn means<const N: usize>(options: &Options, positions: usize, observables: [&dyn
     sums
 }
 
-/// Without modifications and misalignment, K_Hbeta of spur teeth is 1 to the accuracy of the contact
-/// grid. On helical teeth, where the side faces cut the contact lines, it has an end effect and is
+/// Without modifications and misalignment, K_Hbeta of spur teeth is 1 to the accuracy of the
+/// contact grid. On helical teeth, where the side faces cut the contact lines, it has an end effect
+/// and is
 /// 1.009, 1.017 and 1.020.
 #[test]
 fn perfect_pairs_have_a_face_load_factor_of_one_apart_from_end_effects() {
