@@ -31,27 +31,22 @@ use std::sync::{Arc, Mutex, OnceLock};
 /// Hash of this library's source. It is part of every key, so cached gear structures are only used
 /// by the version that meshed them.
 const SOURCE: &str = env!("CALYX_SOURCE");
-/// Largest distance, in pitches, of loaded teeth that are coupled through the rim; the coupling of
-/// more distant teeth is negligible.
+/// Largest distance, in pitches, of loaded teeth whose coupling through the rim is not negligible.
 const COUPLED_TEETH: u32 = 3;
 /// Sampling points of recovered stress per element edge along a fillet.
 pub(crate) const STRESS_POINTS_PER_EDGE: usize = 4;
 /// Largest depth, in modules, of modifications that the mesh does not follow, so that gears with
 /// different modifications share one structure. For the chapter 5 pair at this depth, compared with
 /// a mesh that follows the flank, this changes the transmission error by 0.2, the mesh stiffness by
-/// 0.7 and the root stress by 0.6 thousandths (`tests/pair/sharing.rs`). For the root stress the
-/// change is smaller than that of a finer mesh; for the other two it is a few times larger.
+/// 0.7 and the root stress by 0.6 thousandths (`tests/pair/sharing.rs`).
 pub const DEEPEST_SHARED: f64 = 0.02;
-/// Edge radius, in modules, that represents a sharp tip edge where contact is confined to the
-/// nominal path.
+/// Edge radius, in modules, of a sharp tip edge: contact is confined to the nominal path.
 const SHARP_EDGE: f64 = 1e-6;
 /// Largest edge radius, in modules, of such an edge in the mesh, which requires one.
 const SHARP_EDGE_IN_MESH: f64 = 5e-3;
 
 /// Largest Poisson's ratio for which elements of order below three recover stress to about one
-/// percent. Errors of the volumetric strain enter the stress multiplied by Lamé's first constant,
-/// which is unbounded towards a ratio of one half (volumetric locking): at 0.4999 the error of a
-/// root stress exceeds the stress.
+/// percent. Above, volumetric locking makes the error exceed the stress.
 const MOST_LATERAL_STRAIN: f64 = 0.45;
 
 /// Gear with its rim.
@@ -81,9 +76,8 @@ pub struct GearPrototype {
     inertia: OnceLock<Inertia>,
 }
 
-/// Fraction of the usual element number per direction below which a mesh is coarse. Error estimates
-/// compare with such meshes. Their matching depths are wide, so a few samples of a flank's
-/// compliance suffice.
+/// Fraction of the usual element number per direction below which a mesh is coarse, as for error
+/// estimates. Its matching depths are wide, so a few samples of a flank's compliance suffice.
 const COARSE: f64 = 0.5;
 const FEW_SAMPLES: usize = 32;
 
