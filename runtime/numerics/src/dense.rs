@@ -3,16 +3,14 @@
 //! Large operations are divided into pieces that run in parallel. The division depends only on the
 //! sizes, and each piece is sequential, so results are bitwise equal for any number of threads.
 
+mod piece;
+
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::{self, LltParams, cholesky_in_place_scratch};
 use faer::linalg::evd::{
     ComputeEigenvectors, SelfAdjointEvdParams, self_adjoint_evd, self_adjoint_evd_scratch,
 };
-use faer::linalg::matmul::matmul;
-use faer::linalg::matmul::triangular::{self, BlockStructure};
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
+use faer::{Mat, MatMut, MatRef, Par, Spec};
 use std::convert::Infallible;
 
 /// Number of multiplications of a piece that is not divided further: about a millisecond.
@@ -63,10 +61,7 @@ where
         let size = matrix.nrows();
         if size <= WHOLE {
             (self.0)()?;
-            let params: Spec<LltParams, f64> = Spec::default();
-            let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(size, Par::Seq, params));
-            let stack = MemStack::new(&mut memory);
-            return Ok(factor::cholesky_in_place(matrix, Default::default(), Par::Seq, stack, params).is_ok());
+            return Ok(piece::cholesky_in_place(matrix));
         }
         let cut = half(size);
         let (mut first, _, mut between, mut last) = matrix.split_at_mut(cut, cut);
@@ -87,7 +82,7 @@ where
         let columns = right.ncols();
         if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
             (self.0)()?;
-            solve_lower_triangular_in_place(lower, right, Par::Seq);
+            piece::solve_lower_in_place(lower, right);
             return Ok(());
         }
         let (one, other) = right.split_at_col_mut(half(columns));
@@ -100,7 +95,7 @@ where
         let columns = right.ncols();
         if columns <= NARROW || columns * lower.nrows() * lower.nrows() <= GRAIN {
             (self.0)()?;
-            solve_upper_triangular_in_place(lower.transpose(), right, Par::Seq);
+            piece::solve_upper_in_place(lower, right);
             return Ok(());
         }
         let (one, other) = right.split_at_col_mut(half(columns));
@@ -137,7 +132,7 @@ where
         let (rows, columns) = (target.nrows(), target.ncols());
         if rows.max(columns) <= NARROW || rows * columns * a.ncols() <= GRAIN {
             (self.0)()?;
-            matmul(target, Accum::Add, a, b, scale, Par::Seq);
+            piece::add_product(target, scale, a, b);
             return Ok(());
         }
         let (one, other) = if rows >= columns {
@@ -166,8 +161,7 @@ where
         let size = target.nrows();
         if size <= NARROW || size * size * a.ncols() <= GRAIN {
             (self.0)()?;
-            let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-            triangular::matmul(target, lower, Accum::Add, a, whole, b, whole, scale, Par::Seq);
+            piece::add_product_lower(target, scale, a, b);
             return Ok(());
         }
         let cut = half(size);
@@ -270,55 +264,6 @@ pub fn mirror_lower(matrix: &mut Mat<f64>) {
     for j in 0..matrix.ncols() {
         for i in 0..j {
             matrix[(i, j)] = matrix[(j, i)];
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-
-    /// Counts checkpoints and fails at the one with the number `last`.
-    fn counting(asked: &AtomicUsize, last: usize) -> impl Fn() -> Result<(), usize> + Sync {
-        move || match asked.fetch_add(1, Relaxed) {
-            number if number == last => Err(number),
-            _ => Ok(()),
-        }
-    }
-
-    #[test]
-    fn large_operations_have_checkpoints_and_equal_bits() {
-        let n = 1200;
-        let matrix =
-            Mat::from_fn(n, n, |i, j| if i == j { 2.0 } else { (-0.01 * i.abs_diff(j) as f64).exp() });
-        let (asked, never) = (AtomicUsize::new(0), usize::MAX);
-        let checkpoint = counting(&asked, never);
-        let pieces = Interruptible(&checkpoint);
-        let checkpoints = || asked.swap(0, Relaxed);
-        let factor = pieces.cholesky(matrix.clone()).unwrap().unwrap();
-        assert!(checkpoints() > 20);
-        assert!(factor == cholesky(matrix.clone()).unwrap());
-        let inverse = pieces.solve(factor.as_ref(), Mat::identity(n, n)).unwrap();
-        assert!(checkpoints() > 20);
-        assert!(inverse == solve(factor.as_ref(), Mat::identity(n, n)));
-        let square = pieces.product(matrix.as_ref(), inverse.as_ref()).unwrap();
-        assert!(checkpoints() > 20);
-        assert!(square == product(matrix.as_ref(), inverse.as_ref()));
-    }
-
-    #[test]
-    fn the_error_of_any_checkpoint_ends_the_operation() {
-        let n = 600;
-        let matrix = Mat::from_fn(n, n, |i, j| if i == j { 2.0 } else { 0.5 });
-        let asked = AtomicUsize::new(0);
-        let whole = counting(&asked, usize::MAX);
-        Interruptible(&whole).cholesky(matrix.clone()).unwrap().unwrap();
-        let all = asked.load(Relaxed);
-        for last in [0, 1, all / 2, all - 1] {
-            let asked = AtomicUsize::new(0);
-            let ended = counting(&asked, last);
-            assert_eq!(Interruptible(&ended).cholesky(matrix.clone()).err(), Some(last));
         }
     }
 }

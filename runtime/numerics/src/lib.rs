@@ -1,10 +1,11 @@
 //! Numerical foundations of the engine: dense matrices, vectors in two and three dimensions,
-//! interpolation, quadrature, and the errors and interrupts of all other crates.
+//! interpolation, quadrature, Fourier transform, and the errors and interrupts of all other crates.
 
 #![warn(missing_docs)]
 
 pub mod dense;
 pub mod error;
+pub mod fourier;
 pub mod interpolation;
 pub mod interrupt;
 pub mod quadrature;

@@ -45,6 +45,12 @@ pub trait Arithmetic {
     fn both(&mut self, a: Self::Truth, b: Self::Truth) -> Self::Truth;
     /// `a` if the condition is true, else `b`.
     fn choose(&mut self, condition: Self::Truth, a: Self::Number, b: Self::Number) -> Self::Number;
+
+    /// The larger one; `b` if either is NaN. One machine instruction, unlike `max`.
+    fn larger(&mut self, a: Self::Number, b: Self::Number) -> Self::Number {
+        let greater = self.less(b, a);
+        self.choose(greater, a, b)
+    }
 }
 
 /// Arithmetic that is executed.
@@ -190,7 +196,7 @@ impl<V: Copy, const N: usize> Step<V, N> {
         let magnitude = largest(a, &x);
         let small = a.constant(1e-4);
         let floor = a.multiply(small, self.range);
-        let scale = a.max(magnitude, floor);
+        let scale = a.larger(floor, magnitude);
         let rounding = a.constant(ROUNDING);
         let bound = a.multiply(rounding, scale);
         let negligible = a.less_equal(next, bound);
@@ -230,7 +236,7 @@ impl<V: Copy, const N: usize> Step<V, N> {
         let (one, infinity) = (a.constant(1.0), a.constant(f64::INFINITY));
         let full = a.less_equal(one, self.damping);
         let previous = a.choose(full, self.size, infinity);
-        let range = a.max(self.range, trial.magnitude);
+        let range = a.larger(self.range, trial.magnitude);
         let finite = is_finite(a, size);
         Some((Step { x: trial.x, jacobian, correction, size, previous, range, damping: one }, finite))
     }
@@ -245,7 +251,7 @@ impl<V: Copy, const N: usize> Step<V, N> {
     ) -> ([V; N], A::Truth) {
         let (noise, least) = (a.constant(NOISE), a.constant(NOISE_AT_ZERO));
         let noise = a.multiply(noise, self.range);
-        let noise = a.max(noise, least);
+        let noise = a.larger(noise, least);
         // If the trial point gave NaN, its correction is not smaller either.
         let smaller = a.less(judgement.simplified, self.size);
         let better = std::array::from_fn(|i| a.choose(smaller, trial.x[i], self.x[i]));

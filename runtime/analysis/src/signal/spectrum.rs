@@ -3,8 +3,8 @@
 use super::Uniform;
 use super::uniform::FEWEST;
 use calyx_numerics::error::EngineError;
+use calyx_numerics::fourier::real_transform;
 use calyx_numerics::interrupt::Interrupt;
-use realfft::RealFftPlanner;
 use std::f64::consts::{PI, TAU};
 
 /// Window: weights of the samples over the length of a signal (Harris, Proc. IEEE 66(1), 1978), in
@@ -135,17 +135,15 @@ pub(super) fn padded_spectrum(signal: &Uniform, window: Window, lines_of: usize)
     let mut input: Vec<f64> =
         signal.values.iter().zip(&weights).map(|(value, weight)| (value - mean) * weight).collect();
     input.resize(count, 0.0);
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(count);
-    let mut lines = transform.make_output_vec();
-    // The transform fails only for buffers of other lengths, and these are its own.
-    let _ = transform.process(&mut input, &mut lines);
-    let amplitude = |(line, value): (usize, &realfft::num_complex::Complex<f64>)| match line {
+    let lines = real_transform(&mut input);
+    let amplitudes = lines.iter().map(|value| value.norm() / gain).enumerate();
+    let amplitudes = amplitudes.map(|(line, amplitude)| match line {
         0 => mean,
         // The line at half of the sampling rate has no conjugate.
-        line if 2 * line == count => value.norm() / gain,
-        _ => 2.0 * value.norm() / gain,
-    };
-    let amplitudes = lines.iter().enumerate().map(amplitude).collect();
+        line if 2 * line == count => amplitude,
+        _ => 2.0 * amplitude,
+    });
+    let amplitudes = amplitudes.collect();
     let phases = lines.iter().enumerate().map(|(line, value)| if line == 0 { 0.0 } else { value.arg() });
     let (resolution, phases) = (1.0 / (signal.step * count as f64), phases.collect());
     Spectrum { resolution, amplitudes, phases, samples: count }

@@ -1,7 +1,7 @@
 //! Transfer function from the response to a short impulse.
 
 use super::Uniform;
-use realfft::RealFftPlanner;
+use calyx_numerics::fourier::real_transform;
 
 /// Complex ratio of response to force over frequency.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,10 +33,7 @@ pub fn transfer_function(response: &Uniform, at_rest: f64, momentum: f64) -> Tra
     if let Some(first) = input.first_mut() {
         *first *= 0.5;
     }
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(input.len());
-    let mut lines = transform.make_output_vec();
-    // The transform fails only for buffers of other lengths, and these are its own.
-    let _ = transform.process(&mut input, &mut lines);
+    let lines = real_transform(&mut input);
     let by = response.step / momentum;
     TransferFunction {
         resolution: 1.0 / response.duration(),

@@ -1,0 +1,7 @@
+//! Tests of the numerical foundations, one module per subject. They are one program, which is
+//! linked once.
+
+mod dense;
+mod fourier;
+mod interpolation;
+mod interrupt;
