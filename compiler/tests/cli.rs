@@ -394,7 +394,9 @@ fn a_second_run_condenses_nothing() {
         run("second", &["--cache", "kept"]),
         (serde_json::json!({ "built": 0, "reused": 2 }), expected.clone())
     );
-    assert_eq!(run("third", &["--no-cache"]), (built, expected));
+    assert_eq!(run("third", &["--no-cache"]), (built.clone(), expected.clone()));
+    assert_eq!(run("fourth", &["--cache", "off"]), (built, expected));
+    assert!(!folder.path().join("off").exists());
 }
 
 /// The first Ctrl-C ends the run like any other error of the model.

@@ -86,8 +86,8 @@ pub struct RunArguments {
     ///
     /// Static condensation of the gear bodies is most of the work of a run, and is reused while
     /// geometry and material do not change. The environment variable CALYX_CACHE also names a
-    /// directory, or is "off". Cached files are trusted: anyone who can write to the directory can
-    /// change the results of later runs.
+    /// directory; "off" in place of a directory has the effect of --no-cache. Cached files are
+    /// trusted: anyone who can write to the directory can change the results of later runs.
     #[arg(long, value_name = "DIR", help_heading = KEPT)]
     pub cache: Option<PathBuf>,
     /// Do not use the structure cache on disk
@@ -112,6 +112,8 @@ const LIMITS: &str = "Limits";
 const KEPT: &str = "Structure cache";
 /// Environment variable with the directory of the structure cache, or "off".
 const CACHE_VARIABLE: &str = "CALYX_CACHE";
+/// The word that disables the structure cache in place of its directory.
+const OFF: &str = "off";
 /// Limit of the structure cache on disk in bytes: some dozens of 3-D gear pairs.
 const CACHE_LIMIT: u64 = 4 << 30;
 
@@ -121,6 +123,7 @@ impl RunArguments {
     pub fn store(&self) -> Option<Store> {
         let directory = match &self.cache {
             _ if self.no_cache => return None,
+            Some(directory) if directory == OFF => return None,
             Some(directory) => directory.clone(),
             None => cache_directory()?,
         };
@@ -150,7 +153,7 @@ pub fn given_of(file: Option<&Path>, set: &[ParamAssignment]) -> Result<Vec<Para
 /// the user's cache directory. `None` if the cache is disabled or there is no such directory.
 fn cache_directory() -> Option<PathBuf> {
     match std::env::var_os(CACHE_VARIABLE).filter(|name| !name.is_empty()) {
-        Some(name) if name == "off" => None,
+        Some(name) if name == OFF => None,
         Some(name) => Some(PathBuf::from(name)),
         None => Some(etcetera::choose_base_strategy().ok()?.cache_dir().join("calyx/structures")),
     }
