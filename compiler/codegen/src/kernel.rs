@@ -15,6 +15,7 @@ use calyx_symbolic::{Instruction, System, Tape};
 use cranelift_codegen::ir::{
     AbiParam, InstBuilder, Signature, StackSlot, StackSlotData, StackSlotKind, Value, types,
 };
+use cranelift_codegen::isa::CallConv;
 use cranelift_frontend::FunctionBuilder;
 use cranelift_module::{FuncId, Linkage, Module};
 use std::collections::HashMap;
@@ -273,7 +274,6 @@ struct Chunk<'c, 'm, 'f, M: Module> {
     references: References,
     /// Sine and cosine of angles that need both, once computed.
     pairs: HashMap<u32, Option<[Value; 2]>>,
-    pair_buffer: Option<StackSlot>,
     /// Angles whose sines and cosines were computed together with others.
     together: HashMap<u32, Buffered>,
     /// The functions that solve the tape's systems.
@@ -309,7 +309,6 @@ impl<'c, 'm, 'f, M: Module> Chunk<'c, 'm, 'f, M> {
             values: HashMap::new(),
             references: HashMap::new(),
             pairs: sine_cosine_pairs(tape, &range),
-            pair_buffer: None,
             together: HashMap::new(),
             solvers,
             solved: HashMap::new(),
@@ -459,14 +458,19 @@ impl<'c, 'm, 'f, M: Module> Chunk<'c, 'm, 'f, M> {
         if known.is_some() {
             return Ok(known);
         }
+        // Elsewhere, the convention of C returns a pair through memory.
+        let convention = self.module.module.target_config().default_call_conv;
+        if !matches!(convention, CallConv::SystemV | CallConv::AppleAarch64) {
+            return Ok(None);
+        }
         let argument = self.operand(angle)?;
-        let data = StackSlotData::new(StackSlotKind::ExplicitSlot, 2 * SLOT as u32, 3);
         let builder = &mut self.builder;
-        let buffer = *self.pair_buffer.get_or_insert_with(|| builder.create_sized_stack_slot(data));
-        let addresses = [0, SLOT as i32].map(|offset| builder.ins().stack_addr(types::I64, buffer, offset));
         let function = operation::reference(self.module, builder, &mut self.references, "calyx_math_sincos")?;
-        self.builder.ins().call(function, &[argument, addresses[0], addresses[1]]);
-        let pair = addresses.map(|address| self.builder.ins().load(types::F64, TRUSTED, address, 0));
+        let call = builder.ins().call(function, &[argument]);
+        let &[sine, cosine] = builder.inst_results(call) else {
+            return Err(CodegenError::Malformed("a sine without a cosine"));
+        };
+        let pair = [sine, cosine];
         self.pairs.insert(angle, Some(pair));
         Ok(Some(pair))
     }

@@ -62,7 +62,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
             let (params, returns): (&[_], &[_]) = match function {
                 MathFn::Unary(_) => (&[types::F64], &[types::F64]),
                 MathFn::Binary(_) => (&[types::F64, types::F64], &[types::F64]),
-                MathFn::Sincos(_) => (&[types::F64, types::I64, types::I64], &[]),
+                MathFn::Sincos(_) => (&[types::F64], &[types::F64; 2]),
                 MathFn::SincosColumns(_) => (&[types::I64; 4], &[]),
                 MathFn::Unsolved(_) => (&[types::I64], &[]),
                 MathFn::Registered(_) => (&[types::F64; 3], &[types::F64]),

@@ -67,7 +67,7 @@ impl Fingerprint {
             let kind = match function {
                 MathFn::Unary(_) => 1,
                 MathFn::Binary(_) => 2,
-                MathFn::Sincos(_) => 3,
+                MathFn::Sincos(_) => 8,
                 MathFn::SincosColumns(_) => 4,
                 MathFn::Unsolved(_) => 5,
                 MathFn::Piecewise(_) => 6,

@@ -144,10 +144,8 @@ pub fn whole_power(x: f64, exponent: f64) -> Option<f64> {
 pub enum MathFn {
     Unary(extern "C" fn(f64) -> f64),
     Binary(extern "C" fn(f64, f64) -> f64),
-    /// Arguments: angle, pointers to the sine and the cosine.
-    ///
-    /// Calling it is safe if both pointers are valid for writing an `f64`.
-    Sincos(unsafe extern "C" fn(f64, *mut f64, *mut f64)),
+    /// Argument: angle.
+    Sincos(extern "C" fn(f64) -> SineCosine),
     /// Arguments: pointer to the angles, their number, pointers to the sines and the cosines.
     ///
     /// Calling it is safe if the three arrays have this length, the results are writable, and they
@@ -244,18 +242,20 @@ called! {
     Binary atan2(y, x) = calyx_math_atan2 { libm::atan2(y, x) }
 }
 
+/// Sine and cosine of an angle. The conventions of System V and of AArch64 return them in the first
+/// two floating-point registers.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct SineCosine {
+    pub sine: f64,
+    pub cosine: f64,
+}
+
 /// [`sincos`] for machine code.
-///
-/// # Safety
-/// `sine` and `cosine` must be valid for writing an `f64`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn calyx_math_sincos(x: f64, sine: *mut f64, cosine: *mut f64) {
-    let (s, c) = sincos(x);
-    // SAFETY: the caller guarantees that both are writable.
-    unsafe {
-        sine.write(s);
-        cosine.write(c);
-    }
+pub extern "C" fn calyx_math_sincos(x: f64) -> SineCosine {
+    let (sine, cosine) = sincos(x);
+    SineCosine { sine, cosine }
 }
 
 /// [`sincos_columns`] for machine code.
@@ -308,9 +308,7 @@ mod tests {
         let angles =
             (0..20_000).map(|i| (f64::from(i) - 10_000.0) * 0.037).chain([1e9, -3e17, 1e300]).chain(SPECIAL);
         for angle in angles {
-            let (mut s, mut c) = (0.0, 0.0);
-            // SAFETY: both are local variables.
-            unsafe { calyx_math_sincos(angle, &mut s, &mut c) };
+            let SineCosine { sine: s, cosine: c } = calyx_math_sincos(angle);
             if angle.is_finite() {
                 assert_eq!(
                     (s.to_bits(), c.to_bits()),
