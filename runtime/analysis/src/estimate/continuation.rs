@@ -66,7 +66,8 @@ pub(super) struct Side {
     /// Up to three points; those behind the first one are of the other side if this side has only
     /// one.
     pub points: Vec<Point>,
-    /// Stencils of this side alone.
+    /// Stencils of this side, and one that includes the other end of the interval if the history is
+    /// smooth there.
     pub stencils: Vec<[Point; 3]>,
 }
 
@@ -211,9 +212,15 @@ fn lagrange(points: &[Point], x: f64) -> f64 {
 }
 
 /// Returns the second divided difference of three points.
-fn second_difference(&[one, two, three]: &[Point; 3]) -> f64 {
+pub(super) fn second_difference(&[one, two, three]: &[Point; 3]) -> f64 {
     let slope = |from: Point, to: Point| (to.1 - from.1) / (to.0 - from.0);
     (slope(two, three) - slope(one, two)) / (three.0 - one.0)
+}
+
+/// Returns the magnitude of the change of slope that three points show. At a kink it does not
+/// depend on their distances, unlike the second difference.
+pub(super) fn slope_change(points: &[Point; 3]) -> f64 {
+    (second_difference(points) * (points[2].0 - points[0].0)).abs()
 }
 
 /// Returns whether three points lie on a line, within rounding.

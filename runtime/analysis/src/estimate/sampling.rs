@@ -13,7 +13,7 @@
 //! whose continuations fit worst. The values at the new positions are known, and continuations
 //! start from them.
 
-use super::continuation::{Bend, Continuations, Point, Side, is_straight};
+use super::continuation::{Bend, Continuations, Point, Side, is_straight, second_difference, slope_change};
 use super::{Ends, Statistics, ends};
 use crate::results::DirectedErrors;
 use crate::rows::StepRow;
@@ -167,20 +167,33 @@ impl SamplingContext {
         let alone = [0, 1].map(|side: usize| apart[side].len() > 1);
         let point = |&index: &isize| (self.place(index), of(index));
         let spans = |stencil: &[Point; 3]| (stencil[2].0 - stencil[0].0).abs() >= APART * length;
-        let side = |side: usize| {
+        let behind = [0, 1].map(|side: usize| {
             let stencils = [&apart[side], &close[side]].into_iter();
-            let stencils = stencils.filter_map(|stencil| match stencil[..] {
+            let own = stencils.filter_map(|stencil| match stencil[..] {
                 [one, two, three] => Some([one, two, three].map(|index| point(&index))),
                 _ => None,
             });
-            // On a plateau the positions on both sides of the interval define a stencil of this
-            // side.
-            let opposite = interval + 1 - side as isize;
-            let across = match apart[side][..] {
-                [one, two, ..] => Some([opposite, one, two].map(|index| point(&index))),
-                _ => None,
-            };
-            let stencils = stencils.chain(across.filter(is_straight));
+            own.collect::<Vec<_>>()
+        });
+        let across = [0, 1].map(|side: usize| match apart[side][..] {
+            [one, two, ..] => Some([interval + 1 - side as isize, one, two].map(|index| point(&index))),
+            _ => None,
+        });
+        let is_smoother_across = |side: usize| {
+            let changes = behind[side].iter().map(slope_change).reduce(f64::min);
+            across[side].zip(changes).is_some_and(|(across, least)| slope_change(&across) < least)
+        };
+        // The history is smooth in the interval if it bends in the same direction at both ends, and
+        // its slope changes less there than behind them.
+        let bends_alike = across[0]
+            .zip(across[1])
+            .is_some_and(|(left, right)| second_difference(&left) * second_difference(&right) > 0.0);
+        let is_smooth = bends_alike && [0, 1].into_iter().all(is_smoother_across);
+        let side = |side: usize| {
+            // In a smooth interval and on a plateau the positions on both sides of the interval
+            // define a stencil of this side.
+            let across = across[side].filter(|across| is_smooth || is_straight(across));
+            let stencils = behind[side].iter().copied().chain(across);
             // A single position next to a jump or an end defines no extrapolation; the other side
             // provides it.
             let other = if alone[side] { &[] } else { &apart[1 - side][..] };
@@ -232,7 +245,7 @@ impl SamplingContext {
     }
 
     /// Returns the area below the chords between positions.
-    fn chords(&self, values: &[f64], closed: bool) -> f64 {
+    pub(super) fn chords(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
         let all = 0..if closed { count } else { count - 1 };
@@ -240,7 +253,7 @@ impl SamplingContext {
     }
 
     /// Returns the area between chords and continuations.
-    fn area(&self, values: &[f64], closed: bool) -> f64 {
+    pub(super) fn area(&self, values: &[f64], closed: bool) -> f64 {
         let count = values.len() as isize;
         let of = |index: isize| values[index.rem_euclid(count) as usize];
         let above_chord = |interval| {

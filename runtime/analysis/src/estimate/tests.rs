@@ -242,6 +242,24 @@ fn the_mean_of_a_kinked_course_is_seen() {
     }
 }
 
+/// Between two kinks, every parabola through positions on one side alone passes a kink and bends
+/// away. Both parabolas meet then far from the history, which is smooth there.
+#[test]
+fn a_smooth_interval_between_two_kinks_has_a_small_error() {
+    let top = |x: f64| 1.0 - 2.0 * (x - 0.475).powi(2);
+    let history = |x: f64| match x {
+        x if (0.4..=0.55).contains(&x) => top(x),
+        x if x < 0.4 => top(0.4) - 4.0 * (0.4 - x).min(0.15),
+        x => top(0.55) - 4.0 * (x - 0.55).min(0.15),
+    };
+    let found = rows(&uniform(20), |x| history((1e9 * x).round() / 1e9));
+    let values: Vec<f64> = ends(&found, 0).iter().map(|end| end.value).collect();
+    let course = SamplingContext::of(&found, Some(0)).expect("it goes somewhere");
+    let exact = (0..100_000).map(|k| history(k as f64 / 1e5)).sum::<f64>() / 1e5;
+    let (area, above_chords) = (course.area(&values, true), exact - course.chords(&values, true));
+    assert!((area - above_chords).abs() < 2.0 * above_chords, "{area} for {above_chords}");
+}
+
 #[test]
 fn rows_that_go_nowhere_say_nothing_of_what_lies_between() {
     let one = rows(&uniform(1), |_| 1.0);
