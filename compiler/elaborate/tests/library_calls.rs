@@ -156,6 +156,38 @@ fn errors_inside_library_functions_are_shown_at_the_argument() {
     assert!(!errors.is_empty() && errors.iter().all(|d| d.primary.span.file == FileId(0)), "{found:?}");
 }
 
+/// Sun and ring have meshes of their own, so an error of one mesh is not shown at the gear of the
+/// other one. Settings of both meshes are shown at their argument.
+#[test]
+fn an_error_of_one_mesh_of_a_planetary_set_is_not_shown_at_the_gear_of_the_other() {
+    let function = functions().into_iter().find(|f| f.name == "planetary").expect("it exists");
+    let blamed = |loaded: &str, name: &str, value: &str| {
+        let arguments = function.arguments(|parameter| match parameter.name.as_str() {
+            own if own == name => Some(value.into()),
+            "sun_torque" | "ring_torque" => (parameter.name == loaded).then(|| "20 N*m".into()),
+            _ => parameter.sample.clone().filter(|_| parameter.default.is_none()),
+        });
+        let text = crate::library::model(&function, &arguments);
+        let found = check_text("model.cx", &text).diagnostics;
+        let errors = found.into_iter().filter(|d| d.severity == Severity::Error);
+        let shown = errors.map(|error| {
+            let span = error.primary.span;
+            assert_eq!(span.file, FileId(0), "{error:?}");
+            let shown = text.get(span.start as usize..span.end as usize).expect("a range");
+            (error.code, shown.split('(').next().unwrap_or_default().to_owned())
+        });
+        shown.collect::<Vec<_>>()
+    };
+    for loaded in ["sun_torque", "ring_torque"] {
+        // Neither mesh is possible. With a torque on the sun, the ring alone determines the second
+        // gear of its mesh.
+        let errors = blamed(loaded, "center_distance", "20 mm");
+        assert!(errors.iter().any(|(_, shown)| shown == "gears.planetary"), "{loaded}: {errors:?}");
+        let errors = blamed(loaded, "contact_cells", "2.5");
+        assert_eq!(errors, [("E0672".to_owned(), "2.5".to_owned())], "{loaded}");
+    }
+}
+
 /// The modes of rigid bodies on springs are counted by their free DOFs, without a
 /// solution.
 #[test]

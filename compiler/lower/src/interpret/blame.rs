@@ -9,6 +9,9 @@ use calyx_lang::ir::{Expr, ExprKind, Function, FunctionId, Mode, Program, Statem
 use calyx_lang::span::Span;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+/// Number of chains of calls above which a finding stays at its location in the library.
+const MOST_CHAINS: usize = 64;
+
 /// The source locations of the arguments of all calls of engine and library functions.
 #[derive(Clone, Debug, Default)]
 pub struct CallSites {
@@ -140,17 +143,37 @@ impl CallSites {
     }
 
     /// Moves an error to the responsible argument; see [`calyx_abi::attribution::attribute`].
+    ///
+    /// If several chains of calls may have led to the location and different arguments of the
+    /// program are at fault in them, the error moves to the call.
     pub fn blame(&self, error: &mut RuntimeError) {
-        if let (Some(at), true) = (error.place, error.details.calls.is_empty())
-            && self.library.contains(&at.0)
-        {
-            error.details.calls = self.only_chain(at);
+        let mut chains = match (error.place, error.details.calls.is_empty()) {
+            (Some(at), true) if self.library.contains(&at.0) => self.chains(at),
+            _ => Vec::new(),
+        };
+        if chains.is_empty() {
+            chains.push(Vec::new());
         }
-        // A finding has no call stack of its own.
-        if !error.details.calls.iter().any(|call| call.instance().is_some()) {
-            error.details.calls.extend(self.instance_calls(&error.details.instance));
+        let blamed = |calls: Vec<Call>| {
+            let (mut error, at) = (error.clone(), calls.last().map(|call| call.place));
+            error.details.calls.extend(calls);
+            // A finding has no call stack of its own.
+            if !error.details.calls.iter().any(|call| call.instance().is_some()) {
+                error.details.calls.extend(self.instance_calls(&error.details.instance));
+            }
+            attribute(&mut error, self.calls.values(), |file| self.library.contains(&file));
+            (error, at)
+        };
+        let all: Vec<_> = chains.into_iter().map(blamed).collect();
+        let Some((mut first, call)) = all.first().cloned() else { return };
+        let differs =
+            |(other, _): &(RuntimeError, _)| (other.place, &other.argument) != (first.place, &first.argument);
+        if let (true, Some(call)) = (all.iter().any(differs), call) {
+            let described = self.calls.get(&call);
+            first.details.function = described.map_or_else(String::new, |call| call.function.clone());
+            (first.place, first.argument) = (Some(call), None);
         }
-        attribute(error, self.calls.values(), |file| self.library.contains(&file));
+        *error = first;
     }
 
     /// Returns the calls that create an instance and the instances around it, innermost first.
@@ -160,32 +183,36 @@ impl CallSites {
         around.filter_map(|path| self.instances.get(path).cloned()).collect()
     }
 
-    /// Returns the calls that lead to a location in the library, if all of them begin at the same
-    /// location of the program. Findings that are not errors carry no call chain.
-    fn only_chain(&self, at: Place) -> Vec<Call> {
+    /// Returns the chains of calls that lead to a location in the library, innermost call first, if
+    /// all of them begin at the same location of the program. Findings that are not errors carry no
+    /// call chain.
+    fn chains(&self, at: Place) -> Vec<Vec<Call>> {
         let Some(first) = self.inside.get(&at) else { return Vec::new() };
-        let mut chains: HashMap<Place, Vec<Call>> = HashMap::from([(*first, Vec::new())]);
-        let mut waiting = vec![*first];
-        let mut found: Option<Vec<Call>> = None;
-        while let Some(function) = waiting.pop() {
-            let chain = chains.get(&function).cloned().unwrap_or_default();
+        let mut waiting: Vec<(Place, Vec<Call>)> = vec![(*first, Vec::new())];
+        let mut found: Vec<Vec<Call>> = Vec::new();
+        while let Some((function, chain)) = waiting.pop() {
             let Some((name, callers)) = self.callers.get(&function) else { continue };
             for caller in callers {
+                // A recursive call adds no cause.
+                if chain.iter().any(|call| call.place == *caller) {
+                    continue;
+                }
                 let mut chain = chain.clone();
                 chain.push(Call { function: name.clone(), place: *caller });
                 match self.inside.get(caller) {
-                    Some(around) if self.library.contains(&caller.0) => {
-                        if !chains.contains_key(around) {
-                            chains.insert(*around, chain);
-                            waiting.push(*around);
-                        }
-                    }
-                    _ if found.is_none() => found = Some(chain),
-                    _ => return Vec::new(),
+                    Some(around) if self.library.contains(&caller.0) => waiting.push((*around, chain)),
+                    _ => found.push(chain),
                 }
             }
+            if found.len() + waiting.len() > MOST_CHAINS {
+                return Vec::new();
+            }
         }
-        found.unwrap_or_default()
+        let start = |chain: &Vec<Call>| chain.last().map(|call| call.place);
+        if found.windows(2).any(|pair| start(&pair[0]) != start(&pair[1])) {
+            return Vec::new();
+        }
+        found
     }
 }
 

@@ -6,7 +6,8 @@
 
 use super::{Interpreter, Machine};
 use calyx_abi::context::{Context, RuntimeError};
-use calyx_abi::error::Call;
+use calyx_abi::description::LIBRARY;
+use calyx_abi::error::{Call, Place};
 use calyx_abi::{HeapId, Repr, Slot, helpers};
 use calyx_lang::ir::{ExternId, Program};
 use std::collections::HashSet;
@@ -41,21 +42,36 @@ impl<'p> Machine<'_, 'p> {
             return Err(error);
         };
         error.place.get_or_insert(self.ctx.place);
-        // Only the instances of components need the calls: their messages name the instance.
-        let calls = self.calls.iter().rev().map(|(id, place)| Call {
-            function: self.interpreter.program.functions.get(id.0 as usize).map_or("", |f| &f.name).into(),
-            place: *place,
-        });
-        let calls: Vec<Call> = calls.collect();
-        if calls.iter().any(|call| call.instance().is_some()) {
-            error.details.calls.extend(calls);
-        }
+        error.details.calls.extend(self.calls_of_failure(error.place));
         if let Ok(mut failures) = failures.lock() {
             failures.push(error);
         }
         // Later lines may show the poisoned result, so they are not printed.
         self.ctx.print = Box::new(|_| {});
         Ok(())
+    }
+
+    /// Returns the active calls that the message of a failure needs, innermost first: all of them in
+    /// a component, for the name of the instance; in the library those up to the call of the
+    /// program, whose argument is at fault; otherwise none.
+    fn calls_of_failure(&self, place: Option<Place>) -> Vec<Call> {
+        let program = self.interpreter.program;
+        let is_library = |place: Place| {
+            program.files.get(place.0 as usize).is_some_and(|file| file.name.starts_with(LIBRARY))
+        };
+        let calls = self.calls.iter().rev().map(|(id, place)| Call {
+            function: program.functions.get(id.0 as usize).map_or("", |f| &f.name).into(),
+            place: *place,
+        });
+        let mut calls: Vec<Call> = calls.collect();
+        if !calls.iter().any(|call| call.instance().is_some()) {
+            let within = match place.is_some_and(is_library) {
+                true => calls.iter().position(|call| !is_library(call.place)).map_or(0, |outer| outer + 1),
+                false => 0,
+            };
+            calls.truncate(within);
+        }
+        calls
     }
 
     /// Returns the names and representations of an engine function's parameters.
