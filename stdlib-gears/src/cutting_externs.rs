@@ -3,6 +3,7 @@
 
 use crate::basic_rack::StatedRack;
 use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport, Tool};
+use crate::data_block::StatedData;
 use crate::error::{GeometryError, Refusal, Severity};
 use crate::externs::{entry, host, refusal};
 use crate::helix::{Hand, Helix};
@@ -41,9 +42,12 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_named_material(context, name: String) -> Handle {
-        let material = material_names::named(&name)
+        let (name, material) = material_names::named(&name)
             .ok_or_else(|| unknown_name("material", &name, material_names::names()))?;
-        Ok(keep(&mut host(context)?.materials, material))
+        let host = host(context)?;
+        let handle = keep(&mut host.materials, material);
+        host.material_names.insert(handle.0, name);
+        Ok(handle)
     }
 
     Pure fn calyx_gears_shaper(
@@ -320,6 +324,7 @@ fn cut_gear(
     let blank = BlankStatements { rim, far: given.far, rim_thickness: given.rim_thickness };
     let (rim, solid) = blank.resolve(&proportions, root_diameter).map_err(|error| report(host, error))?;
     host.note(&found.warnings, place);
+    let material_name = host.material_names.get(&given.material.0).copied();
     let blank = GearBlank {
         teeth,
         tool,
@@ -344,10 +349,22 @@ fn cut_gear(
         Refusal::Geometry(errors) => Refusal::Geometry(errors.into_iter().map(blame).collect()),
         other => other,
     });
+    // A stated shaper cutter replaces the rack.
+    let by_rack = normal || matches!(tool, Tool::Rack(_));
+    let drawing = StatedData {
+        rack: if by_rack { rack.name } else { Some("shaper cutter") },
+        heights: by_rack.then_some([rack.addendum, rack.dedendum]),
+        material: material_name,
+        allowance: found.allowance,
+        allowances: given.thickness.allowances,
+        thickness_limit: Some(given.thickness.limit.name()),
+        span_teeth: given.thickness.span_teeth.map(|count| count as u32),
+        ball: given.thickness.ball,
+    };
     let cut = cut.map(|mut gear| {
         // Nothing else refers to the gear yet.
         if let Some(gear) = Arc::get_mut(&mut gear) {
-            gear.allowance = found.allowance;
+            gear.stated = drawing;
         }
         gear
     });

@@ -20,12 +20,12 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_profile_shift(context, gear: Handle) -> f64 {
-        Ok(profile_shift(entry(&host(context)?.gears, gear)?))
+        let gear = entry(&host(context)?.gears, gear)?;
+        Ok(profile_shift_of(gear, gear.form().tooth_thickness))
     }
 
     Pure fn calyx_gears_normal_module(context, gear: Handle) -> f64 {
-        let gear = entry(&host(context)?.gears, gear)?;
-        Ok(gear.form().module * math::cos(gear.helix.angle()))
+        Ok(normal_module(entry(&host(context)?.gears, gear)?))
     }
 
     Pure fn calyx_gears_transverse_thickness(context, gear: Handle) -> f64 {
@@ -62,12 +62,17 @@ fn pair<T>(
     Ok(Pair::new(first, second).and_then(|pair| answer(&pair)))
 }
 
-/// Profile shift coefficient in normal modules: `(s_n / m_n - pi/2) / (2 tan alpha_n)`, positive
-/// outwards for an internal gear too.
-fn profile_shift(gear: &GearPrototype) -> f64 {
+/// Normal module of a gear, m.
+pub(crate) fn normal_module(gear: &GearPrototype) -> f64 {
+    gear.form().module * math::cos(gear.helix.angle())
+}
+
+/// Profile shift coefficient of a transverse tooth thickness (m) in normal modules:
+/// `(s_n / m_n - pi/2) / (2 tan alpha_n)`, positive outwards for an internal gear too.
+pub(crate) fn profile_shift_of(gear: &GearPrototype, thickness: f64) -> f64 {
     let form = gear.form();
     let cosine = math::cos(gear.helix.angle());
-    let widened = form.tooth_thickness / form.module - 0.5 * std::f64::consts::PI;
+    let widened = thickness / form.module - 0.5 * std::f64::consts::PI;
     form.sense() * widened / (2.0 * math::tan(form.pressure_angle) * cosine)
 }
 
@@ -112,7 +117,8 @@ impl Pair {
         }
         let pitch = std::f64::consts::PI * a.module;
         // Allowances are the backlash at the nominal centre distance.
-        let both = (a.tooth_thickness - first.allowance) + (b.tooth_thickness - second.allowance);
+        let both =
+            (a.tooth_thickness - first.stated.allowance) + (b.tooth_thickness - second.stated.allowance);
         let (reference, excess) = match b.internal {
             false => (a.pitch_radius + b.pitch_radius, both - pitch),
             true => (b.pitch_radius - a.pitch_radius, pitch - both),

@@ -72,6 +72,8 @@ pub struct ModelHost {
     pub length_unit: LengthUnit,
     /// Materials, by handle like all tables here.
     pub materials: Vec<Material>,
+    /// Names of the materials that have one, by their handles.
+    pub material_names: BTreeMap<u64, &'static str>,
     /// Racks.
     pub racks: Vec<StatedRack>,
     /// Shaper cutters.

@@ -120,6 +120,7 @@ pub mod blank;
 pub mod body_externs;
 pub mod calculation;
 pub mod cutting_externs;
+pub mod data_block;
 pub mod derived_quantities;
 pub mod deviation;
 pub mod drawing_externs;

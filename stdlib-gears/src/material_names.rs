@@ -44,12 +44,29 @@ const MATERIALS: [(&str, Material); 21] = [
     ("PA66", PA66),
 ];
 
-/// Returns the material with a name.
-pub fn named(name: &str) -> Option<Material> {
-    MATERIALS.into_iter().find(|(known, _)| *known == name).map(|(_, material)| material)
+/// Steel numbers (EN 10027-2) with the names of the steels: EN ISO 683-1 (C45), EN ISO 683-2
+/// (quenched and tempered), EN ISO 683-3 (case-hardening), EN ISO 683-5 (nitriding).
+const STEEL_NUMBERS: [(&str, &str); 9] = [
+    ("1.7131", "16MnCr5"),
+    ("1.7147", "20MnCr5"),
+    ("1.6587", "18CrNiMo7-6"),
+    ("1.5918", "17CrNi6-6"),
+    ("1.6523", "20NiCrMo2-2"),
+    ("1.8519", "31CrMoV9"),
+    ("1.6582", "34CrNiMo6"),
+    ("1.7225", "42CrMo4"),
+    ("1.0503", "C45"),
+];
+
+/// Returns the material with a name or a steel number, and its name.
+pub fn named(name: &str) -> Option<(&'static str, Material)> {
+    let numbered = STEEL_NUMBERS.into_iter().find(|(number, _)| *number == name);
+    let name = numbered.map_or(name, |(_, name)| name);
+    MATERIALS.into_iter().find(|(known, _)| *known == name)
 }
 
-/// Names of the materials.
+/// Names of the materials, then the steel numbers.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    MATERIALS.into_iter().map(|(name, _)| name)
+    let numbers = STEEL_NUMBERS.into_iter().map(|(number, _)| number);
+    MATERIALS.into_iter().map(|(name, _)| name).chain(numbers)
 }

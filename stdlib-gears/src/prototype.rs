@@ -67,8 +67,8 @@ pub struct GearPrototype {
     pub face_width: f64,
     /// Pitch deviation of each tooth as an angle, rad; teeth beyond the list have none.
     pub pitch_errors: Vec<f64>,
-    /// Difference of the transverse tooth thickness from its nominal value, m.
-    pub allowance: f64,
+    /// Data of the drawing for the data block; no effect on the analysis.
+    pub stated: crate::data_block::StatedData,
     flanks: [Arc<Flank>; 2],
     /// Options that [`Prototype::check`] has accepted, each with a flag for three dimensions.
     accepted: Mutex<Vec<(StructureOptions, bool)>>,
@@ -106,7 +106,7 @@ impl GearPrototype {
             solid: false,
             face_width,
             pitch_errors,
-            allowance: 0.0,
+            stated: Default::default(),
             flanks,
             accepted: Mutex::default(),
             inertia: OnceLock::new(),

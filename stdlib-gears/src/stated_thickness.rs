@@ -35,6 +35,16 @@ impl Limit {
             _ => Limit::Nominal,
         }
     }
+
+    /// Name of the limit.
+    pub fn name(self) -> &'static str {
+        match self {
+            Limit::Nominal => "nominal",
+            Limit::Upper => "upper",
+            Limit::Mean => "mean",
+            Limit::Lower => "lower",
+        }
+    }
 }
 
 /// Statements of the tooth thickness. Lengths in m.

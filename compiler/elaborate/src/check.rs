@@ -6,6 +6,7 @@ use crate::loader::{ModelLoader, TextLoader};
 use crate::plan::Planned;
 use calyx_abi::Cancel;
 use calyx_abi::description::ModelDescription;
+use calyx_gears::data_block::DataBlock;
 use calyx_lang::check::Loader;
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{Program, SourceFile};
@@ -38,6 +39,8 @@ pub struct Checked {
     pub blocks: u64,
     /// `true` if the model makes gears.
     pub makes_gears: bool,
+    /// Data of the gears and meshes, as in the data block of a drawing.
+    pub gear_data: DataBlock,
 }
 
 impl Checked {
@@ -136,6 +139,7 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         printed: Vec::new(),
         blocks: 0,
         makes_gears: false,
+        gear_data: DataBlock::default(),
     };
     // No other code has access to this switch, so the elaboration cannot be cancelled.
     if let Some(program) = &result.program
@@ -148,6 +152,7 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         result.printed = elaboration.printed;
         result.blocks = elaboration.blocks;
         result.makes_gears = !elaboration.geometry.gears.is_empty();
+        result.gear_data = elaboration.gear_data;
         if !elaboration.runnable {
             result.program = None;
         }
@@ -191,5 +196,6 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         printed: Vec::new(),
         blocks: 0,
         makes_gears: false,
+        gear_data: DataBlock::default(),
     }
 }

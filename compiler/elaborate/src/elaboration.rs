@@ -11,6 +11,7 @@ use calyx_abi::context::codes;
 use calyx_abi::description::{FileDescription, ModelDescription};
 use calyx_abi::{Cancel, Context, Kernel, Purity, RuntimeError};
 use calyx_gears::calculation::calculate;
+use calyx_gears::data_block::DataBlock;
 use calyx_gears::externs::{check_plan, check_unrestrained};
 use calyx_gears::host::ModelHost;
 use calyx_gears::signal_externs::check as check_signals;
@@ -89,6 +90,8 @@ pub struct Elaboration {
     pub values: BTreeMap<String, Value>,
     /// Derived geometry of the valid gears and meshes, also if others are impossible.
     pub geometry: Geometry,
+    /// Data of the gears and meshes, as in the data block of a drawing.
+    pub gear_data: DataBlock,
     /// The last lines that the program printed before its first failure.
     pub printed: Vec<String>,
     /// Number of basic blocks that the program entered.
@@ -202,7 +205,7 @@ fn elaborate_with(
     };
     let mut found: Vec<Diagnostic> = survived.iter().map(at_place).collect();
     let (mut refused, mut planned, mut geometry) = (None, None, Geometry::default());
-    let mut read = Vec::new();
+    let (mut read, mut gear_data) = (Vec::new(), DataBlock::default());
     let mut outputs = None;
     if let Some(host) = context.host::<ModelHost>() {
         let description = interpreted.description();
@@ -221,6 +224,7 @@ fn elaborate_with(
             .map(|file| FileDescription { name: file.name.clone(), text: file.text.to_string() })
             .collect();
         geometry = Geometry::of(host);
+        gear_data = DataBlock::of(host);
         found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
     }
     match ran {
@@ -259,6 +263,7 @@ fn elaborate_with(
         plan: planned,
         values,
         geometry,
+        gear_data,
         printed: Vec::new(),
         blocks: FUEL.saturating_sub(context.fuel.saturating_add(context.granted)),
     })

@@ -1,4 +1,4 @@
-//! `calyx explain`: prints the page of a diagnostic code, or the plan of a model.
+//! `calyx explain`: prints the page of a diagnostic code, or the gear data and the plan of a model.
 
 use crate::allow::AllowPath;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
@@ -23,7 +23,7 @@ pub const EXAMPLES: &str = "Examples:
 
 #[derive(Args)]
 pub struct Explain {
-    /// A diagnostic code such as E0401, or a model (.cx file) whose planned analysis is described
+    /// A diagnostic code such as E0401, or a model (.cx file) whose gears and planned analysis are described
     #[arg(value_name = "CODE or FILE")]
     subject: Option<String>,
     /// Set a param of the model, see `calyx run`
@@ -67,7 +67,7 @@ impl Explain {
     }
 }
 
-/// Prints how a model would be analysed.
+/// Prints the gear data of a model, and how it would be analysed.
 fn plan(file: &Path, check: impl FnOnce(&Path) -> io::Result<Checked>, recalibrate: bool) -> ExitCode {
     let format = MessageFormat::Human;
     let checked = match check(file) {
@@ -80,12 +80,17 @@ fn plan(file: &Path, check: impl FnOnce(&Path) -> io::Result<Checked>, recalibra
         format.refused(refused);
         return ExitCode::from(USAGE);
     }
+    if checked.plan.is_none() && checked.has_errors() {
+        return ExitCode::from(MODEL_ERROR);
+    }
+    if !checked.gear_data.is_empty() {
+        println!("{}", visible(&checked.gear_data.text()));
+    }
     match &checked.plan {
         Some(plan) => {
             let rates = Rates::of_this_machine(rates_file().as_deref(), recalibrate);
             print!("{}\n{}", visible(&plan.text()), visible(&plan.cost(&rates).text()));
         }
-        None if checked.has_errors() => return ExitCode::from(MODEL_ERROR),
         None => println!("There is nothing to analyse: no two bodies mesh."),
     }
     ExitCode::SUCCESS

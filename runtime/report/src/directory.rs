@@ -31,6 +31,9 @@ pub const SIGNALS: &str = "signals";
 /// HTML report in a run directory, see [`crate::page`].
 pub const REPORT: &str = "report.html";
 
+/// Key of the data of gears and meshes in `run.json`.
+pub const GEAR_DATA: &str = "gear_data";
+
 /// Names of stages in order, with the duration of each.
 pub type StageTimes = Vec<(&'static str, Duration)>;
 

@@ -24,6 +24,8 @@ mod former_names;
 #[cfg(feature = "command")]
 pub mod former_options;
 #[cfg(feature = "command")]
+mod gear_data;
+#[cfg(feature = "command")]
 pub mod help;
 pub mod host;
 pub mod instance;

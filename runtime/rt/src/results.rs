@@ -7,6 +7,7 @@ use crate::stepping::{Step, factor};
 use calyx_abi::Context;
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::units::from_si;
+use calyx_gears::data_block::DataBlock;
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::plan::Plan;
@@ -26,6 +27,7 @@ pub struct Results {
     calculated: Option<Calculated>,
     findings: Vec<Finding>,
     signals: Vec<Signal>,
+    gear_data: DataBlock,
     time: Duration,
 }
 
@@ -61,13 +63,15 @@ impl Results {
         (calculated, time): (Option<Solved>, Duration),
     ) -> Results {
         let (mut analysis, mut findings, mut signals) = (None, Vec::new(), Vec::new());
+        let mut gear_data = DataBlock::default();
         if let Some(host) = context.host::<ModelHost>() {
+            gear_data = DataBlock::of(host);
             analysis = host.result.take();
             findings = std::mem::take(&mut host.findings);
             signals = std::mem::take(&mut host.signals);
         }
         let calculated = calculated.map(|solved| Calculated::new(solved.row));
-        Results { program, shape, params, analysis, calculated, findings, signals, time }
+        Results { program, shape, params, analysis, calculated, findings, signals, gear_data, time }
     }
 
     pub fn description(&self) -> &ModelDescription {
@@ -165,6 +169,11 @@ impl Results {
     /// Returns the signals in the frequency domain that the model requests, in SI.
     pub fn signals(&self) -> &[Signal] {
         &self.signals
+    }
+
+    /// Returns the data of the gears and meshes of the model, as in the data block of a drawing.
+    pub fn gear_data(&self) -> &DataBlock {
+        &self.gear_data
     }
 
     /// Returns the largest residuals over all positions; `None` for a model without an analysis.

@@ -2,6 +2,7 @@
 
 use crate::engine::Engine;
 use crate::error::Error;
+use crate::gear_data;
 use crate::instance::Instance;
 use crate::param_assignment::ParamAssignment;
 use crate::program::Program;
@@ -13,7 +14,8 @@ use calyx_abi::description::{ModelDescription, OutputDescription};
 use calyx_abi::{Cancel, RuntimeError, Status};
 use calyx_gears::host::Finding;
 use calyx_report::directory::{
-    Details, REPORT, Record, RunOutputs, SIGNALS, StageTimes, Stages, head, write_run, write_unfinished,
+    Details, GEAR_DATA, REPORT, Record, RunOutputs, SIGNALS, StageTimes, Stages, head, write_run,
+    write_unfinished,
 };
 use calyx_report::journal::FoundJournal;
 use calyx_report::{field_tables, journal, modes_table, page, signals, stress_range, summary_table, vtu};
@@ -205,12 +207,15 @@ fn begin(directory: &RunDirectory, details: Details) -> io::Result<()> {
 /// line, if there are such errors.
 fn write_results(
     directory: &RunDirectory,
-    head: Value,
+    mut head: Value,
     description: &ModelDescription,
     results: &Results,
     stages: &Stages,
 ) -> io::Result<Option<String>> {
     let path = directory.path();
+    if !results.gear_data().is_empty() {
+        head[GEAR_DATA] = gear_data::json(results.gear_data());
+    }
     let findings = results.findings().iter();
     let mut warnings: Vec<String> =
         findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message)).collect();

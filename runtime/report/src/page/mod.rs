@@ -11,6 +11,7 @@ mod chart;
 mod command_line;
 mod contact;
 mod fillets;
+mod gear_data;
 mod read;
 mod units;
 
@@ -76,6 +77,7 @@ fn page(run: &Run) -> Markup {
     let units = Units::of_system(run.text("units"));
     let sections: Vec<Section> = [
         ("outputs", "Outputs", summary(run)),
+        ("gears", "Gear data", gear_data::section(run)),
         ("accuracy", "Error estimates", accuracy::section(run)),
         ("cycle", plots_heading(run), plots(run)),
         ("contact", "Contact", contact_section(run, units)),
