@@ -316,9 +316,12 @@ fn cut_gear(
     // Ratio of the module of the tool to the module that shift coefficients count.
     let per_module = if normal && !helix.is_spur() { math::cos(helix.angle()) } else { 1.0 };
     given.thickness.profile_shift = given.thickness.profile_shift.map(|shift| shift * per_module);
-    let found = given.thickness.resolve(&tool, teeth, &helix).map_err(|error| report(host, error))?;
+    let derived_root = given.root_diameter.is_none().then_some(proportions.dedendum);
+    let found = given.thickness.resolve(&tool, teeth, &helix, derived_root);
+    let found = found.map_err(|error| report(host, error))?;
     let [shift, generated] = [found.shift, found.generated_shift].map(|shift| shift / per_module);
     let tip_diameter = given.tip.resolve(&proportions, shift).map_err(|error| report(host, error))?;
+    given.thickness.check_ball(&tool, teeth, &helix, tip_diameter).map_err(|error| report(host, error))?;
     let root_diameter = given.root_diameter.unwrap_or_else(|| proportions.root_diameter(generated));
     let rim = given.rim.map(|rim| entry(&host.rims, rim).cloned()).transpose()?;
     let blank = BlankStatements { rim, far: given.far, rim_thickness: given.rim_thickness };
@@ -368,19 +371,21 @@ fn cut_gear(
         }
         gear
     });
-    keep_gear(host, cut, tool.module(), place)
+    let pitch = given.modules.iter().find(|statement| statement.argument.ends_with("diametral_pitch"));
+    let pitch = pitch.map(|statement| (statement.argument, 1.0 / statement.module));
+    keep_gear(host, cut, (tool.module(), pitch), place)
 }
 
 fn keep_gear(
     host: &mut ModelHost,
     cut: Result<Arc<GearPrototype>, Refusal>,
-    module: f64,
+    (module, pitch): (f64, Option<(&'static str, f64)>),
     place: Place,
 ) -> Result<Handle, RuntimeError> {
     let gear = cut.map_err(|refusal| host.rejected(refusal, place))?;
     host.note(gear.gear.warnings(), place);
     let (wrong, unusual): (Vec<_>, Vec<_>) =
-        of_gear(&gear, module).into_iter().partition(|found| found.severity == Severity::Error);
+        of_gear(&gear, module, pitch).into_iter().partition(|found| found.severity == Severity::Error);
     host.note(&unusual, place);
     if !wrong.is_empty() {
         return Err(host.rejected(wrong.into(), place));

@@ -361,7 +361,7 @@ impl ExternalGear {
                 "there is no involute between the form circle of diameter ", length 2.0 * self.form_radius,
                 " and the outer circle of diameter ", length 2.0 * self.outer_radius
             ],
-            sentence!["enlarge `outer_diameter`"],
+            sentence!["enlarge the tip diameter"],
         )
     }
 
@@ -374,7 +374,7 @@ impl ExternalGear {
                 "the tooth comes to a point at diameter ", length 2.0 * at_point,
                 ", before the outer diameter of ", length 2.0 * self.outer_radius
             ],
-            sentence!["reduce `outer_diameter`, or enlarge `tooth_thickness` (or `profile_shift`)"],
+            sentence!["reduce the tip diameter, or make the teeth thicker"],
         )
     }
 
@@ -397,7 +397,7 @@ impl ExternalGear {
                     "a tip edge rounded with ", length edge, " does not fit on a tip ", length tip_thickness, " thick"
                 ],
                 sentence![
-                    "give a positive `tip_edge_radius` well below half the tip thickness, or make the tip thicker by a smaller `outer_diameter`"
+                    "give a positive `tip_edge_radius` well below half the tip thickness, or make the tip thicker by a smaller tip diameter"
                 ],
             )
         })
@@ -443,10 +443,10 @@ fn check_data(data: &ExternalGearData) -> Vec<GeometryError> {
             "E0607",
             "outer_diameter",
             sentence![
-                "the outer diameter of ", length 2.0 * data.outer_radius,
+                "the tip diameter of ", length 2.0 * data.outer_radius,
                 " is not larger than the root diameter of ", length 2.0 * data.root_radius
             ],
-            sentence!["give an outer diameter larger than the root diameter, usually by about 4.5 modules"],
+            sentence!["give a tip diameter larger than the root diameter, usually by about 4.5 modules"],
         ));
     }
     let pitch_radius = 0.5 * f64::from(data.teeth) * data.rack.module;

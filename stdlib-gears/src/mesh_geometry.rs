@@ -390,7 +390,14 @@ impl MeshGeometry {
         let members = ["first", "second"];
         for member in [0, 1] {
             if starts[member] < gears[member].form_roll && !undercut[member] {
-                errors.push(fillet_interference(members[member], &gears[member], starts[member]));
+                let limit = self.tip_limit(member, gears[member].form_roll.abs());
+                let mate = gears[1 - member];
+                errors.push(fillet_interference(
+                    members[member],
+                    &gears[member],
+                    starts[member],
+                    (&mate, limit),
+                ));
             }
         }
         if self.normal_backlash > WIDE_BACKLASH * gears[0].tool_module {
@@ -444,6 +451,16 @@ impl MeshGeometry {
         (errors, warnings)
     }
 
+    /// Tip radius of the mate of a member at which contact on the member starts at a roll angle, m.
+    fn tip_limit(&self, member: usize, roll: f64) -> Option<f64> {
+        let tangent = match (member, self.internal) {
+            (0, _) => return Some(radius_at_roll(self.base_radius[1], self.second_roll(roll))),
+            (_, true) => self.base_radius[1] * roll - self.tangent_distance,
+            (_, false) => self.tangent_distance - self.base_radius[1] * roll,
+        };
+        (tangent > 0.0).then(|| self.base_radius[0].hypot(tangent))
+    }
+
     /// Warning about an unusually large backlash of gears of this module (m).
     fn wide_backlash(&self, module: f64) -> GeometryError {
         let modules = (100.0 * self.normal_backlash / module).round() / 100.0;
@@ -484,7 +501,14 @@ fn check_same_involutes(module: [f64; 2], pressure_angle: [f64; 2]) -> Result<()
     ))
 }
 
-fn fillet_interference(argument: &'static str, gear: &ToothForm, reach_roll: f64) -> GeometryError {
+/// Error for tips that reach the fillets of `gear` at a roll angle. `limit` is the tip radius of the
+/// mate that would end there, m.
+fn fillet_interference(
+    argument: &'static str,
+    gear: &ToothForm,
+    reach_roll: f64,
+    (mate, limit): (&ToothForm, Option<f64>),
+) -> GeometryError {
     let below_base = !gear.internal && reach_roll <= 0.0;
     let reach = if below_base { gear.base_radius } else { gear.radius_at_roll(reach_roll) };
     GeometryError::error(
@@ -494,6 +518,20 @@ fn fillet_interference(argument: &'static str, gear: &ToothForm, reach_roll: f64
             "the mate's tips reach to radius ", length reach, " on this gear, but its involute begins only at ",
             length gear.form_radius, ": the tips would run into the fillets"
         ],
-        sentence!["shorten the mate's teeth, reduce `tip_radius` of this gear's tool, or move the axes"],
+        match (limit.filter(|limit| *limit > mate.base_radius), mate.internal) {
+            (Some(limit), true) => sentence![
+                "enlarge `minor_diameter` of the internal gear to at least ", at_least length 2.0 * limit,
+                ", reduce `tip_radius` of this gear's tool, or move the axes"
+            ],
+            (Some(limit), false) => sentence![
+                "reduce the tip diameter of the mate to at most ", at_most length 2.0 * limit,
+                ", reduce `tip_radius` of this gear's tool, or move the axes"
+            ],
+            (None, _) => {
+                sentence![
+                    "shorten the mate's teeth, reduce `tip_radius` of this gear's tool, or move the axes"
+                ]
+            }
+        },
     )
 }

@@ -43,6 +43,9 @@ const FASTEST: f64 = 300.0;
 /// Factors of unit mistakes, the most frequent first.
 const SLIPS: [f64; 6] = [1e3, 1e-3, 1e6, 1e-6, 25.4, 1.0 / 25.4];
 
+const INCH: f64 = 25.4e-3;
+const MILLIMETRE: f64 = 1e-3;
+
 /// Value in the unit that was probably meant.
 fn meant(value: f64, usual: &RangeInclusive<f64>) -> Option<f64> {
     SLIPS.into_iter().map(|factor| factor * value).find(|value| usual.contains(value))
@@ -91,10 +94,16 @@ pub(crate) fn of_material(material: &Material, place: (u32, u32, u32)) -> Vec<Fi
 }
 
 /// Errors and warnings about the face width, the rim and the pitch deviations of a generated gear.
-/// `module` is the tool's module as given.
-pub(crate) fn of_gear(gear: &GearPrototype, module: f64) -> Vec<GeometryError> {
+/// `module` is the tool's module as given, and `pitch` the diametral pitch that states it, if any,
+/// with its argument.
+pub(crate) fn of_gear(
+    gear: &GearPrototype,
+    module: f64,
+    pitch: Option<(&'static str, f64)>,
+) -> Vec<GeometryError> {
+    let per_millimetre = pitch.and_then(|pitch| metric_pitch(gear.face_width, module, pitch));
     let found = [
-        face_width(gear.face_width, module),
+        per_millimetre.or_else(|| face_width(gear.face_width, module)),
         thin_rim(&gear.form(), &gear.rim, module),
         pitch_deviations(&gear.form(), &gear.pitch_errors),
     ];
@@ -136,6 +145,31 @@ fn pitch_deviations(form: &ToothForm, cumulative: &[f64]) -> Option<GeometryErro
         true => GeometryError::warning("E0695", "pitch_errors", message, help),
         false => GeometryError::error("E0695", "pitch_errors", message, help),
     })
+}
+
+/// Detects a diametral pitch in teeth per inch that is stated per millimetre: the face width is
+/// unusual, and usual with a module of as many inches.
+fn metric_pitch(
+    face_width: f64,
+    module: f64,
+    (argument, pitch): (&'static str, f64),
+) -> Option<GeometryError> {
+    let per_inch = INCH / MILLIMETRE * module;
+    if FACE_WIDTHS.contains(&(face_width / module)) || !FACE_WIDTHS.contains(&(face_width / per_inch)) {
+        return None;
+    }
+    Some(GeometryError::warning(
+        "E0803",
+        argument,
+        sentence![
+            "a diametral pitch of ", number pitch * MILLIMETRE, " / mm is a module of ", length 1.0 / pitch,
+            ", and the face is ", number shown(face_width / module), " modules wide"
+        ],
+        sentence![
+            "is `", text argument, " = ", number pitch * MILLIMETRE, " / inch` meant? That is a module of ",
+            length INCH / (pitch * MILLIMETRE)
+        ],
+    ))
 }
 
 fn face_width(face_width: f64, module: f64) -> Option<GeometryError> {

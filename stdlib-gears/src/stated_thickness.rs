@@ -4,10 +4,12 @@
 //! The library module `iso21771` has the same relations for gear data without a tooth form; tests
 //! compare both.
 
+mod checks;
+
 use crate::blank::{Thickness, Tool};
 use crate::error::{GeometryError, sentence};
 use crate::helix::Helix;
-use crate::involute::{involute, involute_of_roll, roll_at_radius};
+use crate::involute::{involute, involute_of_roll, radius_at_roll, roll_at_radius, roll_of_involute};
 use crate::rack::Plane;
 use calyx_abi::math;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -149,9 +151,7 @@ impl<'t> Geometry<'t> {
     /// [`crate::internal::InternalGear::between_pins`]; `None` if the balls would be inside the
     /// base circle.
     fn of_balls(&self, dimension: f64, ball: f64) -> Option<f64> {
-        let sense = if self.internal { -1.0 } else { 1.0 };
-        let odd = if self.teeth % 2.0 == 1.0 { math::cos(FRAC_PI_2 / self.teeth) } else { 1.0 };
-        let centres = (dimension - sense * ball) / odd;
+        let centres = (dimension - self.sense() * ball) / self.odd();
         if centres.is_nan() || centres < self.base_diameter {
             return None;
         }
@@ -161,6 +161,30 @@ impl<'t> Geometry<'t> {
             false => value - along_base + PI / self.teeth,
             true => value + along_base,
         }))
+    }
+
+    /// Dimension over balls of teeth of a transverse thickness, m; the inverse of
+    /// [`Geometry::of_balls`].
+    fn balls_of(&self, thickness: f64, ball: f64) -> Option<f64> {
+        let arc = if self.internal { self.pitch - thickness } else { thickness };
+        let half_base_angle = arc / self.diameter + involute(self.pressure_angle);
+        let along_base = ball / (self.base_diameter * self.base_cosine);
+        let value = match self.internal {
+            false => half_base_angle + along_base - PI / self.teeth,
+            true => half_base_angle - along_base,
+        };
+        let center = || 2.0 * radius_at_roll(0.5 * self.base_diameter, roll_of_involute(value));
+        (value > 0.0).then(|| center() * self.odd() + self.sense() * ball)
+    }
+
+    /// Ratio of the distance of two opposite ball centres to the diameter of their circle.
+    fn odd(&self) -> f64 {
+        if self.teeth % 2.0 == 1.0 { math::cos(FRAC_PI_2 / self.teeth) } else { 1.0 }
+    }
+
+    /// +1 for an external gear, -1 for an internal gear.
+    fn sense(&self) -> f64 {
+        if self.internal { -1.0 } else { 1.0 }
     }
 
     fn shift_of(&self, thickness: f64) -> f64 {
@@ -186,18 +210,28 @@ impl ThicknessStatements {
         stated.into_iter().find(|(_, stated)| *stated).map(|(argument, _)| argument)
     }
 
-    /// Returns the tooth thickness.
+    /// Returns the tooth thickness. `dedendum` is the dedendum coefficient of the tool if the root
+    /// diameter follows from it.
     ///
     /// # Errors
     /// E0805: `tooth_thickness` and `profile_shift` contradict each other. E0916: other statements
     /// do. E0917: a measurement is incomplete or impossible, or the allowances are in the wrong
     /// order.
-    pub fn resolve(&self, tool: &Tool, teeth: u32, helix: &Helix) -> Result<StatedThickness, GeometryError> {
+    pub fn resolve(
+        &self,
+        tool: &Tool,
+        teeth: u32,
+        helix: &Helix,
+        dedendum: Option<f64>,
+    ) -> Result<StatedThickness, GeometryError> {
         let geometry = Geometry::new(tool, helix, teeth);
         let stated_at = geometry.of_normal(self.allowance(self.stated_at)?);
         let others = self.measured(&geometry)?;
         let others: Vec<(&'static str, f64)> =
             others.into_iter().map(|(argument, thickness)| (argument, thickness - stated_at)).collect();
+        for &(argument, thickness) in &others {
+            self.check_measurement(&geometry, argument, thickness, dedendum)?;
+        }
         let circular = self.tooth_thickness.map(|thickness| thickness - stated_at);
         let mut warnings = Vec::new();
         let (first, nominal) = match (circular, self.profile_shift) {
@@ -227,10 +261,17 @@ impl ThicknessStatements {
                     "`", text argument, "` contradicts `", text first, "`: it makes the profile shift coefficient ",
                     number geometry.shift_of(other), ", and `", text first, "` makes it ", number shift
                 ],
-                sentence!["give one of them only, or correct one"],
+                match self.agreeing_limit(&geometry, other - thickness) {
+                    Some(limit) => sentence![
+                        "add `stated_at = \"", text limit.name(), "\"`: `", text argument, "` agrees with `", text first,
+                        "` if it is stated at this limit of the allowances"
+                    ],
+                    None => sentence!["give one of them only, or correct one"],
+                },
             ));
         }
         warnings.extend(self.unused_allowance());
+        warnings.extend(self.unusual_allowances());
         let normal = self.allowance(self.limit)?;
         if normal == 0.0 {
             let (thickness, generated_shift) = (nominal, shift);

@@ -9,9 +9,11 @@ use std::fmt::Write;
 
 /// Runs a model and returns the section `gear_data` of its `run.json`.
 fn gear_data(text: &str) -> Value {
-    let module = Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
+    let module =
+        Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
     let directory = tempfile::tempdir().expect("a directory");
-    let options = RunOptions { directory: directory.path().join("run"), quiet: true, ..RunOptions::default() };
+    let options =
+        RunOptions { directory: directory.path().join("run"), quiet: true, ..RunOptions::default() };
     run(module.as_program().clone(), &options).unwrap_or_else(|error| panic!("{error:?}"));
     let text = std::fs::read_to_string(directory.path().join("run/run.json")).expect("run.json");
     let run: Value = serde_json::from_str(&text).expect("JSON");
@@ -54,7 +56,7 @@ fn gear_call(gear: &Value, unit: &str) -> String {
             "gears.internal(teeth = {teeth}, module = {module:?} {unit}, face_width = 10 * {module:?} {unit}, \
              tip_diameter = 2 * {:?} {unit}, transverse_thickness = {:?} {unit}",
             number(gear, "minor_r"),
-            number(&gear["thickness_at_r"][0], "1").max(gear["thickness_at_r"][0][1].as_f64().expect("a thickness")),
+            gear["thickness_at_r"][0][1].as_f64().expect("a thickness at the reference circle"),
         )
     }
     .expect("text");
@@ -131,16 +133,12 @@ fn run_json_has_the_closed_form_geometry() {
         assert_eq!(common["alpha_wt"]["value"], common["alpha_wn"]["value"]);
         close(si(common, "epsilon_alpha"), number(mesh, "contact_ratio"), "epsilon_alpha");
         close(si(common, "g_alpha"), number(mesh, "line_of_action_length") * metres, "g_alpha");
-        for (key, point) in
-            [("d_Nf", "SAP"), ("d_LPSTC", "LPSTC"), ("d_HPSTC", "HPSTC"), ("d_Na", "EAP")]
-        {
+        for (key, point) in [("d_Nf", "SAP"), ("d_LPSTC", "LPSTC"), ("d_HPSTC", "HPSTC"), ("d_Na", "EAP")] {
             let roll = number(&mesh["roll1_deg"], point).to_radians();
             let diameter = 2.0 * number(&pair["g1"], "rb") * roll.hypot(1.0);
             close(si(&members[0], key), diameter * metres, key);
             compared += 1;
         }
-        // At the pitch point of a pair without profile shift, LPSTC of one gear is HPSTC of the other.
-        assert!(si(&members[1], "d_Nf") != si(&members[1], "d_Na"));
     }
     assert_eq!(compared, 12);
 }
@@ -160,7 +158,8 @@ function blank(in i) {
 }
 function data(in i) {
     return iso21771.gear_data(
-        teeth = teeth[i], normal_module = 3 mm, helix_angle = 14 deg, hand = hands[i], face_width = 32 mm,
+        teeth = teeth[i], normal_module = 3 mm, helix_angle = 14 deg,
+        hand = if (i == 0) iso21771.Hand.right else iso21771.Hand.left, face_width = 32 mm,
         profile_shift = shifts[i], upper_allowance = upper[i], lower_allowance = lower[i]);
 }
 var blanks = [blank(0), blank(1)], g = [data(0), data(1)];
@@ -193,7 +192,7 @@ fn the_data_block_agrees_with_the_module_of_gear_data() {
         ("d_Ff", "root_form_diameter(g[0], \"mean\") / 1 m"),
     ];
     let of_mesh = [
-        ("a", "reference_center_distance(g[0], g[1]) / 1 m + (pair.center_distance - reference_center_distance(g[0], g[1])) / 1 m"),
+        ("a", "center_distance_of_shifts(g[0], g[1]) / 1 m"),
         ("alpha_wn", "normal_working_pressure_angle(pair) / 1 rad"),
         ("beta_w", "working_helix_angle(pair) / 1 rad"),
         ("epsilon_gamma", "total_contact_ratio(pair)"),
@@ -215,15 +214,14 @@ fn the_data_block_agrees_with_the_module_of_gear_data() {
     let all = of_gear.iter().chain(&of_mesh).chain(&of_member);
     for (index, (_, expression)) in all.enumerate() {
         let mut called = String::new();
-        for (position, part) in expression.split_inclusive(['(', ' ']).enumerate() {
-            let function = part.strip_suffix('(').is_some_and(|name| !name.is_empty());
-            let prefix = if function && (position > 0 || function) { "iso21771." } else { "" };
-            let opening = part.len() - part.trim_start_matches('(').len();
-            write!(called, "{}{prefix}{}", &part[..opening], &part[opening..]).expect("text");
+        for part in expression.split_inclusive('(') {
+            let module = if part.ends_with('(') { "iso21771." } else { "" };
+            write!(called, "{module}{part}").expect("text");
         }
         writeln!(text, "output value_{index} := {called};").expect("text");
     }
-    let module = Module::from_text(&Engine::default(), "model.cx", &text).unwrap_or_else(|error| panic!("{error}"));
+    let module =
+        Module::from_text(&Engine::default(), "model.cx", &text).unwrap_or_else(|error| panic!("{error}"));
     let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
     let data = gear_data(&text);
     let sections = [

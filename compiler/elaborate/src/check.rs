@@ -8,7 +8,7 @@ use calyx_abi::Cancel;
 use calyx_abi::description::ModelDescription;
 use calyx_gears::data_block::DataBlock;
 use calyx_lang::check::Loader;
-use calyx_lang::diagnostic::Diagnostic;
+use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
@@ -163,11 +163,14 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
 /// Limit of the diagnostics shown; a text with more is probably not a model.
 const MOST_SHOWN: usize = 200;
 
-/// Returns the diagnostics as text for standard error.
+/// Returns the diagnostics as text for standard error: errors first, since warnings are often
+/// consequences of an error, such as a variable whose use has not been written yet.
 pub fn render(diagnostics: &[Diagnostic], files: &[SourceFile]) -> String {
     let colour = if io::stderr().is_terminal() { Colour::Always } else { Colour::Never };
     let mut renderer = Renderer::new(files, colour);
-    let shown = diagnostics.iter().take(MOST_SHOWN).map(|diagnostic| renderer.text(diagnostic));
+    let (errors, others): (Vec<&Diagnostic>, Vec<_>) =
+        diagnostics.iter().partition(|diagnostic| diagnostic.severity == Severity::Error);
+    let shown = errors.into_iter().chain(others).take(MOST_SHOWN).map(|diagnostic| renderer.text(diagnostic));
     let mut text: String = shown.collect();
     if diagnostics.len() > MOST_SHOWN {
         text += &format!("... and {} more\n", diagnostics.len() - MOST_SHOWN);

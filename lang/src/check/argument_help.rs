@@ -8,6 +8,7 @@ use super::types::Type;
 use crate::ast::{self, ExprKind};
 use crate::common_units::{usual, written};
 use crate::dimension::Dimension;
+use crate::units::UnitSystem;
 
 /// A parameter that the call omits.
 pub(super) struct Free<'a> {
@@ -77,9 +78,13 @@ impl Checker<'_> {
         let of = |d: Dimension| with_article(&self.store.vocabulary.show(d));
         let inverse = !wanted.without_angle().is_none() && wanted.times(found).without_angle().is_none();
         let units = usual(wanted, self.shown_system());
+        // A file without `units` has metres and pascals, in which machine parts are rarely stated.
+        let rank = usize::from(self.shown_system() == UnitSystem::Si && units.len() > 1);
         let unit = match wanted.known_name() {
             Some("Angle") => "deg",
-            _ => units.first().map_or("", |unit| unit.name.as_str()),
+            // Curvatures are mostly diametral pitches.
+            Some("Curvature") => "1/inch",
+            _ => units.get(rank).map_or("", |unit| unit.name.as_str()),
         };
         let text = self.text(value.span).to_string();
         let name = &parameter.name;

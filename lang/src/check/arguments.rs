@@ -185,8 +185,59 @@ fn unknown_parameter(
             name.span,
             near,
         ),
-        None => diagnostic.help(format!("its parameters are {}", listed(parameters))),
+        None => {
+            let free = parameters.iter().filter(|(parameter, _)| !named.contains(parameter)).copied();
+            diagnostic.help(parameters_near(&name.name, free.collect()))
+        }
     }
+}
+
+/// Number of parameters that are listed, if a function has more.
+const MOST_LISTED: usize = 8;
+
+/// Names the parameters that have a word in common with an unknown name, and those that a call
+/// needs. Other parameters are listed if they are few.
+fn parameters_near(name: &str, free: Vec<(&str, bool)>) -> String {
+    let words = |name: &str| name.split('_').map(str::to_lowercase).collect::<Vec<_>>();
+    let own = words(name);
+    let common = |parameter: &str| {
+        words(parameter).iter().filter(|word| own.iter().any(|o| same_word(o, word))).count()
+    };
+    let mut near: Vec<(usize, &str)> = free
+        .iter()
+        .map(|(parameter, _)| (common(parameter), *parameter))
+        .filter(|(count, _)| *count > 0)
+        .collect();
+    near.sort_by_key(|(count, parameter)| (std::cmp::Reverse(*count), parameter.split('_').count()));
+    let near: Vec<String> = near.iter().take(3).map(|(_, parameter)| format!("`{parameter}`")).collect();
+    let mut help = match &near[..] {
+        [] => String::new(),
+        [only] => format!("did you mean {only}?"),
+        [others @ .., last] => format!("did you mean {} or {last}?", others.join(", ")),
+    };
+    if free.len() <= MOST_LISTED {
+        if near.is_empty() {
+            help = format!("its parameters are {}", listed(&free));
+        }
+        return help;
+    }
+    let needed: Vec<(&str, bool)> = free.iter().filter(|(_, optional)| !optional).copied().collect();
+    if near.is_empty() {
+        let (what, shown) = match needed.is_empty() {
+            true => ("its first parameters are", &free[..MOST_LISTED]),
+            false => ("it needs", &needed[..]),
+        };
+        help = format!("{what} {}, and it has {} other parameters", listed(shown), free.len() - shown.len());
+    }
+    help
+}
+
+/// Returns `true` for two forms of a word, such as `ball` and `balls` or `tooth` and `teeth`.
+fn same_word(one: &str, other: &str) -> bool {
+    let [short, long] = if one.len() <= other.len() { [one, other] } else { [other, one] };
+    let slips = if short.len() < 5 { 1 } else { 2 };
+    let near = one.chars().next() == other.chars().next() && strsim::damerau_levenshtein(one, other) <= slips;
+    short.len() > 2 && (long == short || near)
 }
 
 fn unnamed_after_named(

@@ -39,23 +39,20 @@ pub(super) fn text(block: &DataBlock) -> String {
         rows.filter_map(|row| Some(count(row.entry.as_ref()?.get(column)?))).max().unwrap_or(0)
     };
     let widths = [width(0), width(1), width(2)];
+    let values = sections.iter().flat_map(|(_, rows)| rows).flat_map(|row| &row.values);
+    let value_width = values.map(|value| count(value)).max().unwrap_or(0);
     let mut text = String::new();
     for (title, rows) in &sections {
         let gap = if text.is_empty() { "" } else { "\n" };
         let _ = writeln!(text, "{gap}{title}");
-        let columns = rows.iter().map(|row| row.values.len()).max().unwrap_or(0);
-        let value_width = |column: usize| {
-            rows.iter().filter_map(|row| row.values.get(column)).map(|value| count(value)).max().unwrap_or(0)
-        };
-        let value_widths: Vec<usize> = (0..columns).map(value_width).collect();
         for row in rows {
             let mut line = String::from(" ");
             for (index, width) in widths.iter().enumerate() {
                 let cell = row.entry.as_ref().map_or("", |cells| &cells[index]);
                 let _ = write!(line, " {cell:<width$} ");
             }
-            for (value, width) in row.values.iter().zip(&value_widths) {
-                let _ = write!(line, "  {value:>width$}");
+            for value in &row.values {
+                let _ = write!(line, "  {value:>value_width$}");
             }
             let _ = writeln!(text, "{}", line.trim_end());
         }
@@ -88,10 +85,12 @@ fn mesh_section(mesh: &MeshColumns, length: LengthUnit) -> (String, Vec<Row>) {
     let mut rows = rows_of(MESH_ENTRIES, &[&mesh.common], length);
     rows.push(names([].into_iter()));
     let [first, second] = mesh.bodies.first().cloned().unwrap_or_default();
-    let title = match mesh.bodies.len() {
-        1 => format!("Mesh of \"{first}\" and \"{second}\""),
-        others => format!("Mesh of \"{first}\" and \"{second}\", and {} equal ones", others - 1),
+    let equal = match mesh.bodies.len() {
+        0 | 1 => String::new(),
+        2 => ", and an equal mesh".to_owned(),
+        count => format!(", and {} equal meshes", count - 1),
     };
+    let title = format!("Mesh of \"{first}\" and \"{second}\"{equal}");
     rows.push(names([first, second].into_iter()));
     let members: Vec<&Values> = mesh.members.iter().collect();
     rows.extend(rows_of(MEMBER_ENTRIES, &members, length));

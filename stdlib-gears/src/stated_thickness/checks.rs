@@ -1,0 +1,145 @@
+//! Checks of the statements of tooth thickness: measurements that no tooth has, and unusual
+//! allowances.
+
+use super::{Geometry, Limit, SAME_THICKNESS, ThicknessStatements, incomplete};
+use crate::blank::Tool;
+use crate::error::{GeometryError, sentence};
+use crate::helix::Helix;
+use std::f64::consts::PI;
+
+/// Largest magnitude of a profile shift coefficient that a measurement may mean. One tooth more or
+/// less in a span changes it by about 4.
+const LARGEST_SHIFT: f64 = 1.5;
+
+impl ThicknessStatements {
+    /// Warns about a positive allowance, and about an allowance without the other one.
+    pub(super) fn unusual_allowances(&self) -> Option<GeometryError> {
+        let names = ["upper_allowance", "lower_allowance"];
+        let mut stated = self.allowances.iter().zip(names);
+        if let Some((value, name)) =
+            stated.clone().find_map(|(allowance, name)| Some((allowance.filter(|value| *value > 0.0)?, name)))
+        {
+            return Some(GeometryError::warning(
+                "W0848",
+                name,
+                sentence!["an allowance of ", length value, " makes the teeth thicker than nominal"],
+                sentence![
+                    "is `", text name, " = ", length -value, "` meant? Allowances for backlash are negative"
+                ],
+            ));
+        }
+        let (_, missing) = stated.find(|(allowance, _)| allowance.is_none())?;
+        let (value, name) =
+            self.allowances.iter().zip(names).find_map(|(allowance, name)| Some(((*allowance)?, name)))?;
+        Some(GeometryError::warning(
+            "W0848",
+            name,
+            sentence!["the tooth thickness has an allowance of ", length value, ", but no `", text missing, "`"],
+            sentence!["give `", text missing, "`, too: a tolerance has two limits"],
+        ))
+    }
+
+    /// Limit of the allowances at which a measurement agrees with the nominal thickness, if it
+    /// exceeds that by `difference`, m.
+    pub(super) fn agreeing_limit(&self, geometry: &Geometry<'_>, difference: f64) -> Option<Limit> {
+        if self.stated_at != Limit::Nominal {
+            return None;
+        }
+        [Limit::Upper, Limit::Lower, Limit::Mean].into_iter().find(|limit| {
+            let allowance = self.allowance(*limit).map_or(0.0, |allowance| geometry.of_normal(allowance));
+            allowance != 0.0 && (difference - allowance).abs() <= SAME_THICKNESS * geometry.tool.module()
+        })
+    }
+
+    /// Checks that a span or a dimension over balls belongs to a tooth that the tool can generate.
+    ///
+    /// # Errors
+    /// E0917.
+    pub(super) fn check_measurement(
+        &self,
+        geometry: &Geometry<'_>,
+        argument: &'static str,
+        thickness: f64,
+        dedendum: Option<f64>,
+    ) -> Result<(), GeometryError> {
+        let (name, _) = self.over_balls;
+        let (is_span, is_over_balls) = (argument == "span", argument == name);
+        let shift = geometry.shift_of(thickness);
+        let possible = |thickness: f64| {
+            let shift = geometry.shift_of(thickness);
+            let reaches = dedendum.is_none_or(|dedendum| geometry.sense() * shift < dedendum);
+            (0.0..PI * geometry.tool.module()).contains(&thickness) && shift.abs() <= LARGEST_SHIFT && reaches
+        };
+        if (!is_span && !is_over_balls) || possible(thickness) {
+            return Ok(());
+        }
+        let half_pitch = 0.5 * geometry.pitch;
+        if let (true, Some(span), Some(count)) = (is_span, self.span, self.span_teeth) {
+            let thickness = |count: u32| geometry.of_transverse(geometry.of_span(span, f64::from(count)));
+            let counts = 1..(geometry.teeth as u32);
+            let fitting = counts.filter(|count| possible(thickness(*count))).min_by(|a, b| {
+                let shift = |count: u32| geometry.shift_of(thickness(count)).abs();
+                shift(*a).total_cmp(&shift(*b))
+            });
+            return Err(incomplete(
+                "span_teeth",
+                sentence![
+                    "a span of ", length span, " over ", number count, " teeth is impossible: the profile shift coefficient would be ",
+                    number shift
+                ],
+                match fitting {
+                    Some(count) => sentence![
+                        "is `span_teeth = ", number f64::from(count), "` meant? It makes the profile shift coefficient ",
+                        number geometry.shift_of(thickness(count))
+                    ],
+                    None => sentence!["check the span, the module and the number of teeth"],
+                },
+            ));
+        }
+        let ball = self.ball.unwrap_or_default();
+        Err(incomplete(
+            "ball",
+            sentence![
+                "`", text argument, "` of ", length self.over_balls.1.unwrap_or_default(), " with balls of ", length ball,
+                " is impossible: the profile shift coefficient would be ", number shift
+            ],
+            match geometry.balls_of(half_pitch, ball) {
+                Some(usual) => sentence![
+                    "check both diameters: without profile shift, `", text argument, "` with these balls is ", length usual
+                ],
+                None => sentence![
+                    "check the diameter of the balls; ", length 1.75 * geometry.tool.module(), " is usual"
+                ],
+            },
+        ))
+    }
+
+    /// Checks that the balls of a dimension over balls are not below the tip circle, where nothing
+    /// can measure them.
+    ///
+    /// # Errors
+    /// E0917.
+    pub fn check_ball(
+        &self,
+        tool: &Tool,
+        teeth: u32,
+        helix: &Helix,
+        tip_diameter: f64,
+    ) -> Result<(), GeometryError> {
+        let ((argument, Some(dimension)), Some(ball)) = (self.over_balls, self.ball) else { return Ok(()) };
+        let geometry = Geometry::new(tool, helix, teeth);
+        let centers = (dimension - geometry.sense() * ball) / geometry.odd();
+        let end = centers + geometry.sense() * ball;
+        if geometry.sense() * (end - tip_diameter) > 0.0 {
+            return Ok(());
+        }
+        Err(incomplete(
+            "ball",
+            sentence![
+                "balls of ", length ball, " end at a diameter of ", length end, " and do not project over the tip circle of ",
+                length tip_diameter, ", so that `", text argument, "` cannot be measured"
+            ],
+            sentence!["measure with larger balls, such as `ball = ", length 1.75 * tool.module(), "`"],
+        ))
+    }
+}
