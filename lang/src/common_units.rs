@@ -55,6 +55,13 @@ pub fn usual(dimension: Dimension, system: UnitSystem) -> Vec<DisplayUnit> {
     found
 }
 
+/// Returns the unit in which outputs of a dimension are shown, if it is not that of the system:
+/// watts for power in millimetres and newtons.
+pub fn of_output(dimension: Dimension, system: UnitSystem) -> Option<DisplayUnit> {
+    let is_power = Dimension::from_name("Power") == Some(dimension);
+    if is_power && system == UnitSystem::MmNS { named("W") } else { None }
+}
+
 /// Returns the unit for a product of built-in units, such as `lbf*inch^2/s`.
 pub fn named(product: &str) -> Option<DisplayUnit> {
     let mut found = pure();

@@ -241,5 +241,5 @@ fn the_data_block_agrees_with_the_module_of_gear_data() {
     assert_eq!(data["gears"][0]["data"]["rack"]["value"], "ISO 53 A");
     assert_eq!(data["gears"][0]["data"]["thickness_limit"]["value"], "mean");
     assert_eq!(data["gears"][1]["data"]["hand"]["value"], "left");
-    assert_eq!(data["gears"][0]["data"]["d_a"]["display"]["text"], "66.2453");
+    assert_eq!(data["gears"][0]["data"]["d_a"]["display"]["text"], "66.2450");
 }

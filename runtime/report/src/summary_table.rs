@@ -28,7 +28,7 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
             shown(summary.min),
             shown(summary.mean),
             shown(summary.max),
-            shown(summary.peak_to_peak),
+            shown(variation([summary.min, summary.max], summary.peak_to_peak)),
             if summary.max.is_nan() {
                 String::new()
             } else {
@@ -39,6 +39,16 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     }
     let search = result.tolerance_search.as_ref().map(|search| search.describe() + "\n");
     without_level.unwrap_or_default() + &align(&rows) + &search.unwrap_or_default()
+}
+
+/// Variation of an output, relative to its largest magnitude, up to which it is rounding noise.
+const ROUNDING: f64 = 1e-12;
+
+/// Returns the peak-to-peak value of an output with these extremes, or 0 if it is rounding noise of
+/// a constant.
+pub(crate) fn variation(extremes: [f64; 2], peak_to_peak: f64) -> f64 {
+    let [smallest, largest] = extremes.map(f64::abs);
+    if peak_to_peak <= ROUNDING * smallest.max(largest) { 0.0 } else { peak_to_peak }
 }
 
 /// Formats one line per output of a model without an analysis, which has one row.
@@ -145,4 +155,18 @@ fn align(rows: &[Vec<String>]) -> String {
         text.push('\n');
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::variation;
+
+    #[test]
+    fn rounding_noise_of_a_constant_is_no_variation() {
+        assert_eq!(variation([1.0, 1.0 + 4e-16], 4e-16), 0.0);
+        assert_eq!(variation([-2.0, -2.0 + 1e-15], 1e-15), 0.0);
+        assert_eq!(variation([1.0, 1.0 + 1e-9], 1e-9), 1e-9);
+        assert_eq!(variation([-1e-20, 1e-20], 2e-20), 2e-20);
+        assert!(variation([f64::NAN; 2], f64::NAN).is_nan());
+    }
 }

@@ -10,6 +10,7 @@ use super::function_values::Passed;
 use super::{Linked, Lowering, known_dimension, relocation};
 use crate::check::tree::{Call, Expr, FuncId, Kind, Stmt, StmtKind, UseId, VarId};
 use crate::check::types::Substitution;
+use crate::common_units::of_output;
 use crate::ir::{self, ExprKind, FunctionId, Output, Param, SiteId, Statement};
 use crate::span::Span;
 use crate::units::UnitSystem;
@@ -233,6 +234,7 @@ impl<'c> Lowering<'c> {
             unit: output
                 .unit
                 .clone()
+                .or_else(|| of_output(dimension, self.system))
                 .unwrap_or_else(|| checker.store.vocabulary.unit_of(self.system, dimension)),
             si: checker.store.vocabulary.unit_of(UnitSystem::Si, dimension).name,
             span: self.places().map_or(output.span, |places| places.span(output.span)),

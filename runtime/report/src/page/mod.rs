@@ -16,6 +16,7 @@ mod read;
 mod units;
 
 use crate::directory::REPORT;
+use crate::summary_table::variation;
 use calyx_abi::units::shortest;
 use chart::{Axis, Curve, NARROW, Plot, WIDE};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -269,7 +270,7 @@ fn summary(run: &Run) -> Markup {
                         Some(of) => { td { (accuracy::of_largest(output, of)) } td { (part_of_value(of)) } },
                         None => { td { "–" } td {} },
                     } }
-                    td { (number(of.peak_to_peak)) }
+                    td { (number(variation([of.min, of.max], of.peak_to_peak))) }
                     td.word { (output.place) }
                 } }
             } }
@@ -327,7 +328,8 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
     let y = Axis { what: "", unit: &output.unit };
     let is_rounding = output.error.as_ref().is_some_and(|error| error.is_rounding);
     // A single position or a constant has no variation to plot.
-    let constant = output.statistics.peak_to_peak == 0.0;
+    let read::Statistics { min, max, peak_to_peak, .. } = output.statistics;
+    let constant = variation([min, max], peak_to_peak) == 0.0;
     let variation = match is_rounding || constant {
         true => Plot::default(),
         false => chart::curves(WIDE, x, &y, &[curve], marks),

@@ -384,3 +384,46 @@ fn runs_that_are_not_whole_say_so() {
     let nothing = tempfile::tempdir().unwrap();
     assert_eq!(write(nothing.path()).unwrap_err().kind(), io::ErrorKind::NotFound);
 }
+
+#[test]
+fn gear_data_have_a_column_per_gear() {
+    let entry = |name: &str, symbol: &str, unit: &str, text: &str, starts: bool| {
+        json!({ "name": name, "symbol": symbol, "value": 1.0, "unit": "m", "display": { "unit": unit, "text": text }, "starts_group": starts })
+    };
+    let gear = |body: &str, teeth: &str| {
+        json!({ "bodies": [body], "data": {
+            "z": entry("number of teeth", "z", "", teeth, true),
+            "d_a": entry("tip diameter", "d_a", "mm", "66.2450", true),
+        } })
+    };
+    let mut wheel = gear("wheel", "47");
+    wheel["data"]["beta"] = entry("helix angle", "beta", "deg", "14.0000", false);
+    let mut run = run_json();
+    run["gear_data"] = json!({
+        "gears": [gear("pinion", "19"), wheel],
+        "meshes": [{
+            "bodies": [["pinion", "wheel"], ["pinion", "other"]],
+            "data": { "epsilon_alpha": entry("transverse contact ratio", "epsilon_alpha", "", "1.5173", true) },
+            "members": [
+                { "d_Nf": entry("start of active profile", "d_Nf", "mm", "55.7870", true) },
+                { "d_Nf": entry("start of active profile", "d_Nf", "mm", "141.0623", true) },
+            ],
+        }],
+        "note": "x is positive outwards",
+    });
+    let page = text(directory(&run).path());
+    for said in [
+        "<h2>Gear data</h2>",
+        "<th class=\"value\">pinion</th><th class=\"value\">wheel</th>",
+        "<td>19</td><td>47</td>",
+        "d<sub>a</sub>",
+        "<td>–</td><td>14.0000</td>",
+        "ε<sub>α</sub>",
+        "Mesh of pinion and wheel (2 equal meshes)",
+        "<td>55.7870</td><td>141.0623</td>",
+        "x is positive outwards",
+    ] {
+        assert!(page.contains(said), "{said} is not in {page}");
+    }
+    assert!(!text(directory(&run_json()).path()).contains("Gear data"));
+}
