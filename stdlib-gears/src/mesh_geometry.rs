@@ -501,8 +501,8 @@ fn check_same_involutes(module: [f64; 2], pressure_angle: [f64; 2]) -> Result<()
     ))
 }
 
-/// Error for tips that reach the fillets of `gear` at a roll angle. `limit` is the tip radius of the
-/// mate that would end there, m.
+/// Error for tips that reach the fillets of `gear` at a roll angle. `limit` is the tip radius of
+/// the mate that would end there, m.
 fn fillet_interference(
     argument: &'static str,
     gear: &ToothForm,

@@ -23,7 +23,7 @@ pub const EXAMPLES: &str = "Examples:
 
 #[derive(Args)]
 pub struct Explain {
-    /// A diagnostic code such as E0401, or a model (.cx file) whose gears and planned analysis are described
+    /// A diagnostic code such as E0401, or a model (.cx file): its gears and its planned analysis
     #[arg(value_name = "CODE or FILE")]
     subject: Option<String>,
     /// Set a param of the model, see `calyx run`

@@ -6,6 +6,7 @@ use super::tree::Expr;
 use crate::ast::{self, Bind, ExprKind};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
+use std::cmp::Reverse;
 use std::collections::HashMap;
 
 /// The argument of each parameter, and the fields of spread records by name.
@@ -185,51 +186,45 @@ fn unknown_parameter(
             name.span,
             near,
         ),
-        None => {
-            let free = parameters.iter().filter(|(parameter, _)| !named.contains(parameter)).copied();
-            diagnostic.help(parameters_near(&name.name, free.collect()))
-        }
+        None => diagnostic.help(parameters_near(&name.name, parameters, named)),
     }
 }
 
-/// Number of parameters that are listed, if a function has more.
+/// Number of parameters up to which all of them are listed.
 const MOST_LISTED: usize = 8;
+/// Number of parameters that are suggested for a name.
+const MOST_NEAR: usize = 3;
 
-/// Names the parameters that have a word in common with an unknown name, and those that a call
-/// needs. Other parameters are listed if they are few.
-fn parameters_near(name: &str, free: Vec<(&str, bool)>) -> String {
+/// Names the parameters that have a word in common with an unknown name. If there are none, lists
+/// all parameters, or those that the call lacks if there are many.
+fn parameters_near(name: &str, parameters: &[(&str, bool)], named: &[&str]) -> String {
     let words = |name: &str| name.split('_').map(str::to_lowercase).collect::<Vec<_>>();
     let own = words(name);
-    let common = |parameter: &str| {
-        words(parameter).iter().filter(|word| own.iter().any(|o| same_word(o, word))).count()
+    let in_common = |parameter: &str| {
+        words(parameter).iter().filter(|word| own.iter().any(|own| same_word(own, word))).count()
     };
-    let mut near: Vec<(usize, &str)> = free
-        .iter()
-        .map(|(parameter, _)| (common(parameter), *parameter))
-        .filter(|(count, _)| *count > 0)
-        .collect();
-    near.sort_by_key(|(count, parameter)| (std::cmp::Reverse(*count), parameter.split('_').count()));
-    let near: Vec<String> = near.iter().take(3).map(|(_, parameter)| format!("`{parameter}`")).collect();
-    let mut help = match &near[..] {
-        [] => String::new(),
+    let free: Vec<(&str, bool)> =
+        parameters.iter().filter(|(parameter, _)| !named.contains(parameter)).copied().collect();
+    let mut near: Vec<(usize, &str)> =
+        free.iter().map(|(parameter, _)| (in_common(parameter), *parameter)).collect();
+    near.retain(|(count, _)| *count > 0);
+    near.sort_by_key(|(count, parameter)| (Reverse(*count), parameter.split('_').count()));
+    let near: Vec<String> =
+        near.iter().take(MOST_NEAR).map(|(_, parameter)| format!("`{parameter}`")).collect();
+    let needed: Vec<(&str, bool)> = free.iter().filter(|(_, optional)| !optional).copied().collect();
+    match &near[..] {
         [only] => format!("did you mean {only}?"),
         [others @ .., last] => format!("did you mean {} or {last}?", others.join(", ")),
-    };
-    if free.len() <= MOST_LISTED {
-        if near.is_empty() {
-            help = format!("its parameters are {}", listed(&free));
+        [] if parameters.len() <= MOST_LISTED => format!("its parameters are {}", listed(parameters)),
+        [] => {
+            let (what, shown) = match needed.is_empty() {
+                true => ("its first parameters are", &parameters[..MOST_LISTED]),
+                false => ("the call lacks", &needed[..]),
+            };
+            let others = parameters.len() - shown.len();
+            format!("{what} {}; the function has {others} other parameters", listed(shown))
         }
-        return help;
     }
-    let needed: Vec<(&str, bool)> = free.iter().filter(|(_, optional)| !optional).copied().collect();
-    if near.is_empty() {
-        let (what, shown) = match needed.is_empty() {
-            true => ("its first parameters are", &free[..MOST_LISTED]),
-            false => ("it needs", &needed[..]),
-        };
-        help = format!("{what} {}, and it has {} other parameters", listed(shown), free.len() - shown.len());
-    }
-    help
 }
 
 /// Returns `true` for two forms of a word, such as `ball` and `balls` or `tooth` and `teeth`.

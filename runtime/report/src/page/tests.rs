@@ -387,9 +387,7 @@ fn runs_that_are_not_whole_say_so() {
 
 #[test]
 fn gear_data_have_a_column_per_gear() {
-    let entry = |name: &str, symbol: &str, unit: &str, text: &str, starts: bool| {
-        json!({ "name": name, "symbol": symbol, "value": 1.0, "unit": "m", "display": { "unit": unit, "text": text }, "starts_group": starts })
-    };
+    let entry = |name: &str, symbol: &str, unit: &str, text: &str, starts: bool| json!({ "name": name, "symbol": symbol, "value": 1.0, "unit": "m", "display": { "unit": unit, "text": text }, "starts_group": starts });
     let gear = |body: &str, teeth: &str| {
         json!({ "bodies": [body], "data": {
             "z": entry("number of teeth", "z", "", teeth, true),
