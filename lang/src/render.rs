@@ -8,6 +8,7 @@ use calyx_abi::error::call_lines;
 use calyx_abi::visible::visible;
 use serde_json::{Value, json};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 
 /// Determines whether the text contains terminal colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,7 +27,7 @@ pub struct Renderer<'a> {
 impl<'a> Renderer<'a> {
     /// Creates a renderer. `files` are the files of the spans, by index.
     pub fn new(files: &'a [SourceFile], colour: Colour) -> Self {
-        let sources = files.iter().map(|f| Source::from(visible(&f.text))).collect();
+        let sources = files.iter().map(|_| OnceCell::new()).collect();
         Renderer { files: Files { files, sources }, colour }
     }
 
@@ -123,14 +124,16 @@ impl Renderer<'_> {
 /// The source files in the interface of the report writer: by index, with display names.
 struct Files<'a> {
     files: &'a [SourceFile],
-    sources: Vec<Source<Cow<'a, str>>>,
+    /// The lines of each file that a diagnostic refers to.
+    sources: Vec<OnceCell<Source<Cow<'a, str>>>>,
 }
 
 impl<'f> Cache<usize> for Files<'f> {
     type Storage = Cow<'f, str>;
 
     fn fetch(&mut self, id: &usize) -> Result<&Source<Self::Storage>, impl std::fmt::Debug> {
-        self.sources.get(*id).ok_or("no such file")
+        let (file, source) = self.files.get(*id).zip(self.sources.get(*id)).ok_or("no such file")?;
+        Ok::<_, &str>(source.get_or_init(|| Source::from(visible(&file.text))))
     }
 
     fn display<'a>(&self, id: &'a usize) -> Option<impl std::fmt::Display + 'a> {

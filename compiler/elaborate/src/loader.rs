@@ -49,9 +49,18 @@ impl Loader for ModelLoader {
         (PRELUDE.file.to_owned(), PRELUDE.text.to_owned())
     }
 
+    fn is_sound(&self, path: &[String]) -> bool {
+        is_of_library(path)
+    }
+
     fn allowed(&self) -> Arc<[PathBuf]> {
         self.allowed.clone()
     }
+}
+
+/// Returns `true` for the prelude and the modules of the library, which tests check.
+fn is_of_library(path: &[String]) -> bool {
+    path.is_empty() || MODULES.iter().any(|module| module.path == path.join("."))
 }
 
 /// Returns the text of a module in a file below a model's folder; `None` if the file does not
@@ -110,6 +119,10 @@ impl Loader for TextLoader<'_> {
 
     fn prelude(&self) -> (String, String) {
         self.named(PRELUDE.file).unwrap_or_else(|| ModelLoader::default().prelude())
+    }
+
+    fn is_sound(&self, path: &[String]) -> bool {
+        is_of_library(path)
     }
 }
 

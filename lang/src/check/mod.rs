@@ -112,6 +112,12 @@ pub trait Loader {
     }
     /// Returns the name and the text of the module that every program imports.
     fn prelude(&self) -> (String, String);
+    /// Returns `true` if a module, or the prelude for an empty path, has no errors and warnings,
+    /// such as a module of the library. Only the functions that a program uses are then checked
+    /// with it.
+    fn is_sound(&self, _path: &[String]) -> bool {
+        false
+    }
     /// Returns the available modules, for suggestions.
     fn names(&self) -> Vec<String> {
         Vec::new()

@@ -73,6 +73,9 @@ struct Text {
     /// Name as imported: `gears.helical`; empty for a model, `prelude` for the prelude.
     module: String,
     content: String,
+    /// `true` if it has no errors and warnings, see [`Loader::is_sound`].
+    #[returns(copy)]
+    sound: bool,
     /// Never changes as an input; its contents speed up parsing but do not affect results.
     kept: ChunkCache,
 }
@@ -107,7 +110,8 @@ impl Database {
 
     fn with_storage(salsa: Storage, loader: &dyn Loader) -> Self {
         let (name, content) = loader.prelude();
-        let prelude = Text::new(&salsa, name.into(), "prelude".into(), content, ChunkCache::default());
+        let (module, sound) = ("prelude".into(), loader.is_sound(&[]));
+        let prelude = Text::new(&salsa, name.into(), module, content, sound, ChunkCache::default());
         let library = Library::new(&salsa, BTreeMap::new(), prelude, loader.names(), BTreeMap::new());
         Database { salsa, models: BTreeMap::new(), library, recent: Arc::default() }
     }
@@ -117,8 +121,8 @@ impl Database {
         match self.models.get(name) {
             Some(text) => set(&mut self.salsa, *text, content),
             None => {
-                let text =
-                    Text::new(&self.salsa, name.into(), String::new(), content.into(), ChunkCache::default());
+                let (module, kept) = (String::new(), ChunkCache::default());
+                let text = Text::new(&self.salsa, name.into(), module, content.into(), false, kept);
                 self.models.insert(name.into(), text);
             }
         }
@@ -127,12 +131,16 @@ impl Database {
     /// Adds a module or changes its text, for example while it is edited. `path` is dotted, as in
     /// `import`.
     pub fn set_module(&mut self, path: &str, name: &str, content: &str) {
+        self.put_module(path, (name, content), false);
+    }
+
+    fn put_module(&mut self, path: &str, (name, content): (&str, &str), sound: bool) {
         let known = self.library.modules(&self.salsa).get(path).copied();
         match known {
             Some(text) => set(&mut self.salsa, text, content),
             None => {
-                let text =
-                    Text::new(&self.salsa, name.into(), path.into(), content.into(), ChunkCache::default());
+                let kept = ChunkCache::default();
+                let text = Text::new(&self.salsa, name.into(), path.into(), content.into(), sound, kept);
                 let mut modules = self.library.modules(&self.salsa).clone();
                 modules.insert(path.into(), text);
                 self.library.set_modules(&mut self.salsa).to(modules);
@@ -207,7 +215,9 @@ impl Database {
                 let names: Vec<String> = path.split('.').map(str::to_string).collect();
                 if !self.library.modules(&self.salsa).contains_key(&path) {
                     match loader.module(&names) {
-                        Some((name, content)) => self.set_module(&path, &name, &content),
+                        Some((name, content)) => {
+                            self.put_module(&path, (&name, &content), loader.is_sound(&names));
+                        }
                         None => self.set_refusal(&path, loader.refusal(&names)),
                     }
                 }

@@ -1,7 +1,7 @@
 //! Queries over a whole model: checks all units and links them.
 
-use super::groups::{Group, groups};
-use super::items::{facts, items, module, problems, reachable};
+use super::groups::{Group, groups, links, named};
+use super::items::{Item, facts, items, module, problems, reachable};
 use super::units::{check_group, check_top, dependents, id};
 use super::{Library, Text};
 use crate::ast::{Ident, StmtKind};
@@ -27,6 +27,32 @@ fn files(db: &dyn salsa::Database, model: Text, library: Library) -> Vec<Text> {
     files
 }
 
+/// Returns the items of sound modules that the other files use, directly or indirectly.
+fn used<'db>(db: &'db dyn salsa::Database, files: &[Text], library: Library) -> HashSet<Item<'db>> {
+    let mut left: Vec<Item<'db>> = Vec::new();
+    for file in files.iter().filter(|file| !file.sound(db)) {
+        left.extend(items(db, *file));
+    }
+    left.extend(named(db, library.prelude(db), "Error".to_string()));
+    let mut seen: HashSet<Item<'db>> = left.iter().copied().collect();
+    while let Some(item) = left.pop() {
+        left.extend(links(db, item, library).iter().copied().filter(|to| seen.insert(*to)));
+    }
+    seen
+}
+
+/// Returns the groups of a file that contain a used item, callees first.
+fn used_groups<'db>(
+    db: &'db dyn salsa::Database,
+    file: Text,
+    (library, used): (Library, &HashSet<Item<'db>>),
+) -> impl Iterator<Item = Group<'db>> {
+    let order = groups(db, file, library).order.iter();
+    let own = order.filter(move |members| members.first().is_some_and(|item| item.file(db) == file));
+    let used = own.filter(move |members| members.iter().any(|item| used.contains(item)));
+    used.map(move |members| Group::new(db, members.clone()))
+}
+
 // A checked model is large and rarely equal to the previous one, so comparing does not pay.
 #[salsa::tracked(no_eq)]
 pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> Arc<Checked> {
@@ -40,12 +66,27 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
     }
     // Callees first, over all files, so that a chain of calls does not become a chain of nested
     // queries.
+    let used = used(db, files, library);
+    // Sound files of which only some functions are checked, each on its own.
+    let mut partly = HashSet::new();
     for &file in files.iter().rev() {
-        dependents(db, file, library);
+        let mut groups = used_groups(db, file, (library, &used));
+        if file.sound(db) && groups.all(|group| check_group(db, group, library).unit.is_some()) {
+            partly.insert(file);
+        } else {
+            dependents(db, file, library);
+        }
     }
     let mut kept: Vec<&Unit> = vec![check_top(db, model, library)];
     let mut of_model = 1;
     for &file in files {
+        if partly.contains(&file) {
+            kept.extend(
+                used_groups(db, file, (library, &used))
+                    .filter_map(|group| check_group(db, group, library).unit.as_ref()),
+            );
+            continue;
+        }
         let dependents = dependents(db, file, library);
         for members in &groups(db, file, library).order {
             let own = members.first().is_some_and(|item| item.file(db) == file);

@@ -5,6 +5,7 @@ use super::*;
 use crate::check::Checked;
 use crate::span::FileId;
 use std::cell::Cell;
+use std::path::Path;
 use std::sync::Mutex;
 
 #[derive(Default)]
@@ -273,22 +274,35 @@ fn imports_are_loaded_once_and_through_others() {
 mod generator;
 
 /// The gear library.
-struct Gears;
+#[derive(Default)]
+struct Gears {
+    is_sound: bool,
+}
+
+/// Returns the text of a module of the library.
+fn of_library(module: &str) -> Option<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../stdlib-gears/calyx");
+    std::fs::read_to_string(folder.join(module).with_extension("cx")).ok()
+}
 
 impl Loader for Gears {
     fn module(&self, path: &[String]) -> Option<(String, String)> {
-        let text = include_str!("../../../stdlib-gears/calyx/gears.cx");
-        (path == ["gears"]).then(|| ("<library>/gears.cx".into(), text.into()))
+        let [module] = path else { return None };
+        Some((format!("<library>/{module}.cx"), of_library(module)?))
     }
 
     fn prelude(&self) -> (String, String) {
-        ("<library>/prelude.cx".into(), include_str!("../../../stdlib-gears/calyx/prelude.cx").into())
+        ("<library>/prelude.cx".into(), of_library("prelude").expect("the prelude"))
+    }
+
+    fn is_sound(&self, _: &[String]) -> bool {
+        self.is_sound
     }
 }
 
 fn check_generated(db: &mut Database, text: &str) -> Arc<Checked> {
     db.set_model("long.cx", text);
-    db.load_imports("long.cx", &Gears);
+    db.load_imports("long.cx", &Gears::default());
     let found = db.check("long.cx").unwrap();
     assert_eq!(found.diagnostics, []);
     found
@@ -298,7 +312,7 @@ fn check_generated(db: &mut Database, text: &str) -> Arc<Checked> {
 fn a_longer_model_runs_queries_in_proportion_and_an_edit_the_same_few() {
     let mut groups = Vec::new();
     for sections in [1, 2, 3] {
-        let (mut db, log) = watched_with(&Gears);
+        let (mut db, log) = watched_with(&Gears::default());
         let text = generator::model(20 + 48 * sections);
         check_generated(&mut db, &text);
         groups.push(ran(&log).iter().filter(|name| *name == "check_group").count());
@@ -405,4 +419,45 @@ fn statements_alike_need_few_others() {
         };
         assert!(links_of(200) <= 2 * links_of(100) + 2, "{line}");
     }
+}
+
+#[test]
+fn a_model_checks_only_the_functions_of_sound_modules_that_it_uses() {
+    let check = |text: &str, is_sound: bool| {
+        let gears = Gears { is_sound };
+        let (mut db, log) = watched_with(&gears);
+        db.set_model("short.cx", text);
+        db.load_imports("short.cx", &gears);
+        let found = db.check("short.cx").unwrap();
+        assert_eq!(found.diagnostics, []);
+        let number = ran(&log).iter().filter(|name| ["check_group", "check_top"].contains(&&***name)).count();
+        (found.program.as_ref().map(|program| format!("{program:?}")), number)
+    };
+    let texts = [
+        ("import gears;\nvar _steel = gears.material(206 GPa, 0.3);\n", 10),
+        ("import iso21771;\nprint(iso21771.involute(0.3));\n", 15),
+        // A function whose literals are checked with their uses.
+        ("import agma2101;\nprint(agma2101.reliability_factor(0.99));\n", 400),
+    ];
+    for (text, most) in texts {
+        let ((all, of_library), (some, of_model)) = (check(text, false), check(text, true));
+        assert!(all.is_some() && all == some, "{text}");
+        assert!(of_library > 50 && of_model < most, "{of_library}, {of_model}: {text}");
+    }
+}
+
+/// The library is loaded as sound, so a model does not report its errors and warnings.
+#[test]
+fn the_library_has_no_errors_and_warnings() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../stdlib-gears/calyx");
+    let files = std::fs::read_dir(folder).expect("the library").flatten();
+    let modules: Vec<String> =
+        files.filter_map(|file| Some(file.file_name().to_str()?.strip_suffix(".cx")?.to_owned())).collect();
+    assert!(modules.len() > 10);
+    let imports = modules.iter().filter(|module| *module != "prelude");
+    let imports: Vec<String> = imports.map(|module| format!("import {module};\n")).collect();
+    let mut db = Database::new(&Gears::default());
+    db.set_model("all.cx", &imports.concat());
+    db.load_imports("all.cx", &Gears::default());
+    assert_eq!(db.check("all.cx").unwrap().diagnostics, []);
 }

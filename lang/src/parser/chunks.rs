@@ -43,20 +43,34 @@ pub fn pieces(text: &str, tokens: &Tokens, kept: impl Fn(&str) -> Option<Arc<Chu
     while at < ranges.len() {
         let run = (at..ranges.len()).take_while(|index| found[*index].is_none()).count();
         let ends_file = at + run == ranges.len();
-        parse_together(text, ends_file, &ranges[at..at + run], &mut found[at..at + run]);
+        // A new text is parsed as a whole. An invalid token may reach beyond its piece.
+        let all = (run == ranges.len() && tokens.diagnostics.is_empty()).then_some(tokens);
+        parse_together(text, (all, ends_file), &ranges[at..at + run], &mut found[at..at + run]);
         at += run.max(1);
     }
     let placed = ranges.into_iter().zip(found);
     placed.map(|(range, piece)| PlacedChunk { range, piece: piece.unwrap_or_default() }).collect()
 }
 
-/// Parses adjacent pieces together.
-fn parse_together(text: &str, ends_file: bool, ranges: &[Range<usize>], found: &mut [Option<Arc<Chunk>>]) {
+/// Parses adjacent pieces together. `all` are the tokens of the text if these are all its pieces.
+fn parse_together(
+    text: &str,
+    (all, ends_file): (Option<&Tokens>, bool),
+    ranges: &[Range<usize>],
+    found: &mut [Option<Arc<Chunk>>],
+) {
     let (Some(first), Some(last)) = (ranges.first(), ranges.last()) else { return };
     let slice = |range: Range<usize>| text.get(range).unwrap_or_default();
     let run = slice(first.start..last.end);
-    let tokens = lex(FileId(0), run);
-    let (statements, problems) = parse_run(run, &tokens, ends_file);
+    let own;
+    let tokens = match all {
+        Some(all) => all,
+        None => {
+            own = lex(FileId(0), run);
+            &own
+        }
+    };
+    let (statements, problems) = parse_run(run, tokens, ends_file);
     if let [only] = found {
         *only = Some(Arc::new(Chunk { statements, problems }));
         return;
