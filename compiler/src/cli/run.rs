@@ -3,12 +3,12 @@
 use crate::allow::AllowPath;
 use crate::compile::{checked, compile};
 use crate::messages::{MessageFormat, USAGE};
-use calyx::rt::InvalidParam;
 use calyx::rt::command::{Messages, RunCommand, refused_by_check};
 use calyx::rt::console::println;
 use calyx::rt::directory::default_directory;
 use calyx::rt::options::RunArguments;
 use calyx::rt::schema::schema;
+use calyx::rt::{InvalidParam, budget};
 use calyx::{Module, check_file_allowing, check_run_within};
 use calyx_abi::RuntimeError;
 use calyx_gears::host::Finding;
@@ -54,6 +54,10 @@ impl Run {
 
     pub fn run(self) -> ExitCode {
         let Run { file, run: arguments, allow, message_format: format } = self;
+        if arguments.memory_limit.is_some() {
+            // The check of the program frees its memory before the run.
+            budget::share_one_arena();
+        }
         let allowed = allow.paths();
         if arguments.print_params {
             return print_params(&file, &allowed, arguments.quiet, format);

@@ -39,6 +39,17 @@ fn quantity(text: &str, units: &[(&str, f64)]) -> Result<f64, String> {
     }
 }
 
+/// Limits the allocator to one arena for all threads, before they start. By default threads have
+/// arenas of their own, and [`return_freed`] may leave up to 64 MB of freed memory in one of them:
+/// glibc returns the memory at the top of the main arena only. The limit of a run would count it.
+pub fn share_one_arena() {
+    #[cfg(all(target_os = "linux", target_env = "gnu"))]
+    // SAFETY: `mallopt` sets a parameter of the allocator and may be called at any time.
+    unsafe {
+        libc::mallopt(libc::M_ARENA_MAX, 1);
+    }
+}
+
 /// Returns freed memory to the system, if the allocator supports that. The allocator retains the
 /// memory of small values, and the memory limit of a run would count it twice.
 pub fn return_freed() {

@@ -51,9 +51,9 @@ impl<'p> Machine<'_, 'p> {
         Ok(())
     }
 
-    /// Returns the active calls that the message of a failure needs, innermost first: all of them in
-    /// a component, for the name of the instance; in the library those up to the call of the
-    /// program, whose argument is at fault; otherwise none.
+    /// Returns the active calls that the message of a failure needs, innermost first. In a
+    /// component these are all calls, because the message names the instance. In the library they
+    /// end with the call of the program, whose argument is at fault. Elsewhere there are none.
     fn calls_of_failure(&self, place: Option<Place>) -> Vec<Call> {
         let program = self.interpreter.program;
         let is_library = |place: Place| {
