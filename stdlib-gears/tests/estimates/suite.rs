@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 const CASES: &str = include_str!("../data/effectivity.txt");
-/// Pairs drawn at random, with which no estimate was chosen.
+/// Pairs drawn at random. One of them was the reason for a correction, see `docs/accuracy.md`.
 const HOLDOUT: &str = include_str!("../data/effectivity_holdout.txt");
 /// Ratio of the positions that locate the extremes to those of the reference.
 const LOCATING: usize = 4;
