@@ -58,8 +58,9 @@ pub fn usual(dimension: Dimension, system: UnitSystem) -> Vec<DisplayUnit> {
 /// Returns the unit in which outputs of a dimension are shown, if it is not that of the system:
 /// watts for power in millimetres and newtons.
 pub fn of_output(dimension: Dimension, system: UnitSystem) -> Option<DisplayUnit> {
-    let is_power = Dimension::from_name("Power") == Some(dimension);
-    if is_power && system == UnitSystem::MmNS { named("W") } else { None }
+    // A moment times an angular velocity has the dimension of power and of an angle.
+    let is_power = |power: Dimension| power.without_angle() == dimension.without_angle();
+    if Dimension::from_name("Power").is_some_and(is_power) && system == UnitSystem::MmNS { named("W") } else { None }
 }
 
 /// Returns the unit for a product of built-in units, such as `lbf*inch^2/s`.
@@ -121,6 +122,17 @@ mod tests {
         assert_eq!(names("Moment", UnitSystem::InchLbfS), ["lbf*inch", "N*m", "N*mm", "kN*m", "lbf*ft"]);
         assert_eq!(names("Compliance", UnitSystem::Si), ["m/N", "mm/N", "inch/lbf"]);
         assert_eq!(names("Number", UnitSystem::Si), ["%"]);
+    }
+
+    #[test]
+    fn outputs_of_power_are_in_watts() {
+        let of = |name: &str| Dimension::from_name(name).expect(name);
+        let name = |dimension, system| of_output(dimension, system).map(|unit| unit.name);
+        for power in [of("Power"), of("Moment").times(of("AngularVelocity"))] {
+            assert_eq!(name(power, UnitSystem::MmNS).as_deref(), Some("W"));
+            assert_eq!(name(power, UnitSystem::InchLbfS), None);
+        }
+        assert_eq!(name(of("Moment"), UnitSystem::MmNS), None);
     }
 
     #[test]
