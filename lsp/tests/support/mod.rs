@@ -103,6 +103,7 @@ fn case(heading: &str, section: &str) -> Case {
         let (head, rest) = block.split_once('\n').expect("a block has lines");
         let marked = rest.split("```").next().unwrap_or_default();
         let name = if head.trim().is_empty() { "model.cx" } else { head.trim() };
+        assert!(files.iter().all(|(other, _)| other != name), "`{heading}` has two blocks `{name}`");
         let mut text = String::new();
         for (index, part) in marked.split("$0").enumerate() {
             if index > 0 {
