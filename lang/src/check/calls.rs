@@ -15,6 +15,8 @@ struct Callee<'c> {
     decl: &'c ast::FunctionDecl,
     file: FileId,
     with_argument: &'c [bool],
+    /// The function, if it has a body.
+    function: Option<FuncId>,
 }
 
 /// Arguments that are evaluated before a call, because defaults of other parameters use them.
@@ -45,7 +47,7 @@ impl<'a> Checker<'a> {
                 return self.not_callable("this", callee.span);
             }
         };
-        match self.names.uses.get(&name.span).copied() {
+        match self.meaning(name.span) {
             Some(Resolution::Function(id)) => self.user_call(id, name, arguments, span),
             Some(Resolution::Record(id)) => self.record_call(id, arguments, span),
             Some(Resolution::Extern(id)) => self.extern_call(id, name, arguments, span),
@@ -113,7 +115,7 @@ impl<'a> Checker<'a> {
         }
         let (mut values, mut demands) = (Vec::new(), Vec::new());
         let with_argument: Vec<bool> = given.iter().map(Option::is_some).collect();
-        let callee = Callee { decl, file, with_argument: &with_argument };
+        let callee = Callee { decl, file, with_argument: &with_argument, function: None };
         for (parameter, argument) in decl.parameters.iter().zip(given) {
             let ty = self.in_file(file, |c| c.extern_parameter(parameter));
             let is_default = argument.is_none() && !fields.contains_key(&parameter.name.name);
@@ -285,7 +287,7 @@ impl<'a> Checker<'a> {
         let (mut values, mut copy_back, mut demands) = (Vec::new(), Vec::new(), Vec::new());
         let with_argument: Vec<bool> = given.iter().map(Option::is_some).collect();
         let mut stored = self.defaults_use_arguments(id, decl, &given).then(StoredArguments::default);
-        let callee = Callee { decl, file, with_argument: &with_argument };
+        let callee = Callee { decl, file, with_argument: &with_argument, function: Some(id) };
         for (((parameter, argument), ty), variable) in
             decl.parameters.iter().zip(given).zip(&types).zip(variables)
         {
@@ -297,7 +299,7 @@ impl<'a> Checker<'a> {
                         value
                     }
                     Type::Function(..) => {
-                        let value = self.function_argument(ty, &parameter.name, argument);
+                        let value = self.as_value(|c| c.function_argument(ty, &parameter.name, argument));
                         self.refuse_time(&value, &name.name);
                         value
                     }
@@ -396,7 +398,7 @@ impl<'a> Checker<'a> {
         value: Expr,
         stored: &mut StoredArguments,
     ) -> Expr {
-        if matches!(value.kind, Kind::MakeSymbolic(_) | Kind::Function(_) | Kind::Error) {
+        if matches!(value.kind, Kind::MakeSymbolic(_) | Kind::Function(..) | Kind::Error) {
             return value;
         }
         let written = value.span;
@@ -422,6 +424,9 @@ impl<'a> Checker<'a> {
         if self.diagnostics.len() > reported {
             let free = self.in_file(callee.file, |c| c.free_parameters(callee.decl, callee.with_argument));
             self.explain_argument(reported, (parameter, ty), argument, &value, &free);
+            if let Some(function) = callee.function {
+                self.explain_sum(reported, function, (ty, &value.ty));
+            }
         }
         value
     }

@@ -89,7 +89,10 @@ impl<'a> Checker<'a> {
             self.expect(&Type::Bool, &checked, "the condition of a comprehension", None);
             checked
         });
-        let element = self.supposing(supposed, |c| c.stored(&parts.element));
+        let element = self.supposing(supposed, |c| match c.stored_expression(&parts.element) {
+            Some(expression) => expression,
+            None => c.stored(&parts.element),
+        });
         match around {
             Some(around) => self.elements.insert(declared, around),
             None => self.elements.remove(&declared),

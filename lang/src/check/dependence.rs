@@ -445,10 +445,10 @@ impl Named {
             Kind::Call(call) | Kind::SymbolicCall(call) => {
                 self.functions.insert(call.function);
             }
-            Kind::Function(PassedFunction::Declared(function, _)) => {
+            Kind::Function(PassedFunction::Declared(function, _), _) => {
                 self.functions.insert(*function);
             }
-            Kind::Function(PassedFunction::Parameter(id)) => {
+            Kind::Function(PassedFunction::Parameter(id), _) => {
                 self.captured.insert(*id);
             }
             Kind::Applied(applied) => {
@@ -531,10 +531,10 @@ fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
         Kind::Call(call) | Kind::SymbolicCall(call) => {
             found.insert(Node::Function(call.function));
         }
-        Kind::Function(PassedFunction::Declared(function, _)) => {
+        Kind::Function(PassedFunction::Declared(function, _), _) => {
             found.insert(Node::Function(*function));
         }
-        Kind::Function(PassedFunction::Parameter(id)) => {
+        Kind::Function(PassedFunction::Parameter(id), _) => {
             found.insert(Node::Variable(*id));
         }
         Kind::Applied(applied) => {

@@ -52,6 +52,9 @@ impl<'a> Checker<'a> {
     pub fn expr_at(&mut self, e: &'a ast::Expr, given: Position) -> Expr {
         let accepted = std::mem::take(&mut self.may_be_absent);
         let tested = std::mem::take(&mut self.tests_presence);
+        if let Some(captured) = self.captured_value(e.span) {
+            return captured;
+        }
         if let ExprKind::Paren(inner) = &e.kind {
             (self.may_be_absent, self.tests_presence) = (accepted, tested);
             let inner = self.expr_at(inner, given);

@@ -121,7 +121,8 @@ impl<'a> Checker<'a> {
             let cause = Some((declared, cause.clone()));
             self.expect(parameter, value, &format!("an argument of `{shown}`"), cause);
         }
-        let applied = Applied { parameter: id, arguments: values, search: None };
+        let environment = Expr { kind: Kind::Var(id), ty: ty.clone(), span: name.span };
+        let applied = Applied { parameter: id, environment, arguments: values, search: None };
         Expr { kind: Kind::Applied(Box::new(applied)), ty: result, span }
     }
 
@@ -145,7 +146,7 @@ impl<'a> Checker<'a> {
             _ => None,
         };
         let is_symbolic = matches!(&argument.name, Some((_, Bind::Symbolic)));
-        let meant = name.and_then(|name| self.names.uses.get(&name.span).copied());
+        let meant = name.and_then(|name| self.meaning(name.span));
         let problem = match meant {
             Some(Resolution::Unknown) => return error,
             Some(Resolution::Function(id)) if !is_symbolic => match self.unsuitable(id) {
@@ -155,8 +156,7 @@ impl<'a> Checker<'a> {
             Some(Resolution::Var(id))
                 if !is_symbolic && self.may_be_function(id) && self.variable(id).owner == self.function =>
             {
-                let ty = self.variable_type(id);
-                let value = Expr { kind: Kind::Function(PassedFunction::Parameter(id)), ty, span };
+                let value = self.function_parameter(id, span);
                 let cause = Some((parameter.span, format!("`{}` is called as this", parameter.name)));
                 self.expect(expected, &value, &format!("`{}`", parameter.name), cause);
                 return value;
@@ -212,8 +212,12 @@ impl<'a> Checker<'a> {
         let info = &self.names.functions[id.0 as usize];
         let (decl, name) = (info.decl, info.name.clone());
         let (own, result, instance) = self.instantiate(id, span);
-        let ty = Type::Function(own.clone(), Box::new(result.clone()));
-        let value = Expr { kind: Kind::Function(PassedFunction::Declared(id, instance)), ty, span };
+        let visible = decl.map_or(own.len(), |decl| decl.parameters.len()).min(own.len());
+        let (own, captured) = own.split_at(visible);
+        let captured = self.captured_values(id, captured);
+        let ty = Type::Function(own.to_vec(), Box::new(result.clone()));
+        let kind = Kind::Function(PassedFunction::Declared(id, instance), captured);
+        let value = Expr { kind, ty, span };
         let Type::Function(called, wanted) = self.store.shallow(expected) else { return value };
         let place = decl.map_or(span, |decl| decl.name.span);
         if called.len() != own.len() {
@@ -237,7 +241,7 @@ impl<'a> Checker<'a> {
             );
             return value;
         }
-        for (at, (called, own)) in called.iter().zip(&own).enumerate() {
+        for (at, (called, own)) in called.iter().zip(own).enumerate() {
             if self.store.unify(called, own).is_err() {
                 let declared = decl.and_then(|decl| decl.parameters.get(at));
                 let shown = declared.map_or_else(String::new, |p| format!(" as `{}`", p.name.name));
@@ -278,10 +282,64 @@ impl<'a> Checker<'a> {
         value
     }
 
+    /// Returns the meaning of a name. In an anonymous function, a variable around it is a
+    /// parameter.
+    pub(super) fn meaning(&self, name: Span) -> Option<Resolution> {
+        match self.names.captured.get(&(self.function, name)) {
+            Some(id) => Some(Resolution::Var(*id)),
+            None => self.names.uses.get(&name).copied(),
+        }
+    }
+
+    /// Returns the parameter of the current anonymous function for a captured expression.
+    pub(super) fn captured_value(&mut self, span: Span) -> Option<Expr> {
+        let id = *self.names.captured.get(&(self.function, span))?;
+        let ty = self.variable_type(id);
+        Some(self.observed(Expr { kind: Kind::Var(id), ty, span }))
+    }
+
+    /// Returns the expressions that an anonymous function captures.
+    pub(super) fn captured_by(&self, decl: &ast::FunctionDecl) -> &[(&'a ast::Expr, VarId)] {
+        match self.names.uses.get(&decl.name.span) {
+            Some(Resolution::Function(id)) => &self.names.functions[id.0 as usize].captured,
+            _ => &[],
+        }
+    }
+
+    /// Checks the expressions that an anonymous function captures, as arguments of these types.
+    pub(super) fn captured_values(&mut self, id: FuncId, types: &[Type]) -> Vec<Expr> {
+        let captured = self.names.functions[id.0 as usize].captured.clone();
+        let mut values = Vec::new();
+        for ((written, variable), ty) in captured.into_iter().zip(types) {
+            let function = match &written.kind {
+                ExprKind::Name(name) if self.is_function(ty) => match self.meaning(name.span) {
+                    Some(Resolution::Var(id)) if self.may_be_function(id) => Some(id),
+                    _ => None,
+                },
+                _ => None,
+            };
+            let value = match function {
+                Some(id) => self.function_parameter(id, written.span),
+                None => self.expr(written),
+            };
+            let name = format!("`{}`", self.variable(variable).name);
+            self.expect(ty, &value, &name, None);
+            values.push(value);
+        }
+        values
+    }
+
+    /// Returns a parameter that is a function as an argument.
+    fn function_parameter(&mut self, id: VarId, span: Span) -> Expr {
+        let ty = self.variable_type(id);
+        let value = Expr { kind: Kind::Var(id), ty: ty.clone(), span };
+        Expr { kind: Kind::Function(PassedFunction::Parameter(id), vec![value]), ty, span }
+    }
+
     /// Rejects a function of `Time` as an argument of the ordinary function `called`, which
     /// computes values.
     pub(super) fn refuse_time(&mut self, value: &Expr, called: &str) {
-        let Kind::Function(PassedFunction::Declared(id, _)) = value.kind else { return };
+        let Kind::Function(PassedFunction::Declared(id, _), _) = value.kind else { return };
         if self.depends_on_time(id) {
             let name = self.names.functions[id.0 as usize].name.clone();
             self.report(

@@ -80,6 +80,9 @@ impl Checker<'_> {
             }
             parameters.push(ty);
         }
+        let captured: Vec<VarId> =
+            self.names.functions[id.0 as usize].captured.iter().map(|(_, variable)| *variable).collect();
+        parameters.extend(captured.into_iter().map(|variable| self.variable_type(variable)));
         let result = match &decl.result {
             Some(annotation) => self.annotation(annotation, false),
             None => match self.component_record(id) {
@@ -166,11 +169,16 @@ impl Checker<'_> {
         if !returns && matches!(self.store.shallow(&result), Type::Unknown(_)) {
             let _ = self.store.unify(&result, &Type::Unit);
         }
+        let own = variables.iter().copied().zip(decl.parameters.iter().map(|p| p.mode));
+        let captured = self.names.functions[id.0 as usize]
+            .captured
+            .iter()
+            .map(|(_, variable)| (*variable, ast::Mode::In));
         self.functions.insert(
             id,
             Function {
                 name: decl.name.name.clone(),
-                parameters: variables.iter().copied().zip(decl.parameters.iter().map(|p| p.mode)).collect(),
+                parameters: own.chain(captured).collect(),
                 result,
                 body,
                 definition,

@@ -65,6 +65,9 @@ pub struct Checker<'a> {
     pub(super) output_defs: HashMap<u32, DefId>,
     /// Variables with the observables of outputs that are arrays.
     pub(super) output_arrays: HashMap<u32, VarId>,
+    /// Hidden variables with what a passed function captures, and the parameters or hidden
+    /// variables that they copy.
+    pub(super) environments: HashMap<VarId, VarId>,
     /// `true` inside a `:=` expression.
     pub(super) symbolic: bool,
     /// Description of an expression that is evaluated before the program runs, such as `a param's
@@ -118,6 +121,8 @@ pub struct Checker<'a> {
     pub(super) tests_presence: bool,
     /// Variables whose first value is the literal `0`, and its location.
     pub(super) zero_starts: HashMap<VarId, Span>,
+    /// The only variable that starts with the number 0, by function that another unit checks.
+    pub(super) sums: HashMap<FuncId, String>,
     /// Variables of the enclosing comprehensions, and the hidden variables that stand for them. A
     /// comprehension in a default belongs to the function that evaluates the default.
     pub(super) elements: HashMap<VarId, VarId>,
@@ -187,6 +192,7 @@ impl<'a> Checker<'a> {
             rebound: HashSet::new(),
             output_defs: HashMap::new(),
             output_arrays: HashMap::new(),
+            environments: HashMap::new(),
             symbolic: false,
             constant_place: None,
             output_captures: None,
@@ -214,6 +220,7 @@ impl<'a> Checker<'a> {
             may_be_absent: false,
             tests_presence: false,
             zero_starts: HashMap::new(),
+            sums: HashMap::new(),
             elements: HashMap::new(),
             unrolled: HashMap::new(),
             array_lengths: HashMap::new(),

@@ -36,6 +36,8 @@ pub struct Interface {
     fixed_members: Option<FixedMembers>,
     /// Positions of the parameters of a component that the default or range of a param uses.
     statics: Vec<usize>,
+    /// The only variable that starts with the number 0, if there is one.
+    sum: Option<String>,
 }
 
 /// Renumbers type and dimension variables.
@@ -204,6 +206,7 @@ impl Interface {
                 members,
                 fixed_members: checker.fixed_members.get(id).cloned(),
                 statics: statics.collect(),
+                sum: checker.sum_of_numbers(*id),
             }
         });
         let interfaces = interfaces.collect();
@@ -255,6 +258,7 @@ impl Interface {
         checker.fixed_members.extend(self.fixed_members.clone().map(|fixed| (id, fixed)));
         let all = &checker.names.functions[id.0 as usize].parameters;
         checker.static_parameters.extend(self.statics.iter().filter_map(|at| all.get(*at)));
+        checker.sums.extend(self.sum.clone().map(|name| (id, name)));
         let place = decl.name.span;
         let definition = self.on_time.map(|on_time| {
             checker.defs.push(Def {

@@ -3,7 +3,7 @@
 use super::dim::Dim;
 use super::infer::Checker;
 use super::symbols::with_article;
-use super::tree::{Expr, FuncId, Kind};
+use super::tree::{Expr, FuncId, Kind, VarId};
 use super::types::{Mismatch, Type};
 use crate::ast::BinaryOp;
 use crate::diagnostic::Diagnostic;
@@ -103,6 +103,44 @@ impl Checker<'_> {
                 .help(format!("start `{name}` with the null vector: `0 * e1`"))
                 .suggest("write `0 * e1`", zero, "0 * e1"),
         )
+    }
+
+    /// Returns the name of the only variable of a function that starts with the number 0.
+    pub(super) fn sum_of_numbers(&self, function: FuncId) -> Option<String> {
+        if let Some(name) = self.sums.get(&function) {
+            return Some(name.clone());
+        }
+        let is_number = |id: &VarId| {
+            let ty = self.variable_types.get(id);
+            ty.is_some_and(|ty| matches!(self.store.known(ty), Type::Number(_)))
+        };
+        let mut own = self.zero_starts.keys().filter(|id| self.variable(**id).owner == function);
+        let only = own.next().filter(|id| own.next().is_none() && is_number(id))?;
+        Some(self.variable(*only).name.clone())
+    }
+
+    /// Explains the errors since `reported`, of an argument with vectors where the function adds
+    /// numbers to a variable that starts with `0`.
+    pub(super) fn explain_sum(&mut self, reported: usize, function: FuncId, (wanted, found): (&Type, &Type)) {
+        let element = |ty: &Type| {
+            let mut ty = self.store.shallow(ty);
+            while let Type::Array(inner) = ty {
+                ty = self.store.shallow(&inner);
+            }
+            ty
+        };
+        if !matches!((element(wanted), element(found)), (Type::Number(_), Type::Vector(_))) {
+            return;
+        }
+        let Some(sum) = self.sum_of_numbers(function) else { return };
+        let name = self.names.functions[function.0 as usize].name.clone();
+        for problem in self.diagnostics.iter_mut().skip(reported).filter(|problem| problem.code == "E0301") {
+            let help = format!(
+                "`{sum}` in `{name}` starts with the number 0, to which no vector can be added: start it with \
+                 `0 * values[0]`, which fits numbers and vectors, or add with `sum(values)`"
+            );
+            *problem = Diagnostic { help: Some(help), ..problem.clone() };
+        }
     }
 
     pub(super) fn dimension_mismatch(

@@ -4,6 +4,7 @@
 //! Functions are visible in their whole block, variables after their declaration.
 
 mod ambiguous;
+mod captured;
 mod model_names;
 mod statements;
 mod test_functions;
@@ -60,6 +61,7 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
         parent: None,
         parameters: Vec::new(),
         outer: BTreeSet::new(),
+        captured: Vec::new(),
         callees: BTreeSet::new(),
     });
     for (index, module) in modules.iter().enumerate() {
@@ -248,6 +250,7 @@ impl<'a> Resolver<'a> {
                 parent: Some(self.function),
                 parameters: Vec::new(),
                 outer: BTreeSet::new(),
+                captured: Vec::new(),
                 callees: BTreeSet::new(),
             });
             Resolution::Function(FuncId(self.names.functions.len() as u32 - 1))

@@ -107,6 +107,8 @@ impl<'a> Checker<'a> {
             self.symbolic_arguments(parameters, others, (given, fields), (id, file, span));
         let demands = demands.into_iter().map(|(at, demand)| (at + 1, demand)).collect();
         values.extend(arguments);
+        let captured = others.get(parameters.len()..).unwrap_or_default();
+        values.extend(self.as_symbolic(|c| c.captured_values(id, captured)));
         self.check_residual(search, &ty, &result, function.value.span);
         let call = Call {
             function: id,
@@ -199,7 +201,7 @@ impl<'a> Checker<'a> {
             ExprKind::Anonymous(decl) => Some(&decl.name),
             _ => name,
         };
-        let meant = name.and_then(|name| self.names.uses.get(&name.span).copied());
+        let meant = name.and_then(|name| self.meaning(name.span));
         let diagnostic = match meant {
             Some(Resolution::Function(id)) => {
                 let decl = self.names.functions[id.0 as usize].decl;

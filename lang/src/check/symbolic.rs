@@ -312,12 +312,14 @@ impl<'a> Checker<'a> {
                 call.arguments = call.arguments.into_iter().map(|a| self.split(a, to)).collect();
                 Kind::SymbolicCall(call)
             }
-            Kind::Function(PassedFunction::Declared(function, _)) => {
-                to.on_time |= self.depends_on_time(function);
-                kind
+            Kind::Function(function, captured) => {
+                if let PassedFunction::Declared(id, _) = function {
+                    to.on_time |= self.depends_on_time(id);
+                }
+                Kind::Function(function, captured.into_iter().map(|value| self.split(value, to)).collect())
             }
-            Kind::Function(PassedFunction::Parameter(_)) => kind,
             Kind::Applied(mut applied) => {
+                applied.environment = self.split(applied.environment, to);
                 applied.arguments = applied.arguments.into_iter().map(|a| self.split(a, to)).collect();
                 Kind::Applied(applied)
             }
@@ -551,6 +553,11 @@ impl<'a> Checker<'a> {
         }
         if let Kind::Chosen(id) = value.kind {
             self.graphs.captured.insert(hidden, id);
+        }
+        if let Kind::Var(id) = value.kind
+            && self.is_function(&ty)
+        {
+            self.environments.insert(hidden, id);
         }
         to.captures.push((hidden, value));
         Expr { kind: Kind::Var(hidden), ty, span }

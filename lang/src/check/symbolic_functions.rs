@@ -174,7 +174,7 @@ impl<'a> Checker<'a> {
             let is_default = argument.is_none() && !fields.contains_key(&parameter.name.name);
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) if self.is_function(ty) => {
-                    self.function_argument(ty, &parameter.name, argument)
+                    self.as_symbolic(|c| c.function_argument(ty, &parameter.name, argument))
                 }
                 (Some(argument), _) => {
                     let value = self.as_symbolic(|c| c.whole(&argument.value));
@@ -264,6 +264,13 @@ impl<'a> Checker<'a> {
     pub(super) fn names_symbols(&self, arguments: &'a [ast::Argument]) -> bool {
         let mut pending: Vec<&ast::Expr> = arguments.iter().map(|argument| &argument.value).collect();
         while let Some(e) = pending.pop() {
+            // A captured value is an argument of the anonymous function.
+            if self.names.captured.contains_key(&(self.function, e.span)) {
+                return true;
+            }
+            if let ExprKind::Anonymous(decl) = &e.kind {
+                pending.extend(self.captured_by(decl).iter().map(|(value, _)| *value));
+            }
             if let ExprKind::Name(name) = &e.kind {
                 let symbol = match self.names.uses.get(&name.span) {
                     Some(Resolution::Constant(Constant::Time)) => true,
@@ -286,6 +293,9 @@ impl<'a> Checker<'a> {
     /// Returns `true` if the syntax of an expression may denote brackets of symbolic expressions
     /// (and not the value of an array).
     pub(super) fn names_brackets(&self, e: &ast::Expr) -> bool {
+        if self.names.captured.contains_key(&(self.function, e.span)) {
+            return true;
+        }
         match &e.kind {
             ExprKind::List(_) => true,
             ExprKind::Paren(inner) => self.names_brackets(inner),

@@ -83,6 +83,9 @@ pub struct FunctionInfo<'a> {
     pub parameters: Vec<VarId>,
     /// Variables of enclosing functions that it uses.
     pub outer: BTreeSet<VarId>,
+    /// Expressions with variables around an anonymous function, and the further parameters of the
+    /// function for their values.
+    pub captured: Vec<(&'a Expr, VarId)>,
     /// Functions that it uses.
     pub callees: BTreeSet<FuncId>,
 }
@@ -146,6 +149,8 @@ pub struct Names<'a> {
     pub around: Option<&'a dyn Surroundings>,
     /// Meanings by the location of the identifier, including declarations.
     pub uses: HashMap<Span, Resolution>,
+    /// The parameters for captured expressions, by anonymous function and location.
+    pub captured: HashMap<(FuncId, Span), VarId>,
     /// Names that are assigned to.
     pub written: HashSet<Span>,
     /// Variables that a statement assigns, wholly or in part.

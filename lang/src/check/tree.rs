@@ -77,8 +77,9 @@ pub enum Kind {
     Call(Box<Call>),
     /// A call of a symbolic function in a symbolic expression.
     SymbolicCall(Box<Call>),
-    /// A function as an argument.
-    Function(PassedFunction),
+    /// A function as an argument, with the values that a declared one captures, or with the value
+    /// of the parameter.
+    Function(PassedFunction, Vec<Expr>),
     /// A call of a parameter that is a function.
     Applied(Box<Applied>),
     /// A call of a library function: its index, its arguments, and the domains of arguments by
@@ -136,6 +137,8 @@ pub enum PassedFunction {
 #[derive(Clone, Debug)]
 pub struct Applied {
     pub parameter: VarId,
+    /// The value of the parameter: the values that the function captures.
+    pub environment: Expr,
     pub arguments: Vec<Expr>,
     /// See [`Call::search`].
     pub search: Option<Search>,
@@ -459,7 +462,6 @@ impl Expr {
             | Kind::Updated(_)
             | Kind::Zero
             | Kind::None
-            | Kind::Function(_)
             | Kind::MakeSymbolic(_) => Vec::new(),
             Kind::Sequence(statements, value) => {
                 let mut all = Vec::new();
@@ -486,12 +488,13 @@ impl Expr {
             | Kind::CallExtern(_, all, _)
             | Kind::Print(all, _)
             | Kind::Standard(_, all)
+            | Kind::Function(_, all)
             | Kind::Array(all)
             | Kind::Tuple(all) => all.iter().collect(),
             Kind::Call(call) | Kind::SymbolicCall(call) => {
                 call.arguments.iter().chain(call.copy_back.iter().flat_map(Place::indices)).collect()
             }
-            Kind::Applied(applied) => applied.arguments.iter().collect(),
+            Kind::Applied(applied) => applied.arguments.iter().chain([&applied.environment]).collect(),
             Kind::Spline(parts) => parts.iter().collect(),
             Kind::Block(bindings, result) => {
                 bindings.iter().map(|(_, value)| value).chain([&**result]).collect()

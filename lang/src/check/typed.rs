@@ -29,6 +29,9 @@ pub struct Typed {
     pub chosen: Arc<BTreeSet<VarId>>,
     /// Parameters of components that the default or range of a param uses.
     pub statics: Arc<HashSet<VarId>>,
+    /// Hidden variables with what a passed function captures, and the parameters or hidden
+    /// variables that they copy.
+    pub environments: Arc<HashMap<VarId, VarId>>,
     variables: Arc<Vec<Variable>>,
     variable_types: Arc<HashMap<VarId, Type>>,
 }
@@ -100,6 +103,7 @@ impl Checker<'_> {
             store: Arc::new(self.store),
             chosen: Arc::new(self.graphs.chosen),
             statics: Arc::new(self.static_parameters),
+            environments: Arc::new(self.environments),
             variables: Arc::new(self.names.variables),
             variable_types: Arc::new(self.variable_types),
         };

@@ -5,7 +5,7 @@ use super::Lowering;
 use super::body::Body;
 use super::instances::Around;
 use super::sites::Captures;
-use crate::check::tree::{Applied, Expr, FuncId, Kind, PassedFunction};
+use crate::check::tree::{Applied, Expr, FuncId, Kind, PassedFunction, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Capture, ExprKind, Site, SiteId, SymExpr, SymKind};
@@ -20,6 +20,10 @@ pub(super) struct FunctionValue {
     pub(super) function: FuncId,
     pub(super) around: Around,
     pub(super) types: Substitution,
+    /// The values that an anonymous function captures, and the functions among them, by position of
+    /// the parameter.
+    captured: Vec<Repr>,
+    passed: Passed,
     /// The types in order, as text: equal for equal types.
     key: String,
 }
@@ -29,8 +33,8 @@ pub(super) type Passed = Vec<(usize, FunctionValue)>;
 
 impl PartialEq for FunctionValue {
     fn eq(&self, other: &Self) -> bool {
-        (self.unit, self.function, self.around, &self.key)
-            == (other.unit, other.function, other.around, &other.key)
+        (self.unit, self.function, self.around, &self.captured, &self.passed, &self.key)
+            == (other.unit, other.function, other.around, &other.captured, &other.passed, &other.key)
     }
 }
 
@@ -38,7 +42,7 @@ impl Eq for FunctionValue {}
 
 impl Hash for FunctionValue {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        (self.unit, self.function, self.around, &self.key).hash(state);
+        (self.unit, self.function, self.around, &self.captured, &self.passed, &self.key).hash(state);
     }
 }
 
@@ -50,9 +54,9 @@ impl Body<'_, '_> {
     }
 
     fn function_value(&self, e: &Expr) -> Option<FunctionValue> {
-        match e.kind {
-            Kind::Function(PassedFunction::Parameter(id)) => self.functions.get(&id).cloned(),
-            Kind::Function(PassedFunction::Declared(id, instance)) => {
+        match &e.kind {
+            Kind::Function(PassedFunction::Parameter(id), _) => self.functions.get(id).cloned(),
+            &Kind::Function(PassedFunction::Declared(id, instance), ref values) => {
                 let (unit, function, types) = self.lowering.callee(id, instance, &self.types)?;
                 let linked = self.lowering.linked;
                 let typed = linked.typed.get(unit)?;
@@ -66,10 +70,28 @@ impl Body<'_, '_> {
                     .collect();
                 all.extend(types.dims.iter().map(|(id, dim)| format!("{id:?} {:?}", typed.store.dim(dim))));
                 all.sort();
-                Some(FunctionValue { unit, function, around, types, key: all.join("; ") })
+                let of_value = |value: &Expr| match self.function_value(value) {
+                    Some(function) => Repr::Tuple(function.captured),
+                    None => self.repr(&value.ty),
+                };
+                let captured = values.iter().map(of_value).collect();
+                let own = typed.functions.get(&function)?.parameters.len().saturating_sub(values.len());
+                let passed = self.passed_functions(values);
+                let passed = passed.into_iter().map(|(at, value)| (own + at, value)).collect();
+                Some(FunctionValue { unit, function, around, types, captured, passed, key: all.join("; ") })
             }
             _ => None,
         }
+    }
+
+    /// Returns the representation of what a passed function captures, for its parameter and the
+    /// variables that copy it.
+    pub(super) fn environment(&self, variable: VarId) -> Option<Repr> {
+        let mut at = variable;
+        while let Some(copied) = self.lowering.checker.environments.get(&at) {
+            at = *copied;
+        }
+        Some(Repr::Tuple(self.functions.get(&at)?.captured.clone()))
     }
 
     /// Lowers a call of a parameter that is a function, in a symbolic expression.
@@ -80,8 +102,19 @@ impl Body<'_, '_> {
         captures: &mut Captures,
     ) -> SymExpr {
         let make = |kind, repr| SymExpr { kind, repr, span };
-        let arguments: Vec<SymExpr> =
+        let mut arguments: Vec<SymExpr> =
             applied.arguments.iter().map(|argument| self.symbolic(argument, captures)).collect();
+        let environment = self.symbolic(&applied.environment, captures);
+        match (&environment.repr, environment.kind) {
+            (_, SymKind::Brackets(captured)) => arguments.extend(captured),
+            (Repr::Tuple(parts), kind) => {
+                let whole = SymExpr { kind, repr: Repr::Tuple(parts.clone()), span };
+                for (at, part) in (0..).zip(parts) {
+                    arguments.push(make(SymKind::Element(Box::new(whole.clone()), at), part.clone()));
+                }
+            }
+            _ => {}
+        }
         let reprs: Vec<Repr> = arguments.iter().map(|argument| argument.repr.clone()).collect();
         let Some(function) = self.applied_function(applied, &reprs, span) else {
             return make(SymKind::Number(f64::NAN), Repr::Number);
@@ -106,7 +139,14 @@ impl Body<'_, '_> {
     /// Lowers a call of a parameter that is a function, as a value.
     pub(super) fn applied_value(&mut self, applied: &Applied, ty: &Type, span: Span) -> ir::Expr {
         let make = |kind, repr| ir::Expr { kind, repr, span };
-        let arguments = self.owned_values(&applied.arguments, span);
+        let mut arguments = self.owned_values(&applied.arguments, span);
+        let environment = self.value(&applied.environment);
+        if let Repr::Tuple(parts) = &environment.repr {
+            for (at, part) in parts.iter().enumerate() {
+                let element = ExprKind::TupleElement(Box::new(environment.clone()), at);
+                arguments.push(make(element, part.clone()));
+            }
+        }
         let Some(passed) = self.functions.get(&applied.parameter).cloned() else {
             self.report_unknown_function(applied, span);
             return make(ExprKind::Number(f64::NAN), self.repr(ty));
@@ -114,8 +154,8 @@ impl Body<'_, '_> {
         let linked = self.lowering.linked;
         let called = linked.typed.get(passed.unit).and_then(|typed| typed.functions.get(&passed.function));
         if called.is_none_or(|called| called.definition.is_none()) {
-            let FunctionValue { unit, function, around, types, .. } = passed;
-            let function = self.lowering.instance(unit, function, types, (around, Vec::new()));
+            let FunctionValue { unit, function, around, types, passed, .. } = passed;
+            let function = self.lowering.instance(unit, function, types, (around, passed));
             return make(ExprKind::Call(function, arguments), self.repr(ty));
         }
         let reprs: Vec<Repr> = arguments.iter().map(|argument| argument.repr.clone()).collect();
@@ -177,7 +217,7 @@ impl Lowering<'_> {
         let around = std::mem::replace(&mut self.around, passed.around);
         let (function, types) = (passed.function, passed.types.clone());
         let found = self.within(passed.unit, |lowering| {
-            lowering.symbolic_function(function, types, (reprs, &Vec::new()), span)
+            lowering.symbolic_function(function, types, (reprs, &passed.passed), span)
         });
         self.around = around;
         found

@@ -5,7 +5,7 @@ use super::body::Body;
 use super::values::{BinaryForm, binary_form, unary_op};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::constant_index;
-use crate::check::tree::{DefId, Expr, Kind, Sym, VarId};
+use crate::check::tree::{DefId, Expr, Kind, PassedFunction, Sym, VarId};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{self, Capture, ExprKind, Op, Site, SiteId, SymExpr, SymKind, Symbol};
@@ -152,15 +152,21 @@ impl Body<'_, '_> {
             Kind::Param(id) => make(SymKind::Param(self.lowering.param_number(*id)), self.repr(&e.ty)),
             Kind::Def(def) => self.shared(*def, span, captures),
             Kind::Var(id) => self.symbolic_variable(*id, &e.ty, span, captures),
-            Kind::Eval(def, None) if captures.plain && checker_closed(self.lowering.checker, *def) => {
-                self.shared(*def, span, captures)
-            }
+            Kind::Eval(def, None) if captures.plain => self.plain_evaluation(*def, e, captures),
             Kind::Call(call) if captures.plain && call.copy_back.is_empty() && call.demands.is_empty() => {
                 self.symbolic_node(&Expr { kind: Kind::SymbolicCall(call.clone()), ..e.clone() }, captures)
             }
             Kind::SymbolicCall(call) => self.symbolic_call(call, span, captures),
             Kind::Applied(applied) => self.symbolic_applied(applied, span, captures),
-            Kind::Function(_) => make(SymKind::Brackets(Vec::new()), Repr::Tuple(Vec::new())),
+            Kind::Function(PassedFunction::Declared(..), captured) => {
+                let all: Vec<_> = captured.iter().map(|value| self.symbolic(value, captures)).collect();
+                let repr = Repr::Tuple(all.iter().map(|value| value.repr.clone()).collect());
+                make(SymKind::Brackets(all), repr)
+            }
+            Kind::Function(PassedFunction::Parameter(id), environment) => match environment.first() {
+                Some(environment) => self.symbolic(environment, captures),
+                None => self.symbolic_variable(*id, &e.ty, span, captures),
+            },
             Kind::Spline(parts) => self.symbolic_spline(parts, span, captures),
             Kind::Block(bindings, result) => self.symbolic_block(bindings, result, captures),
             Kind::Field(base, name) => self.symbolic_field(base, name, span, captures),
@@ -225,6 +231,23 @@ impl Body<'_, '_> {
         }
     }
 
+    /// Lowers an expression that an ordinary function evaluates, such as a solution of an equation:
+    /// what it captures are expressions here.
+    fn plain_evaluation(&mut self, def: DefId, e: &Expr, captures: &mut Captures) -> SymExpr {
+        let definition = &self.lowering.checker.defs[def.0 as usize];
+        if !definition.closed && (definition.captures.is_empty() || !definition.checks.is_empty()) {
+            captures.outside = true;
+            let kind = SymKind::Number(f64::NAN);
+            return SymExpr { kind, repr: self.repr(&e.ty), span: e.span };
+        }
+        for (hidden, value) in &definition.captures {
+            let value = self.symbolic(value, captures);
+            captures.shared.push(value);
+            captures.locals.insert(*hidden, captures.shared.len() as u32 - 1);
+        }
+        self.shared(def, e.span, captures)
+    }
+
     /// Returns an argument of the symbolic function, a local of its block, or a captured variable.
     fn symbolic_variable(&mut self, id: VarId, ty: &Type, span: Span, captures: &mut Captures) -> SymExpr {
         let make = |kind, repr| SymExpr { kind, repr, span };
@@ -244,11 +267,15 @@ impl Body<'_, '_> {
     /// Returns the value that a variable has when the `:=` is bound.
     fn captured(&mut self, variable: VarId, span: Span, captures: &mut Captures) -> SymExpr {
         let make = |kind, repr| SymExpr { kind, repr, span };
+        let local = self.local(variable);
+        // A passed function that captures nothing.
+        if self.local_repr(local) == Repr::Tuple(Vec::new()) {
+            return make(SymKind::Brackets(Vec::new()), Repr::Tuple(Vec::new()));
+        }
         let index = *captures.by_variable.entry(variable).or_insert_with(|| {
             captures.all.push((variable, span));
             captures.all.len() as u32 - 1
         });
-        let local = self.local(variable);
         make(SymKind::Capture(index), of_expressions(self.local_repr(local)))
     }
 
@@ -345,11 +372,6 @@ fn of_expressions(repr: Repr) -> Repr {
         Repr::Tuple(parts) => Repr::Tuple(parts.into_iter().map(of_expressions).collect()),
         repr => repr,
     }
-}
-
-/// Returns `true` if a definition captures nothing, so that it is the same at every use.
-fn checker_closed(checker: &crate::check::typed::Typed, def: DefId) -> bool {
-    checker.defs[def.0 as usize].closed
 }
 
 pub(super) fn symbolic_binary(op: BinaryOp, a: SymExpr, b: SymExpr, span: Span) -> SymExpr {

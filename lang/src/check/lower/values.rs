@@ -4,7 +4,7 @@ use super::body::Body;
 use super::elementwise::{absent, declaration};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
-use crate::check::tree::{DefId, Expr, Kind, Standard, Stmt, Style, TextPart};
+use crate::check::tree::{DefId, Expr, Kind, PassedFunction, Standard, Stmt, Style, TextPart};
 use crate::check::types::Type;
 use crate::dimension::Dimension;
 use crate::ir::{self, DisplayUnit, ExprKind, FormatPart, Op};
@@ -36,7 +36,18 @@ impl Body<'_, '_> {
             | Kind::Part(_)
             | Kind::Spline(_)
             | Kind::Assert(_) => make(ExprKind::Number(f64::NAN), self.repr(&e.ty)),
-            Kind::Function(_) => make(ExprKind::Tuple(Vec::new()), self.repr(&e.ty)),
+            Kind::Function(PassedFunction::Declared(..), captured) => {
+                let values = self.owned_values(captured, span);
+                let repr = Repr::Tuple(values.iter().map(|value| value.repr.clone()).collect());
+                make(ExprKind::Tuple(values), repr)
+            }
+            Kind::Function(PassedFunction::Parameter(id), environment) => match environment.first() {
+                Some(environment) => self.value(environment),
+                None => {
+                    let local = self.local(*id);
+                    make(ExprKind::Local(local), self.local_repr(local))
+                }
+            },
             Kind::Applied(applied) => self.applied_value(applied, &e.ty, span),
             _ if self.is_observable_operation(e) => self.observable_operation(e),
             Kind::Number(value) => make(ExprKind::Number(*value), Repr::Number),

@@ -187,6 +187,7 @@ impl<'a> Resolver<'a> {
                 let mut names = HashMap::new();
                 self.declare_function(decl, &mut names, "");
                 self.function(decl);
+                self.capture(decl);
                 debug_assert_eq!(around, self.scopes.len());
             }
             // The body of a symbolic function, which shares its block with the parameters.
