@@ -37,8 +37,8 @@ pub struct Checked {
     pub printed: Vec<String>,
     /// Number of basic blocks that the program entered.
     pub blocks: u64,
-    /// `true` if the model makes gears.
-    pub makes_gears: bool,
+    /// Number of gears that the model makes.
+    pub gears: usize,
     /// Data of the gears and meshes, as in the data block of a drawing.
     pub gear_data: DataBlock,
 }
@@ -138,8 +138,8 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         refused: None,
         printed: Vec::new(),
         blocks: 0,
-        makes_gears: false,
         gear_data: DataBlock::default(),
+        gears: 0,
     };
     // No other code has access to this switch, so the elaboration cannot be cancelled.
     if let Some(program) = &result.program
@@ -151,8 +151,8 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         result.refused = elaboration.refused;
         result.printed = elaboration.printed;
         result.blocks = elaboration.blocks;
-        result.makes_gears = !elaboration.geometry.gears.is_empty();
         result.gear_data = elaboration.gear_data;
+        result.gears = elaboration.geometry.gears.len();
         if !elaboration.runnable {
             result.program = None;
         }
@@ -198,7 +198,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         refused: None,
         printed: Vec::new(),
         blocks: 0,
-        makes_gears: false,
         gear_data: DataBlock::default(),
+        gears: 0,
     }
 }

@@ -20,9 +20,11 @@ const MOST_MODELS: usize = 256;
 const MOST_VALUES_BY_DEFAULT: usize = 8;
 const MOST_MODELS_BY_DEFAULT: usize = 16;
 
-/// Largest number of basic blocks that a model without gears enters at its defaults if its ranges
-/// are checked by default.
-const MOST_BLOCKS_BY_DEFAULT: u64 = 2_000;
+/// Limit of the gears made by a check that is not asked for ranges; one takes a few milliseconds.
+const MOST_GEARS_BY_DEFAULT: u64 = 12;
+
+/// Number of basic blocks that take about as long as a gear.
+const BLOCKS_OF_A_GEAR: u64 = 50_000;
 
 /// The code of an assertion of the model: it refuses a value on purpose.
 const ASSERTION: &str = "E0705";
@@ -30,8 +32,8 @@ const ASSERTION: &str = "E0705";
 /// Values of params that a check of ranges covers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// A few values of each param, if the model is cheap to build: it makes no gears and runs
-    /// briefly.
+    /// A few values of each param; fewer, and of fewer params, the longer it takes to build the
+    /// model.
     Cheap,
     /// Many values of each param, and of pairs of params.
     Pairs,
@@ -62,22 +64,33 @@ pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Resul
     let Some(program) = checked.program.as_ref().filter(|_| !checked.has_errors()) else {
         return Ok(ranges);
     };
-    let (most_values, most_models) = match extent {
-        Extent::Cheap if checked.makes_gears || checked.blocks > MOST_BLOCKS_BY_DEFAULT => return Ok(ranges),
-        Extent::Cheap => (MOST_VALUES_BY_DEFAULT, MOST_MODELS_BY_DEFAULT),
-        Extent::Pairs => (MOST_VALUES, MOST_MODELS),
-    };
     let params = &checked.description.params;
-    let discrete: Vec<(usize, Values)> =
+    let mut discrete: Vec<(usize, Values)> =
         params.iter().enumerate().filter_map(|(index, param)| Some((index, Values::of(param)?))).collect();
+    let most_values = match extent {
+        // Choices come first, because they differ more than numbers do.
+        Extent::Cheap => {
+            discrete.sort_by_key(|(_, values)| values.count());
+            MOST_VALUES_BY_DEFAULT
+        }
+        Extent::Pairs => MOST_VALUES,
+    };
     if discrete.is_empty() {
         return Ok(ranges);
     }
     let Ok(kernels) = kernels(program, cancel)? else { return Ok(ranges) };
     let builder = Builder { program, kernels, cancel };
-    let each = (most_models / discrete.len()).clamp(2, most_values);
     let mut valid: Vec<Varied<'_>> = Vec::new();
-    for (index, values) in &discrete {
+    for (at, (index, values)) in discrete.iter().enumerate() {
+        let each = match extent {
+            Extent::Cheap => {
+                let left = affordable(checked).saturating_sub(ranges.models);
+                // The default is tried already.
+                (left / (discrete.len() - at)).max(1).min(left) + usize::from(left > 0)
+            }
+            Extent::Pairs => (MOST_MODELS / discrete.len()).max(2),
+        };
+        let each = each.min(most_values);
         let (Some(param), Some(declared)) = (params.get(*index), program.params.get(*index)) else {
             continue;
         };
@@ -105,6 +118,15 @@ pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Resul
         check_pairs(&builder, &valid, &mut ranges)?;
     }
     Ok(ranges)
+}
+
+/// Returns the number of models that a check builds without being asked for ranges.
+fn affordable(checked: &Checked) -> usize {
+    let cost = checked.gears as u64 + checked.blocks / BLOCKS_OF_A_GEAR;
+    match cost {
+        0 => MOST_MODELS_BY_DEFAULT,
+        _ => MOST_MODELS_BY_DEFAULT.min((MOST_GEARS_BY_DEFAULT / cost) as usize),
+    }
 }
 
 /// Builds the model at combinations of the values of two params at which it is valid if the other
@@ -354,11 +376,39 @@ mod tests {
     }
 
     #[test]
-    fn models_that_run_long_are_not_checked_by_default() {
-        let text =
-            "param count = 3 in 1 .. 5; var sum = 0; for (i in 0 .. 5000) sum += i * count; print(sum);";
-        assert_eq!(check(text, Extent::Cheap).models, 0);
-        assert_eq!(ranges(text).models, 4);
+    fn the_longer_a_model_runs_the_fewer_values_are_tried_by_default() {
+        let models = |passes: usize| {
+            let text = format!(
+                "param size = 3 in 1 .. 9; param on = TRUE; var sum = 0;
+                 for (i in 0 .. {passes}) sum += i * size; print(sum, on);"
+            );
+            let found = check(&text, Extent::Cheap);
+            (found.models, found.cut)
+        };
+        let cut = |tried: usize| vec![("size".to_owned(), tried, 9)];
+        assert_eq!(models(100), (8, cut(8)));
+        assert_eq!(models(100_000), (3, cut(2)));
+        assert_eq!(models(200_000), (1, cut(0)));
+    }
+
+    #[test]
+    fn gears_are_made_at_other_values_by_default() {
+        let text = "import gears;
+             var rack = gears.rack(module = 2 mm, tip_radius = 0.6 mm);
+             var rim = gears.simple_rim(48 mm, 20 mm);
+             param teeth = 30 in 30 .. 60;
+             param ground = TRUE;
+             var blank = gears.external(teeth = teeth, rack = rack, face_width = 20 mm,
+                 outer_diameter = if (ground) 64 mm else 63 mm, root_diameter = 55 mm,
+                 tooth_thickness = 3.1 mm, material = gears.material(206 GPa, 0.3), rim = rim);
+             print(gears.base_radius(blank) > 0 mm);";
+        let found = check(text, Extent::Cheap);
+        let messages: Vec<&str> = found.found.iter().map(|found| found.message.as_str()).collect();
+        assert!(found.models > 4 && found.models <= MOST_MODELS_BY_DEFAULT, "{}", found.models);
+        let fails =
+            |message: &&str| message.starts_with("`teeth` = ") && message.contains(" is allowed, but ");
+        assert!(messages.iter().any(fails), "{messages:?}");
+        assert_eq!(found.cut, [("teeth".to_owned(), MOST_VALUES_BY_DEFAULT, 31)]);
     }
 
     #[test]

@@ -30,8 +30,8 @@ pub struct Check {
     /// Build the model also at the other values of its integer, Boolean and choice params
     ///
     /// One param is varied at a time, then two. Of a range with many values, 32 are tried, or fewer
-    /// if there are many params. Without this option, a few values of each param are tried if the
-    /// model makes no gears and runs briefly.
+    /// if there are many params. Without this option, a few values of each param are tried; fewer
+    /// if the model makes many gears or runs long.
     #[arg(long)]
     ranges: bool,
     #[command(flatten)]
@@ -64,6 +64,11 @@ impl Check {
             if let Some((tried, allowed)) = ranges.cut_pairs {
                 format.note(&format!("{tried} of {allowed} combinations of two params were checked\n"));
             }
+        } else if !ranges.cut.is_empty() && !checked.has_errors() {
+            let cut =
+                ranges.cut.iter().map(|(param, tried, allowed)| format!("`{param}` ({tried} of {allowed})"));
+            let cut = cut.collect::<Vec<_>>().join(", ");
+            format.note(&format!("only some values were checked: {cut}; `--ranges` tries more\n"));
         }
         format.note(&self.summary(&checked));
         if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS }
