@@ -60,7 +60,11 @@ pub fn usual(dimension: Dimension, system: UnitSystem) -> Vec<DisplayUnit> {
 pub fn of_output(dimension: Dimension, system: UnitSystem) -> Option<DisplayUnit> {
     // A moment times an angular velocity has the dimension of power and of an angle.
     let is_power = |power: Dimension| power.without_angle() == dimension.without_angle();
-    if Dimension::from_name("Power").is_some_and(is_power) && system == UnitSystem::MmNS { named("W") } else { None }
+    if Dimension::from_name("Power").is_some_and(is_power) && system == UnitSystem::MmNS {
+        named("W")
+    } else {
+        None
+    }
 }
 
 /// Returns the unit for a product of built-in units, such as `lbf*inch^2/s`.
