@@ -8,7 +8,7 @@ use super::*;
 use crate::check::expr::is_bare;
 use crate::walk::Node;
 
-/// What an expression uses.
+/// The kinds of variables that an expression uses.
 #[derive(Clone, Copy, Default)]
 struct Used {
     /// Parameters of the anonymous function or of one inside it.
