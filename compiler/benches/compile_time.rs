@@ -23,6 +23,14 @@ fn check_cold(bencher: Bencher, lines: usize) {
     bencher.bench(|| calyx_lang::check_program("model.cx", black_box(&text), &loader));
 }
 
+/// Language front end only, for 20 and 40 components of a hundred lines, each with one instance.
+#[divan::bench(args = [20, 40])]
+fn check_components(bencher: Bencher, count: usize) {
+    let (text, loader) = (generator::components(count), ModelLoader::default());
+    without_errors(check_text("model.cx", &text));
+    bencher.bench(|| calyx_lang::check_program("model.cx", black_box(&text), &loader));
+}
+
 /// Complete `calyx check`: also runs the model at its defaults, up to the first analysis.
 #[divan::bench(args = [1_250, 2_500, 5_000, 10_000])]
 fn check_and_elaborate(bencher: Bencher, lines: usize) {

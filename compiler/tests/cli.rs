@@ -399,7 +399,8 @@ fn a_second_run_condenses_nothing() {
     assert!(!folder.path().join("off").exists());
 }
 
-/// The first Ctrl-C ends the run like any other error of the model.
+/// The first Ctrl-C ends the run like any other error of the model, and so does the signal of a
+/// batch system.
 #[cfg(unix)]
 #[test]
 fn an_interrupt_ends_the_run() {
@@ -408,22 +409,24 @@ fn an_interrupt_ends_the_run() {
     let model = folder.path().join("model.cx");
     let text = "param endless = FALSE;\nprint(\"begins\");\ntry { while (endless) { } } catch () { }\n";
     std::fs::write(&model, text).expect("writable");
-    let mut run = Command::new(env!("CARGO_BIN_EXE_calyx"))
-        .args(["run", "model.cx", "--quiet", "--set", "endless=TRUE"])
-        .current_dir(folder.path())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
-    let mut line = String::new();
-    BufReader::new(run.stdout.take().expect("piped")).read_line(&mut line).expect("a line");
-    assert_eq!(line, "begins\n");
-    let sent = Command::new("kill").args(["-INT", &run.id().to_string()]).status();
-    assert!(sent.expect("`kill` is there").success());
-    let output = run.wait_with_output().expect("it ends");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("[E0704] Error: the run was cancelled"), "{said}");
+    for signal in ["-INT", "-TERM"] {
+        let mut run = Command::new(env!("CARGO_BIN_EXE_calyx"))
+            .args(["run", "model.cx", "--quiet", "--set", "endless=TRUE"])
+            .current_dir(folder.path())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        let mut line = String::new();
+        BufReader::new(run.stdout.take().expect("piped")).read_line(&mut line).expect("a line");
+        assert_eq!(line, "begins\n");
+        let sent = Command::new("kill").args([signal, &run.id().to_string()]).status();
+        assert!(sent.expect("`kill` is there").success());
+        let output = run.wait_with_output().expect("it ends");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert!(said.contains("[E0704] Error: the run was cancelled"), "{said}");
+    }
 }
 
 /// A cancelled run keeps its solved positions with their provenance; JSON progress contains the

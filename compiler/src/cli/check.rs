@@ -41,6 +41,21 @@ pub struct Check {
     message_format: MessageFormat,
 }
 
+/// Number of params that the note on unchecked values names.
+const MOST_NAMED: usize = 3;
+
+/// Returns the names of params, each with its number of checked and of allowed values.
+fn listed(cut: &[(String, usize, usize)]) -> String {
+    let named = cut.iter().take(MOST_NAMED);
+    let mut parts: Vec<String> =
+        named.map(|(param, tried, allowed)| format!("`{param}` ({tried} of {allowed})")).collect();
+    let others = cut.len().saturating_sub(MOST_NAMED);
+    if others > 0 {
+        parts.push(format!("{others} more"));
+    }
+    parts.join(", ")
+}
+
 impl Check {
     pub fn run(self) -> ExitCode {
         let format = self.message_format;
@@ -65,10 +80,10 @@ impl Check {
                 format.note(&format!("{tried} of {allowed} combinations of two params were checked\n"));
             }
         } else if !ranges.cut.is_empty() && !checked.has_errors() {
-            let cut =
-                ranges.cut.iter().map(|(param, tried, allowed)| format!("`{param}` ({tried} of {allowed})"));
-            let cut = cut.collect::<Vec<_>>().join(", ");
-            format.note(&format!("only some values were checked: {cut}; `--ranges` tries more\n"));
+            format.note(&format!(
+                "only some values were checked: {}; `--ranges` tries more\n",
+                listed(&ranges.cut)
+            ));
         }
         format.note(&self.summary(&checked));
         if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS }

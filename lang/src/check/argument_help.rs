@@ -61,7 +61,8 @@ impl Checker<'_> {
         // of the quantity is a likely alternative.
         let is_ratio = wanted.is_none();
         let fits = |other: &&Free<'_>| {
-            !is_ratio && self.dimension_of(&other.ty).is_some_and(|d| d.fits(found) && !found.is_none())
+            let dimension = self.dimension_of(&other.ty).filter(|d| !d.is_none());
+            !is_ratio && !found.is_none() && dimension.is_some_and(|d| d.fits(found))
         };
         let mut known: Vec<&str> = free.iter().filter(fits).map(|other| other.name).collect();
         if known.len() > MOST_ALTERNATIVES {

@@ -39,6 +39,29 @@ pub fn chain(factors: usize) -> String {
     text
 }
 
+/// Returns a model of `count` components of a hundred lines, each with one instance.
+#[allow(dead_code)]
+pub fn components(count: usize) -> String {
+    let declarations = HEAD.split_once("\nconst").map_or("", |(_, rest)| rest);
+    let mut text = format!("import gears;\nunits inch_lbf_s;\nconst{declarations}");
+    for component in 0..count {
+        text += &format!(
+            "component Part_{component}() {{\n\
+             param width = 2 inch in 1 inch .. 3 inch;\n\
+             param speed = 3 rpm;\n\
+             param count = 5 in 1 .. 20;\n"
+        );
+        for section in 0..2 {
+            text += &SECTION.replace("#P", &previous(section)).replace('#', &section.to_string());
+        }
+        text += "output size := size_1;\n}\n";
+    }
+    for component in 0..count {
+        text += &format!("var part_{component} = Part_{component}();\n");
+    }
+    text
+}
+
 /// Returns the name on which a section builds: a result of the previous section.
 fn previous(section: usize) -> String {
     match section {
