@@ -1,5 +1,5 @@
-//! Ctrl-C, and the termination that batch systems send before they kill a job: the first signal asks
-//! the run to end and keep its files; the second one ends the process.
+//! Ctrl-C, and the termination that batch systems send before they kill a job: the first signal
+//! asks the run to end and keep its files; the second one ends the process.
 
 use calyx_abi::Cancel;
 use std::sync::OnceLock;
