@@ -28,11 +28,13 @@ impl Rational {
         if denominator == 0 {
             return None;
         }
-        let divisor = greatest_common_divisor(numerator.unsigned_abs(), denominator.unsigned_abs());
-        let sign = if denominator < 0 { -1 } else { 1 };
-        // The divisor is at most 2^63; reduce in 128 bits so that no sign change overflows.
-        let reduce = |x: i64| i32::try_from(sign * i128::from(x) / i128::from(divisor)).ok();
-        Some(Rational { numerator: reduce(numerator)?, denominator: reduce(denominator)? })
+        let (above, below) = (numerator.unsigned_abs(), denominator.unsigned_abs());
+        // Most exponents are integers.
+        let divisor = if below == 1 { 1 } else { greatest_common_divisor(above, below) };
+        let above = i64::try_from(above / divisor).ok()?;
+        let numerator = if (numerator < 0) == (denominator < 0) { above } else { -above };
+        let denominator = i32::try_from(below / divisor).ok()?;
+        Some(Rational { numerator: i32::try_from(numerator).ok()?, denominator })
     }
 
     /// Returns the fraction nearest to `value` with a denominator up to 64, if the difference is
@@ -70,14 +72,19 @@ impl Rational {
         f64::from(self.numerator) / f64::from(self.denominator)
     }
 
-    fn sum(self, other: Rational, sign: i64) -> Option<Rational> {
+    /// Returns `self + sign*other`; `None` if it does not fit in 32 bits.
+    pub(crate) fn sum(self, other: Rational, sign: i64) -> Option<Rational> {
+        if other.is_zero() {
+            return Some(self);
+        }
         let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
         let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
         // Two products below 2^62 each.
         Rational::new(a * d + sign * c * b, b * d)
     }
 
-    fn product(self, other: Rational) -> Option<Rational> {
+    /// Returns the product; `None` if it does not fit in 32 bits.
+    pub(crate) fn product(self, other: Rational) -> Option<Rational> {
         Rational::new(
             i64::from(self.numerator) * i64::from(other.numerator),
             i64::from(self.denominator) * i64::from(other.denominator),
@@ -228,6 +235,9 @@ impl Dimension {
     }
 
     fn combine(self, other: Dimension, sign: i64) -> Dimension {
+        if other == Dimension::NONE {
+            return self.counting_in_time();
+        }
         let sum = |a: Rational, b: Rational| a.sum(b, sign).unwrap_or(a);
         let exponents = std::array::from_fn(|i| sum(self.exponents[i], other.exponents[i]));
         Dimension { exponents, cycles: sum(self.cycles, other.cycles) }.counting_in_time()
@@ -235,6 +245,9 @@ impl Dimension {
 
     /// Returns the dimension of a power; `None` if an exponent is outside -1000 .. 1000.
     pub fn power(self, exponent: Rational) -> Option<Dimension> {
+        if self == Dimension::NONE {
+            return Some(self);
+        }
         let power =
             |e: Rational| e.product(exponent).filter(|e| e.numerator.abs() <= 1000 && e.denominator <= 1000);
         let mut result = [Rational::ZERO; BASES];

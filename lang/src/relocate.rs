@@ -198,9 +198,12 @@ pub fn function_body(decl: &mut FunctionDecl, visit: &mut Visit<'_>) {
     match &mut decl.body {
         FunctionBody::Statement(body) => statement(body, visit),
         FunctionBody::Symbolic(e) => expr(e, visit),
-        FunctionBody::Extern { purity } => {
+        FunctionBody::Extern { purity, unit } => {
             if let Some(purity) = purity {
                 ident(purity, visit);
+            }
+            if let Some(unit) = unit {
+                expr(unit, visit);
             }
         }
     }

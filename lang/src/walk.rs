@@ -154,7 +154,9 @@ fn statement_children<'t>(kind: &'t StmtKind, visit: &mut dyn FnMut(Node<'t>)) {
             match &function.body {
                 FunctionBody::Statement(body) => visit(Node::Statement(body)),
                 FunctionBody::Symbolic(value) => visit(Node::Expression(value)),
-                FunctionBody::Extern { .. } => {}
+                FunctionBody::Extern { unit, .. } => {
+                    unit.iter().for_each(|unit| visit(Node::Expression(unit)));
+                }
             }
         }
         StmtKind::Block(statements) => {

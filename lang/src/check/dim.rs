@@ -32,24 +32,28 @@ impl Dim {
     }
 
     pub fn times(&self, other: &Dim) -> Dim {
-        let mut result = Dim { fixed: self.fixed.times(other.fixed), unknowns: self.unknowns.clone() };
-        for (&variable, &exponent) in &other.unknowns {
-            let sum = add(result.unknowns.get(&variable).copied().unwrap_or(Rational::ZERO), exponent);
-            if sum.is_zero() {
-                result.unknowns.remove(&variable);
-            } else {
-                result.unknowns.insert(variable, sum);
-            }
-        }
-        result
+        self.combine(other, 1)
     }
 
     pub fn over(&self, other: &Dim) -> Dim {
-        // Negation keeps every exponent within its bounds.
-        match other.power(Rational::integer(-1)) {
-            Some(inverse) => self.times(&inverse),
-            None => self.clone(),
+        self.combine(other, -1)
+    }
+
+    /// Returns the product for the sign 1, the quotient for -1.
+    fn combine(&self, other: &Dim, sign: i64) -> Dim {
+        let fixed = if sign < 0 { self.fixed.over(other.fixed) } else { self.fixed.times(other.fixed) };
+        let mut unknowns = self.unknowns.clone();
+        for (&variable, &exponent) in &other.unknowns {
+            let before = unknowns.get(&variable).copied().unwrap_or(Rational::ZERO);
+            // Exponents beyond 32 bits are meaningless; keeping the old value avoids a failure.
+            let sum = before.sum(exponent, sign).unwrap_or(before);
+            if sum.is_zero() {
+                unknowns.remove(&variable);
+            } else {
+                unknowns.insert(variable, sum);
+            }
         }
+        Dim { fixed, unknowns }
     }
 
     /// Returns a power; `None` if an exponent is out of range (see [`Dimension::power`]).
@@ -70,19 +74,8 @@ impl Dim {
     }
 }
 
-fn add(a: Rational, b: Rational) -> Rational {
-    let (n, d) = (i64::from(a.numerator()), i64::from(a.denominator()));
-    let (m, e) = (i64::from(b.numerator()), i64::from(b.denominator()));
-    // Exponents beyond 32 bits are meaningless; keeping the old value avoids a failure.
-    Rational::new(n * e + m * d, d * e).unwrap_or(a)
-}
-
 fn multiply(a: Rational, b: Rational) -> Option<Rational> {
-    Rational::new(
-        i64::from(a.numerator()) * i64::from(b.numerator()),
-        i64::from(a.denominator()) * i64::from(b.denominator()),
-    )
-    .filter(|e| e.numerator().abs() <= 1000 && e.denominator() <= 1000)
+    a.product(b).filter(|e| e.numerator().abs() <= 1000 && e.denominator() <= 1000)
 }
 
 /// Solves `dim = 1` for a variable, given its exponent in `dim`.

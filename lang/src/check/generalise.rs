@@ -7,8 +7,9 @@ use super::symbols::FunctionInfo;
 use super::tree::{Constraint, FuncId, Scheme, UseId};
 use super::types::{Substitution, Type, TypeVar};
 use crate::components::components;
+use crate::hashed::HashMap;
 use crate::span::Span;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 impl Checker<'_> {
@@ -150,7 +151,7 @@ impl Checker<'_> {
 /// Returns the groups of mutually recursive functions. The top level belongs to no group.
 pub(super) fn recursive_groups(functions: &[FunctionInfo<'_>]) -> HashMap<FuncId, Rc<[FuncId]>> {
     let all = (1..functions.len() as u32).map(FuncId);
-    let mut groups = HashMap::new();
+    let mut groups = HashMap::default();
     for mut group in components(all, |id| functions[id.0 as usize].callees.iter().copied()) {
         group.sort();
         let group: Rc<[FuncId]> = group.into();

@@ -342,7 +342,7 @@ impl<'a> Checker<'a> {
                 }
                 Kind::CallExtern(id, ..) => {
                     let decl = self.names.externs[*id as usize].decl;
-                    let pure = matches!(&decl.body, ast::FunctionBody::Extern { purity: Some(word) } if word.name == "pure");
+                    let pure = matches!(&decl.body, ast::FunctionBody::Extern { purity: Some(word), .. } if word.name == "pure");
                     if !pure {
                         found.push((e.span, "a call that changes the model".into()));
                     }

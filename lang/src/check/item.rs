@@ -104,10 +104,33 @@ pub fn split(mut statement: Stmt, text: &str) -> Split {
     Split { kind, name, more, private, start, item }
 }
 
+/// Length of the longest symbol or name of a quantity in the documentation of a parameter, such as
+/// `pressure_angle`.
+const LONGEST_SYMBOL: usize = 14;
+
+/// Returns the symbols in backticks of a parameter's documentation, as `x` or `m_n`: those of its
+/// first sentence, a full stop, and the others; `None` if there are none.
+fn symbols(doc: &str) -> Option<String> {
+    let is_name = |code: &str| code.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let in_text = |text: &str| {
+        let code = text.split('`').skip(1).step_by(2);
+        code.filter(|code| (1..=LONGEST_SYMBOL).contains(&code.len()) && is_name(code))
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    // A symbol has no full stop.
+    let (first, others) = doc.split_once(". ").or(doc.split_once(".\n")).unwrap_or((doc, ""));
+    let (first, others) = (in_text(first), in_text(others));
+    (!first.is_empty() || !others.is_empty()).then(|| format!("{first}. {others}"))
+}
+
 fn without_docs(statement: &mut Stmt) {
     match &mut statement.kind {
         StmtKind::Function(decl) => {
-            decl.parameters.iter_mut().for_each(|parameter| parameter.doc = None);
+            // A call with an unknown argument name is compared with the symbols of the parameters.
+            for parameter in &mut decl.parameters {
+                parameter.doc = parameter.doc.take().and_then(|doc| symbols(&doc));
+            }
             // Embedding programs can list symbolic functions and host functions, with their
             // documentation.
             if !matches!(decl.body, FunctionBody::Symbolic(_)) && !decl.is_host {

@@ -16,6 +16,7 @@ use crate::check::unit::Unit;
 use crate::check::{ShownScheme, builtins, declared_names, expressions};
 use crate::declared::{self, Declared};
 use crate::deep_recursion::with_deep_stack;
+use crate::hashed::HashMap;
 use crate::lexer::Tokens;
 use crate::parser::{self, chunks::PlacedChunk};
 use crate::relocate;
@@ -23,7 +24,6 @@ use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 use salsa::Id;
 use salsa::plumbing::FromId;
-use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -82,7 +82,7 @@ pub(super) fn relative_names<'db>(
     let content = item.content(db);
     let mut found: Vec<Relative> = Vec::new();
     // Many names refer to few declarations.
-    let mut types: HashMap<RelativePlace, Option<Arc<str>>> = HashMap::new();
+    let mut types: HashMap<RelativePlace, Option<Arc<str>>> = HashMap::default();
     let mut statement = content.statement.clone();
     relocate::to(&mut statement, file, start);
     relocate::statement(&mut statement, &mut |span, text| {
@@ -400,7 +400,7 @@ impl Database {
         range: Range<u32>,
     ) -> HashMap<(*const Unit, FileId), (&Unit, Vec<Excerpted>)> {
         let db = &self.salsa;
-        let mut units: HashMap<_, (&Unit, Vec<Excerpted>)> = HashMap::new();
+        let mut units: HashMap<_, (&Unit, Vec<Excerpted>)> = HashMap::default();
         for item in self.items_in(text, range) {
             let Some(unit) = unit_of(db, item, self.library) else { continue };
             let Some((file, base)) = unit.layout.start(id(item)) else { continue };

@@ -7,8 +7,9 @@ use crate::check::excerpt::{Extract, Part};
 use crate::check::item::{self, ItemKind};
 use crate::check::sees;
 use crate::components::components;
+use crate::hashed::{HashMap, HashSet};
 use salsa::plumbing::AsId;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Functions that are checked together: one function, or mutually recursive functions.

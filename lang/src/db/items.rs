@@ -5,12 +5,13 @@ use crate::ast::StmtKind;
 use crate::check::item::{self, ItemKind, Split};
 use crate::check::{handles_of, model_doc, named_type};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::lexer::{self, Tokens};
 use crate::parser;
 use crate::parser::chunks::{Chunk, PlacedChunk, pieces};
 use crate::span::FileId;
 use crate::units::UnitSystem;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -44,7 +45,8 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
     let mut kept = text.kept(db).0.lock().unwrap_or_else(PoisonError::into_inner);
     let pieces = pieces(content, tokens(db, text), |slice| Some(kept.get(slice)?.piece.clone()));
     let count = pieces.len();
-    let mut next: HashMap<Arc<str>, KnownChunk> = HashMap::with_capacity(count);
+    let mut next: HashMap<Arc<str>, KnownChunk> =
+        HashMap::with_capacity_and_hasher(count, Default::default());
     let mut parts = Vec::with_capacity(count);
     for PlacedChunk { range, piece } in pieces {
         let start = range.start as u32;
@@ -133,7 +135,7 @@ pub(super) struct Item<'db> {
 
 #[salsa::tracked]
 pub(super) fn items(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> {
-    let mut alike: HashMap<(&ItemKind, &str), u32> = HashMap::new();
+    let mut alike: HashMap<(&ItemKind, &str), u32> = HashMap::default();
     let mut found = Vec::new();
     for part in parts(db, text).iter() {
         for split in part.splits.iter() {
@@ -169,7 +171,7 @@ pub(super) fn facts(db: &dyn salsa::Database, text: Text) -> Facts {
 /// Returns the items of a file by the names they declare.
 #[salsa::tracked]
 pub(super) fn declared(db: &dyn salsa::Database, text: Text) -> HashMap<String, Vec<Item<'_>>> {
-    let mut declared: HashMap<String, Vec<Item<'_>>> = HashMap::new();
+    let mut declared: HashMap<String, Vec<Item<'_>>> = HashMap::default();
     for &item in items(db, text) {
         for name in [item.name(db)].into_iter().chain(item.more(db)).filter(|name| !name.is_empty()) {
             declared.entry(name.clone()).or_default().push(item);
@@ -194,7 +196,7 @@ pub(super) fn state_names(db: &dyn salsa::Database, text: Text) -> BTreeSet<Stri
 /// name, without variables and statements.
 #[salsa::tracked]
 pub(super) fn nameable(db: &dyn salsa::Database, text: Text) -> HashMap<String, Item<'_>> {
-    let mut nameable = HashMap::new();
+    let mut nameable = HashMap::default();
     for &item in items(db, text) {
         if !matches!(item.kind(db), ItemKind::State | ItemKind::Other) {
             nameable.entry(item.name(db).clone()).or_insert(item);
@@ -296,7 +298,7 @@ pub(super) fn own_handles(db: &dyn salsa::Database, text: Text) -> BTreeSet<Stri
 /// Returns the functions of a file that declare the names of handles, by handle type.
 #[salsa::tracked]
 pub(super) fn namings(db: &dyn salsa::Database, text: Text) -> HashMap<String, Item<'_>> {
-    let mut found = HashMap::new();
+    let mut found = HashMap::default();
     for &item in items(db, text).iter().filter(|item| *item.kind(db) == ItemKind::Extern) {
         if let StmtKind::Function(decl) = &item.content(db).statement.kind
             && let Some(handle) = named_type(decl)

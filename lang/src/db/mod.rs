@@ -22,8 +22,9 @@ use crate::check::item::ItemKind;
 use crate::check::{Checked, Loader};
 use crate::deep_recursion::with_deep_stack;
 use crate::diagnostic::Diagnostic;
+use crate::threads;
 use items::{ChunkCache, declarations, parse};
-use program::check;
+use program::{check, check_groups, checked};
 use salsa::{Cancelled, Setter};
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::AssertUnwindSafe;
@@ -251,9 +252,14 @@ pub fn check_program(name: &str, text: &str, loader: &dyn Loader) -> Checked {
     let mut database = Database::new(loader);
     database.set_model(name, text);
     database.load_imports(name, loader);
-    let checked = database.check(name);
-    drop(database);
-    let mut checked = checked.and_then(Arc::into_inner).unwrap_or_default();
+    let Some(model) = database.models.get(name).copied() else { return Checked::default() };
+    check_groups(&database.salsa, model, database.library);
+    let mut checked = with_deep_stack(|| checked(&database.salsa, model, database.library));
+    if threads::for_text(text.len()) > 1 {
+        // The results of a long model take milliseconds to free. Without a thread, the error drops
+        // the closure and the database.
+        let _ = std::thread::Builder::new().spawn(move || with_deep_stack(|| drop(database)));
+    }
     if let Some(program) = &mut checked.program {
         program.allowed = loader.allowed();
     }

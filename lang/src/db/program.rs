@@ -1,18 +1,22 @@
 //! Queries over a whole model: checks all units and links them.
 
-use super::groups::{Group, groups, links, named};
+use super::groups::{Group, groups, links, named, sees_state};
 use super::items::{Item, facts, items, module, problems, reachable};
 use super::units::{check_group, check_top, dependents, id};
-use super::{Library, Text};
+use super::{Library, Storage, Text};
 use crate::ast::{Ident, StmtKind};
 use crate::check::item::ItemKind;
 use crate::check::unit::Unit;
-use crate::check::{Checked, Linked, Model, has_errors, lower};
+use crate::check::{Checked, Linked, Model, has_errors, lower, rules};
+use crate::deep_recursion::with_deep_stack;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::{HashMap, HashSet};
 use crate::ir::SourceFile;
 use crate::span::{FileId, Span};
-use std::collections::{HashMap, HashSet};
+use crate::threads;
+use salsa::plumbing::{AsId, FromId};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Returns the files of a program: the model, the prelude, and their imports.
 #[salsa::tracked]
@@ -53,11 +57,68 @@ fn used_groups<'db>(
     used.map(move |members| Group::new(db, members.clone()))
 }
 
+/// Returns the groups that a check of a model checks on their own, callees first.
+fn needed_groups(db: &dyn salsa::Database, model: Text, library: Library) -> Vec<Group<'_>> {
+    let files = files(db, model, library);
+    let used = used(db, files, library);
+    let mut all = Vec::new();
+    for &file in files.iter().rev() {
+        if file.sound(db) {
+            all.extend(used_groups(db, file, (library, &used)));
+            continue;
+        }
+        let own = |item: &Item<'_>| item.file(db) == file && *item.kind(db) == ItemKind::Function;
+        let order = groups(db, file, library).order.iter();
+        let own = order.filter(|members| members.iter().any(own));
+        let alone = own.filter(|members| !members.iter().any(|item| sees_state(db, *item)));
+        all.extend(alone.map(|members| Group::new(db, members.clone())));
+    }
+    all
+}
+
+/// Checks the groups of a long model on all cores. Their results are the same in any order, and
+/// [`check`] then finds them. The queries must not be cancelled meanwhile.
+pub(super) fn check_groups(storage: &Storage, model: Text, library: Library) {
+    let threads = threads::for_text(model.content(storage).len());
+    if threads < 2 {
+        return;
+    }
+    let groups = with_deep_stack(|| needed_groups(storage, model, library));
+    let groups: Vec<salsa::Id> = groups.iter().map(Group::as_id).collect();
+    let next = AtomicUsize::new(0);
+    let work = |storage: &Storage| {
+        with_deep_stack(|| {
+            while let Some(group) = groups.get(next.fetch_add(1, Ordering::Relaxed)) {
+                check_group(storage, Group::from_id(*group), library);
+            }
+        });
+    };
+    std::thread::scope(|scope| {
+        let others = (1..threads).filter_map(|_| {
+            let (storage, work) = (storage.clone(), &work);
+            let work = move || {
+                work(&storage);
+                rules::take()
+            };
+            // If the system creates no thread, the others do its work.
+            std::thread::Builder::new().spawn_scoped(scope, work).ok()
+        });
+        let spawned: Vec<_> = others.collect();
+        work(storage);
+        spawned.into_iter().filter_map(|thread| thread.join().ok()).for_each(rules::add);
+    });
+}
+
 // A checked model is large and rarely equal to the previous one, so comparing does not pay.
 #[salsa::tracked(no_eq)]
 pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> Arc<Checked> {
+    Arc::new(checked(db, model, library))
+}
+
+/// Computes [`check`] without storing the result.
+pub(super) fn checked(db: &dyn salsa::Database, model: Text, library: Library) -> Checked {
     let files = files(db, model, library);
-    let mut starts = HashMap::new();
+    let mut starts = HashMap::default();
     let mut diagnostics = Vec::new();
     for (file, &text) in (0..).map(FileId).zip(files) {
         starts.extend(items(db, text).iter().map(|item| (id(*item), (file, item.start(db)))));
@@ -68,7 +129,7 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
     // queries.
     let used = used(db, files, library);
     // Sound files of which only some functions are checked, each on its own.
-    let mut partly = HashSet::new();
+    let mut partly = HashSet::default();
     for &file in files.iter().rev() {
         let mut groups = used_groups(db, file, (library, &used));
         if file.sound(db) && groups.all(|group| check_group(db, group, library).unit.is_some()) {
@@ -129,12 +190,12 @@ pub(super) fn check(db: &dyn salsa::Database, model: Text, library: Library) -> 
     }
     diagnostics.sort_by_key(|d| (d.primary.span.file, d.primary.span.start, d.primary.span.end));
     // Every unit that uses a declaration checks it.
-    let mut seen = HashSet::new();
+    let mut seen = HashSet::default();
     diagnostics.retain(|d| seen.insert((d.code.clone(), d.primary.span, d.message.clone())));
     let schemes = linked.units().iter().take(of_model).flat_map(|unit| unit.schemes.clone());
     let types = linked.units().first().map(|unit| unit.types.clone()).unwrap_or_default();
     let types = types.into_iter().chain(schemes).collect();
-    Arc::new(Checked { program, diagnostics, files: sources, types })
+    Checked { program, diagnostics, files: sources, types }
 }
 
 fn in_file(diagnostic: &Diagnostic, file: FileId) -> Diagnostic {
@@ -149,7 +210,7 @@ fn in_file(diagnostic: &Diagnostic, file: FileId) -> Diagnostic {
 
 fn missing_modules(db: &dyn salsa::Database, text: Text, file: FileId, library: Library) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    let mut seen = HashSet::new();
+    let mut seen = HashSet::default();
     for item in items(db, text) {
         let ItemKind::Import(path) = item.kind(db) else { continue };
         if module(db, library, path.clone()).is_some() || !seen.insert(path) {

@@ -12,9 +12,9 @@ use crate::ast::{FunctionDecl, RecordDecl, RecordField};
 use crate::check::ShownScheme;
 use crate::check::item::ItemKind;
 use crate::deep_recursion::with_deep_stack;
+use crate::hashed::HashMap;
 use crate::lexer::{Kind, Token};
 use crate::scope::Local;
-use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Cached names by file.
@@ -31,7 +31,7 @@ impl Database {
         let Some(text) = self.find(file) else { return };
         let db = &self.salsa;
         let before = self.recent(file);
-        let mut names = Names::new();
+        let mut names = Names::default();
         with_deep_stack(|| {
             for &item in items(db, text) {
                 let own = item.name(db);

@@ -11,9 +11,10 @@ use crate::check::excerpt::{Excerpt, Extract, ItemId, Part};
 use crate::check::interface::Interface;
 use crate::check::item::ItemKind;
 use crate::check::unit::{self, Context, Maker, Surroundings, Unit};
+use crate::hashed::{HashMap, HashSet};
 use salsa::Id;
 use salsa::plumbing::{AsId, FromId};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The result of checking a group.
@@ -73,7 +74,7 @@ fn interface<'db>(db: &'db dyn salsa::Database, item: Item<'db>, library: Librar
 /// their types depend on their uses, or they call such functions.
 #[salsa::tracked]
 pub(super) fn dependents(db: &dyn salsa::Database, file: Text, library: Library) -> HashSet<Item<'_>> {
-    let mut found: HashSet<Item<'_>> = HashSet::new();
+    let mut found: HashSet<Item<'_>> = HashSet::default();
     for members in &groups(db, file, library).order {
         let own = |item: &Item<'_>| item.file(db) == file && *item.kind(db) == ItemKind::Function;
         if !members.iter().any(own) {
@@ -128,9 +129,9 @@ impl<'db> Gathered<'db> {
             file,
             top: false,
             open: false,
-            parts: HashMap::new(),
+            parts: HashMap::default(),
             left: Vec::new(),
-            interfaces: HashMap::new(),
+            interfaces: HashMap::default(),
         }
     }
 

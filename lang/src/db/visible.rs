@@ -8,8 +8,8 @@ use crate::analysis::{NameKind, SourceRange, Visible};
 use crate::check::builtins;
 use crate::check::item::ItemKind;
 use crate::deep_recursion::with_deep_stack;
+use crate::hashed::HashSet;
 use crate::scope::{self, Local};
-use std::collections::HashSet;
 use std::sync::Arc;
 
 /// The known properties of a name declared in a file.
@@ -46,7 +46,7 @@ impl Database {
         let db = &self.salsa;
         let content = text.content(db);
         let mut found: Vec<Visible> = Vec::new();
-        let mut seen = HashSet::new();
+        let mut seen = HashSet::default();
         let own: Arc<str> = text.name(db).clone();
         for local in scope::visible(&tokens.tokens, offset) {
             let name = content.get(local.span.start as usize..local.span.end as usize).unwrap_or_default();

@@ -13,6 +13,7 @@ use crate::diagnostic::Diagnostic;
 use crate::lexer::{Kind, Token, Tokens, lex};
 use crate::relocate;
 use crate::span::FileId;
+use crate::threads;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -34,6 +35,16 @@ pub struct PlacedChunk {
 /// Returns the pieces of a text. `kept` returns cached pieces by text; it is not called for the
 /// last piece, which contains the end of the file.
 pub fn pieces(text: &str, tokens: &Tokens, kept: impl Fn(&str) -> Option<Arc<Chunk>>) -> Vec<PlacedChunk> {
+    pieces_on(text, tokens, kept, threads::for_text)
+}
+
+/// As [`pieces`]; `threads` returns the number of threads for a length of text.
+fn pieces_on(
+    text: &str,
+    tokens: &Tokens,
+    kept: impl Fn(&str) -> Option<Arc<Chunk>>,
+    threads: impl Fn(usize) -> usize,
+) -> Vec<PlacedChunk> {
     let ranges = split(&tokens.tokens);
     let slice = |range: &Range<usize>| text.get(range.clone()).unwrap_or_default();
     let inner = ranges.iter().take(ranges.len().saturating_sub(1)).map(|range| kept(slice(range)));
@@ -45,11 +56,62 @@ pub fn pieces(text: &str, tokens: &Tokens, kept: impl Fn(&str) -> Option<Arc<Chu
         let ends_file = at + run == ranges.len();
         // A new text is parsed as a whole. An invalid token may reach beyond its piece.
         let all = (run == ranges.len() && tokens.diagnostics.is_empty()).then_some(tokens);
-        parse_together(text, (all, ends_file), &ranges[at..at + run], &mut found[at..at + run]);
+        let (own, to) = (&ranges[at..at + run], &mut found[at..at + run]);
+        let bytes = own.first().zip(own.last()).map_or(0, |(first, last)| last.end - first.start);
+        parse_in_parts(text, (all, ends_file), own, to, threads(bytes));
         at += run.max(1);
     }
     let placed = ranges.into_iter().zip(found);
     placed.map(|(range, piece)| PlacedChunk { range, piece: piece.unwrap_or_default() }).collect()
+}
+
+/// Parses adjacent pieces; many pieces in parts, each on a thread of its own. Arguments as for
+/// [`parse_together`].
+fn parse_in_parts(
+    text: &str,
+    (all, ends_file): (Option<&Tokens>, bool),
+    mut ranges: &[Range<usize>],
+    mut found: &mut [Option<Arc<Chunk>>],
+    threads: usize,
+) {
+    let (Some(first), Some(last)) = (ranges.first(), ranges.last()) else { return };
+    if threads < 2 {
+        return parse_together(text, (all, ends_file), ranges, found);
+    }
+    let (start, bytes) = (first.start, last.end - first.start);
+    let mut parts = Vec::with_capacity(threads);
+    for part in 1..=threads {
+        let end = start + bytes * part / threads;
+        let count =
+            if part == threads { ranges.len() } else { ranges.partition_point(|range| range.start < end) };
+        let (own, others) = ranges.split_at(count);
+        let (to, rest) = std::mem::take(&mut found).split_at_mut(count);
+        (ranges, found) = (others, rest);
+        parts.push((own, to, ends_file && others.is_empty()));
+    }
+    threads::for_each(parts, threads, |(ranges, found, ends_file)| {
+        let (Some(first), Some(last)) = (ranges.first(), ranges.last()) else { return };
+        let tokens = all.map(|all| part_of(all, first.start - start..last.end - start));
+        parse_together(text, (tokens.as_ref(), ends_file), ranges, found);
+    });
+}
+
+/// Returns the tokens of a part of a text. Their locations are relative to the start of the part.
+fn part_of(all: &Tokens, bytes: Range<usize>) -> Tokens {
+    let index = |at: usize| all.tokens.partition_point(|token| (token.span.start as usize) < at);
+    let range = index(bytes.start)..index(bytes.end);
+    let moved = |token: &Token| {
+        let mut token = *token;
+        token.span.start -= bytes.start as u32;
+        token.span.end -= bytes.start as u32;
+        token
+    };
+    let docs = all.docs.iter().filter(|(at, _)| range.contains(at));
+    Tokens {
+        tokens: all.tokens[range.clone()].iter().map(moved).collect(),
+        docs: docs.map(|(at, doc)| (at - range.start, doc.clone())).collect(),
+        ..Tokens::default()
+    }
 }
 
 /// Parses adjacent pieces together. `all` are the tokens of the text if these are all its pieces.
@@ -260,7 +322,7 @@ print(\"{size : .3 mm}\");
             let end = if end > start && end < start + 20 { end } else { start };
             let written = WRITTEN[below(&mut state, WRITTEN.len())];
             text.replace_range(start..end, written);
-            let found = pieces(&text, &lex(FileId(0), &text), |_| None);
+            let found = pieces_on(&text, &lex(FileId(0), &text), |_| None, |_| 1 + round % 3);
             for (index, PlacedChunk { range, piece }) in found.iter().enumerate() {
                 let alone = &text[range.clone()];
                 let ends_file = index + 1 == found.len();

@@ -8,10 +8,10 @@ use crate::check::flow;
 use crate::check::tree::{DefId, Expr, FuncId, Kind, Place, Stmt, StmtKind, VarId};
 use crate::check::types::{Substitution, Type};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::{HashMap, HashSet};
 use crate::ir::{self, Block, BlockId, Function, Local, LocalId, Statement, Terminator};
 use crate::span::{FileId, Span};
 use calyx_abi::Repr;
-use std::collections::{HashMap, HashSet};
 
 /// The targets of `break` and `continue`.
 pub(super) struct Exit {
@@ -62,11 +62,11 @@ impl<'l, 'c> Body<'l, 'c> {
         Body {
             lowering,
             types,
-            functions: HashMap::new(),
+            functions: HashMap::default(),
             span: Span::default(),
             function,
             locals: Vec::new(),
-            by_variable: HashMap::new(),
+            by_variable: HashMap::default(),
             blocks: vec![Draft {
                 statements: Vec::new(),
                 terminator: None,
@@ -75,7 +75,7 @@ impl<'l, 'c> Body<'l, 'c> {
             }],
             current: 0,
             alive: true,
-            reached: HashSet::from([0]),
+            reached: HashSet::from_iter([0]),
             exits: Vec::new(),
             labels: Vec::new(),
             cases: Vec::new(),
@@ -171,7 +171,7 @@ impl<'l, 'c> Body<'l, 'c> {
     /// Removes unreachable blocks and numbers the others in order.
     fn finish(mut self, name: &str, parameters: Vec<(LocalId, Mode)>, result: Repr, span: Span) -> Function {
         let mut order = Vec::new();
-        let mut number = HashMap::new();
+        let mut number = HashMap::default();
         let mut stack = vec![0];
         while let Some(at) = stack.pop() {
             if number.contains_key(&at) {
@@ -311,7 +311,7 @@ impl<'l, 'c> Body<'l, 'c> {
     // Statements.
 
     pub(super) fn block(&mut self, statements: &[Stmt]) {
-        let mut labels = HashMap::new();
+        let mut labels = HashMap::default();
         for mut statement in statements {
             while let StmtKind::Label(name, inner) = &statement.kind {
                 let block = self.new_block();

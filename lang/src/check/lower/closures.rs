@@ -4,7 +4,8 @@
 //! parameters: `in` if neither it nor its callees assign them, otherwise `inout`.
 
 use crate::check::tree::{Def, DefId, Expr, FuncId, Function, Kind, StmtKind, VarId};
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use crate::hashed::{HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The outer variables of a function, and whether it assigns them.
 pub type Closure = BTreeMap<VarId, bool>;
@@ -16,10 +17,11 @@ pub fn closures(
     chosen: &BTreeSet<VarId>,
     owner: &dyn Fn(VarId) -> FuncId,
 ) -> HashMap<FuncId, Closure> {
-    let mut closures: HashMap<FuncId, Closure> = HashMap::new();
-    let mut callees: HashMap<FuncId, HashSet<FuncId>> = HashMap::new();
+    let mut closures: HashMap<FuncId, Closure> = HashMap::default();
+    let mut callees: HashMap<FuncId, HashSet<FuncId>> = HashMap::default();
     for (&id, function) in functions {
-        let mut walk = Walk { defs, used: BTreeMap::new(), called: HashSet::new(), seen: HashSet::new() };
+        let mut walk =
+            Walk { defs, used: BTreeMap::new(), called: HashSet::default(), seen: HashSet::default() };
         for statement in &function.body {
             statement.walk(&mut |s| {
                 match &s.kind {

@@ -5,10 +5,10 @@ use super::body::Body;
 use super::{Lowering, known_dimension};
 use crate::check::tree::{FuncId, VarId};
 use crate::check::types::{Substitution, Type};
+use crate::hashed::HashMap;
 use crate::ir::{self, ExprKind, HostFunction, HostId, HostValue, Place, Statement, Terminator};
 use crate::span::{FileId, Span};
 use calyx_abi::Repr;
-use std::collections::HashMap;
 
 /// Host functions by unit and function.
 pub(super) type Hosts = HashMap<(usize, FuncId), HostId>;

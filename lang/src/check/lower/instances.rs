@@ -11,11 +11,11 @@ use super::{Linked, Lowering, known_dimension, relocation};
 use crate::check::tree::{Call, Expr, FuncId, Kind, Stmt, StmtKind, UseId, VarId};
 use crate::check::types::Substitution;
 use crate::common_units::of_output;
+use crate::hashed::HashMap;
 use crate::ir::{self, ExprKind, FunctionId, Output, Param, SiteId, Statement};
 use crate::span::Span;
 use crate::units::UnitSystem;
 use calyx_abi::{Purity, Repr};
-use std::collections::HashMap;
 
 /// The index of an instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -187,7 +187,7 @@ impl<'c> Lowering<'c> {
         let Some(typed) = linked.typed.get(unit) else { return };
         let Some(component) = typed.functions.get(&function) else { return };
         // The arguments are evaluated where the component is instantiated.
-        let (mut statics, mut given) = (HashMap::new(), HashMap::new());
+        let (mut statics, mut given) = (HashMap::default(), HashMap::default());
         for ((variable, _), argument) in component.parameters.iter().zip(&call.arguments) {
             if typed.statics.contains(variable) {
                 let name = format!("{path}.{}", typed.variable(*variable).name);
@@ -206,8 +206,8 @@ impl<'c> Lowering<'c> {
             outer: self
                 .around
                 .map_or_else(String::new, |InstanceId(at)| self.components.all[at].prefix.clone()),
-            params: HashMap::new(),
-            outputs: HashMap::new(),
+            params: HashMap::default(),
+            outputs: HashMap::default(),
             statics,
             given,
         });

@@ -6,10 +6,10 @@ use crate::check::symbols::similar;
 use crate::check::tree::{Expr, Stmt, StmtKind};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::ir::{self, ExprKind, Op};
 use crate::span::Span;
 use calyx_abi::Repr;
-use std::collections::HashMap;
 
 impl Body<'_, '_> {
     pub(super) fn switch(&mut self, value: &Expr, body: &Stmt) {
@@ -23,7 +23,7 @@ impl Body<'_, '_> {
             _ => std::slice::from_ref(body),
         };
         let after = self.new_block();
-        let mut cases = HashMap::new();
+        let mut cases = HashMap::default();
         let mut default = None;
         let mut tests = Vec::new();
         for mut statement in statements {

@@ -8,15 +8,16 @@ use crate::check::typed::Typed;
 use crate::check::types::{RecordType, Substitution, Type};
 use crate::check::unit::Unit;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::span::FileId;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::btree_map::{BTreeMap, Entry};
 use std::sync::Arc;
 
 /// The units of a program.
 pub struct Linked<'u> {
     units: Vec<&'u Unit>,
-    /// The typed functions of each unit. Each unit contains the records of all units, because a
-    /// generic function may be instantiated with any of them.
+    /// The typed functions of each unit. A unit with generic functions also contains the records of
+    /// other units with which generic functions are used.
     pub(super) typed: Vec<Typed>,
     /// Records by unit and number.
     records: Vec<Vec<RecordKey>>,
@@ -32,25 +33,20 @@ impl<'u> Linked<'u> {
     /// first one counts. `items` has the start of each item; if it is empty, locations stay
     /// relative to excerpts.
     pub fn new(units: Vec<&'u Unit>, items: &HashMap<ItemId, (FileId, u32)>) -> Self {
-        let mut functions = HashMap::new();
+        let mut functions = HashMap::default();
         for (index, unit) in units.iter().enumerate() {
             for (&item, &function) in &unit.functions {
                 functions.entry(item).or_insert((index, function));
             }
         }
-        let mut all: BTreeMap<RecordKey, (usize, RecordId)> = BTreeMap::new();
-        for (index, unit) in units.iter().enumerate() {
-            for (&item, number) in unit.records.iter().zip(0..) {
-                all.entry(item).or_insert((index, RecordId(number)));
-            }
-        }
+        let all = passed_records(&units);
         let mut records: Vec<Vec<RecordKey>> = units.iter().map(|unit| unit.records.clone()).collect();
         let mut typed: Vec<Typed> = units.iter().map(|unit| unit.typed.clone()).collect();
         for (unit, (typed, records)) in typed.iter_mut().zip(&mut records).enumerate() {
-            if all.len() == records.len() || !typed.is_general() {
+            let missing: Vec<_> = all.iter().filter(|(item, _)| !records.contains(item)).collect();
+            if missing.is_empty() || !typed.is_general() {
                 continue;
             }
-            let missing: Vec<_> = all.iter().filter(|(item, _)| !records.contains(item)).collect();
             records.extend(missing.iter().map(|(item, _)| **item));
             for (_, (from, id)) in missing {
                 debug_assert_ne!(*from, unit);
@@ -88,6 +84,36 @@ impl<'u> Linked<'u> {
     pub fn places(&self, unit: usize) -> Option<&Places<'u>> {
         self.places.get(unit)
     }
+}
+
+/// Returns the records of all units with which generic functions are used, and the records in their
+/// fields: for each, a unit and its number there.
+fn passed_records(units: &[&Unit]) -> BTreeMap<RecordKey, (usize, RecordId)> {
+    let mut found = BTreeMap::new();
+    for (index, unit) in units.iter().enumerate() {
+        let store = &unit.typed.store;
+        let mut left: Vec<&Type> = unit.typed.instances.iter().flat_map(|used| used.types.values()).collect();
+        while let Some(ty) = left.pop() {
+            match store.known(ty) {
+                Type::Record(id) => {
+                    let Some(key) = unit.records.get(id.0 as usize) else { continue };
+                    if let Entry::Vacant(entry) = found.entry(*key) {
+                        entry.insert((index, *id));
+                        let fields = store.record(*id).into_iter().flat_map(|record| &record.fields);
+                        left.extend(fields.map(|(_, ty)| ty));
+                    }
+                }
+                Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => left.push(inner),
+                Type::Tuple(parts) => left.extend(parts),
+                Type::Function(parts, result) => {
+                    left.extend(parts);
+                    left.push(result);
+                }
+                _ => {}
+            }
+        }
+    }
+    found
 }
 
 /// Converts the number of a record in one table to its number in another.
@@ -188,7 +214,7 @@ impl<'c> Lowering<'c> {
 /// Returns the control-flow diagnostics of some functions of a unit. Locations refer to its
 /// excerpt.
 pub fn flow(unit: &Unit, functions: &[FuncId]) -> Vec<Diagnostic> {
-    let linked = Linked::new(vec![unit], &HashMap::new());
+    let linked = Linked::new(vec![unit], &HashMap::default());
     let mut lowering = Lowering::new(&linked);
     lowering.interface_alone();
     for id in functions {

@@ -36,12 +36,13 @@ use crate::ir::{
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
 
+use crate::hashed::{HashMap, HashSet};
 use calyx_abi::{Purity, Repr};
 pub use closures::Closure;
 use function_values::Passed;
 use instances::Around;
 pub use linked::{Linked, flow};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 /// A function to be lowered with given types of its scheme's variables.
@@ -175,16 +176,16 @@ impl<'c> Lowering<'c> {
             checker: linked.typed.first().unwrap_or(&NOTHING.1),
             closures: &first.closures,
             program: Program::default(),
-            instances: HashMap::new(),
+            instances: HashMap::default(),
             components: Default::default(),
             around: None,
             system: UnitSystem::default(),
             declared_system: None,
             wanted: Vec::new(),
             symbolic_functions: Default::default(),
-            showing: HashMap::new(),
-            externs: HashMap::new(),
-            hosts: HashMap::new(),
+            showing: HashMap::default(),
+            externs: HashMap::default(),
+            hosts: HashMap::default(),
             diagnostics: Vec::new(),
             placed: (0, 0, 0),
         }
@@ -262,7 +263,7 @@ impl<'c> Lowering<'c> {
             return *known;
         }
         let mut stack = vec![(unit, function)];
-        let mut seen = HashSet::new();
+        let mut seen = HashSet::default();
         let mut shows = false;
         while let Some((unit, id)) = stack.pop() {
             if shows || !seen.insert((unit, id)) {

@@ -5,14 +5,15 @@ use super::body::Body;
 use super::values::{BinaryForm, binary_form, unary_op};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::constant_index;
+use crate::check::function_values::computed_index;
 use crate::check::tree::{DefId, Expr, Kind, PassedFunction, Sym, VarId};
 use crate::check::types::Type;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::ir::{self, Capture, ExprKind, Op, Site, SiteId, SymExpr, SymKind, Symbol};
 use crate::span::Span;
 use calyx_abi::Repr;
 use calyx_abi::units::to_si;
-use std::collections::HashMap;
 
 /// Limit of the nodes of an expression; only definitions that double at each step reach it.
 const MOST_NODES: usize = 200_000;
@@ -181,11 +182,13 @@ impl Body<'_, '_> {
                 let base = self.symbolic(base, captures);
                 self.element(base, *at, span)
             }
-            Kind::Index(base, index) => {
-                let base = self.symbolic(base, captures);
-                let at = constant_index(index, &self.lowering.checker.store);
-                self.element(base, at.unwrap_or(usize::MAX), span)
-            }
+            Kind::Index(base, index) => match constant_index(index, &self.lowering.checker.store) {
+                Some(at) => {
+                    let base = self.symbolic(base, captures);
+                    self.element(base, at, span)
+                }
+                None => self.chosen_element(index.span),
+            },
             Kind::Observe(inner) => {
                 let inner = self.symbolic(inner, captures);
                 SymExpr { repr: Repr::Number, ..inner }
@@ -336,6 +339,14 @@ impl Body<'_, '_> {
         };
         let repr = captures.shared[index as usize].repr.clone();
         SymExpr { kind: SymKind::Shared(index), repr, span }
+    }
+
+    /// Reports an index in a function that is a part of a symbolic expression.
+    fn chosen_element(&mut self, index: Span) -> SymExpr {
+        if !self.lowering.alone() {
+            self.lowering.report(computed_index(index, "depends on an argument"));
+        }
+        SymExpr { kind: SymKind::Number(f64::NAN), repr: Repr::Number, span: index }
     }
 
     /// Returns an element of brackets, by constant index.

@@ -6,16 +6,17 @@ use super::function_values::Passed;
 use super::instances::Around;
 use super::sites::Captures;
 use super::{Lowering, known_dimension};
-use crate::ast::Mode;
+use crate::ast::{ANONYMOUS, Mode};
+use crate::check::function_values::computed_index;
 use crate::check::symbols::with_article;
 use crate::check::tree::{Call, ConstraintKind, Expr, FuncId, Function, StmtKind, SymbolicBody, VarId};
 use crate::check::types::{Store, Substitution, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
+use crate::hashed::HashMap;
 use crate::ir::{DisplayUnit, SymbolicFunction, SymbolicFunctionId, SymbolicParameter};
 use crate::span::{FileId, Span};
 use calyx_abi::Repr;
-use std::collections::HashMap;
 
 /// Limit of the nesting depth of calls of symbolic functions.
 const MOST_NESTED: usize = 64;
@@ -147,6 +148,10 @@ impl Lowering<'_> {
         {
             if !is_symbolic_argument(repr) {
                 let variable = checker.variable(*variable);
+                if function.definition.is_none() && function.name.ends_with(ANONYMOUS) {
+                    self.report(computed_index(variable.span, "its elements are selected by an argument"));
+                    continue;
+                }
                 self.report(
                     Diagnostic::error(
                         "E0512",
@@ -163,6 +168,10 @@ impl Lowering<'_> {
                         Repr::Array(_) => {
                             "write the elements at the call, `[a[0], a[1]]`: the number of elements of an array \
                              is known only when the program runs"
+                        }
+                        _ if matches!(checker.store.known(ty), Type::Function(..)) => {
+                            "the function captures an array or a text, which a symbolic expression cannot \
+                             use: declare the elements with `const`, and interpolate them with `spline`"
                         }
                         _ => "pass the values that the function needs one by one",
                     }),
