@@ -255,10 +255,13 @@ pub struct FunctionDecl {
     pub is_component: bool,
 }
 
+/// The end of the names of anonymous functions: `(x, y) => ...`.
+pub const ANONYMOUS: &str = "=> ...";
+
 impl FunctionDecl {
     /// Returns `true` for the function of an [`ExprKind::Anonymous`].
     pub fn is_anonymous(&self) -> bool {
-        self.name.name.ends_with("=>")
+        self.name.name.ends_with(ANONYMOUS)
     }
 }
 
@@ -271,6 +274,9 @@ pub enum FunctionBody {
     /// before `function`.
     Extern {
         purity: Option<Ident>,
+        /// Unit in which outputs show the result: `extern scene function f() -> Observable(Angle) in
+        /// urad;`.
+        unit: Option<Expr>,
     },
 }
 

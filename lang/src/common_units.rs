@@ -67,6 +67,15 @@ pub fn of_output(dimension: Dimension, system: UnitSystem) -> Option<DisplayUnit
     }
 }
 
+/// Returns the unit of a library function in a system of units: microinches in place of
+/// micrometres in inches and pounds.
+pub fn in_system(unit: DisplayUnit, system: UnitSystem) -> DisplayUnit {
+    match (unit.name.as_str(), system) {
+        ("um", UnitSystem::InchLbfS) => named("microinch").unwrap_or(unit),
+        _ => unit,
+    }
+}
+
 /// Returns the unit for a product of built-in units, such as `lbf*inch^2/s`.
 pub fn named(product: &str) -> Option<DisplayUnit> {
     let mut found = pure();

@@ -1,7 +1,7 @@
 //! Strongly connected components of a graph, by Tarjan's algorithm (1972). It is iterative, because
 //! a chain of calls may be as long as a program.
 
-use std::collections::{HashMap, HashSet};
+use crate::hashed::{HashMap, HashSet};
 use std::hash::Hash;
 
 /// Returns the strongly connected components in reverse topological order: each follows the
@@ -12,10 +12,10 @@ where
     L: IntoIterator<Item = N>,
 {
     let mut search = Search {
-        index: HashMap::new(),
-        low: HashMap::new(),
+        index: HashMap::default(),
+        low: HashMap::default(),
         stack: Vec::new(),
-        on_stack: HashSet::new(),
+        on_stack: HashSet::default(),
         found: Vec::new(),
     };
     for node in nodes {

@@ -10,7 +10,7 @@ pub use token::{Comment, CommentKind, Kind, Token, Tokens, keywords};
 
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
-use token::{CONTEXTUAL, KEYWORDS, SYMBOLS};
+use token::{CONTEXTUAL, KEYWORDS, SYMBOLS, Spelling};
 
 pub fn lex(file: FileId, text: &str) -> Tokens {
     let mut lexer = Lexer {
@@ -37,7 +37,7 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
             continue;
         }
         let word = &text[token.span.start as usize..token.span.end as usize];
-        let Some(&(_, kind, _)) = CONTEXTUAL.iter().find(|(w, _, _)| *w == word) else { continue };
+        let Some(kind) = spelled(CONTEXTUAL, word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
         // In `param at Time = 0 s` and `param is none`, `param` is a variable. In `in unit was
         // length: Length`, `unit` is a parameter. In `record at was place {`, `record` is a
@@ -75,6 +75,14 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
             tokens[i].kind = kind;
         }
     }
+}
+
+/// Returns the kind of a word in a table.
+fn spelled(table: &[Spelling], word: &str) -> Option<Kind> {
+    // Few words begin with the same letter as a word of the table.
+    let first = word.as_bytes().first();
+    let found = table.iter().find(|(w, _, _)| w.as_bytes().first() == first && *w == word);
+    found.map(|(_, kind, _)| *kind)
 }
 
 struct OpenString {
@@ -286,14 +294,16 @@ impl Lexer<'_> {
         let rest = self.rest();
         let length = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
         let word = &rest[..length];
-        let kind =
-            KEYWORDS.iter().find(|(w, _, _)| *w == word).map_or(Kind::Identifier, |(_, kind, _)| *kind);
+        let kind = spelled(KEYWORDS, word).unwrap_or(Kind::Identifier);
         self.at += length;
         self.push(kind, start);
     }
 
     fn symbol(&mut self, start: usize) {
-        if let Some(&(spelling, kind, _)) = SYMBOLS.iter().find(|(s, _, _)| self.rest().starts_with(s)) {
+        let rest = self.rest().as_bytes();
+        let begins =
+            |s: &&Spelling| s.0.as_bytes().first() == rest.first() && rest.starts_with(s.0.as_bytes());
+        if let Some(&(spelling, kind, _)) = SYMBOLS.iter().find(begins) {
             self.at += spelling.len();
             self.push(kind, start);
             return;

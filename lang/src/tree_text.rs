@@ -175,8 +175,9 @@ fn function(f: &FunctionDecl) -> String {
         FunctionBody::Statement(_) => {}
         FunctionBody::Symbolic(Expr { kind: ExprKind::Block(_), .. }) => head.push_str(" :="),
         FunctionBody::Symbolic(e) => head.push_str(&format!(" := {}", expr(e))),
-        FunctionBody::Extern { purity } => {
-            head.push_str(&format!(" extern {}", purity.as_ref().map_or("", |p| &p.name)));
+        FunctionBody::Extern { purity, unit } => {
+            let purity = purity.as_ref().map_or("", |p| &p.name);
+            head.push_str(&format!(" extern {purity}{}", optional(unit)));
         }
     }
     head
@@ -329,7 +330,7 @@ pub fn expr(e: &Expr) -> String {
         ExprKind::IsNone { value, negated: true } => format!("(is-not-none {})", expr(value)),
         ExprKind::Paren(inner) => format!("(paren {})", expr(inner)),
         ExprKind::Anonymous(decl) => match &decl.body {
-            FunctionBody::Symbolic(e) => format!("({} {})", decl.name.name, expr(e)),
+            FunctionBody::Symbolic(e) => format!("({} {})", decl.name.name.trim_end_matches(" ..."), expr(e)),
             _ => "error".into(),
         },
         // The function writes its statements.

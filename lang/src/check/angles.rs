@@ -11,8 +11,8 @@ use super::types::Type;
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Base, Dimension, Rational};
+use crate::hashed::HashSet;
 use crate::span::Span;
-use std::collections::HashSet;
 use std::f64::consts::PI;
 
 /// Data for lints that need all types.

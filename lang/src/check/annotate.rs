@@ -218,9 +218,13 @@ impl<'a> Checker<'a> {
             self.file = module.file;
             for statement in &module.tree.statements {
                 if let StmtKind::Function(decl) = &statement.kind
-                    && let FunctionBody::Extern { purity } = &decl.body
+                    && let FunctionBody::Extern { purity, unit } = &decl.body
                     && self.layout.is_own(decl.name.span)
                 {
+                    if let (Some(unit), Some(result)) = (unit, &decl.result) {
+                        let ty = self.annotation(result, true);
+                        self.output_unit(&ty, result.span, unit);
+                    }
                     if let Some(purity) = purity
                         && !["pure", "scene", "effect"].contains(&purity.name.as_str())
                     {

@@ -7,6 +7,7 @@ use super::tree::{Expr, Kind};
 use super::types::Type;
 use crate::ast::{self, ExprKind};
 use crate::common_units::{usual, written};
+use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
 use crate::units::UnitSystem;
 
@@ -100,6 +101,10 @@ impl Checker<'_> {
             (false, Some(_)) if is_ratio => {
                 format!("`{name}` takes {}: the ratio of {} to another one", of(wanted), of(found))
             }
+            (false, Some(_)) if wanted.is_fractional() => format!(
+                "`{name}` takes {}, because of the exponents in the function and its result type: check them",
+                of(wanted)
+            ),
             (false, Some(number)) => {
                 format!("`{name}` takes {}, such as `{}`", of(wanted), written(&number.to_string(), unit))
             }
@@ -139,6 +144,27 @@ impl Checker<'_> {
         }
     }
 
+    /// Offers quotes for a number in place of a text, such as `material = 16MnCr5`, in the
+    /// diagnostics from `reported` on.
+    pub(super) fn explain_text(&mut self, reported: usize, parameter: &ast::Ident, argument: &ast::Argument) {
+        let (place, text) = (argument.value.span, self.text(argument.value.span).trim().to_owned());
+        let begins_as_number = text.starts_with(|c: char| c.is_ascii_digit());
+        let is_own = |problem: &&mut Diagnostic| {
+            let at = problem.primary.span;
+            at.file == place.file && place.start <= at.start && at.end <= place.end
+        };
+        let new = self.diagnostics.get_mut(reported..).unwrap_or_default();
+        if let (true, Some(problem)) =
+            (begins_as_number && !text.contains(['"', '\n']), new.iter_mut().find(is_own))
+        {
+            let quoted = format!("\"{text}\"");
+            let help = format!("text is in quotes: write `{} = {quoted}`", parameter.name);
+            *problem = Diagnostic { fix: None, suggestions: Vec::new(), ..problem.clone() }
+                .help(help)
+                .suggest(format!("write `{quoted}`"), place, quoted);
+        }
+    }
+
     fn dimension_of(&self, ty: &Type) -> Option<Dimension> {
         match self.store.resolve(ty) {
             Type::Number(dim) | Type::Vector(dim) => dim.as_known(),
@@ -146,6 +172,13 @@ impl Checker<'_> {
             _ => None,
         }
     }
+}
+
+/// Returns `true` for a parameter that takes text: one of the type String, or one with a text as
+/// its default, from which a function makes the value.
+pub(super) fn takes_text(ty: &Type, parameter: &ast::Parameter) -> bool {
+    let default = parameter.default.as_ref().and_then(|(_, default)| default.as_ref());
+    *ty == Type::String || default.is_some_and(|default| matches!(default.kind, ExprKind::String(_)))
 }
 
 /// Returns the number of a literal quantity.

@@ -5,9 +5,9 @@ use super::symbols::similar;
 use super::tree::Expr;
 use crate::ast::{self, Bind, ExprKind};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::span::Span;
 use std::cmp::Reverse;
-use std::collections::HashMap;
 
 /// The argument of each parameter, and the fields of spread records by name.
 pub(super) type MatchedArguments<'a> = (Vec<Option<&'a ast::Argument>>, HashMap<String, Expr>);
@@ -31,7 +31,59 @@ impl<'a> Checker<'a> {
             .iter()
             .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
             .collect();
-        Some((self.match_arguments(called, &parameters, arguments, span)?, fields))
+        let reported = self.diagnostics.len();
+        let matched = self.match_arguments(called, &parameters, arguments, span);
+        if matched.is_none() {
+            self.explain_symbols(reported, decl, arguments);
+        }
+        Some((matched?, fields))
+    }
+
+    /// Names the parameters whose documentation has an unknown argument name as a symbol, such as
+    /// `z` for `teeth`, in the diagnostics from `reported` on.
+    fn explain_symbols<'d>(
+        &mut self,
+        reported: usize,
+        decl: &'d ast::FunctionDecl,
+        arguments: &[ast::Argument],
+    ) {
+        for (name, _) in arguments.iter().filter_map(|argument| argument.name.as_ref()) {
+            let new = self.diagnostics.get_mut(reported..).unwrap_or_default();
+            let unknown = |d: &&mut Diagnostic| d.code == "E0205" && d.primary.span == name.span;
+            let Some(problem) = new.iter_mut().find(unknown) else { continue };
+            // A spelling of a parameter's name, or of the name of another quantity in documentation.
+            if decl.parameters.iter().any(|parameter| has_symbol(&parameter.name.name, &name.name)) {
+                continue;
+            }
+            // The documentation of a declaration is reduced to symbols; see `Item`.
+            let symbols = |parameter: &'d ast::Parameter| {
+                let (own, others) = parameter.doc.as_deref()?.split_once(". ")?;
+                Some((parameter.name.name.as_str(), own, others))
+            };
+            let all: Vec<(&str, &str, &str)> = decl.parameters.iter().filter_map(symbols).collect();
+            let own: Vec<&str> = all
+                .iter()
+                .filter(|(_, own, _)| has_symbol(own, &name.name))
+                .map(|(near, ..)| *near)
+                .collect();
+            let related = all.iter().find(|(_, _, others)| has_symbol(others, &name.name));
+            let plain = Diagnostic { fix: None, suggestions: Vec::new(), ..problem.clone() };
+            *problem = match (&own[..], related) {
+                ([near], _) => plain.help(format!("did you mean `{near}`?")).fix(
+                    format!("change to `{near}`"),
+                    name.span,
+                    *near,
+                ),
+                ([others @ .., last], _) => {
+                    plain.help(format!("did you mean `{}` or `{last}`?", others.join("`, `")))
+                }
+                ([], Some((related, ..))) => plain.help(format!(
+                    "`{related}` determines `{}`; `calyx doc` has its documentation",
+                    name.name
+                )),
+                ([], None) => continue,
+            };
+        }
     }
 
     /// Matches arguments to parameters, each with its name and `true` if it is optional. `None`
@@ -162,6 +214,12 @@ impl<'a> Checker<'a> {
     }
 }
 
+/// Returns `true` if one of some symbols is `name`, with or without underscores.
+fn has_symbol(symbols: &str, name: &str) -> bool {
+    let plain = |text: &str| text.replace('_', "");
+    symbols.split_whitespace().any(|symbol| plain(symbol) == plain(name))
+}
+
 fn listed(parameters: &[(&str, bool)]) -> String {
     parameters.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
@@ -196,7 +254,8 @@ const MOST_LISTED: usize = 8;
 const MOST_NEAR: usize = 3;
 
 /// Names the parameters that have a word in common with an unknown name. If there are none, lists
-/// all parameters, or those that the call lacks if there are many.
+/// all parameters; if there are many, those without an argument, and first those that the call
+/// lacks.
 fn parameters_near(name: &str, parameters: &[(&str, bool)], named: &[&str]) -> String {
     let words = |name: &str| name.split('_').map(str::to_lowercase).collect::<Vec<_>>();
     let own = words(name);
@@ -216,13 +275,10 @@ fn parameters_near(name: &str, parameters: &[(&str, bool)], named: &[&str]) -> S
         [only] => format!("did you mean {only}?"),
         [others @ .., last] => format!("did you mean {} or {last}?", others.join(", ")),
         [] if parameters.len() <= MOST_LISTED => format!("its parameters are {}", listed(parameters)),
+        [] if needed.is_empty() => format!("its other parameters are {}", listed(&free)),
         [] => {
-            let (what, shown) = match needed.is_empty() {
-                true => ("its first parameters are", &parameters[..MOST_LISTED]),
-                false => ("the call lacks", &needed[..]),
-            };
-            let others = parameters.len() - shown.len();
-            format!("{what} {}; the function has {others} other parameters", listed(shown))
+            let others: Vec<(&str, bool)> = free.iter().filter(|(_, optional)| *optional).copied().collect();
+            format!("the call lacks {}; the other parameters are {}", listed(&needed), listed(&others))
         }
     }
 }

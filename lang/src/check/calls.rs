@@ -1,5 +1,6 @@
 //! Checks calls: applies the requirements of each kind of function to the matched arguments.
 
+use super::argument_help::takes_text;
 use super::infer::Checker;
 use super::places::place_value;
 use super::symbols::{Resolution, with_article};
@@ -7,8 +8,8 @@ use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, Bind, ExprKind, Mode};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::span::{FileId, Span};
-use std::collections::HashMap;
 
 /// A called function, and whether each of its parameters has an argument.
 struct Callee<'c> {
@@ -100,7 +101,7 @@ impl<'a> Checker<'a> {
         };
         if let Some(place) = self.constant_place {
             let pure =
-                matches!(&decl.body, ast::FunctionBody::Extern { purity: Some(p) } if p.name == "pure");
+                matches!(&decl.body, ast::FunctionBody::Extern { purity: Some(p), .. } if p.name == "pure");
             if !pure {
                 self.report(
                     Diagnostic::error(
@@ -424,6 +425,10 @@ impl<'a> Checker<'a> {
         if self.diagnostics.len() > reported {
             let free = self.in_file(callee.file, |c| c.free_parameters(callee.decl, callee.with_argument));
             self.explain_argument(reported, (parameter, ty), argument, &value, &free);
+            let declared = callee.decl.parameters.iter().find(|other| other.name.name == parameter.name);
+            if declared.is_some_and(|declared| takes_text(ty, declared)) {
+                self.explain_text(reported, parameter, argument);
+            }
             if let Some(function) = callee.function {
                 self.explain_sum(reported, function, (ty, &value.ty));
             }

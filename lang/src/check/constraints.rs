@@ -12,7 +12,7 @@ use super::tree::{Constraint, ConstraintKind, FieldUse};
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
-use std::collections::HashMap;
+use crate::hashed::HashMap;
 use std::collections::hash_map::Entry;
 use std::mem::{Discriminant, discriminant};
 
@@ -106,7 +106,7 @@ impl Checker<'_> {
     /// twice would double at each level.
     fn merge_constraints(&mut self) {
         // The result of each constraint and its index.
-        let mut seen: HashMap<ConstraintKey, (Type, usize)> = HashMap::new();
+        let mut seen: HashMap<ConstraintKey, (Type, usize)> = HashMap::default();
         for constraint in std::mem::take(&mut self.pending) {
             let kind = discriminant(&constraint.kind);
             let field = match &constraint.kind {

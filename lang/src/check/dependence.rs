@@ -9,9 +9,10 @@
 use super::runtime_definitions::RuntimeDefinitions;
 use super::tree::{Call, Def, DefId, Expr, FuncId, Function, Kind, PassedFunction, Place, Sym, VarId};
 use crate::ast::BinaryOp;
+use crate::hashed::{HashMap, HashSet};
 use crate::ir::Op;
 use crate::span::Span;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 enum Node {
@@ -366,7 +367,7 @@ impl Dependence {
 
     /// Returns `true` if a node depends on a param; `by_value` ignores conditions.
     fn depends(&self, from: Node, param: u32, by_value: bool) -> bool {
-        let (mut seen, mut stack) = (HashSet::new(), vec![from]);
+        let (mut seen, mut stack) = (HashSet::default(), vec![from]);
         while let Some(node) = stack.pop() {
             if node == Node::Param(param) {
                 return true;
@@ -425,7 +426,7 @@ const MOST_REPLACED: usize = 2;
 impl Named {
     fn of(e: &Expr, defs: &[Def]) -> Named {
         let mut named = Named::default();
-        named.collect(e, defs, &[], &mut HashSet::new());
+        named.collect(e, defs, &[], &mut HashSet::default());
         named
     }
 
@@ -471,11 +472,11 @@ impl Named {
     /// uses no params.
     fn with_functions(&self, functions: &HashMap<FuncId, Function>, defs: &[Def]) -> Named {
         let mut all = self.clone();
-        let mut seen = HashSet::new();
+        let mut seen = HashSet::default();
         let mut pending: Vec<FuncId> = self.functions.iter().copied().collect();
         while let Some(id) = pending.pop() {
             let Some(function) = functions.get(&id).filter(|_| seen.insert(id)) else { continue };
-            let (mut inner, mut met) = (Named::default(), Seen::new());
+            let (mut inner, mut met) = (Named::default(), Seen::default());
             if let Some(body) = &function.definition {
                 inner.collect(&defs[body.def.0 as usize].expr, defs, &[], &mut met);
             }
@@ -499,7 +500,7 @@ fn through_graphs(
     defs: &[Def],
     graphs: &RuntimeDefinitions,
 ) -> (BTreeSet<VarId>, BTreeSet<VarId>) {
-    let (mut values, mut seen, mut met) = (BTreeSet::new(), Seen::new(), BTreeSet::new());
+    let (mut values, mut seen, mut met) = (BTreeSet::new(), Seen::default(), BTreeSet::new());
     let mut pending: Vec<VarId> = captured.iter().copied().collect();
     while let Some(id) = pending.pop() {
         let Some(name) = graphs.captured.get(&id) else {

@@ -11,6 +11,7 @@ use crate::ast::{Domain, Parameter};
 use crate::diagnostic::Diagnostic;
 use crate::dimension::{Base, Dimension};
 use crate::span::Span;
+use crate::units::Unit;
 
 /// A value and its domain.
 pub struct Check {
@@ -219,13 +220,58 @@ impl<'a> Checker<'a> {
             Type::Number(dim) => dim.as_known() == Some(angle),
             _ => false,
         };
-        let is_bare = written.parse() == Ok(number) && is_angle;
-        self.report(match is_bare && fits {
-            true => diagnostic
-                .help(format!("a number without a unit is in radians: write `{written} deg`"))
-                .suggest(format!("write `{written} deg`"), span, format!("{written} deg")),
-            false => diagnostic,
+        if written.parse() == Ok(number) && is_angle && fits {
+            self.report(
+                diagnostic
+                    .help(format!("a number without a unit is in radians: write `{written} deg`"))
+                    .suggest(format!("write `{written} deg`"), span, format!("{written} deg")),
+            );
+            return;
+        }
+        let opposite = format!("{}", -number);
+        let is_opposite = low.is_some_and(|low| low >= 0.0)
+            && written.trim_start_matches('-').trim().parse() == Ok(-number)
+            && low.is_none_or(|low| -number >= low)
+            && high.is_none_or(|high| -number <= high);
+        if is_opposite {
+            let help = format!("is `{opposite}` meant? `{}` is not negative", check.name);
+            self.report(diagnostic.help(help).suggest(format!("write `{opposite}`"), span, opposite));
+            return;
+        }
+        let slip = self.unit_slip(check, [low, high], span);
+        self.report(match slip {
+            Some((help, text)) => diagnostic.help(help).suggest(format!("write `{text}`"), span, text),
+            None => diagnostic,
         });
+    }
+
+    /// Returns help, and the quantity in a unit of the range, for a number that lies in the range
+    /// in this unit.
+    fn unit_slip(
+        &self,
+        check: &Check,
+        [low, high]: [Option<f64>; 2],
+        span: Span,
+    ) -> Option<(String, String)> {
+        let text = self.text(span).trim();
+        let Type::Number(dim) = self.store.resolve(&check.ty) else { return None };
+        let dimension = dim.as_known().filter(|dimension| !dimension.is_none())?;
+        let (digits, unit) = match text.split_once(char::is_whitespace) {
+            Some((digits, unit)) => (digits, unit.trim()),
+            None => (text, ""),
+        };
+        let number: f64 = digits.parse().ok()?;
+        let range = check.text.split_whitespace().filter_map(Unit::find);
+        let mut units = range.filter(|other| other.name != unit && other.dimension.fits(dimension));
+        let fits = |value: f64| low.is_none_or(|low| value >= low) && high.is_none_or(|high| value <= high);
+        let meant = units.find(|unit| fits(unit.factor * number))?;
+        let text = format!("{digits} {}", meant.name);
+        let system = self.modules.get(span.file.0 as usize).and_then(|module| module.system);
+        let own = self.store.vocabulary.unit_of(system.unwrap_or_default(), dimension).name;
+        Some(match unit {
+            "" => (format!("a number without a unit is in {own}: write `{text}`"), text),
+            _ => (format!("is `{text}` meant?"), text),
+        })
     }
 
     /// Checks a constant text against choices.

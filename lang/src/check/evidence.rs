@@ -10,8 +10,8 @@ use super::tree::{Expr, Kind, VarId};
 use crate::ast::{self, ExprKind, UnaryOp};
 use crate::diagnostic::{Diagnostic, Label};
 use crate::dimension::Dimension;
+use crate::hashed::HashMap;
 use crate::span::Span;
-use std::collections::HashMap;
 
 /// Evidence for the dimension of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,10 +8,10 @@ use super::ModuleData;
 use super::item::Item;
 use crate::ast::Module;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::relocate;
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
-use std::collections::HashMap;
 
 /// Identifies an item, across excerpts and edits.
 pub type ItemId = u64;

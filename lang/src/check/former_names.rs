@@ -7,8 +7,8 @@ use super::tree::RecordId;
 use super::types::Type;
 use crate::ast::{Argument, FunctionDecl, Ident, RecordDecl};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::span::Span;
-use std::collections::HashMap;
 
 /// The name of a parameter or field, and its former name.
 #[derive(Clone, Copy)]

@@ -149,6 +149,7 @@ impl<'a> Checker<'a> {
         let meant = name.and_then(|name| self.meaning(name.span));
         let problem = match meant {
             Some(Resolution::Unknown) => return error,
+            Some(Resolution::Function(id)) if self.symbolic && self.is_computed(id) => return error,
             Some(Resolution::Function(id)) if !is_symbolic => match self.unsuitable(id) {
                 None => return self.passed(id, expected, parameter, span),
                 Some(problem) => problem,
@@ -282,6 +283,26 @@ impl<'a> Checker<'a> {
         value
     }
 
+    /// Reports an anonymous function that indexes by its arguments as a part of a symbolic
+    /// expression.
+    pub(super) fn is_computed(&mut self, id: FuncId) -> bool {
+        let index = self.names.functions[id.0 as usize].computed;
+        index.into_iter().for_each(|index| self.report(computed_index(index, "depends on an argument")));
+        index.is_some()
+    }
+
+    /// Checks the expression of an anonymous function that indexes by its arguments, as the result
+    /// of an ordinary function.
+    pub(super) fn computed_body(&mut self, id: FuncId, body: &'a ast::Expr) -> Stmt {
+        let value = self.stored(body);
+        let result = self.current_result();
+        let value = self.fitted(&result, value);
+        let name = format!("the result of `{}`", self.names.functions[id.0 as usize].name);
+        self.expect(&result, &value, &name, None);
+        self.dependence.returned(id, &value);
+        Stmt { kind: StmtKind::Return(Some(value)), span: body.span }
+    }
+
     /// Returns the meaning of a name. In an anonymous function, a variable around it is a
     /// parameter.
     pub(super) fn meaning(&self, name: Span) -> Option<Resolution> {
@@ -353,4 +374,19 @@ impl<'a> Checker<'a> {
             );
         }
     }
+}
+
+/// Returns the error for an index that depends on arguments, in a symbolic expression. `place` is
+/// the index or the array.
+pub(super) fn computed_index(place: Span, label: &str) -> Diagnostic {
+    Diagnostic::error(
+        "E0921",
+        "a symbolic expression has no element whose index is known only at run time",
+        place,
+        label,
+    )
+    .help(
+        "declare the elements with `const` and interpolate them, `spline(positions, list, x)`, or pass the \
+         function to an ordinary function, which computes values",
+    )
 }

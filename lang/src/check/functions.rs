@@ -5,7 +5,7 @@ use super::symbols::VarKind;
 use super::tree::*;
 use super::types::Type;
 use crate::ast;
-use std::collections::HashMap;
+use crate::hashed::HashMap;
 use std::rc::Rc;
 
 impl Checker<'_> {
@@ -121,7 +121,7 @@ impl Checker<'_> {
                     });
                     let earlier: HashMap<VarId, VarId> = match &decl.body {
                         ast::FunctionBody::Statement(_) => earlier.map(|(_, id)| (*id, *id)).collect(),
-                        _ => HashMap::new(),
+                        _ => HashMap::default(),
                     };
                     let around = std::mem::replace(&mut self.elements, earlier);
                     self.parameter_default(&ty, &parameter.name, default);
@@ -161,6 +161,9 @@ impl Checker<'_> {
                 }
                 _ => body.push(self.statement(statement)),
             },
+            ast::FunctionBody::Symbolic(e) if self.names.functions[id.0 as usize].computed.is_some() => {
+                body.push(self.computed_body(id, e));
+            }
             ast::FunctionBody::Symbolic(e) => definition = Some(self.symbolic_body(id, decl, e)),
             ast::FunctionBody::Extern { .. } => {}
         }

@@ -16,10 +16,11 @@ use super::types::{Store, Substitution, Type};
 use crate::ast;
 use crate::diagnostic::Diagnostic;
 use crate::dimension::Dimension;
+use crate::hashed::{HashMap, HashSet};
 use crate::ir::DisplayUnit;
 use crate::span::{FileId, Span};
 use crate::units::UnitSystem;
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// The `:=` definition of a symbolic name at a point of the program.
@@ -166,7 +167,7 @@ impl<'a> Checker<'a> {
         let groups = recursive_groups(&names.functions);
         let components = (0..).map(FuncId).zip(&names.functions).filter(|(_, info)| info.is_component());
         let components = components.map(|(id, _)| id).collect();
-        let mut nested: HashMap<FuncId, Vec<FuncId>> = HashMap::new();
+        let mut nested: HashMap<FuncId, Vec<FuncId>> = HashMap::default();
         for (id, function) in (0..).map(FuncId).zip(&names.functions) {
             if let Some(around) = function.parent {
                 nested.entry(around).or_default().push(id);
@@ -178,39 +179,39 @@ impl<'a> Checker<'a> {
             names,
             store: Store::default(),
             diagnostics: Vec::new(),
-            functions: HashMap::new(),
+            functions: HashMap::default(),
             instances: Vec::new(),
             defs: Vec::new(),
             params: Vec::new(),
             outputs: Vec::new(),
             handles: BTreeSet::new(),
             dependence: Default::default(),
-            signatures: HashMap::new(),
+            signatures: HashMap::default(),
             pending: Vec::new(),
-            reaching: HashMap::new(),
+            reaching: HashMap::default(),
             graphs: Default::default(),
-            rebound: HashSet::new(),
-            output_defs: HashMap::new(),
-            output_arrays: HashMap::new(),
-            environments: HashMap::new(),
+            rebound: HashSet::default(),
+            output_defs: HashMap::default(),
+            output_arrays: HashMap::default(),
+            environments: HashMap::default(),
             symbolic: false,
             constant_place: None,
             output_captures: None,
             components,
-            imported_members: HashMap::new(),
-            fixed_members: HashMap::new(),
+            imported_members: HashMap::default(),
+            fixed_members: HashMap::default(),
             declaring_param: false,
-            instance_sites: HashSet::new(),
+            instance_sites: HashSet::default(),
             given_observables,
-            requested_observables: HashSet::new(),
-            static_parameters: HashSet::new(),
+            requested_observables: HashSet::default(),
+            static_parameters: HashSet::default(),
             switches: Vec::new(),
             handlers: 0,
             domains: Vec::new(),
-            consts: HashMap::new(),
+            consts: HashMap::default(),
             open_consts: 0,
-            own_dimensions: HashMap::new(),
-            own_units: HashMap::new(),
+            own_dimensions: HashMap::default(),
+            own_units: HashMap::default(),
             opening: Vec::new(),
             making: Vec::new(),
             spread_records: Vec::new(),
@@ -219,23 +220,23 @@ impl<'a> Checker<'a> {
             present: Default::default(),
             may_be_absent: false,
             tests_presence: false,
-            zero_starts: HashMap::new(),
-            sums: HashMap::new(),
-            elements: HashMap::new(),
-            unrolled: HashMap::new(),
-            array_lengths: HashMap::new(),
+            zero_starts: HashMap::default(),
+            sums: HashMap::default(),
+            elements: HashMap::default(),
+            unrolled: HashMap::default(),
+            array_lengths: HashMap::default(),
             named_parts: Vec::new(),
-            current_names: HashMap::new(),
-            parameter_types: HashMap::new(),
+            current_names: HashMap::default(),
+            parameter_types: HashMap::default(),
             named_fields: Vec::new(),
             unsettled: false,
             turns: Default::default(),
             groups,
             nested,
-            variable_types: HashMap::new(),
+            variable_types: HashMap::default(),
             open_variables: Vec::new(),
             evidence: Default::default(),
-            reported: HashSet::new(),
+            reported: HashSet::default(),
         }
     }
 

@@ -56,6 +56,7 @@ mod observables;
 mod optional;
 mod order;
 mod other_modules;
+mod output_units;
 mod params;
 mod places;
 mod reaching;

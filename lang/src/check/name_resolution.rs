@@ -12,8 +12,8 @@ use super::types::{Store, Type};
 use crate::analysis::NameKind;
 use crate::ast::FunctionBody;
 use crate::dimension::Dimension;
+use crate::hashed::{HashMap, HashSet};
 use crate::span::Span;
-use std::collections::{HashMap, HashSet};
 
 /// The meanings of the names in one unit.
 #[derive(Debug, Default)]
@@ -70,8 +70,8 @@ impl NameTable {
     /// Collects the meanings that a checker found; `schemes` are those of its functions.
     pub fn of(checker: &mut Checker<'_>, schemes: HashMap<FuncId, ShownScheme>) -> NameTable {
         let mut parts: HashMap<Span, Span> = checker.named_parts.drain(..).collect();
-        let (mut part_types, mut components) = (HashMap::new(), HashMap::new());
-        let mut members = HashMap::new();
+        let (mut part_types, mut components) = (HashMap::default(), HashMap::default());
+        let mut members = HashMap::default();
         let names = &checker.names;
         for (index, record) in names.records.iter().enumerate() {
             let known = checker.store.record(super::tree::RecordId(index as u32));
@@ -158,7 +158,7 @@ impl NameTable {
             outputs: names.outputs.iter().map(|output| output.name.span).collect(),
             modules: checker.modules.iter().map(|module| module.name.clone()).collect(),
             written: std::mem::take(&mut checker.names.written),
-            uses: HashMap::new(),
+            uses: HashMap::default(),
         }
     }
 

@@ -17,7 +17,7 @@ use crate::ast::{Domain, FunctionBody, FunctionDecl, TypeKind};
 
 /// Returns the handle type whose names a function declares.
 pub fn named_type(decl: &FunctionDecl) -> Option<&str> {
-    let FunctionBody::Extern { purity: Some(purity) } = &decl.body else { return None };
+    let FunctionBody::Extern { purity: Some(purity), .. } = &decl.body else { return None };
     let ([parameter], Some(result)) = (decl.parameters.as_slice(), &decl.result) else { return None };
     let (Some(annotation), TypeKind::Name(handle)) = (&parameter.annotation, &result.kind) else {
         return None;

@@ -17,9 +17,10 @@ use super::tree::{FuncId, RecordId, VarId};
 use super::unit::Surroundings;
 use crate::ast::*;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::{HashMap, HashSet};
 use crate::span::{FileId, Span};
 use crate::units::Unit;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 #[derive(Default)]
 struct Scope {
@@ -62,10 +63,11 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
         parameters: Vec::new(),
         outer: BTreeSet::new(),
         captured: Vec::new(),
+        computed: None,
         callees: BTreeSet::new(),
     });
     for (index, module) in modules.iter().enumerate() {
-        let mut exports = HashMap::new();
+        let mut exports = HashMap::default();
         if index > 0 {
             resolver.file = module.file;
             for statement in &module.tree.statements {
@@ -251,6 +253,7 @@ impl<'a> Resolver<'a> {
                 parameters: Vec::new(),
                 outer: BTreeSet::new(),
                 captured: Vec::new(),
+                computed: None,
                 callees: BTreeSet::new(),
             });
             Resolution::Function(FuncId(self.names.functions.len() as u32 - 1))

@@ -206,7 +206,7 @@ impl<'a> Checker<'a> {
         };
         self.solve_open_constraints(std::iter::once(&e.ty));
         if matches!(self.store.shallow(&e.ty), Type::Array(_)) && !self.is_symbolic_brackets(&e) {
-            return self.array_output(id, name, e, unit);
+            return self.array_output(id, name, e, (value, unit));
         }
         let number = self.fresh_number();
         self.expect(&number, &e, &format!("the output `{}`", name.name), None);
@@ -220,7 +220,7 @@ impl<'a> Checker<'a> {
         // The instance of a component has the output as a member.
         let member = info.is_some_and(|info| info.owner != FuncId(0));
         let member = member.then(|| self.observable_variable(&name.name, &ty, name.span));
-        let index = self.add_output(id, name, ty, (value.span, unit), member);
+        let index = self.add_output(id, name, ty, (value, unit), member);
         StmtKind::Output(index, def)
     }
 
@@ -229,10 +229,13 @@ impl<'a> Checker<'a> {
         id: u32,
         name: &ast::Ident,
         ty: Type,
-        (value, unit): (Span, Option<&'a ast::Expr>),
+        (value, unit): (&'a ast::Expr, Option<&'a ast::Expr>),
         member: Option<VarId>,
     ) -> u32 {
-        let unit = unit.and_then(|unit| self.output_unit(&ty, value, unit));
+        let unit = match unit {
+            Some(unit) => self.output_unit(&ty, value.span, unit),
+            None => self.usual_unit(&ty, value),
+        };
         let info = self.names.outputs.get(id as usize);
         let doc = info.and_then(|info| info.doc).unwrap_or_default().to_string();
         let owner = info.map_or(FuncId(0), |info| info.owner);
@@ -269,7 +272,13 @@ impl<'a> Checker<'a> {
     }
 
     /// Checks `output name := array;`. The outputs have indices: `name[0]`.
-    fn array_output(&mut self, id: u32, name: &ast::Ident, e: Expr, unit: Option<&'a ast::Expr>) -> StmtKind {
+    fn array_output(
+        &mut self,
+        id: u32,
+        name: &ast::Ident,
+        e: Expr,
+        (value, unit): (&'a ast::Expr, Option<&'a ast::Expr>),
+    ) -> StmtKind {
         let mut element = self.store.shallow(&e.ty);
         while let Type::Array(inner) = element {
             element = self.store.shallow(&inner);
@@ -287,13 +296,13 @@ impl<'a> Checker<'a> {
         let variable = self.hidden_variable(&name.name, name.span, e.ty.clone());
         self.dependence.variable(variable, &e);
         self.output_arrays.insert(id, variable);
-        let index = self.add_output(id, name, number, (e.span, unit), Some(variable));
+        let index = self.add_output(id, name, number, (value, unit), Some(variable));
         StmtKind::ArrayOutput(index, e)
     }
 }
 
 /// Returns the elements of brackets.
-fn listed(e: &ast::Expr) -> Option<&[ast::Expr]> {
+pub(super) fn listed(e: &ast::Expr) -> Option<&[ast::Expr]> {
     match &e.kind {
         ExprKind::List(elements) => Some(elements),
         ExprKind::Paren(inner) => listed(inner),

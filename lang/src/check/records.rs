@@ -9,8 +9,8 @@ use super::type_extent::{MOST_FIELDS, MOST_NESTED};
 use super::types::{Mismatch, RecordType, Type};
 use crate::ast;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::{HashMap, HashSet};
 use crate::span::Span;
-use std::collections::{HashMap, HashSet};
 
 impl ast::RecordDecl {
     /// Returns the span from the first field to the last.
@@ -168,7 +168,7 @@ impl<'a> Checker<'a> {
 
     /// Returns `true` if a type contains a record.
     fn holds(&self, ty: &Type, id: RecordId) -> bool {
-        let (mut left, mut seen) = (vec![ty], HashSet::new());
+        let (mut left, mut seen) = (vec![ty], HashSet::default());
         while let Some(ty) = left.pop() {
             match self.store.known(ty) {
                 Type::Record(inner) if *inner == id => return true,
@@ -283,7 +283,7 @@ impl<'a> Checker<'a> {
         parameters: &[DeclaredName<'_>],
         arguments: &'a [ast::Argument],
     ) -> Option<HashMap<String, Expr>> {
-        let mut fields = HashMap::new();
+        let mut fields = HashMap::default();
         let mut sound = true;
         for argument in arguments.iter().filter(|argument| argument.spread) {
             let brackets = self.symbolic && self.names_brackets(&argument.value);

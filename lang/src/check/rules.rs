@@ -129,17 +129,29 @@ mod record {
     pub fn take() -> BTreeSet<Rule> {
         APPLIED.take()
     }
+
+    /// Adds rules that another thread applied for this one.
+    pub(crate) fn add(rules: BTreeSet<Rule>) {
+        APPLIED.with_borrow_mut(|own| own.extend(rules));
+    }
 }
 
 #[cfg(not(feature = "rule-record"))]
 mod record {
     #[inline]
     pub(in crate::check) fn applied(_: super::Rule) {}
+
+    pub(crate) fn take() {}
+
+    pub(crate) fn add((): ()) {}
 }
 
+pub(crate) use record::add;
 pub(super) use record::applied;
 #[cfg(feature = "rule-record")]
 pub use record::take;
+#[cfg(not(feature = "rule-record"))]
+pub(crate) use record::take;
 
 /// Records the result of a constraint: `Some(true)` solved, `Some(false)` failed, `None` still
 /// open. `shallow` returns the known outermost constructor of a type.

@@ -9,8 +9,9 @@ use super::symbols::VarKind;
 use super::tree::*;
 use crate::ast;
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::span::Span;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 #[derive(Debug, Default)]
 pub struct RuntimeDefinitions {

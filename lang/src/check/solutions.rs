@@ -203,6 +203,7 @@ impl<'a> Checker<'a> {
         };
         let meant = name.and_then(|name| self.meaning(name.span));
         let diagnostic = match meant {
+            Some(Resolution::Function(id)) if self.is_computed(id) => return None,
             Some(Resolution::Function(id)) => {
                 let decl = self.names.functions[id.0 as usize].decl;
                 let usable = decl.is_some_and(|decl| {

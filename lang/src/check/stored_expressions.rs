@@ -50,6 +50,8 @@ impl<'a> Checker<'a> {
         }
         let name = match &written.kind {
             ExprKind::Name(name) => name,
+            // It is stored already, or a constant frame.
+            ExprKind::Field { .. } | ExprKind::Index { .. } => return None,
             _ if self.is_frame(written) && self.moves(written) => {
                 let value = self.as_symbolic(|c| c.expr(e));
                 return Some(self.as_expression("frame", value));
@@ -75,8 +77,8 @@ impl<'a> Checker<'a> {
         def.on_time && !def.observes && (is_frame || !frame)
     }
 
-    /// Returns `true` if an expression is a frame by its form: a product of frames, `Translate`,
-    /// `Rotate`, `inverse`, or a call of a symbolic function that returns a frame.
+    /// Returns `true` if an expression is a frame by its form: a product of frames, a stored frame,
+    /// `Translate`, `Rotate`, `inverse`, or a call of a symbolic function that returns a frame.
     fn is_frame(&mut self, e: &ast::Expr) -> bool {
         match &e.kind {
             ExprKind::Paren(inner) => self.is_frame(inner),
@@ -84,15 +86,10 @@ impl<'a> Checker<'a> {
                 self.is_frame(left) && self.is_frame(right)
             }
             ExprKind::Name(name) => match self.names.uses.get(&name.span).copied() {
-                Some(Resolution::Var(id)) => {
-                    self.is_moving(id, true)
-                        || self
-                            .variable_types
-                            .get(&id)
-                            .is_some_and(|ty| matches!(self.store.known(ty), Type::Transform))
-                }
+                Some(Resolution::Var(id)) => self.is_moving(id, true) || self.known_frame(e).is_some(),
                 _ => false,
             },
+            ExprKind::Field { .. } | ExprKind::Index { .. } => self.known_frame(e).is_some(),
             ExprKind::Call { callee, .. } => {
                 let (ExprKind::Name(name) | ExprKind::Field { field: name, .. }) = &callee.kind else {
                     return false;
@@ -106,9 +103,7 @@ impl<'a> Checker<'a> {
                         let signature = self.signatures.get(&id);
                         signature
                             .is_some_and(|found| matches!(self.store.known(&found.result), Type::Transform))
-                            && self.names.functions[id.0 as usize]
-                                .decl
-                                .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_)))
+                            && self.names.functions[id.0 as usize].is_symbolic()
                     }
                     _ => false,
                 }
@@ -117,8 +112,24 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Returns `true` if an expression contains `Time` or a name that depends on it.
+    /// Returns whether a variable, element or field is a frame that is stored as an expression;
+    /// `None` if it is no frame.
+    fn known_frame(&self, e: &ast::Expr) -> Option<bool> {
+        match self.store.shallow(&self.written_type(e)?) {
+            Type::Transform => Some(false),
+            Type::Symbolic(inner) => matches!(self.store.known(&inner), Type::Transform).then_some(true),
+            _ => None,
+        }
+    }
+
+    /// Returns `true` if an expression contains `Time`, or a name, element or field that may depend
+    /// on it.
     fn moves(&self, e: &ast::Expr) -> bool {
+        if matches!(&e.kind, ExprKind::Name(_) | ExprKind::Field { .. } | ExprKind::Index { .. })
+            && self.known_frame(e) == Some(true)
+        {
+            return true;
+        }
         if let ExprKind::At { .. } | ExprKind::Anonymous(_) = &e.kind {
             return false;
         }

@@ -15,8 +15,9 @@ use super::tree::*;
 use super::types::Type;
 use crate::ast::{self, BinaryOp, ExprKind};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::{HashMap, HashSet};
 use crate::span::Span;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 /// A definition under construction.
 struct Builder {
@@ -258,7 +259,7 @@ impl<'a> Checker<'a> {
             name: name.into(),
             function,
             captures: Vec::new(),
-            known: HashMap::new(),
+            known: HashMap::default(),
             on_time: false,
             observes: false,
             closed: true,

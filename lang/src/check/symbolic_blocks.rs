@@ -2,7 +2,7 @@
 //! expressions, and the result.
 
 use super::infer::Checker;
-use super::symbols::Resolution;
+use super::symbols::{FunctionInfo, Resolution};
 use super::tree::*;
 use crate::ast::{self, Bind, StmtKind};
 use crate::diagnostic::Diagnostic;
@@ -108,7 +108,6 @@ impl<'a> Checker<'a> {
     pub(super) fn is_of_symbolic_function(&self, id: VarId) -> bool {
         let owner = self.variable(id).owner;
         let info = self.names.functions.get(owner.0 as usize);
-        info.and_then(|info| info.decl)
-            .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_)))
+        info.is_some_and(FunctionInfo::is_symbolic)
     }
 }

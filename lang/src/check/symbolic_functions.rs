@@ -223,9 +223,7 @@ impl<'a> Checker<'a> {
         let variable = self.variable(id);
         variable.owner == self.function
             && matches!(variable.kind, VarKind::Parameter(_))
-            && self.names.functions[self.function.0 as usize]
-                .decl
-                .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_)))
+            && self.names.functions[self.function.0 as usize].is_symbolic()
     }
 
     pub(super) fn outside_argument(&self, name: &str, span: Span) -> Diagnostic {
@@ -315,9 +313,7 @@ impl<'a> Checker<'a> {
                     return false;
                 };
                 match self.names.uses.get(&name.span) {
-                    Some(Resolution::Function(id)) => self.names.functions[id.0 as usize]
-                        .decl
-                        .is_some_and(|decl| matches!(decl.body, ast::FunctionBody::Symbolic(_))),
+                    Some(Resolution::Function(id)) => self.names.functions[id.0 as usize].is_symbolic(),
                     Some(Resolution::Builtin(builtin)) => {
                         matches!(builtin, Builtin::Gradient | Builtin::Derivative | Builtin::Solve(_))
                     }

@@ -3,11 +3,14 @@
 use super::builtins::Builtin;
 use super::tree::{FuncId, RecordId, VarId};
 use super::unit::Surroundings;
-use crate::ast::{EnumDecl, Expr, FunctionDecl, Ident, Mode, ParamDecl, RecordDecl, TypeExpr, UnitDecl};
+use crate::ast::{
+    EnumDecl, Expr, FunctionBody, FunctionDecl, Ident, Mode, ParamDecl, RecordDecl, TypeExpr, UnitDecl,
+};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::{HashMap, HashSet};
 use crate::span::{FileId, Span};
 use crate::units::Unit;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 /// The meaning of an identifier.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,6 +89,9 @@ pub struct FunctionInfo<'a> {
     /// Expressions with variables around an anonymous function, and the further parameters of the
     /// function for their values.
     pub captured: Vec<(&'a Expr, VarId)>,
+    /// An index in an anonymous function that depends on its arguments. Such a function computes
+    /// values like an ordinary function, because a choice of elements has no derivative.
+    pub computed: Option<Span>,
     /// Functions that it uses.
     pub callees: BTreeSet<FuncId>,
 }
@@ -93,6 +99,12 @@ pub struct FunctionInfo<'a> {
 impl FunctionInfo<'_> {
     pub fn is_component(&self) -> bool {
         self.decl.is_some_and(|decl| decl.is_component)
+    }
+
+    /// Returns `true` for a function whose body is an expression of free arguments.
+    pub fn is_symbolic(&self) -> bool {
+        self.computed.is_none()
+            && self.decl.is_some_and(|decl| matches!(decl.body, FunctionBody::Symbolic(_)))
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::tree::RecordId;
 use super::types::{Mismatch, Store, Type, TypeVar};
-use std::collections::{HashMap, HashSet};
+use crate::hashed::{HashMap, HashSet};
 
 /// Limit of the nesting depth of arrays, tuples and records.
 pub const MOST_NESTED: usize = 100;
@@ -93,7 +93,7 @@ impl Walk<'_> {
 
 impl Store {
     fn walk(&self, excluded: Option<TypeVar>) -> Walk<'_> {
-        Walk { store: self, excluded, left: MOST_PARTS, records: HashMap::new(), unknowns: Vec::new() }
+        Walk { store: self, excluded, left: MOST_PARTS, records: HashMap::default(), unknowns: Vec::new() }
     }
 
     /// Returns `true` if a type is finite and within the limits.
@@ -130,7 +130,7 @@ impl Store {
 
     /// Returns `true` if the outermost types that contain a type are within the limits.
     fn all_around_are_bounded(&self, variable: TypeVar) -> bool {
-        let (mut left, mut seen) = (vec![variable], HashSet::from([variable]));
+        let (mut left, mut seen) = (vec![variable], HashSet::from_iter([variable]));
         while let Some(at) = left.pop() {
             match self.around.get(&at) {
                 Some(around) => left.extend(around.iter().copied().filter(|other| seen.insert(*other))),

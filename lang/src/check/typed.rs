@@ -7,10 +7,11 @@ use super::symbols::{Resolution, Variable};
 use super::tree::{Def, Expr, FuncId, Function, Output, Param, VarId};
 use super::types::{Store, Substitution, Type};
 use crate::ast::{FunctionBody, Ident};
+use crate::hashed::{HashMap, HashSet};
 use crate::ir::ExternDecl;
 use crate::span::Span;
 use calyx_abi::{Purity, Repr};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Typed functions and the tables that their bodies refer to. Clones share them.
@@ -66,8 +67,8 @@ impl Checker<'_> {
     pub fn into_typed(self) -> (Typed, HashMap<Span, Resolution>) {
         let externs = self.names.externs.iter().map(|info| {
             let purity = match &info.decl.body {
-                FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => Purity::Pure,
-                FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => Purity::Scene,
+                FunctionBody::Extern { purity: Some(word), .. } if word.name == "pure" => Purity::Pure,
+                FunctionBody::Extern { purity: Some(word), .. } if word.name == "scene" => Purity::Scene,
                 _ => Purity::Effect,
             };
             let declared = |name: &Ident| match self.names.uses.get(&name.span)? {

@@ -4,9 +4,10 @@ use super::dim::{Dim, DimVar, solve};
 use super::rules::{self, Rule};
 use super::tree::RecordId;
 use crate::dimension::Dimension;
+use crate::hashed::HashMap;
 use crate::vocabulary::Vocabulary;
 use calyx_abi::Repr;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A type variable.
@@ -265,6 +266,10 @@ impl Store {
 
     pub fn unify_dims(&mut self, a: &Dim, b: &Dim) -> Result<(), Mismatch> {
         let (a, b) = (self.dim(a), self.dim(b));
+        if a == b {
+            rules::applied(Rule::KnownDimension);
+            return Ok(());
+        }
         let difference = a.over(&b);
         // A literal's variable is solved for only if there is no other variable, so that
         // generalization does not affect it. Solving for the newest variable makes assignments

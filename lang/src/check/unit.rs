@@ -12,8 +12,9 @@ use super::tree::{FuncId, RecordId, VarId};
 use super::typed::Typed;
 use super::{ModuleData, has_errors, names};
 use crate::diagnostic::Diagnostic;
+use crate::hashed::{HashMap, HashSet};
 use crate::span::Span;
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Function of the library that creates a handle.
@@ -100,7 +101,7 @@ impl<'m> CheckedNames<'m> {
     ) -> Self {
         let mut names = names::resolve(modules, context.surroundings);
         let diagnostics = std::mem::take(&mut names.diagnostics);
-        let (mut functions, mut foreign) = (HashMap::new(), HashMap::new());
+        let (mut functions, mut foreign) = (HashMap::default(), HashMap::default());
         for (index, info) in names.functions.iter().enumerate() {
             let id = FuncId(index as u32);
             let Some(decl) = info.decl.filter(|_| info.parent == Some(FuncId(0))) else { continue };
@@ -130,7 +131,7 @@ impl<'m> CheckedNames<'m> {
 /// depend on the uses of the functions.
 pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit, Option<Vec<Interface>>) {
     let Excerpt { modules, layout } = excerpt;
-    let mut observables = HashSet::new();
+    let mut observables = HashSet::default();
     let mut checked = CheckedNames::of(&modules, &layout, context, &observables);
     for _ in 0..MOST_REPETITIONS {
         if checked.checker.requested_observables.is_empty() {

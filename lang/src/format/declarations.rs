@@ -238,7 +238,7 @@ impl Printer<'_> {
             self.token(Kind::Host);
             self.space();
         }
-        if let FunctionBody::Extern { purity } = &function.body {
+        if let FunctionBody::Extern { purity, .. } = &function.body {
             self.token(Kind::Extern);
             self.space();
             if purity.is_some() {
@@ -262,6 +262,12 @@ impl Printer<'_> {
             self.token(Kind::Arrow);
             self.space();
             self.type_expression();
+        }
+        if let FunctionBody::Extern { unit: Some(unit), .. } = &function.body {
+            self.space();
+            self.token(Kind::In);
+            self.space();
+            self.unit_product(unit);
         }
     }
 

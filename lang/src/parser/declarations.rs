@@ -246,8 +246,9 @@ pub(super) fn function<'a>(
     let external = just(Kind::Extern)
         .ignore_then(purity)
         .then(signature.clone())
+        .then(just(Kind::In).ignore_then(unit_product(source, e.operators.clone())).or_not())
         .then_ignore(semicolon(source))
-        .map(|(purity, signature)| (signature, FunctionBody::Extern { purity }));
+        .map(|((purity, signature), unit)| (signature, FunctionBody::Extern { purity, unit }));
     let symbolic = just(Kind::Bind).ignore_then(e.full.clone()).then_ignore(semicolon(source));
     let block = just(Kind::Bind)
         .ignore_then(when(move |at| source.kind(at) == Some(Kind::OpenBrace)))

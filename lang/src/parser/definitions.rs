@@ -2,7 +2,9 @@
 
 use super::declarations::{inside_another, type_expression};
 use super::expressions::Expressions;
-use super::recovery::{Reader, close, expect, name, never_renamed, position, renamed, semicolon, when};
+use super::recovery::{
+    Reader, advance_to, close, expect, name, never_renamed, position, renamed, semicolon, when,
+};
 use super::source::Source;
 use super::{Problem, Rule};
 use crate::ast::{EnumChoice, EnumDecl, RecordDecl, RecordField, StmtKind, UnitDecl, UnitMeaning};
@@ -103,11 +105,12 @@ fn enumeration<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
             let doc = source.doc(extra.span().start);
             name.map(|name| EnumChoice { name, doc })
         });
+    let choices = expect(source, Kind::OpenBrace, "before the choices of an enumeration")
+        .ignore_then(choice.separated_by(just(Kind::Comma)).allow_trailing().collect::<Vec<_>>())
+        .then_ignore(close(source, Kind::CloseBrace, "`,` or `}`"));
     just(Kind::Enum)
         .ignore_then(never_renamed(source, "the enumeration", "enumerations"))
-        .then_ignore(expect(source, Kind::OpenBrace, "before the choices of an enumeration"))
-        .then(choice.separated_by(just(Kind::Comma)).allow_trailing().collect::<Vec<_>>())
-        .then_ignore(close(source, Kind::CloseBrace, "`,` or `}`"))
+        .then(foreign_choices(source).or(choices.boxed()))
         .map(|(name, choices)| match name {
             Some(name) => {
                 let choices = choices.into_iter().flatten().collect();
@@ -116,4 +119,67 @@ fn enumeration<'a>(source: &'a Source<'a>) -> Rule<'a, StmtKind> {
             None => StmtKind::Error,
         })
         .boxed()
+}
+
+/// Parses choices written as in other languages, `{ "left", "right" }` or `= [left, right];`, and
+/// reports them.
+fn foreign_choices<'a>(source: &'a Source<'a>) -> Rule<'a, Vec<Option<EnumChoice>>> {
+    custom(move |input: &mut Reader<'a, '_>| {
+        let start = position(input);
+        let mut at = start;
+        let opens = |kind| {
+            matches!(kind, Kind::Assign | Kind::Colon | Kind::OpenBrace | Kind::OpenBracket | Kind::OpenParen)
+        };
+        while source.kind(at).is_some_and(opens) {
+            at += 1;
+        }
+        let mut is_foreign = source.kind(start) != Some(Kind::OpenBrace);
+        let mut words = Vec::new();
+        while let Some(kind) = source.kind(at) {
+            match kind {
+                Kind::Identifier => words.push(at),
+                Kind::StringText => {
+                    is_foreign = true;
+                    words.push(at);
+                }
+                Kind::StringOpen | Kind::StringClose | Kind::Comma | Kind::Or => {}
+                _ => break,
+            }
+            at += 1;
+        }
+        let closes =
+            |at| matches!(source.kind(at), Some(Kind::CloseBrace | Kind::CloseBracket | Kind::CloseParen));
+        if !is_foreign
+            || at == start
+            || words.is_empty()
+            || !(closes(at) || source.kind(at) == Some(Kind::Semicolon))
+        {
+            return Err(Problem(None));
+        }
+        while closes(at) {
+            at += 1;
+        }
+        if source.kind(start) != Some(Kind::OpenBrace) && source.kind(at) == Some(Kind::Semicolon) {
+            at += 1;
+        }
+        let names: Vec<&str> = words.iter().map(|word| source.text(*word)).collect();
+        let place = source.place(start).to(source.place(at - 1));
+        let problem = Diagnostic::error(
+            "E0924",
+            "the choices of an enumeration are names in braces",
+            place,
+            "written in another form",
+        );
+        let is_name = |name: &&str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+        let braces = format!("{{ {} }}", names.join(", "));
+        let problem = match names.iter().all(is_name) {
+            true => problem.help(format!("write `{braces}`")).fix(format!("write `{braces}`"), place, braces),
+            false => problem.help("write each choice as one word: `{ left_hand, right_hand }`"),
+        };
+        input.emit(problem.into());
+        advance_to(input, at);
+        let choice = |word: usize| Some(EnumChoice { name: source.ident(word), doc: None });
+        Ok(words.into_iter().map(choice).collect())
+    })
+    .boxed()
 }

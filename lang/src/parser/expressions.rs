@@ -3,8 +3,8 @@
 use super::anonymous::anonymous;
 use super::brackets::{brackets, element, items, list, values};
 use super::recovery::{
-    Reader, advance_to, assigns_on_new_line, close, expect, identifier, in_value, index_of, name, position,
-    when,
+    Reader, advance_to, assigns_on_new_line, close, conversion, expect, identifier, in_value, index_of, name,
+    position, when,
 };
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule};
@@ -66,9 +66,9 @@ fn operators<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> 
             number(source),
             string(source, any.clone()),
             boolean(source),
-            variable(source),
             // Only arguments can be functions, which the checker reports.
             anonymous(source, any.clone()),
+            variable(source),
             parenthesised(source, any.clone()),
             brackets(source, any.clone()),
             conditional(source, condition, any.clone(), operators.boxed()),
@@ -194,9 +194,11 @@ fn string<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
             at = source.next(at);
         }
         if at > start {
-            let message = format!("{} is unexpected", source.describe(start));
-            let problem = Diagnostic::error("E0113", message, source.place(start), "not expected here")
-                .help("put one expression between the braces; write `{{` for the character itself");
+            let problem = conversion(source, start).unwrap_or_else(|| {
+                let message = format!("{} is unexpected", source.describe(start));
+                Diagnostic::error("E0113", message, source.place(start), "not expected here")
+                    .help("put one expression between the braces; write `{{` for the character itself")
+            });
             input.emit(problem.into());
         }
         advance_to(input, at + 1);

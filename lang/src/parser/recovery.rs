@@ -7,6 +7,7 @@ use crate::ast::Ident;
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{self, Kind};
 use crate::span::Span;
+use crate::units::Unit;
 use chumsky::input::InputRef;
 use chumsky::prelude::*;
 
@@ -303,9 +304,46 @@ fn second_number(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     Some(problem.fix(format!("write `{written}`"), between, ""))
 }
 
+/// Returns the error for a conversion of other languages, such as `x to deg`.
+pub(super) fn conversion(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    let word = source.text(at);
+    let unit = source.kind(at + 1) == Some(Kind::Identifier) && Unit::find(source.text(at + 1)).is_some();
+    if !matches!(word, "to" | "in" | "as") || !unit {
+        return None;
+    }
+    let unit = source.text(at + 1);
+    let problem = Diagnostic::error(
+        "E0923",
+        format!("a value is not converted by `{word}`: it has no unit of its own"),
+        source.place(at).to(source.place(at + 1)),
+        "not an operator",
+    );
+    let value = at.checked_sub(1).filter(|before| source.kind(*before) == Some(Kind::Identifier));
+    let value = value.map_or("x", |before| source.text(before));
+    let mut before = (0..at).rev().filter_map(|before| source.kind(before));
+    let bound = before
+        .find(|kind| matches!(kind, Kind::InterpolationOpen | Kind::InterpolationClose | Kind::Semicolon));
+    Some(match bound == Some(Kind::InterpolationOpen) {
+        true => problem.help(format!("write the unit after a colon: `{{{value} : {unit}}}`")).fix(
+            format!("write `: {unit}`"),
+            source.place(at),
+            ":",
+        ),
+        false => problem.help(format!(
+            "a text shows it in another unit: `\"{{{value} : {unit}}}\"`; for the number of units, divide: \
+             `{value}/(1 {unit})`"
+        )),
+    })
+}
+
+/// Returns the error for a known mistake at a token that no rule accepts.
+fn mistake(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    decimal_comma(source, at).or_else(|| second_number(source, at)).or_else(|| conversion(source, at))
+}
+
 /// Returns the error for a token that no rule accepts.
 pub(super) fn unexpected(source: &Source<'_>, at: usize) -> Diagnostic {
-    if let Some(problem) = decimal_comma(source, at).or_else(|| second_number(source, at)) {
+    if let Some(problem) = mistake(source, at) {
         return problem;
     }
     let place = source.place(at);
@@ -365,13 +403,10 @@ pub(super) fn close<'a>(source: &'a Source<'a>, kind: Kind, expected: &'static s
         let closing = closing_ahead(source, at, kind);
         let place = source.after(at);
         let mut problem = match closing {
-            Some(_) if decimal_comma(source, at).is_some() || second_number(source, at).is_some() => {
-                unexpected(source, at)
-            }
-            Some(_) => {
+            Some(_) => mistake(source, at).unwrap_or_else(|| {
                 let message = format!("{expected} is expected, not {}", source.describe(at));
                 Diagnostic::error("E0115", message, source.place(at), "found here")
-            }
+            }),
             None => {
                 let message = format!("a {} is missing", kind.describe());
                 Diagnostic::error("E0111", message, place, "expected here")

@@ -17,17 +17,23 @@ pub struct Library {
     gears: String,
 }
 
+fn read(name: &str) -> Option<String> {
+    fs::read_to_string(folder("../stdlib-gears/calyx").join(name)).ok()
+}
+
 impl Library {
     pub fn read() -> Library {
-        let text =
-            |name| fs::read_to_string(folder("../stdlib-gears/calyx").join(name)).expect("the library");
+        let text = |name| read(name).expect("the library");
         Library { prelude: text("prelude.cx"), gears: text("gears.cx") }
     }
 }
 
 impl Loader for Library {
     fn module(&self, path: &[String]) -> Option<(String, String)> {
-        (path == ["gears"]).then(|| ("gears.cx".into(), self.gears.clone()))
+        let [name] = path else { return None };
+        let file = format!("{name}.cx");
+        let text = if name == "gears" { Some(self.gears.clone()) } else { read(&file) };
+        text.map(|text| (file, text))
     }
 
     fn prelude(&self) -> (String, String) {

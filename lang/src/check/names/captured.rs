@@ -24,9 +24,10 @@ impl<'a> Resolver<'a> {
         let FunctionBody::Symbolic(body) = &decl.body else { return };
         let around = std::mem::take(&mut self.names.functions[id.0 as usize].outer);
         around.into_iter().for_each(|variable| self.outer(variable));
+        self.names.functions[id.0 as usize].computed = self.indexes_by_own(Node::Expression(body), id);
         let mut found = Vec::new();
         self.captured(body, id, &mut found);
-        let mut variables: HashMap<VarId, VarId> = HashMap::new();
+        let mut variables: HashMap<VarId, VarId> = HashMap::default();
         for value in found {
             let outer = match &value.kind {
                 ExprKind::Name(name) => match self.names.uses.get(&name.span) {
@@ -134,6 +135,22 @@ impl<'a> Resolver<'a> {
             }
         }
         symbols
+    }
+
+    /// Returns an index or the limit of a slice that depends on arguments of the anonymous function
+    /// `function`.
+    fn indexes_by_own(&self, node: Node<'_>, function: FuncId) -> Option<Span> {
+        let indices: Vec<&Expr> = match node {
+            Node::Expression(Expr { kind: ExprKind::Index { index, .. }, .. }) => vec![index],
+            Node::Expression(Expr { kind: ExprKind::Slice { low, high, .. }, .. }) => {
+                low.iter().chain(high).map(|limit| &**limit).collect()
+            }
+            _ => Vec::new(),
+        };
+        let own = indices.into_iter().find(|index| self.used(Node::Expression(index), function).own);
+        let mut found = own.map(|index| index.span);
+        node.children(&mut |child| found = found.or_else(|| self.indexes_by_own(child, function)));
+        found
     }
 
     fn used(&self, node: Node<'_>, function: FuncId) -> Used {

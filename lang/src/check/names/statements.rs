@@ -105,7 +105,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn record(&mut self, decl: &'a RecordDecl) {
-        let mut seen = HashSet::new();
+        let mut seen = HashSet::default();
         for field in &decl.fields {
             if !seen.insert(&field.name.name) {
                 self.twice(&field.name);
@@ -117,7 +117,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn enumeration(&mut self, decl: &'a EnumDecl) {
-        let mut seen = HashSet::new();
+        let mut seen = HashSet::default();
         for choice in &decl.choices {
             if !seen.insert(&choice.name.name) {
                 self.twice(&choice.name);
@@ -239,6 +239,9 @@ impl<'a> Resolver<'a> {
             self.test(decl);
         }
         decl.result.iter().for_each(|result| self.type_expr(result));
+        if let FunctionBody::Extern { unit: Some(unit), .. } = &decl.body {
+            self.unit_product(unit);
+        }
         for parameter in &decl.parameters {
             parameter.annotation.iter().for_each(|annotation| self.type_expr(annotation));
             parameter.former_none.iter().for_each(|former| self.expr(former));
@@ -253,7 +256,7 @@ impl<'a> Resolver<'a> {
             Some(Resolution::Function(id)) => *id,
             // An extern function has no body, but the names of its parameters must differ.
             _ => {
-                let mut seen = HashSet::new();
+                let mut seen = HashSet::default();
                 for parameter in &decl.parameters {
                     default(parameter).into_iter().for_each(|e| self.expr(e));
                     if !seen.insert(&parameter.name.name) {

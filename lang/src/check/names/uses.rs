@@ -138,7 +138,10 @@ impl<'a> Resolver<'a> {
             ExprKind::Field { base, field } => self.field(base, field),
             ExprKind::Call { callee, arguments } => {
                 self.expr(callee);
-                arguments.iter().for_each(|argument| self.expr(&argument.value));
+                for argument in arguments {
+                    self.expr(&argument.value);
+                    self.unquoted_text(callee, argument);
+                }
             }
             ExprKind::Index { base, index } => {
                 self.expr(base);
@@ -184,7 +187,7 @@ impl<'a> Resolver<'a> {
             ExprKind::Anonymous(decl) => {
                 let around = self.scopes.len();
                 // The name cannot be written, so no scope contains it.
-                let mut names = HashMap::new();
+                let mut names = HashMap::default();
                 self.declare_function(decl, &mut names, "");
                 self.function(decl);
                 self.capture(decl);
@@ -391,6 +394,51 @@ impl<'a> Resolver<'a> {
             None => diagnostic.help("declare it with `var` before this use"),
         };
         self.report(diagnostic);
+    }
+
+    /// Offers quotes for an undeclared name as a named argument that can be a text, such as
+    /// `material = steel`. The text may continue after the name: `rack = ISO 53 A`.
+    fn unquoted_text(&mut self, callee: &Expr, argument: &Argument) {
+        let (Some((parameter, Bind::Evaluate)), ExprKind::Name(name)) =
+            (&argument.name, &argument.value.kind)
+        else {
+            return;
+        };
+        if !self.accepts_text(callee, &parameter.name) {
+            return;
+        }
+        let is_own = |problem: &&mut Diagnostic| {
+            problem.code == "E0201" && problem.primary.span == name.span && problem.fix.is_none()
+        };
+        let text = self.modules.get(self.file.0 as usize).map_or("", |module| module.text.as_str());
+        let rest = text.get(name.span.start as usize..).unwrap_or_default();
+        let written = rest.split([',', ')', '"', ';', '\n']).next().unwrap_or_default().trim_end();
+        let Some(problem) = self.names.diagnostics.last_mut().filter(is_own) else { return };
+        let quoted = format!("\"{written}\"");
+        let help = format!(
+            "text is in quotes: write `{} = {quoted}`; a variable is declared with `var` before its use",
+            parameter.name
+        );
+        let place = Span { end: name.span.start + written.len() as u32, ..name.span };
+        *problem = problem.clone().help(help).suggest(format!("write `{quoted}`"), place, quoted);
+    }
+
+    /// Returns `true` if a parameter is a text or has one as its default, as the materials and racks
+    /// of the gear library have.
+    fn accepts_text(&self, callee: &Expr, parameter: &str) -> bool {
+        let (ExprKind::Name(name) | ExprKind::Field { field: name, .. }) = &callee.kind else { return false };
+        let declared = match self.names.uses.get(&name.span) {
+            Some(Resolution::Function(id)) => self.names.functions[id.0 as usize].decl,
+            Some(Resolution::Extern(index)) => Some(self.names.externs[*index as usize].decl),
+            _ => None,
+        };
+        let found = declared.and_then(|decl| decl.parameters.iter().find(|own| own.name.name == parameter));
+        let ty = found.and_then(|own| own.annotation.as_ref());
+        let text = |default: &Option<(Bind, Option<Expr>)>| {
+            matches!(default, Some((_, Some(Expr { kind: ExprKind::String(_), .. }))))
+        };
+        ty.is_some_and(|ty| matches!(&ty.kind, TypeKind::Name(name) if name.name == "String"))
+            || found.is_some_and(|own| text(&own.default))
     }
 
     /// Returns the path of a name that an imported module declares, or of a choice of a visible
