@@ -52,7 +52,9 @@ impl Call {
     /// Returns the path of the instance that the call creates, if it calls a component: its
     /// function is called `Stage low`.
     pub fn instance(&self) -> Option<&str> {
-        self.function.split_once(' ').map(|(_, path)| path)
+        // An anonymous function is called `(x, y) => ...`.
+        let (_, path) = self.function.split_once(' ').filter(|_| !self.function.starts_with('('))?;
+        Some(path)
     }
 }
 

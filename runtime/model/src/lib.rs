@@ -12,6 +12,7 @@ pub mod flanks;
 pub mod frames;
 pub mod ids;
 pub mod load;
+pub mod lubrication;
 pub mod mechanism;
 pub mod motion;
 pub mod observed;

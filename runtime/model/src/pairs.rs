@@ -2,6 +2,7 @@
 //! data.
 
 use crate::ids::{BodyId, PairId};
+use crate::lubrication::Lubrication;
 use std::f64::consts::TAU;
 
 /// Two surfaces that may come into contact: surface `surfaces[0]` of every tooth of the first body
@@ -23,13 +24,24 @@ pub struct SurfacePair {
     /// Pair of the drive flanks, if this pair consists of the coast flanks; `None` otherwise. Both
     /// belong to one mesh with one transmission error.
     pub front: Option<PairId>,
+    /// Lubrication, for observables of friction, temperature and film thickness; it does not affect
+    /// the solution.
+    pub lubrication: Option<Lubrication>,
 }
 
 impl SurfacePair {
     /// Creates a pair of surfaces that are not gear flanks, with the default grid and without
     /// friction.
     pub fn new(bodies: [BodyId; 2], surfaces: [u32; 2]) -> SurfacePair {
-        SurfacePair { bodies, surfaces, grid: GridOptions::default(), friction: 0.0, mesh: None, front: None }
+        SurfacePair {
+            bodies,
+            surfaces,
+            grid: GridOptions::default(),
+            friction: 0.0,
+            mesh: None,
+            front: None,
+            lubrication: None,
+        }
     }
 }
 

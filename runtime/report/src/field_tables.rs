@@ -5,7 +5,7 @@
 //! them. All columns are in SI.
 
 use calyx_abi::description::OutputDescription;
-use calyx_runtime::observables::{ContactField, Fields, FilletField};
+use calyx_runtime::observables::{ContactField, Fields, FilletField, LocalState};
 use calyx_runtime::results::{Location, StepRow};
 use std::fs::{self, File};
 use std::io;
@@ -28,6 +28,18 @@ pub const NAMES: [&str; 5] = [LINE_LOAD, PRESSURE, ROOT_STRESS, MAX_LOCATIONS, P
 
 /// Columns that identify the contact patch of a row.
 const PATCH: [&str; 6] = ["step", "first_body", "first_tooth", "second_body", "second_tooth", "side"];
+/// Columns of sliding, rolling and lubrication of a point of a contact line: m/s, m, W/m, K. The
+/// last four are empty for a mesh without lubrication.
+const STATE: [&str; 8] = [
+    "first_rolling_velocity",
+    "second_rolling_velocity",
+    "sliding_velocity",
+    "relative_radius",
+    "friction_coefficient",
+    "friction_power",
+    "flash_temperature",
+    "film_thickness",
+];
 /// Last column of the tables of contact patches: [`DRIVE`] or [`COAST`].
 const FLANK: &str = "flank";
 /// Entry of the column `flank` for the drive side of a tooth.
@@ -76,7 +88,7 @@ impl FieldTables {
         Ok(FieldTables {
             line_load: begin(
                 LINE_LOAD,
-                patch(&["length", "force", "line_load", "pressure", "edge_pressure"]),
+                patch(&[&["length", "force", "line_load", "pressure", "edge_pressure"], &STATE[..]].concat()),
             )?,
             optional: optional.then(tables).transpose()?,
         })
@@ -117,11 +129,15 @@ impl FieldTables {
     }
 
     fn contact(&mut self, step: usize, contact: &ContactField) -> io::Result<()> {
-        for slice in contact.slices.iter().filter(|slice| slice.force > 0.0) {
+        for (slice, state) in contact.slices.iter().zip(&contact.states) {
             let [Some(first), Some(second)] = &slice.locations else { continue };
+            if slice.force <= 0.0 {
+                continue;
+            }
             let numbers = [slice.length, slice.force, slice.line_load(), slice.pressure, slice.edge_pressure];
             let load = numbers.map(|number| number.to_string());
-            let record = patch(step, contact).into_iter().chain(on_flanks(first, second)).chain(load);
+            let record = patch(step, contact).into_iter().chain(on_flanks(first, second));
+            let record = record.chain(load).chain(state_columns(state.as_ref()));
             self.line_load.write_record(record.chain([flank(contact)]))?;
         }
         Ok(())
@@ -139,6 +155,20 @@ fn patch(step: usize, contact: &ContactField) -> [String; 6] {
 /// Returns the entry of the column [`FLANK`].
 fn flank(contact: &ContactField) -> String {
     if contact.back { COAST.into() } else { DRIVE.into() }
+}
+
+/// Returns the columns of [`STATE`]; a quantity that the point lacks is empty.
+fn state_columns(state: Option<&LocalState>) -> [String; 8] {
+    let Some(LocalState { contact, lubricated }) = state else { return Default::default() };
+    let [first, second] = contact.rolling.map(|velocity| velocity.to_string());
+    let motion = [first, second, contact.sliding.to_string(), contact.curvature.recip().to_string()];
+    let local = lubricated.map(|local| {
+        [local.friction, local.friction_power, local.flash_temperature, local.film_thickness]
+            .map(|number| number.to_string())
+    });
+    let ([first, second, sliding, radius], [friction, power, flash, film]) =
+        (motion, local.unwrap_or_default());
+    [first, second, sliding, radius, friction, power, flash, film]
 }
 
 /// Returns the columns of a location on both flanks.

@@ -147,6 +147,7 @@ mod tests {
                 back: false,
                 cells: vec![cell],
                 slices: Vec::new(),
+                states: Vec::new(),
             }],
             fillets: vec![FilletField { body: "pinion".into(), tooth: 2, flank: 0, sections }],
             ..Fields::default()

@@ -56,6 +56,10 @@ impl RunCommand<'_> {
     /// Runs the model with the given params and returns the exit status.
     pub fn execute(self, given: Vec<ParamAssignment>) -> u8 {
         let RunCommand { program, arguments, before, default_directory, messages, silent } = self;
+        if let Err(why) = arguments.check_cache() {
+            messages.refused(&why);
+            return USAGE;
+        }
         let directory = arguments.out.clone().unwrap_or(default_directory);
         let threads = arguments.threads.map_or(0, NonZeroUsize::get);
         if arguments.memory_limit.is_some() {

@@ -114,6 +114,8 @@ const KEPT: &str = "Structure cache";
 const CACHE_VARIABLE: &str = "CALYX_CACHE";
 /// The word that disables the structure cache in place of its directory.
 const OFF: &str = "off";
+/// Words that are probably meant as [`OFF`].
+const NEAR_OFF: [&str; 9] = ["off", "of", "offf", "0", "no", "none", "false", "null", "disabled"];
 /// Limit of the structure cache on disk in bytes: some dozens of 3-D gear pairs.
 const CACHE_LIMIT: u64 = 4 << 30;
 
@@ -128,6 +130,36 @@ impl RunArguments {
             None => cache_directory()?,
         };
         Some(Store::new(directory, CACHE_LIMIT))
+    }
+
+    /// Checks the directory of the structure cache.
+    ///
+    /// # Errors
+    /// It is a file, or does not exist and is probably the word "off", misspelt.
+    pub fn check_cache(&self) -> Result<(), InvalidParam> {
+        let named = std::env::var_os(CACHE_VARIABLE).filter(|name| !name.is_empty());
+        let (origin, directory) = match (&self.cache, named) {
+            _ if self.no_cache => return Ok(()),
+            (Some(directory), _) => (format!("--cache {}", directory.display()), directory.clone()),
+            (None, Some(name)) => (format!("{CACHE_VARIABLE}={}", name.display()), PathBuf::from(name)),
+            (None, None) => return Ok(()),
+        };
+        if directory.is_file() {
+            return Err(InvalidParam::new(
+                format!("`{origin}`: this is a file, and the structure cache needs a directory"),
+                "name a directory, which may not exist yet, or use --no-cache",
+            ));
+        }
+        let word = directory.to_str().unwrap_or_default().to_lowercase();
+        if directory.as_os_str() != OFF && NEAR_OFF.contains(&word.as_str()) && !directory.exists() {
+            return Err(InvalidParam::new(
+                format!("`{origin}` names a directory that does not exist; is \"off\" meant?"),
+                format!(
+                    "use --no-cache for a run without the structure cache, or name the directory ./{word}"
+                ),
+            ));
+        }
+        Ok(())
     }
 
     /// Returns the assignments of params: those of the file first, then those that override it.

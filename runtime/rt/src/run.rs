@@ -25,7 +25,7 @@ use calyx_runtime::results::Solved;
 use calyx_runtime::settings_override::Override;
 use serde_json::Value;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -157,6 +157,11 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
             if options.resume {
                 let path = path.display();
                 progress.note(&format!("{path} contains nothing to resume: starting a new run"));
+            } else if let Some(count) = interrupted(&options.directory, &head) {
+                progress.note(&format!(
+                    "this run replaces {count} positions of an interrupted run in {}; --resume would continue after them",
+                    path.display()
+                ));
             }
             None
         }
@@ -254,6 +259,14 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
             .and_then(|result| result.tolerance_search.as_ref()?.ended.as_ref())
             .is_some(),
         ..RunReport::default()
+    }
+}
+
+/// Returns the number of positions of an interrupted run with the same subject, if there is one.
+fn interrupted(directory: &Path, head: &Value) -> Option<usize> {
+    match resume::find(directory, head) {
+        Ok(EarlierRun::Unfinished(found)) => Some(found.solved.len()).filter(|count| *count > 0),
+        _ => None,
     }
 }
 

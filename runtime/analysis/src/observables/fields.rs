@@ -5,6 +5,7 @@ use super::deformed::{BodyField, MeshedBodies};
 use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice};
 use calyx_model::ids::BodyId;
+use calyx_model::lubrication::RollingContact;
 use calyx_model::observed::Location;
 use calyx_numerics::error::EngineError;
 use calyx_solve::step::ContactGrid;
@@ -35,6 +36,30 @@ pub struct ContactField {
     pub cells: Vec<PressedCell>,
     /// Slices along the contact line.
     pub slices: Vec<Slice>,
+    /// Sliding and rolling of each slice, in the order of `slices`; `None` without load.
+    pub states: Vec<Option<LocalState>>,
+}
+
+/// Sliding, rolling and lubrication at a point of a contact line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocalState {
+    /// Rolling contact.
+    pub contact: RollingContact,
+    /// Friction, temperature and film, if the mesh has lubrication.
+    pub lubricated: Option<LubricatedState>,
+}
+
+/// Friction, temperature and film at a point of a lubricated contact line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LubricatedState {
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Frictional power per length of the contact line, W/m.
+    pub friction_power: f64,
+    /// Flash temperature, K.
+    pub flash_temperature: f64,
+    /// Film thickness, m.
+    pub film_thickness: f64,
 }
 
 /// Cell of a contact patch.
@@ -144,12 +169,23 @@ impl Contact<'_> {
             let (first, second) = (self.location(0, index)?, self.location(1, index)?);
             Some(PressedCell { corners, locations: [first, second], pressure })
         };
+        let (slices, contacts): (Vec<Slice>, Vec<_>) = self.rolling_states().into_iter().unzip();
+        let state = |contact: RollingContact| {
+            let lubricated = self.lubrication().map(|lubrication| LubricatedState {
+                friction: lubrication.friction(&contact),
+                friction_power: lubrication.friction_power(&contact),
+                flash_temperature: lubrication.flash_temperature(&contact),
+                film_thickness: lubrication.film_thickness(&contact),
+            });
+            LocalState { contact, lubricated }
+        };
         ContactField {
             bodies: self.bodies().map(name),
             teeth: self.teeth(),
             back: self.at.system.scene.pairs[self.patch.pair].front.is_some(),
             cells: corners.into_iter().zip(pressures).enumerate().filter_map(cell).collect(),
-            slices: self.slices(),
+            slices,
+            states: contacts.into_iter().map(|contact| contact.map(state)).collect(),
         }
     }
 

@@ -22,6 +22,7 @@ mod pressure;
 mod sliding;
 mod spline_teeth;
 mod stress;
+mod tribology;
 mod vibration;
 
 pub use bearings::{BearingDeflection, BearingForce, BearingLoad, BearingMoment, BearingTilt, Direction};
@@ -33,7 +34,7 @@ pub use calyx_solve::vibrations::Vibrations;
 pub(crate) use deformed::MeshedBodies;
 pub use deformed::{BodyField, SectorField};
 pub use equilibrium::{Contact, Equilibrium, Slice};
-pub use fields::{ContactField, Fields, FilletField, FilletStress, PressedCell};
+pub use fields::{ContactField, Fields, FilletField, FilletStress, LocalState, LubricatedState, PressedCell};
 pub use gauge::{Gauge, GaugeReading, Reading};
 pub use load_factors::{DynamicFactor, FaceLoadFactor, RootFaceLoadFactor, TransverseLoadFactor};
 pub use loads::{LoadShare, LoadedFace, MaxLineLoad, MeshForce, PairLoad, PairsInContact};
@@ -46,6 +47,9 @@ pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
 pub use spline_teeth::SplineToothLoad;
 pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};
+pub use tribology::{
+    EntrainmentVelocity, LocalQuantity, LubricatedEfficiency, LubricatedExtreme, LubricatedLoss,
+};
 pub use vibration::{ModeShare, NaturalFrequency};
 
 use calyx_model::fidelity::Fidelity;

@@ -111,9 +111,7 @@ impl Observable for Efficiency {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        // Transmitted power: power of the contact forces on the first body.
-        let of = |contact: Contact<'_>| contact.power(0);
-        let power = at.mesh_contacts(self.0).map(of).sum::<f64>().abs();
+        let power = transmitted_power(at, self.0);
         let loss = FrictionLoss(self.0, self.1).value(at).value;
         Observed::number(if power > 0.0 { 1.0 - loss / power } else { 1.0 })
     }
@@ -121,6 +119,11 @@ impl Observable for Efficiency {
     fn pair_of(&self) -> Option<PairId> {
         Some(self.0)
     }
+}
+
+/// Returns the power that a mesh transmits, W: that of the contact forces on the first body.
+pub(super) fn transmitted_power(at: &Equilibrium<'_>, pair: PairId) -> f64 {
+    at.mesh_contacts(pair).map(|contact| contact.power(0)).sum::<f64>().abs()
 }
 
 impl Contact<'_> {
@@ -144,6 +147,6 @@ impl Contact<'_> {
     }
 }
 
-fn size([x, y, z]: [f64; 3]) -> f64 {
+pub(super) fn size([x, y, z]: [f64; 3]) -> f64 {
     x.hypot(y).hypot(z)
 }

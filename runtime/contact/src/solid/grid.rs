@@ -91,6 +91,8 @@ pub struct Slice {
     pub surface_ends: [bool; 2],
     /// Ends of the flanks next to the slice, within its cells or beyond them.
     pub edges: Edges,
+    /// Surface coordinates of its point of the contact line, by side.
+    pub places: [[f64; 2]; 2],
 }
 
 /// Contact grid: the cells of a patch.
@@ -349,13 +351,13 @@ impl Layer<'_> {
         }
         found.sort_by_key(|(index, ..)| *index);
         for (index, laid) in found.into_iter().filter(|(_, laid)| !laid.cells.is_empty()) {
-            let Laid { cells, surface_ends, edges, .. } = laid;
+            let Laid { cells, surface_ends, edges, places } = laid;
             let edges = edges.unwrap_or(Edges::parallel(ENDLESS, 0.0));
             let first = grid.cells.len();
             grid.cells.extend(cells);
             let center = self.center(index);
             let y = [center - 0.5 * self.pitch[1], center + 0.5 * self.pitch[1]];
-            grid.slices.push(Slice { y, cells: first..grid.cells.len(), surface_ends, edges });
+            grid.slices.push(Slice { y, cells: first..grid.cells.len(), surface_ends, edges, places });
         }
     }
 

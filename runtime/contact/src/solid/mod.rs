@@ -17,6 +17,7 @@ mod image;
 mod interval_pairs;
 mod placement;
 mod pressure;
+mod surface_curvature;
 mod transverse_approach;
 
 pub use active_set_guess::first_guess;
@@ -25,6 +26,7 @@ pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};
 pub use grid::{Cell, Grid, GridOptions, Slice, build_grid, contact_modulus};
 pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};
 pub use pressure::{GridReport, Peak, assess, half_axes, peak, peak_in, pressures, slice_peaks_in};
+pub use surface_curvature::relative_curvature_along;
 
 #[cfg(test)]
 mod helical_tests;

@@ -28,6 +28,8 @@ pub struct Mesh {
     pub along_face: Plot,
     /// Load of a tooth pair along its path of contact.
     pub path: Plot,
+    /// Sliding, friction, temperature and film of a lubricated mesh, with their captions.
+    pub lubricated: Vec<(Plot, &'static str)>,
 }
 
 /// Returns the meshes of a run by side of the teeth, in descending order of pressure; and the
@@ -58,6 +60,7 @@ pub fn meshes(rows: &[Loaded], units: Units) -> (Vec<Mesh>, usize) {
             pattern: pattern(&rows, &along, bodies[0], units),
             along_face: along_face(&rows, units),
             path: path(&rows, &along, bodies[0], units),
+            lubricated: lubricated(&rows, &along, bodies[0], units),
         }
     };
     (all.into_iter().take(SHOWN).map(mesh).collect(), left_out)
@@ -97,26 +100,71 @@ impl FaceCurve {
 
 fn pattern(rows: &[&Loaded], along: &FaceCurve, body: &str, units: Units) -> Plot {
     let pressure = Axis { what: "pressure", unit: units.stress.name };
+    over_flank(rows, along, (body, units), &pressure, (f64::max, &|row| Some(units.stress.of(row.pressure))))
+}
+
+/// Plots sliding, friction, temperature and film of a lubricated mesh over the flank; none without
+/// lubrication. The smallest film thickness is shown at each point, and the largest value of the
+/// other quantities.
+fn lubricated(rows: &[&Loaded], along: &FaceCurve, body: &str, units: Units) -> Vec<(Plot, &'static str)> {
+    if rows.iter().all(|row| row.film_thickness.is_none()) {
+        return Vec::new();
+    }
+    let Units { film, velocity, line_power, .. } = units;
+    let plot =
+        |what, unit, seen: Seen<'_>| over_flank(rows, along, (body, units), &Axis { what, unit }, seen);
+    let sliding = |row: &Loaded| Some(velocity.of(row.sliding_velocity?));
+    let power = |row: &Loaded| Some(line_power.of(row.friction_power?));
+    let thickness = |row: &Loaded| Some(film.of(row.film_thickness?));
+    vec![
+        (
+            plot("sliding velocity", velocity.name, (f64::max, &sliding)),
+            "Largest sliding velocity at each point of the flank.",
+        ),
+        (
+            plot("friction power", line_power.name, (f64::max, &power)),
+            "Largest frictional power per length of the contact line.",
+        ),
+        (
+            plot("flash temperature", "K", (f64::max, &|row| row.flash_temperature)),
+            "Largest flash temperature (Blok).",
+        ),
+        (
+            plot("film thickness", film.name, (f64::min, &thickness)),
+            "Smallest film thickness (Dowson and Higginson).",
+        ),
+    ]
+}
+
+/// Choice between two values at one point of the flank, and the value of a row.
+type Seen<'a> = (fn(f64, f64) -> f64, &'a dyn Fn(&Loaded) -> Option<f64>);
+
+/// Plots the largest or smallest value of a quantity at each point of the flank of the first body:
+/// a map, or a curve along the profile in a plane model.
+fn over_flank(
+    rows: &[&Loaded],
+    along: &FaceCurve,
+    (body, units): (&str, Units),
+    axis: &Axis<'_>,
+    (choose, value): Seen<'_>,
+) -> Plot {
     let what = format!("{} on {body}", along.what);
+    let points = |rows: &[&Loaded]| {
+        let points = rows.iter().filter_map(|row| Some(((along.place)(row), value(row)?)));
+        seen_along(points.collect(), choose)
+    };
     let Some(strips) = strips(rows) else {
         // In a plane model a flank is a line.
-        let points = rows.iter().map(|row| ((along.place)(row), units.stress.of(row.pressure)));
-        let points = seen_along(points.collect());
-        let curve = Curve { points, ..Curve::default() };
-        return curves(WIDE, &along.axis(&what), &pressure, &[curve], &[]);
+        let curve = Curve { points: points(rows), ..Curve::default() };
+        return curves(WIDE, &along.axis(&what), axis, &[curve], &[]);
     };
     let mut pieces = Vec::new();
     for (ends, rows) in strips {
-        let points = rows.iter().map(|row| ((along.place)(row), units.stress.of(row.pressure)));
         let x = ends.map(|end| units.length.of(end));
-        pieces.extend(steps_of(&seen_along(points.collect())).into_iter().map(|(y, value)| MapCell {
-            x,
-            y,
-            value,
-        }));
+        pieces.extend(steps_of(&points(&rows)).into_iter().map(|(y, value)| MapCell { x, y, value }));
     }
     let across = Axis { what: "from mid-face", unit: units.length.name };
-    map(&across, &along.axis(&what), &pressure, &pieces)
+    map(&across, &along.axis(&what), axis, &pieces)
 }
 
 /// Divides the face into strips with their rows; `None` in a plane model.
@@ -145,8 +193,8 @@ fn strips<'r>(rows: &[&'r Loaded]) -> Option<Vec<([f64; 2], Vec<&'r Loaded>)>> {
     Some(strips)
 }
 
-/// Sorts values by coordinate and keeps the largest of those at the same coordinate.
-fn seen_along(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+/// Sorts values by coordinate and keeps one of those at the same coordinate.
+fn seen_along(mut points: Vec<(f64, f64)>, choose: fn(f64, f64) -> f64) -> Vec<(f64, f64)> {
     points.retain(|(place, value)| place.is_finite() && value.is_finite());
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return points };
@@ -155,7 +203,7 @@ fn seen_along(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let mut seen: Vec<(f64, f64)> = Vec::new();
     for (place, value) in points {
         match seen.last_mut() {
-            Some(last) if place - last.0 < together => last.1 = last.1.max(value),
+            Some(last) if place - last.0 < together => last.1 = choose(last.1, value),
             _ => seen.push((place, value)),
         }
     }
@@ -271,6 +319,10 @@ mod tests {
             line_load: load,
             pressure: load,
             edge_pressure: 0.0,
+            sliding_velocity: None,
+            friction_power: None,
+            flash_temperature: None,
+            film_thickness: None,
         }
     }
 
@@ -289,7 +341,7 @@ mod tests {
         assert!((strips[0].0[0] + 2e-3).abs() < 1e-12 && (strips.last().unwrap().0[1] - 2e-3).abs() < 1e-12);
         for (_, rows) in &strips {
             let points = rows.iter().map(|row| (row.first_roll_angle.unwrap(), row.pressure)).collect();
-            let steps = steps_of(&seen_along(points));
+            let steps = steps_of(&seen_along(points, f64::max));
             assert!(steps.windows(2).all(|pair| pair[0].0[1] == pair[1].0[0]), "{steps:?}");
             assert_eq!(steps.len(), 20);
         }
@@ -335,6 +387,29 @@ mod tests {
         let rows: Vec<&Loaded> = rows.iter().collect();
         for (ends, rows) in strips(&rows).unwrap() {
             assert!(rows.len() >= 12, "{ends:?}: {} of 12 positions", rows.len());
+        }
+    }
+
+    /// A lubricated mesh has four more plots; of two films at one point, the thinner one counts.
+    #[test]
+    fn a_lubricated_mesh_shows_temperature_and_film() {
+        assert_eq!(seen_along(vec![(0.0, 3.0), (0.0, 2.0), (1.0, 5.0)], f64::min), [(0.0, 2.0), (1.0, 5.0)]);
+        for axial in [None, Some(0.0)] {
+            let dry: Vec<Loaded> = (0..9).map(|k| row(k, 0, 0.1 * k as f64, axial, 1e5)).collect();
+            assert!(meshes(&dry, Units::of_system("mm_N_s")).0[0].lubricated.is_empty());
+            let wet = dry.into_iter().map(|row| Loaded {
+                sliding_velocity: Some(1.0),
+                friction_power: Some(2e3),
+                flash_temperature: Some(20.0 + row.step as f64),
+                film_thickness: Some(3e-7),
+                ..row
+            });
+            let (meshes, _) = meshes(&wet.collect::<Vec<_>>(), Units::of_system("mm_N_s"));
+            let plots = &meshes[0].lubricated;
+            assert!(plots.len() == 4 && plots.iter().all(|(plot, _)| !plot.is_empty()));
+            assert!(
+                plots[2].0.svg.contains("flash temperature") && plots[3].0.svg.contains("film thickness")
+            );
         }
     }
 

@@ -77,8 +77,9 @@ type Section = (&'static str, &'static str, Markup);
 fn page(run: &Run) -> Markup {
     let units = Units::of_system(run.text("units"));
     let sections: Vec<Section> = [
-        ("outputs", "Outputs", summary(run)),
+        // A wrong datum of a gear invalidates all results, so the data come first.
         ("gears", "Gear data", gear_data::section(run)),
+        ("outputs", "Outputs", summary(run)),
         ("accuracy", "Error estimates", accuracy::section(run)),
         ("cycle", plots_heading(run), plots(run)),
         ("contact", "Contact", contact_section(run, units)),
@@ -382,6 +383,7 @@ fn contact_section(run: &Run, units: Units) -> Markup {
                 (figure(&mesh.pattern, &format!("Contact pattern on {first}: largest pressure away from tip edges at each point of the flank over all positions and teeth.")))
                 (figure(&mesh.along_face, "Line load along the face: each tooth pair at the position with the largest line load, and the maximum over all positions."))
                 (figure(&mesh.path, "Load sharing: load of a tooth pair over its contact point, the centre of its load."))
+                @for (plot, caption) in &mesh.lubricated { (figure(plot, caption)) }
             }
         }
         @if left_out > 0 {

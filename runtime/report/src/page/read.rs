@@ -177,6 +177,15 @@ pub struct Loaded {
     /// Pressure on and next to edges; zero for runs that did not separate the two.
     #[serde(default)]
     pub edge_pressure: f64,
+    #[serde(default)]
+    pub sliding_velocity: Option<f64>,
+    /// Frictional power per length of the contact line; `None` for a mesh without lubrication.
+    #[serde(default)]
+    pub friction_power: Option<f64>,
+    #[serde(default)]
+    pub flash_temperature: Option<f64>,
+    #[serde(default)]
+    pub film_thickness: Option<f64>,
 }
 
 impl Loaded {

@@ -423,5 +423,6 @@ fn gear_data_have_a_column_per_gear() {
     ] {
         assert!(page.contains(said), "{said} is not in {page}");
     }
+    assert!(page.find("<h2>Gear data</h2>") < page.find("<h2>Outputs</h2>"), "{page}");
     assert!(!text(directory(&run_json()).path()).contains("Gear data"));
 }

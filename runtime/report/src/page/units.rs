@@ -23,6 +23,11 @@ pub struct Units {
     pub force: Unit,
     pub line_load: Unit,
     pub stress: Unit,
+    /// Thickness of a lubricant film.
+    pub film: Unit,
+    pub velocity: Unit,
+    /// Power per length of a contact line.
+    pub line_power: Unit,
 }
 
 const METRIC: Units = Units {
@@ -30,6 +35,9 @@ const METRIC: Units = Units {
     force: Unit { name: "N", size: 1.0 },
     line_load: Unit { name: "N/mm", size: 1e3 },
     stress: Unit { name: "MPa", size: 1e6 },
+    film: Unit { name: "um", size: 1e-6 },
+    velocity: Unit { name: "m/s", size: 1.0 },
+    line_power: Unit { name: "W/mm", size: 1e3 },
 };
 
 const POUND: f64 = 4.4482216152605;
@@ -40,6 +48,9 @@ const IMPERIAL: Units = Units {
     force: Unit { name: "lbf", size: POUND },
     line_load: Unit { name: "lbf/inch", size: POUND / INCH },
     stress: Unit { name: "psi", size: POUND / (INCH * INCH) },
+    film: Unit { name: "microinch", size: 1e-6 * INCH },
+    velocity: Unit { name: "inch/s", size: INCH },
+    line_power: Unit { name: "lbf/s", size: POUND },
 };
 
 impl Units {
