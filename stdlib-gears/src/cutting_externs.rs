@@ -10,12 +10,13 @@ use crate::helix::{Hand, Helix};
 use crate::host::{ModelHost, keep};
 use crate::material_names;
 use crate::modification::Modification;
-use crate::plausibility::of_gear;
+use crate::plausibility::{metric_pitch, of_gear, tiny_module};
 use crate::prototype::GearPrototype;
 use crate::rack::{Plane, Rack};
+use crate::roughing::RoughingTool;
 use crate::shaper::Shaper;
 use crate::stated_gear::{
-    BlankStatements, ModuleStatement, Proportions, TipStatements, sized_rack, sized_shaper,
+    BlankStatements, ModuleStatement, Proportions, TipStatements, check_sides, sized_rack, sized_shaper,
 };
 use crate::stated_thickness::{Limit, ThicknessStatements};
 use calyx_abi::externs::Handle;
@@ -26,12 +27,23 @@ use std::sync::Arc;
 calyx_abi::externs! {
     Pure fn calyx_gears_rack(
         context, module: Option<f64>, diametral_pitch: Option<f64>, pressure_angle: f64, tip_radius: f64,
-        plane: Option<String>, addendum: Option<f64>, dedendum: Option<f64>,
+        plane: Option<String>, addendum: Option<f64>, dedendum: Option<f64>, protuberance: Option<f64>,
+        protuberance_angle: Option<f64>, protuberance_height: Option<f64>, grinding_allowance: Option<f64>,
+        tool_addendum: Option<f64>,
     ) -> Handle {
         let module = module_of("rack", module, diametral_pitch)?;
         let (place, host) = (context.place, host(context)?);
         let rack = Rack::new(module, pressure_angle, tip_radius).map_err(|error| host.runtime_error(&error, place))?;
         let plane = plane.map_or(Plane::Unstated, |plane| Plane::named(&plane).unwrap_or_default());
+        let tool = RoughingTool {
+            protuberance,
+            angle: protuberance_angle,
+            height: protuberance_height,
+            allowance: grinding_allowance,
+            addendum: tool_addendum,
+        };
+        let shaped = tool.shape(rack).and_then(|shaped| Ok((shaped, tool.dedendum(dedendum, &rack)?)));
+        let (rack, dedendum) = shaped.map_err(|error| host.runtime_error(&error, place))?;
         let rack = StatedRack::sized(rack.in_plane(plane), addendum, dedendum);
         Ok(keep(&mut host.racks, rack))
     }
@@ -321,11 +333,23 @@ fn cut_gear(
     let found = found.map_err(|error| report(host, error))?;
     let [shift, generated] = [found.shift, found.generated_shift].map(|shift| shift / per_module);
     let tip_diameter = given.tip.resolve(&proportions, shift).map_err(|error| report(host, error))?;
-    given.thickness.check_ball(&tool, teeth, &helix, tip_diameter).map_err(|error| report(host, error))?;
+    let derived = [proportions.tip_diameter(shift, 0.0), proportions.root_diameter(generated)];
+    let (wrong_side, exchanged) = match check_sides(&given.tip, given.root_diameter, &proportions, derived) {
+        Ok(warning) => (warning, None),
+        Err(error) => (None, Some(error)),
+    };
+    let slip = exchanged.clone().or(module_slip(&given.modules, given.face_width, tool.module()));
+    let nominal = tool.thickness_of_shift(found.shift);
+    given
+        .thickness
+        .check_ball(&tool, (teeth, nominal), &helix, tip_diameter)
+        .map_err(|error| report(host, error))?;
     let root_diameter = given.root_diameter.unwrap_or_else(|| proportions.root_diameter(generated));
     let rim = given.rim.map(|rim| entry(&host.rims, rim).cloned()).transpose()?;
     let blank = BlankStatements { rim, far: given.far, rim_thickness: given.rim_thickness };
-    let (rim, solid) = blank.resolve(&proportions, root_diameter).map_err(|error| report(host, error))?;
+    let far = blank.stated();
+    let (rim, solid) =
+        blank.resolve(&proportions, root_diameter).map_err(|error| report(host, slip.unwrap_or(error)))?;
     host.note(&found.warnings, place);
     let material_name = host.material_names.get(&given.material.0).copied();
     let blank = GearBlank {
@@ -343,15 +367,24 @@ fn cut_gear(
         modifications: modifications_of(host, given.modifications)?,
         pitch_errors: given.pitch_errors,
     };
-    let stated = [(given.tip.diameter.0, given.tip.stated()), ("tooth_thickness", given.thickness.stated())];
+    let stated = [
+        (given.tip.diameter.0, given.tip.stated().or(given.thickness.stated())),
+        ("root_diameter", given.root_diameter.map(|_| "root_diameter").or(given.thickness.stated())),
+        ("tip_edge_radius", given.tip_edge_radius.map(|_| "tip_edge_radius").or(given.thickness.stated())),
+        ("tooth_thickness", given.thickness.stated()),
+        ("rim", far),
+    ];
     let blame = |error: GeometryError| {
         let other = stated.iter().find(|(argument, _)| *argument == error.argument);
         GeometryError { argument: other.and_then(|(_, stated)| *stated).unwrap_or(error.argument), ..error }
     };
-    let cut = blank.cut().map_err(|refusal| match refusal {
-        Refusal::Geometry(errors) => Refusal::Geometry(errors.into_iter().map(blame).collect()),
-        other => other,
-    });
+    let cut = match exchanged {
+        Some(error) => Err(Refusal::Geometry(vec![error])),
+        None => blank.cut().map_err(|refusal| match refusal {
+            Refusal::Geometry(errors) => Refusal::Geometry(errors.into_iter().map(blame).collect()),
+            other => other,
+        }),
+    };
     // A stated shaper cutter replaces the rack.
     let by_rack = normal || matches!(tool, Tool::Rack(_));
     let drawing = StatedData {
@@ -364,6 +397,9 @@ fn cut_gear(
         span_teeth: given.thickness.span_teeth.map(|count| count as u32),
         ball: given.thickness.ball,
     };
+    if cut.is_ok() {
+        host.note(wrong_side.as_slice(), place);
+    }
     let cut = cut.map(|mut gear| {
         // Nothing else refers to the gear yet.
         if let Some(gear) = Arc::get_mut(&mut gear) {
@@ -371,21 +407,34 @@ fn cut_gear(
         }
         gear
     });
-    let pitch = given.modules.iter().find(|statement| statement.argument.ends_with("diametral_pitch"));
-    let pitch = pitch.map(|statement| (statement.argument, 1.0 / statement.module));
-    keep_gear(host, cut, (tool.module(), pitch), place)
+    keep_gear(host, cut, (tool.module(), pitch_of(&given.modules), far), place)
+}
+
+/// Returns the diametral pitch that states the size of the teeth, 1/m, with its argument.
+fn pitch_of(statements: &[ModuleStatement]) -> Option<(&'static str, f64)> {
+    let pitch = statements.iter().find(|statement| statement.argument.ends_with("diametral_pitch"))?;
+    Some((pitch.argument, 1.0 / pitch.module))
+}
+
+/// Returns the error for a module in a wrong unit, which makes all diameters of the gear wrong.
+fn module_slip(statements: &[ModuleStatement], face_width: f64, module: f64) -> Option<GeometryError> {
+    let pitch = pitch_of(statements).and_then(|pitch| metric_pitch(face_width, module, pitch));
+    let stated = statements.iter().find(|statement| !statement.argument.ends_with("diametral_pitch"));
+    let slip =
+        pitch.or_else(|| tiny_module(face_width, stated.map(|stated| (stated.argument, stated.module))?))?;
+    Some(GeometryError { severity: Severity::Error, ..slip })
 }
 
 fn keep_gear(
     host: &mut ModelHost,
     cut: Result<Arc<GearPrototype>, Refusal>,
-    (module, pitch): (f64, Option<(&'static str, f64)>),
+    (module, pitch, far): (f64, Option<(&'static str, f64)>, Option<&'static str>),
     place: Place,
 ) -> Result<Handle, RuntimeError> {
     let gear = cut.map_err(|refusal| host.rejected(refusal, place))?;
     host.note(gear.gear.warnings(), place);
     let (wrong, unusual): (Vec<_>, Vec<_>) =
-        of_gear(&gear, module, pitch).into_iter().partition(|found| found.severity == Severity::Error);
+        of_gear(&gear, module, pitch, far).into_iter().partition(|found| found.severity == Severity::Error);
     host.note(&unusual, place);
     if !wrong.is_empty() {
         return Err(host.rejected(wrong.into(), place));

@@ -1,7 +1,10 @@
 //! Geometry of two gears in mesh: operating pressure angle, path of contact, backlash, and the
 //! checks that reject impossible pairs. Theory: `docs/theory/gear-geometry.md`.
 
-use crate::error::{GeometryError, sentence};
+mod distance;
+
+use self::distance::expected_distance;
+use crate::error::{GeometryError, Sentence, sentence};
 use crate::external::ExternalGear;
 use crate::gear::ToothForm;
 use crate::helix::Helix;
@@ -108,6 +111,13 @@ impl MeshGeometry {
         let base_radius = [first.base_radius, second.base_radius];
         let (base_sum, outer_sum) =
             (base_radius[0] + base_radius[1], first.outer_radius + second.outer_radius);
+        let zero_involute = (f64::from(first.teeth) * first.half_base_angle
+            + f64::from(second.teeth) * second.half_base_angle
+            - PI)
+            / f64::from(first.teeth + second.teeth);
+        let zero_backlash =
+            (zero_involute > 0.0).then(|| radius_at_roll(base_sum, roll_of_involute(zero_involute)));
+        let standard = first.pitch_radius + second.pitch_radius;
         if center_distance.is_nan() || center_distance <= base_sum {
             return Err(GeometryError::error(
                 "E0631",
@@ -116,10 +126,7 @@ impl MeshGeometry {
                     "the axes are ", length center_distance, " apart, less than the base circles need (",
                     length base_sum, "): no line of action exists"
                 ],
-                sentence![
-                    "place the frames farther apart, near the standard distance of ",
-                    length first.pitch_radius + second.pitch_radius
-                ],
+                expected_distance("farther apart", center_distance, standard, zero_backlash),
             ));
         }
         if center_distance >= outer_sum {
@@ -130,10 +137,7 @@ impl MeshGeometry {
                     "the axes are ", length center_distance, " apart, but the outer circles reach only ",
                     length outer_sum, ": the teeth cannot touch"
                 ],
-                sentence![
-                    "place the frames closer together, near the standard distance of ",
-                    length first.pitch_radius + second.pitch_radius
-                ],
+                expected_distance("closer together", center_distance, standard, zero_backlash),
             ));
         }
         let tangent_distance = ((center_distance - base_sum) * (center_distance + base_sum)).sqrt();
@@ -145,18 +149,13 @@ impl MeshGeometry {
             |gear: &ExternalGear| if gear.undercut { gear.form_roll } else { f64::NEG_INFINITY };
         let start = base_radius[0] * undercut_start(first);
         let end = tangent_distance - base_radius[1] * undercut_start(second);
-        let zero_involute = (f64::from(first.teeth) * first.half_base_angle
-            + f64::from(second.teeth) * second.half_base_angle
-            - PI)
-            / f64::from(first.teeth + second.teeth);
         let normal_backlash = 2.0 * base_sum * (involute(angle) - zero_involute);
         Ok(Self {
             center_distance,
             tangent_distance,
             internal: false,
             normal_backlash,
-            zero_backlash_center_distance: (zero_involute > 0.0)
-                .then(|| radius_at_roll(base_sum, roll_of_involute(zero_involute))),
+            zero_backlash_center_distance: zero_backlash,
             ..Self::from_path(
                 base_radius,
                 first.base_pitch,
@@ -187,6 +186,12 @@ impl MeshGeometry {
         let base_radius = [first.base_radius, second.base_radius];
         let difference = base_radius[1] - base_radius[0];
         let standard = second.pitch_radius - first.pitch_radius;
+        // The pinion's tooth in the gear's tooth space, on the operating pitch circles.
+        let teeth = [f64::from(first.teeth), f64::from(second.teeth)];
+        let zero_involute = (teeth[1] * second.half_base_angle_of_space - teeth[0] * first.half_base_angle)
+            / (teeth[1] - teeth[0]);
+        let zero_backlash = (difference > 0.0 && zero_involute > 0.0)
+            .then(|| radius_at_roll(difference, roll_of_involute(zero_involute)));
         if center_distance.is_nan() || difference <= 0.0 || center_distance <= difference {
             return Err(GeometryError::error(
                 "E0631",
@@ -195,7 +200,7 @@ impl MeshGeometry {
                     "the axes are ", length center_distance, " apart, less than the base circles need (",
                     length difference, "): no line of action exists"
                 ],
-                sentence!["place the frames farther apart, near the standard distance of ", length standard],
+                expected_distance("farther apart", center_distance, standard, zero_backlash),
             ));
         }
         let tangent_distance = ((center_distance - difference) * (center_distance + difference)).sqrt();
@@ -211,21 +216,16 @@ impl MeshGeometry {
                     "the axes are ", length center_distance,
                     " apart, and the tip circles leave nothing of the line of action: the teeth cannot touch"
                 ],
-                sentence!["place the frames near the standard distance of ", length standard],
+                expected_distance("at another distance", center_distance, standard, zero_backlash),
             ));
         }
         let angle = math::atan2(tangent_distance, difference);
-        // The pinion's tooth in the gear's tooth space, on the operating pitch circles.
-        let teeth = [f64::from(first.teeth), f64::from(second.teeth)];
-        let zero_involute = (teeth[1] * second.half_base_angle_of_space - teeth[0] * first.half_base_angle)
-            / (teeth[1] - teeth[0]);
         let normal_backlash = 2.0 * difference * (zero_involute - involute(angle));
         Ok(Self {
             center_distance,
             tangent_distance,
             internal: true,
-            zero_backlash_center_distance: (zero_involute > 0.0)
-                .then(|| radius_at_roll(difference, roll_of_involute(zero_involute))),
+            zero_backlash_center_distance: zero_backlash,
             ..Self::from_path(base_radius, first.base_pitch, angle, [start, end], normal_backlash)
         })
     }
@@ -311,7 +311,7 @@ impl MeshGeometry {
     /// Checks an external pair and returns its geometry with warnings, or all of its errors.
     ///
     /// # Errors
-    /// E0630 to E0634, E0636.
+    /// E0630 to E0634, E0636, E0930.
     pub fn check_external(
         first: &ExternalGear,
         second: &ExternalGear,
@@ -321,7 +321,17 @@ impl MeshGeometry {
         let mesh = Self::external(first, second, center_distance).map_err(|error| vec![error])?;
         let mesh = mesh.across(first, wound);
         let undercut = [first.undercut, second.undercut];
-        let (errors, warnings) = mesh.judge([first.into(), second.into()], undercut);
+        let gears = [first.into(), second.into()];
+        let (errors, mut warnings) = mesh.judge(gears, undercut);
+        let errors = mesh.blame_overlap(errors, |distance| {
+            let fitting = Self::external(first, second, distance).ok()?.across(first, wound);
+            Some(fitting.judge(gears, undercut).0)
+        });
+        let reach = |gear: &ExternalGear, mate: &ExternalGear| {
+            (mesh.tangent_distance - mate.base_radius * mate.tip_roll) / gear.base_radius
+        };
+        warnings.extend(shortened_by_protuberance("first", first, reach(first, second)));
+        warnings.extend(shortened_by_protuberance("second", second, reach(second, first)));
         if errors.is_empty() { Ok((mesh, warnings)) } else { Err(errors) }
     }
 
@@ -329,7 +339,7 @@ impl MeshGeometry {
     /// all of its errors.
     ///
     /// # Errors
-    /// E0630 to E0634, E0636, E0638.
+    /// E0630 to E0634, E0636, E0638, E0930.
     pub fn check_internal(
         first: &ExternalGear,
         second: &InternalGear,
@@ -338,7 +348,14 @@ impl MeshGeometry {
     ) -> Result<(Self, Vec<GeometryError>), Vec<GeometryError>> {
         let mesh = Self::internal(first, second, center_distance).map_err(|error| vec![error])?;
         let mesh = mesh.across(first, wound);
-        let (mut errors, warnings) = mesh.judge([first.into(), second.into()], [first.undercut, false]);
+        let (gears, undercut) = ([first.into(), second.into()], [first.undercut, false]);
+        let (errors, mut warnings) = mesh.judge(gears, undercut);
+        let mut errors = mesh.blame_overlap(errors, |distance| {
+            let fitting = Self::internal(first, second, distance).ok()?.across(first, wound);
+            Some(fitting.judge(gears, undercut).0)
+        });
+        let reach = (second.base_radius * second.tip_roll - mesh.tangent_distance) / first.base_radius;
+        warnings.extend(shortened_by_protuberance("first", first, reach));
         let margin = tip_margin(
             [first.teeth, second.teeth],
             [first.tip_roll, second.tip_roll],
@@ -378,10 +395,18 @@ impl MeshGeometry {
                         "enlarge the outer diameter of the gear, or reduce the minor diameter of the ring"
                     ]
                 } else {
-                    sentence![
+                    let closer = match self
+                        .zero_backlash_center_distance
+                        .filter(|zero| *zero < self.center_distance)
+                    {
+                        Some(zero) => sentence!["; without backlash the distance is ", length zero],
+                        None => sentence![],
+                    };
+                    let help = sentence![
                         "place the axes closer together than ", length self.center_distance,
                         ", or enlarge the outer diameters"
-                    ]
+                    ];
+                    Sentence(help.0.into_iter().chain(closer.0).collect())
                 },
             ));
         }
@@ -497,7 +522,30 @@ fn check_same_involutes(module: [f64; 2], pressure_angle: [f64; 2]) -> Result<()
             "the gears have different base pitches, ", length base_pitch[0], " and ", length base_pitch[1],
             ": their teeth cannot mesh smoothly"
         ],
-        sentence!["give both gears a rack of the same module and pressure angle"],
+        sentence![
+            "give both gears the same module, in the same section, and the same pressure angle: their transverse modules are ",
+            length module[0], " and ", length module[1], ", the transverse pressure angles ", angle pressure_angle[0],
+            " and ", angle pressure_angle[1]
+        ],
+    ))
+}
+
+/// Warning about a tool with protuberance that removes a part of the flank of `gear` that its mate
+/// reaches. `reach` is the roll angle of the innermost point that the tips of the mate reach.
+fn shortened_by_protuberance(member: &'static str, gear: &ExternalGear, reach: f64) -> Option<GeometryError> {
+    if gear.rack.residual_undercut == 0.0 || reach >= gear.form_roll {
+        return None;
+    }
+    Some(GeometryError::warning(
+        "W0849",
+        member,
+        sentence![
+            "the protuberance of this gear's tool shortens the path of contact: the mate's tips reach down to the diameter ",
+            length 2.0 * gear.radius_at_roll(reach.max(0.0)), ", but the flank begins at ", length 2.0 * gear.form_radius
+        ],
+        sentence![
+            "reduce `protuberance` of the rack, enlarge its `dedendum` or `protuberance_angle`, or shorten the mate's teeth"
+        ],
     ))
 }
 

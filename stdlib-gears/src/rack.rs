@@ -45,6 +45,12 @@ pub struct Rack {
     /// half-axis across it. It exceeds 1 in the transverse plane of a rack whose tip is round in
     /// the normal plane: the rounding is an ellipse there.
     pub tip_stretch: f64,
+    /// Residual undercut `s_pr = pr - q`: depth of the cut by the protuberance of the roughing tool
+    /// below the finished flank, normal to the flank, m. The normal plane has it unchanged where
+    /// [`Self::tip_stretch`] exceeds 1. Zero for a tool without protuberance.
+    pub residual_undercut: f64,
+    /// Pressure angle `alpha_pr` of the protuberance's flank, rad.
+    pub protuberance_angle: f64,
 }
 
 impl Rack {
@@ -55,7 +61,52 @@ impl Rack {
     /// E0601 to E0603.
     pub fn new(module: f64, pressure_angle: f64, tip_radius: f64) -> Result<Self, GeometryError> {
         check_tool("rack", module, pressure_angle, tip_radius)?;
-        Ok(Self { module, pressure_angle, tip_radius, plane: Plane::Transverse, tip_stretch: 1.0 })
+        Ok(Self {
+            module,
+            pressure_angle,
+            tip_radius,
+            plane: Plane::Transverse,
+            tip_stretch: 1.0,
+            residual_undercut: 0.0,
+            protuberance_angle: 0.0,
+        })
+    }
+
+    /// Returns the rack with the protuberance of its roughing tool. The tip rounding moves outwards
+    /// from the finished flank by `residual_undercut` (m), see [`Self::residual_undercut`]. It
+    /// continues in a straight flank of pressure angle `protuberance_angle` (rad).
+    ///
+    /// # Errors
+    /// E0933: the residual undercut is negative, or the protuberance is not steeper than the flank.
+    pub fn with_protuberance(
+        self,
+        residual_undercut: f64,
+        protuberance_angle: f64,
+    ) -> Result<Rack, GeometryError> {
+        if !(residual_undercut.is_finite() && residual_undercut >= 0.0) {
+            return Err(GeometryError::error(
+                "E0933",
+                "grinding_allowance",
+                sentence![
+                    "the grinding allowance exceeds the protuberance by ",
+                    length - residual_undercut,
+                    ": grinding would leave a notch in the fillet, which the tooth form does not include"
+                ],
+                sentence!["enlarge `protuberance`, or reduce `grinding_allowance` to it"],
+            ));
+        }
+        if !(protuberance_angle >= 0.0 && protuberance_angle < self.pressure_angle) {
+            return Err(GeometryError::error(
+                "E0933",
+                "protuberance_angle",
+                sentence![
+                    "the flank of the protuberance has a pressure angle of ", angle protuberance_angle,
+                    ", not below that of the rack, ", angle self.pressure_angle
+                ],
+                sentence!["give an angle between 0 deg and the pressure angle; 8 deg to 12 deg is usual"],
+            ));
+        }
+        Ok(Rack { residual_undercut, protuberance_angle, ..self })
     }
 
     /// Returns the rack with its dimensions assigned to another plane.
@@ -105,6 +156,8 @@ impl Rack {
             tip_radius: self.tip_radius,
             plane: Plane::Transverse,
             tip_stretch: self.tip_stretch / cosine,
+            residual_undercut: self.residual_undercut,
+            protuberance_angle: math::atan(math::tan(self.protuberance_angle) / cosine),
         }
     }
 
@@ -142,11 +195,22 @@ impl Rack {
     /// Support function of the tip rounding: distance from its centre to the tangent whose normal
     /// is inclined by `inclination` to the pitch line, m.
     pub(crate) fn tip_support(&self, inclination: f64) -> f64 {
-        let (sine, cosine) = math::sincos(inclination);
+        self.tip_radius * self.stretched(inclination)
+    }
+
+    /// Distance in this plane of two tangents of this inclination whose distance is 1 where the tip
+    /// rounding is a circle.
+    fn stretched(&self, inclination: f64) -> f64 {
         if self.tip_stretch == 1.0 {
-            return self.tip_radius;
+            return 1.0;
         }
-        self.tip_radius * (self.tip_stretch * cosine).hypot(sine)
+        let (sine, cosine) = math::sincos(inclination);
+        (self.tip_stretch * cosine).hypot(sine)
+    }
+
+    /// Depth of the protuberance's cut below the finished flank in this plane, m.
+    pub(crate) fn undercut_depth(&self) -> f64 {
+        self.residual_undercut * self.stretched(self.pressure_angle)
     }
 
     /// Depth of the tangent point of this tangent below the centre of the rounding, m.
