@@ -12,6 +12,7 @@ use crate::phase_check;
 use crate::prototype::GearPrototype;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::error::{EngineError, Subject};
+use calyx_runtime::lubrication::Lubrication;
 use calyx_runtime::motion::{PlanePose, axle, rotation_speed, spatial_pose};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
 use std::any::Any;
@@ -54,6 +55,8 @@ pub struct MeshOptions {
     pub misalignment: Misalignment,
     /// Enables contact of the back (coast) flanks as well.
     pub coast_side_contact: bool,
+    /// Lubrication, for observables of friction, temperature and film thickness.
+    pub lubrication: Option<Lubrication>,
 }
 
 /// Misalignment of the second gear's axis relative to the first one's, given by two angles (rad)
@@ -79,6 +82,7 @@ impl Default for MeshOptions {
             friction: 0.0,
             misalignment: Misalignment::default(),
             coast_side_contact: false,
+            lubrication: None,
         }
     }
 }
@@ -260,9 +264,16 @@ impl Pairing {
             width: options.grid_width,
             edges: options.tip_corner_contact,
         };
-        let (bodies, friction) = (self.bodies, options.friction);
-        let pair =
-            scene.add_pair(SurfacePair { bodies, surfaces, grid, friction, mesh: Some(mesh), front: None });
+        let (bodies, friction, lubrication) = (self.bodies, options.friction, options.lubrication);
+        let pair = scene.add_pair(SurfacePair {
+            bodies,
+            surfaces,
+            grid,
+            friction,
+            mesh: Some(mesh),
+            front: None,
+            lubrication,
+        });
         let back = back.map(|mut mesh| {
             mesh.roll_at_zero -= sense * off_section;
             let surfaces = surfaces.map(|surface| 1 - surface);
@@ -273,6 +284,7 @@ impl Pairing {
                 friction,
                 mesh: Some(mesh),
                 front: Some(pair),
+                lubrication,
             })
         });
         Ok(MeshResult { pair, back, geometry, warnings })

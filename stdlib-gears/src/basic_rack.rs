@@ -100,6 +100,8 @@ impl StatedRack {
                 tip_radius: fillet_radius * normal_module,
                 plane: Plane::Normal,
                 tip_stretch: 1.0,
+                residual_undercut: 0.0,
+                protuberance_angle: 0.0,
             },
         }
     }

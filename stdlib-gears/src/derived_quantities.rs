@@ -93,7 +93,12 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
     let [flank, _] = prototype.flanks();
     let ToothForm { module, internal, .. } = form;
     let tip = if internal { "tip (minor) diameter" } else { "tip (outside) diameter" };
-    let undercut = prototype.gear.external().is_some_and(|gear| gear.undercut);
+    let external = prototype.gear.external();
+    let form_note = match external {
+        Some(gear) if gear.rack.residual_undercut > 0.0 => "the involute begins above the protuberance's cut",
+        Some(gear) if gear.undercut => "the involute begins, undercut",
+        _ => "the involute begins",
+    };
     let base_helix = prototype.helix.base_angle(form.pressure_angle);
     let mut all = vec![
         Quantity::number("number of teeth", "z", f64::from(form.teeth)).note(if internal {
@@ -114,11 +119,7 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
             .note("the rounded tip edge begins")
             .further(),
         Quantity::length("root diameter", "d_f", 2.0 * form.root_radius),
-        Quantity::length("root form diameter", "d_Ff", 2.0 * form.form_radius).note(if undercut {
-            "the involute begins, undercut"
-        } else {
-            "the involute begins"
-        }),
+        Quantity::length("root form diameter", "d_Ff", 2.0 * form.form_radius).note(form_note),
         Quantity::angle("roll angle at the root form diameter", "xi_Ff", form.form_roll.abs()).further(),
         Quantity::angle("roll angle at the tip diameter", "xi_a", form.tip_roll.abs()).further(),
         Quantity::length("base pitch", "p_b", form.base_radius * form.pitch_angle()).further(),

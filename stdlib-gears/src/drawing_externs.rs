@@ -40,6 +40,10 @@ calyx_abi::externs! {
         Ok(2.0 * entry(&host(context)?.gears, gear)?.form().tip_radius)
     }
 
+    Pure fn calyx_gears_root_form_diameter(context, gear: Handle) -> f64 {
+        Ok(2.0 * entry(&host(context)?.gears, gear)?.form().form_radius)
+    }
+
     Pure fn calyx_gears_root_diameter(context, gear: Handle) -> f64 {
         Ok(2.0 * entry(&host(context)?.gears, gear)?.form().root_radius)
     }

@@ -67,7 +67,8 @@ pub struct ExternalGear {
     pub form_radius: f64,
     /// Roll angle at the form circle.
     pub form_roll: f64,
-    /// True if the rack's tip undercuts the teeth (removes part of the involute).
+    /// True if the rack's tip or protuberance removes part of the involute: no contact is possible
+    /// below the form circle.
     pub undercut: bool,
     /// Distance of the centre of the rack's tip rounding from the middle of the rack's tooth.
     pub rack_tip_centre_halfwidth: f64,
@@ -75,6 +76,9 @@ pub struct ExternalGear {
     pub warnings: Vec<GeometryError>,
     pub(crate) generation: RackRoot,
     pub(crate) form_inclination: f64,
+    /// Radius of curvature at the form circle of the involute that the flank of the rack's
+    /// protuberance generates, m; `None` if the tip rounding generates the whole fillet.
+    pub(crate) protuberance_curvature: Option<f64>,
 }
 
 impl ExternalGear {
@@ -93,7 +97,7 @@ impl ExternalGear {
         let tip_centre_depth = pitch_radius - root_radius - rack.tip_radius;
         let halfwidth = 0.5 * (rack.pitch() - tooth_thickness)
             - tip_centre_depth * sine / cosine
-            - rack.tip_support(rack.pressure_angle) / cosine;
+            - (rack.tip_support(rack.pressure_angle) - rack.undercut_depth()) / cosine;
         // The fillets of a full fillet rack meet in the middle of its tooth, up to rounding errors.
         let halfwidth = if halfwidth.abs() < MEETING * rack.module { 0.0 } else { halfwidth };
         let generation = RackRoot {
@@ -128,10 +132,13 @@ impl ExternalGear {
             warnings: Vec::new(),
             generation,
             form_inclination: rack.pressure_angle,
+            protuberance_curvature: None,
         };
         let mut errors = Vec::new();
         if halfwidth < 0.0 {
             errors.push(gear.rack_tip_error());
+        } else if rack.residual_undercut > 0.0 {
+            errors.extend(gear.begin_above_protuberance().err());
         } else if gear.form_roll.abs() < AT_BASE_CIRCLE {
             // The involute has no tangent direction on the base circle itself.
             gear.form_roll = gear.form_roll.max(1e-6);
@@ -284,7 +291,11 @@ impl ExternalGear {
     /// Returns the root of one side of a tooth, from the form circle to the middle of the tooth
     /// space.
     pub fn root_fillet(&self, side: Side) -> RootFillet {
-        RootFillet::new(RootGeneration::Rack(self.generation), self.form_inclination, side)
+        let fillet = RootFillet::new(RootGeneration::Rack(self.generation), self.form_inclination, side);
+        match self.protuberance_curvature {
+            Some(curvature) => fillet.below_protuberance(curvature),
+            None => fillet,
+        }
     }
 
     /// Inclination of the fillet's normal at the point where the fillet of an undercut tooth
@@ -310,7 +321,8 @@ impl ExternalGear {
     fn rack_tip_error(&self) -> GeometryError {
         let (sine, cosine) = math::sincos(self.rack.pressure_angle);
         let dedendum = self.pitch_radius - self.root_radius;
-        let land = 0.5 * (self.rack.pitch() - self.tooth_thickness) - dedendum * sine / cosine;
+        let land = 0.5 * (self.rack.pitch() - self.tooth_thickness) - dedendum * sine / cosine
+            + self.rack.undercut_depth() / cosine;
         let per_radius = (self.rack.tip_stretch * cosine).hypot(sine);
         let largest = land * cosine / (per_radius - sine);
         if largest <= 0.0 {
@@ -337,7 +349,7 @@ impl ExternalGear {
         )
     }
 
-    fn undercut_warning(&self) -> GeometryError {
+    pub(crate) fn undercut_warning(&self) -> GeometryError {
         GeometryError::warning(
             "E0614",
             "teeth",
@@ -459,7 +471,10 @@ fn check_data(data: &ExternalGearData) -> Vec<GeometryError> {
                 " is not below the pitch diameter of ", length 2.0 * pitch_radius,
                 ", so the rack does not reach the gear's teeth in its standard setting"
             ],
-            sentence!["check `teeth` and the rack's module, or reduce `root_diameter`"],
+            sentence![
+                "check `teeth` and the rack's module, or reduce `root_diameter`; usual is ",
+                length 2.0 * pitch_radius - 2.5 * data.rack.module, ", the pitch diameter minus 2.5 modules"
+            ],
         ));
     }
     if let Some(edge) = data.tip_edge_radius

@@ -6,6 +6,7 @@ use crate::bearing_externs::GROUND;
 use crate::error::Severity;
 use crate::host::{AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
 use crate::load_plausibility::check_loads;
+use crate::lubrication_externs::of_mesh;
 use crate::plausibility::{of_material, pitch_line, unequal_planet_spacing};
 use calyx_abi::externs::{Handle, SymbolicNumber};
 use calyx_abi::{Context, RuntimeError};
@@ -37,7 +38,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_mesh(
         context, first: Handle, second: Handle, tip_corner_contact: bool, contact_cells: Option<f64>,
         grid_width: Option<f64>, contact_slices: f64, friction: f64, misalignment: f64,
-        misalignment_out_of_plane: f64, coast_side_contact: bool,
+        misalignment_out_of_plane: f64, coast_side_contact: bool, lubrication: Option<Handle>,
     ) -> Handle {
         for (argument, count) in [("contact_cells", contact_cells), ("contact_slices", Some(contact_slices))] {
             if count.is_some_and(|count| count.fract() != 0.0 || count < 1.0) {
@@ -53,6 +54,7 @@ calyx_abi::externs! {
         let (place, host) = (context.place, host(context)?);
         host.gear_on("first", ids[0])?;
         host.gear_on("second", ids[1])?;
+        let lubrication = of_mesh(host, lubrication, ids, place)?;
         let options = MeshOptions {
             tip_corner_contact,
             half_cells: contact_cells.map(|cells| cells as usize),
@@ -61,6 +63,7 @@ calyx_abi::externs! {
             friction,
             misalignment: Misalignment { in_action: misalignment, off_action: misalignment_out_of_plane },
             coast_side_contact,
+            lubrication,
         };
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.rejected(refusal, place))?;
         // A pair that can touch has a geometry even if it cannot run.

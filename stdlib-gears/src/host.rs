@@ -6,6 +6,7 @@ use crate::blank::Rim;
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, Refusal, Severity};
 use crate::files::ModelFile;
+use crate::lubrication_externs::StatedLubrication;
 use crate::lumped_planetary::{LumpedMember, Mode};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
@@ -111,6 +112,8 @@ pub struct ModelHost {
     /// Lists of positions within ranges of time, by their handle: the start of the ranges (s), and
     /// the ranges.
     pub histories: BTreeMap<u64, (f64, Vec<TimeRange>)>,
+    /// Lubrications of meshes.
+    pub lubrications: Vec<StatedLubrication>,
     /// Strain gauges.
     pub gauges: Vec<Gauge>,
     /// Bodies of lumped-parameter models.

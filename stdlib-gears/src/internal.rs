@@ -493,7 +493,8 @@ fn check_data(data: &InternalGearData) -> Vec<GeometryError> {
                 " and the pitch diameter of ", length 2.0 * pitch_radius
             ],
             sentence![
-                "the spaces of an internal gear end outside; usual is the pitch diameter plus 2.5 modules"
+                "the spaces of an internal gear end outside; usual is ",
+                length 2.0 * pitch_radius + 2.5 * data.shaper.module, ", the pitch diameter plus 2.5 modules"
             ],
         ));
     }

@@ -34,6 +34,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "iso21771",
     "iso1328",
     "deviations",
+    "inspection",
     "iso6336",
     "iso6336_1",
     "iso6336_2",
@@ -44,6 +45,9 @@ pub const MODULES: &[LibraryModule] = modules![
     "micropitting",
     "agma908",
     "agma2101",
+    "envelope",
+    "bevel",
+    "bevel_contact",
 ];
 
 /// Tables of the functions that programs may call: those of the library, and those of the language
@@ -55,6 +59,7 @@ const TABLES: &[&[Extern]] = &[
     crate::cutting_externs::EXTERNS,
     crate::drawing_externs::EXTERNS,
     crate::gauge_externs::EXTERNS,
+    crate::lubrication_externs::EXTERNS,
     crate::lumped_externs::EXTERNS,
     crate::dynamics_externs::EXTERNS,
     crate::mesh_externs::EXTERNS,

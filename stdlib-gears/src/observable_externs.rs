@@ -5,13 +5,12 @@ use crate::lumped_scene::{LumpedFrequency, LumpedSet};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observables::{
-    Coordinate, Displacement, DynamicFactor, Efficiency, FaceLoadFactor, FrictionLoss, HighestContact,
-    LoadShare, LoadedFace, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad,
-    MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce,
-    MeshStiffness, ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad,
-    PairsInContact, PlanetSet, RootFaceLoadFactor, Rotation, SecantStiffness, SlidingVelocity,
-    SplineToothLoad, SupportForce, SupportMoment, ToothLoad, TransmissionError, TransverseLoadFactor,
-    UnloadedTransmissionError,
+    Coordinate, Displacement, DynamicFactor, FaceLoadFactor, HighestContact, LoadShare, LoadedFace,
+    LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression, MaxRootStress,
+    MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce, MeshStiffness, ModeClassification, ModeShare,
+    ModesRequest, NaturalFrequency, Observable, PairLoad, PairsInContact, PlanetSet, RootFaceLoadFactor,
+    Rotation, SecantStiffness, SlidingVelocity, SplineToothLoad, SupportForce, SupportMoment, ToothLoad,
+    TransmissionError, TransverseLoadFactor, UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -178,14 +177,6 @@ calyx_abi::externs! {
         observe(context, MaxSlidingVelocity(pair(mesh)))
     }
 
-    Scene fn calyx_gears_friction_loss(context, mesh: Handle, coefficient: f64) -> Handle {
-        observe(context, FrictionLoss(pair(mesh), coefficient_of_friction(coefficient)?))
-    }
-
-    Scene fn calyx_gears_efficiency(context, mesh: Handle, coefficient: f64) -> Handle {
-        observe(context, Efficiency(pair(mesh), coefficient_of_friction(coefficient)?))
-    }
-
     Scene fn calyx_gears_max_root_stress(context, body: Handle) -> Handle {
         let body = gear_body(context, body)?;
         observe(context, MaxRootStress(body))
@@ -260,7 +251,7 @@ fn place(
     observe(context, MaximumLocation { body, maximum, coordinate })
 }
 
-fn pair(mesh: Handle) -> PairId {
+pub(crate) fn pair(mesh: Handle) -> PairId {
     PairId(mesh.0 as usize)
 }
 
@@ -315,7 +306,7 @@ fn axis_number(axis: &str) -> usize {
     ["x", "y", "z"].iter().position(|known| *known == axis).unwrap_or_default()
 }
 
-fn pair_number(pair: f64) -> Result<i32, RuntimeError> {
+pub(crate) fn pair_number(pair: f64) -> Result<i32, RuntimeError> {
     match pair.fract() == 0.0 && pair.abs() < 1e6 {
         true => Ok(pair as i32),
         false => Err(refusal(
@@ -327,7 +318,7 @@ fn pair_number(pair: f64) -> Result<i32, RuntimeError> {
     }
 }
 
-fn coefficient_of_friction(coefficient: f64) -> Result<f64, RuntimeError> {
+pub(crate) fn coefficient_of_friction(coefficient: f64) -> Result<f64, RuntimeError> {
     match coefficient.is_finite() && coefficient >= 0.0 {
         true => Ok(coefficient),
         false => Err(refusal(

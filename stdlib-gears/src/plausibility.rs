@@ -47,7 +47,7 @@ const INCH: f64 = 25.4e-3;
 const MILLIMETRE: f64 = 1e-3;
 
 /// Value in the unit that was probably meant.
-fn meant(value: f64, usual: &RangeInclusive<f64>) -> Option<f64> {
+pub(crate) fn meant(value: f64, usual: &RangeInclusive<f64>) -> Option<f64> {
     SLIPS.into_iter().map(|factor| factor * value).find(|value| usual.contains(value))
 }
 
@@ -95,16 +95,17 @@ pub(crate) fn of_material(material: &Material, place: (u32, u32, u32)) -> Vec<Fi
 
 /// Errors and warnings about the face width, the rim and the pitch deviations of a generated gear.
 /// `module` is the tool's module as given, and `pitch` the diametral pitch that states it, if any,
-/// with its argument.
+/// with its argument. `far` is the argument that states the blank in place of `rim`, if any.
 pub(crate) fn of_gear(
     gear: &GearPrototype,
     module: f64,
     pitch: Option<(&'static str, f64)>,
+    far: Option<&'static str>,
 ) -> Vec<GeometryError> {
     let per_millimetre = pitch.and_then(|pitch| metric_pitch(gear.face_width, module, pitch));
     let found = [
         per_millimetre.or_else(|| face_width(gear.face_width, module)),
-        thin_rim(&gear.form(), &gear.rim, module),
+        thin_rim(&gear.form(), &gear.rim, module, far),
         pitch_deviations(&gear.form(), &gear.pitch_errors),
     ];
     found.into_iter().flatten().collect()
@@ -149,7 +150,7 @@ fn pitch_deviations(form: &ToothForm, cumulative: &[f64]) -> Option<GeometryErro
 
 /// Detects a diametral pitch in teeth per inch that is stated per millimetre: the face width is
 /// unusual, and usual with a module of as many inches.
-fn metric_pitch(
+pub(crate) fn metric_pitch(
     face_width: f64,
     module: f64,
     (argument, pitch): (&'static str, f64),
@@ -169,6 +170,28 @@ fn metric_pitch(
             "is `", text argument, " = ", number pitch * MILLIMETRE, " / inch` meant? That is a module of ",
             length INCH / (pitch * MILLIMETRE)
         ],
+    ))
+}
+
+/// Smallest module of a gear, m: that of the smallest watches.
+const SMALLEST_MODULE: f64 = 0.04e-3;
+
+/// Detects a module that no gear has and that is usual for the face width in a larger unit.
+pub(crate) fn tiny_module(face_width: f64, (argument, module): (&'static str, f64)) -> Option<GeometryError> {
+    if module >= SMALLEST_MODULE || USUAL_FACE_WIDTHS.contains(&(face_width / module)) {
+        return None;
+    }
+    let larger = SLIPS.into_iter().filter(|factor| *factor > 1.0).map(|factor| factor * module);
+    let mut usual = larger.filter(|module| USUAL_FACE_WIDTHS.contains(&(face_width / module)));
+    let meant = usual.next()?;
+    Some(GeometryError::warning(
+        "E0803",
+        argument,
+        sentence![
+            "a module of ", length module, " is smaller than that of any gear, and the face is ",
+            number shown(face_width / module), " modules wide"
+        ],
+        sentence!["is `", text argument, " = ", length meant, "` meant?"],
     ))
 }
 
@@ -194,11 +217,30 @@ fn face_width(face_width: f64, module: f64) -> Option<GeometryError> {
 
 /// Detects a rim that leaves hardly any material under or around the teeth, or that is itself very
 /// thin.
-fn thin_rim(form: &ToothForm, rim: &Rim, module: f64) -> Option<GeometryError> {
+fn thin_rim(form: &ToothForm, rim: &Rim, module: f64, far: Option<&'static str>) -> Option<GeometryError> {
     let metal = (form.root_radius - rim.ring_radius()).abs();
     let ring = (rim.radius - rim.ring_radius()).abs();
     let constrained = if form.internal { "outer_diameter" } else { "inner_diameter" };
     let usual = form.root_radius - form.sense() * 2.0 * module;
+    if let (Some(argument), true) = (far, metal < THINNEST_METAL * module) {
+        let (value, example) = match argument {
+            "rim_thickness" => (metal, 2.0 * module),
+            _ => (2.0 * rim.fixed_radius, 2.0 * usual),
+        };
+        return Some(GeometryError::warning(
+            "E0804",
+            argument,
+            sentence![
+                "`", text argument, "` of ", length value, " leaves only ", length metal,
+                " of metal at the tooth spaces, ", number shown(metal / module),
+                " modules: the teeth bend the rim more than themselves"
+            ],
+            sentence![
+                "check the unit, and diameter or radius; with `", text argument, " = ", length example,
+                "` the rim is two modules thick"
+            ],
+        ));
+    }
     if metal < THINNEST_METAL * module {
         return Some(GeometryError::warning(
             "E0804",

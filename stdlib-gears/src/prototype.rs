@@ -133,6 +133,7 @@ impl GearPrototype {
                 .count(u64::from(gear.teeth))
                 .numbers(&[gear.rack.module, gear.rack.pressure_angle, gear.rack.tip_radius])
                 .numbers(&[gear.rack.tip_stretch, gear.tooth_thickness, gear.outer_radius])
+                .numbers(&[gear.rack.residual_undercut, gear.rack.protuberance_angle])
                 .numbers(&[gear.root_radius, gear.tip_edge_radius]),
             Gear::Internal(gear) => key
                 .flag(true)

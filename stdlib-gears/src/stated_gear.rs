@@ -48,6 +48,31 @@ impl ModuleStatement {
         modules.chain(pitches).filter_map(|(argument, section)| stated(argument, section)).collect()
     }
 
+    /// Checks that the module is positive and finite.
+    ///
+    /// # Errors
+    /// E0927.
+    fn check_size(&self) -> Result<(), GeometryError> {
+        if self.module > 0.0 && self.module.is_finite() {
+            return Ok(());
+        }
+        let pitch = self.argument.ends_with("diametral_pitch");
+        Err(GeometryError::error(
+            "E0927",
+            self.argument,
+            sentence!["`", text self.argument, "` is 0: teeth of this size do not exist"],
+            match pitch {
+                true => sentence![
+                    "give the diametral pitch of the drawing, such as `", text self.argument,
+                    " = 8 / inch`, or leave it out"
+                ],
+                false => sentence![
+                    "give the module of the drawing, such as `", text self.argument, " = 3 mm`, or leave it out"
+                ],
+            },
+        ))
+    }
+
     /// Normal module, m.
     fn normal(&self, helix: &Helix) -> Result<f64, GeometryError> {
         let cosine = math::cos(helix.angle());
@@ -76,7 +101,7 @@ impl ModuleStatement {
 ///
 /// # Errors
 /// E0910: two statements contradict each other. E0912: a statement for a helical gear names no
-/// section.
+/// section. E0927: a module or a diametral pitch is zero.
 fn normal_module(
     own: Option<(&'static str, f64)>,
     statements: &[ModuleStatement],
@@ -84,6 +109,7 @@ fn normal_module(
 ) -> Result<Option<f64>, GeometryError> {
     let mut known = own;
     for statement in statements {
+        statement.check_size()?;
         let (argument, module) = (statement.argument, statement.normal(helix)?);
         let Some((first, expected)) = known else {
             known = Some((argument, module));
@@ -273,6 +299,60 @@ impl TipStatements {
     }
 }
 
+/// Checks a stated tip diameter and a stated root diameter, m, against the reference circle and
+/// each other. `derived` are the diameters that follow from rack and profile shift. Returns a
+/// warning about a tip circle on the wrong side of the reference circle.
+///
+/// # Errors
+/// E0929: tip and root diameter are exchanged.
+pub(crate) fn check_sides(
+    tip: &TipStatements,
+    root_diameter: Option<f64>,
+    proportions: &Proportions,
+    [derived_tip, derived_root]: [f64; 2],
+) -> Result<Option<GeometryError>, GeometryError> {
+    let (name, diameter) = tip.diameter;
+    let stated = diameter.map(|diameter| (name, diameter));
+    let Some((argument, diameter)) = stated.or(tip.tip_diameter.map(|diameter| ("tip_diameter", diameter)))
+    else {
+        return Ok(None);
+    };
+    let reference = proportions.reference_diameter;
+    let outside = |diameter: f64| proportions.sense * (diameter - reference) > 0.0;
+    let (kind, side) =
+        if proportions.sense > 0.0 { ("an external", "outside") } else { ("an internal", "inside") };
+    // With a large negative addendum modification even a correct tip circle crosses the reference
+    // circle.
+    if outside(diameter) || !outside(derived_tip) {
+        return Ok(None);
+    }
+    if let Some(root) = root_diameter.filter(|root| outside(*root) && !outside(derived_root)) {
+        return Err(GeometryError::error(
+            "E0929",
+            argument,
+            sentence![
+                "the tip diameter of ", length diameter, " and the root diameter of ", length root,
+                " are exchanged: the teeth of ", text kind, " gear end ", text side, " the reference circle of ",
+                length reference
+            ],
+            sentence!["write `", text argument, " = ", length root, "` and `root_diameter = ", length diameter, "`"],
+        ));
+    }
+    let found = if proportions.sense > 0.0 { "inside" } else { "outside" };
+    Ok(Some(GeometryError::warning(
+        "W0842",
+        argument,
+        sentence![
+            "the tip diameter of ", length diameter, " is ", text found, " the reference circle of ", length reference,
+            ": the teeth of ", text kind, " gear end ", text side, " this circle"
+        ],
+        sentence![
+            "is `", text argument, " = ", length derived_tip,
+            "` meant? This is the tip diameter that follows from rack and profile shift"
+        ],
+    )))
+}
+
 /// Diameter at which a solid gear is supported, as a fraction of its root diameter. See
 /// `docs/theory/gear-geometry.md`.
 pub(crate) const SOLID_SUPPORT: f64 = 0.5;
@@ -290,6 +370,12 @@ pub(crate) struct BlankStatements {
 }
 
 impl BlankStatements {
+    /// Argument that states the blank in place of a rim, if any.
+    pub fn stated(&self) -> Option<&'static str> {
+        let (far, diameter) = self.far;
+        diameter.map(|_| far).or(self.rim_thickness.map(|_| "rim_thickness"))
+    }
+
     /// Returns the rim, and `true` for a gear that is solid to its axis. `root` is the root
     /// diameter, m.
     ///
@@ -349,6 +435,7 @@ fn wrong_side(argument: &'static str, end: f64, root: f64, sense: f64) -> Geomet
             "a rim of this thickness does not fit under a root diameter of ", length root, ": it would end at a diameter of ",
             length end
         ],
+        _ if end <= 0.0 => sentence!["`", text argument, "` is 0, which is not a diameter"],
         _ if sense > 0.0 => sentence![
             "the bore of ", length end, " is not smaller than the root diameter of ", length root
         ],
@@ -360,6 +447,7 @@ fn wrong_side(argument: &'static str, end: f64, root: f64, sense: f64) -> Geomet
         "rim_thickness" => {
             sentence!["give a thickness below ", length 0.5 * root, ", the radius of the root circle"]
         }
+        _ if sense > 0.0 && end <= 0.0 => sentence!["leave `", text argument, "` out for a solid gear"],
         _ if sense > 0.0 => {
             sentence!["check the unit, and that it is a diameter; leave it out for a solid gear"]
         }

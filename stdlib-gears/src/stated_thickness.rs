@@ -6,6 +6,7 @@
 
 mod checks;
 
+use self::checks::reversed_allowances;
 use crate::blank::{Thickness, Tool};
 use crate::error::{GeometryError, sentence};
 use crate::helix::Helix;
@@ -135,6 +136,11 @@ impl<'t> Geometry<'t> {
         if self.normal_plane { thickness * math::cos(self.helix.angle()) } else { thickness }
     }
 
+    /// Transverse thickness of a thickness in the plane of the tool.
+    fn transverse(&self, thickness: f64) -> f64 {
+        if self.normal_plane { thickness / math::cos(self.helix.angle()) } else { thickness }
+    }
+
     /// Transverse thickness of a tooth from half the angle between the involutes of a tooth at the
     /// base circle, or of a space of an internal gear.
     fn of_half_base_angle(&self, half_base_angle: f64) -> f64 {
@@ -216,7 +222,7 @@ impl ThicknessStatements {
     /// # Errors
     /// E0805: `tooth_thickness` and `profile_shift` contradict each other. E0916: other statements
     /// do. E0917: a measurement is incomplete or impossible, or the allowances are in the wrong
-    /// order.
+    /// order. E0928: an allowance is as large as a tooth.
     pub fn resolve(
         &self,
         tool: &Tool,
@@ -225,6 +231,7 @@ impl ThicknessStatements {
         dedendum: Option<f64>,
     ) -> Result<StatedThickness, GeometryError> {
         let geometry = Geometry::new(tool, helix, teeth);
+        let mut warnings = self.large_allowances(&geometry)?;
         let stated_at = geometry.of_normal(self.allowance(self.stated_at)?);
         let others = self.measured(&geometry)?;
         let others: Vec<(&'static str, f64)> =
@@ -233,7 +240,6 @@ impl ThicknessStatements {
             self.check_measurement(&geometry, argument, thickness, dedendum)?;
         }
         let circular = self.tooth_thickness.map(|thickness| thickness - stated_at);
-        let mut warnings = Vec::new();
         let (first, nominal) = match (circular, self.profile_shift) {
             (Some(thickness), shift) => {
                 warnings.extend(self.agree_with_shift(&geometry, thickness, shift)?);
@@ -348,10 +354,7 @@ impl ThicknessStatements {
         );
         match (self.span, self.span_teeth) {
             (Some(span), Some(count)) => {
-                let whole = count.fract() == 0.0 && count >= 1.0 && count < geometry.teeth;
-                if !whole || (geometry.internal && !geometry.helix.is_spur()) {
-                    return Err(impossible_span(count, geometry));
-                }
+                check_span_teeth(count, geometry)?;
                 found.push(("span", geometry.of_transverse(geometry.of_span(span, count))));
             }
             (Some(span), None) => {
@@ -361,15 +364,8 @@ impl ThicknessStatements {
                     sentence!["give the number of teeth that are spanned, such as `span_teeth = 3`"],
                 ));
             }
-            (None, Some(_)) => {
-                return Err(incomplete(
-                    "span_teeth",
-                    sentence![
-                        "`span_teeth` is the number of teeth of a span measurement, which is not given"
-                    ],
-                    sentence!["give `span`, or leave `span_teeth` out"],
-                ));
-            }
+            // The number of teeth selects the span measurement of the gear data.
+            (None, Some(count)) => check_span_teeth(count, geometry)?,
             (None, None) => {}
         }
         let (argument, dimension) = self.over_balls;
@@ -395,14 +391,8 @@ impl ThicknessStatements {
                     sentence!["give the diameter of the balls or pins, such as `ball = ", length 1.75 * geometry.tool.module(), "`"],
                 ));
             }
-            (None, Some(_)) => {
-                return Err(incomplete(
-                    "ball",
-                    sentence!["`ball` is the diameter of the balls of `", text argument, "`, which is not given"],
-                    sentence!["give `", text argument, "`, or leave `ball` out"],
-                ));
-            }
-            (None, None) => {}
+            // The diameter selects the dimension over balls of the gear data; see `check_ball`.
+            (None, _) => {}
         }
         Ok(found)
     }
@@ -412,14 +402,7 @@ impl ThicknessStatements {
         let [upper, lower] = self.allowances;
         let [upper_value, lower_value] = [upper.unwrap_or(0.0), lower.unwrap_or(0.0)];
         if upper.is_some() && lower.is_some() && upper_value < lower_value {
-            return Err(incomplete(
-                "upper_allowance",
-                sentence![
-                    "the upper allowance of the tooth thickness, ", length upper_value, ", is below the lower one, ",
-                    length lower_value
-                ],
-                sentence!["exchange the two allowances"],
-            ));
+            return Err(reversed_allowances(upper_value, lower_value));
         }
         let needed = match limit {
             Limit::Nominal => [false, false],
@@ -451,6 +434,15 @@ fn incomplete(
     help: crate::error::Sentence,
 ) -> GeometryError {
     GeometryError::error("E0917", argument, message, help)
+}
+
+/// Checks that a span measurement over a number of teeth exists.
+fn check_span_teeth(count: f64, geometry: &Geometry<'_>) -> Result<(), GeometryError> {
+    let whole = count.fract() == 0.0 && count >= 1.0 && count < geometry.teeth;
+    match whole && (!geometry.internal || geometry.helix.is_spur()) {
+        true => Ok(()),
+        false => Err(impossible_span(count, geometry)),
+    }
 }
 
 fn impossible_span(count: f64, geometry: &Geometry<'_>) -> GeometryError {

@@ -7,14 +7,15 @@
 //! The jumps are delayed in proportion to the rate of the sweep, so the reduced model has the same
 //! sweep.
 
-use crate::common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, SECOND, TORQUE, pair, system};
+use crate::common::pair::{COARSE, FIRST, MESH, PLAIN, PairOptions, RELIEVED, SECOND, TORQUE, pair, system};
 use calyx_runtime::analysis::AnalysisOptions;
 use calyx_runtime::dynamics::{DynamicOptions, History, Scheme, Start, TimeRange};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::motion::Motion;
 use calyx_runtime::observables::Observe;
-use calyx_runtime::observables::{MeshForce, MeshStiffness, Rotation};
+use calyx_runtime::observables::{DynamicFactor, MeshForce, MeshStiffness, Rotation};
 use calyx_runtime::results::OutputRequest;
+use calyx_runtime::rows::StepRow;
 use calyx_runtime::scene::Scene;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -85,7 +86,11 @@ impl Motion for Sweep {
 
 /// The pair at 1 rad/s.
 fn coarse_pair() -> Scene {
-    let (mut scene, _) = pair(&PairOptions { speed: 1.0, ..PairOptions::chapter_5(&PLAIN) });
+    coarse(&PairOptions::chapter_5(&PLAIN))
+}
+
+fn coarse(options: &PairOptions) -> Scene {
+    let (mut scene, _) = pair(&PairOptions { speed: 1.0, ..options.clone() });
     scene.pairs[0].grid.half_cells = Some(3);
     scene.pairs[0].grid.width = Some(8e-4);
     scene.observables.clear();
@@ -143,7 +148,18 @@ fn course_of_the_pair(from: f64, rate: f64, step: f64, damping: f64) -> Course {
         OutputRequest::observing("turn", scene.add_observable(Rotation(FIRST, 2))),
         OutputRequest::observing("force", scene.add_observable(MeshForce(MESH))),
     ];
-    let steps = STEPS * CYCLES;
+    let lever = PLAIN[0].gear().base_radius;
+    let rows = integrated(&scene, &outputs, [step, damping], STEPS * CYCLES);
+    rows.into_iter().map(|row| [row[0], row[1] * lever / TORQUE]).collect()
+}
+
+/// Outputs of every time step (s) with mass-proportional damping (1/s), from equilibrium on.
+fn integrated(
+    scene: &Scene,
+    outputs: &[OutputRequest],
+    [step, damping]: [f64; 2],
+    steps: usize,
+) -> Vec<Vec<f64>> {
     let dynamics = DynamicOptions {
         from: 0.0,
         ranges: vec![TimeRange::steady(step * steps as f64, steps)],
@@ -152,14 +168,9 @@ fn course_of_the_pair(from: f64, rate: f64, step: f64, damping: f64) -> Course {
         start: Start::Equilibrium,
     };
     let options = AnalysisOptions { structure: COARSE, ..AnalysisOptions::default() };
-    let history = History::new(&scene, &outputs, &options, &dynamics, &mut ()).expect("it can begin");
-    let lever = PLAIN[0].gear().base_radius;
-    history
-        .map(|solved| {
-            let outputs = solved.expect("it goes on").row.outputs;
-            [outputs[0].value, outputs[1].value * lever / TORQUE]
-        })
-        .collect()
+    let history = History::new(scene, outputs, &options, &dynamics, &mut ()).expect("it can begin");
+    let values = |solved: StepRow| solved.outputs.iter().map(|output| output.value).collect();
+    history.map(|solved| values(solved.expect("it goes on").row)).collect()
 }
 
 fn course_of_the_reduced(statics: &Statics, from: f64, rate: f64, step: f64, damping: f64) -> Course {
@@ -239,4 +250,56 @@ fn jumps_are_where_the_reduced_model_has_them() {
     assert!(up.growth > 1.2 && up.least[1] == 0.0, "{up:?}");
     assert!(down.growth < 0.6 && down.least[0] == 0.0 && down.least[1] > 0.2, "{down:?}");
     assert!(up.at - down.at > 0.06, "{up:?} {down:?}");
+}
+
+/// Largest dynamic factor and largest mesh force over the static one, of the last cycles after
+/// `settled` mesh cycles at a constant tooth passing frequency, rad/s. `steps` is the number of
+/// steps per cycle.
+fn largest_factors(
+    mut scene: Scene,
+    [frequency, damping]: [f64; 2],
+    steps: usize,
+    settled: usize,
+) -> [f64; 2] {
+    let centers = [[0.0; 2], [3.0 * crate::common::INCH, 0.0]];
+    for (body, ratio) in [(FIRST, 1.0), (SECOND, -0.5)] {
+        let motion = Sweep { origin: centers[body.0], ratio, from: frequency, rate: 0.0 };
+        scene.bodies[body.0].motion = Arc::new(motion);
+    }
+    let mesh = scene.pairs[MESH.0].mesh.as_mut().expect("a mesh");
+    // The cycle in time of the scene, which is created at 1 rad/s of the first gear.
+    let scale = TEETH / frequency;
+    (mesh.start, mesh.period) = (mesh.start * scale, mesh.period * scale);
+    let outputs = [
+        OutputRequest::observing("factor", scene.add_observable(DynamicFactor(MESH))),
+        OutputRequest::observing("force", scene.add_observable(MeshForce(MESH))),
+    ];
+    let step = TAU / (frequency * steps as f64);
+    let rows = integrated(&scene, &outputs, [step, damping], steps * settled * 6 / 5);
+    let steady = &rows[steps * settled..];
+    let largest = |output: usize| steady.iter().map(|row| row[output]).fold(0.0, f64::max);
+    // The static force on a gear under a constant moment is constant.
+    [largest(0), largest(1) * PLAIN[0].gear().base_radius / TORQUE]
+}
+
+/// The maximum of the dynamic factor is the ratio of the dynamic to the static force: near 1 far
+/// below resonance, and larger at resonance.
+#[test]
+fn the_dynamic_factor_is_the_largest_force_over_the_static_one() {
+    let statics = Statics::new();
+    let resonance = statics.resonance();
+    let damping = 2.0 * DAMPING_RATIO * resonance;
+    // The load on pairs with tip relief changes without steps: vibration vanishes with the speed.
+    let relieved = PairOptions { edges: true, ..PairOptions::chapter_5(&RELIEVED) };
+    let factors = |scene: Scene, ratio: f64, [steps, settled]: [usize; 2], tolerance: f64| {
+        let [factor, force] = largest_factors(scene, [ratio * resonance, damping], steps, settled);
+        assert!((factor / force - 1.0).abs() < tolerance, "{ratio}: {factor} {force}");
+        factor
+    };
+    // Slow cycles have 20 steps per natural period. Tips that touch outside the path of contact
+    // push with another lever, so the static force of these pairs varies slightly.
+    let slow = factors(coarse(&relieved), 0.04, [500, 5], 2e-3);
+    assert!(slow > 1.0 && slow < 1.1, "{slow}");
+    let resonant = factors(coarse_pair(), 0.85, [STEPS, 50], 1e-9);
+    assert!(resonant > slow, "{resonant} {slow}");
 }

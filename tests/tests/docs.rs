@@ -247,3 +247,15 @@ fn every_model_on_a_page_passes_check() {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     assert!(models >= 6, "only {models} models");
 }
+
+/// The README shows the model that `calyx new` writes, which has 15 lines of code.
+#[test]
+fn the_first_model_is_that_of_the_readme() {
+    let read = |path: &str| fs::read_to_string(home().join(path)).expect("a file");
+    let (template, readme) = (read("compiler/templates/spur_pair.cx"), read("README.md"));
+    let code: Vec<&str> =
+        template.lines().filter(|line| !line.is_empty() && !line.starts_with("//")).collect();
+    assert_eq!(code.len(), 15, "{code:#?}");
+    let block = format!("```\n{}\n```", code.join("\n"));
+    assert!(readme.contains(&block), "README.md does not show\n{block}");
+}

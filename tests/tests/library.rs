@@ -109,7 +109,7 @@ fn every_declared_function_is_provided_as_declared() {
         });
         assert_eq!(provided, wanted.collect::<Vec<_>>(), "{symbol}");
         assert_eq!(row.result.repr(), decl.result.as_ref().map_or(Repr::Unit, repr), "{symbol}");
-        let FunctionBody::Extern { purity } = &decl.body else { unreachable!("only externs are listed") };
+        let FunctionBody::Extern { purity, .. } = &decl.body else { unreachable!("only externs are listed") };
         let purity = match purity.as_ref().map(|purity| purity.name.as_str()) {
             Some("pure") => Purity::Pure,
             Some("scene") => Purity::Scene,

@@ -138,12 +138,14 @@ fn the_picture_of_relief_shapes_shows_the_amounts() {
         content += &polyline(&[[at, 30.0], [at, 250.0]], "#bbbbbb", 1.0);
         content += &text(at, 22.0, "middle", "#333333", words);
     }
+    let mut row: u8 = 0;
     for ((name, _, color), curve) in shapes.iter().zip(found.chunks(rolls.len())) {
         let line: Vec<[f64; 2]> = curve.iter().enumerate().map(|(step, a)| [x(step), y(*a)]).collect();
         content += &polyline(&line, color, 2.0);
-        let row = shapes.iter().position(|shape| shape.0 == *name).expect("a shape") as f64;
+        // The arc lies on the quadratic shape, whose label names both.
         if *name != "arc" {
-            content += &text(70.0, 140.0 + 20.0 * row, "start", color, name);
+            content += &text(132.0, 158.0 + 20.0 * f64::from(row), "start", color, name);
+            row += 1;
         }
     }
     content += &text(250.0, 268.0, "middle", "#333333", "roll angle, or roll length, from root to tip");
@@ -194,9 +196,11 @@ fn the_picture_of_left_and_right_flanks_is_drawn() {
         // The counter-clockwise side of an external tooth is the left one.
         let turn =
             if internal { ["clockwise", "counter-clockwise"] } else { ["counter-clockwise", "clockwise"] };
-        content += &text(middle - 108.0, 30.0, "start", "#777777", turn[0]);
-        content += &text(middle + 108.0, 30.0, "end", "#777777", turn[1]);
+        content += &text(middle - 108.0, 48.0, "start", "#777777", turn[0]);
+        content += &text(middle + 108.0, 48.0, "end", "#777777", turn[1]);
     }
+    content +=
+        &text(250.0, 22.0, "middle", "#777777", "side of the tooth, in the sense of rotation about e3");
     content +=
         &text(250.0, 214.0, "middle", "#333333", "seen against e3, from the end of the face towards +e3");
     compare("left_right_flanks.svg", &picture([500.0, 225.0], &content));
@@ -206,10 +210,10 @@ fn the_picture_of_left_and_right_flanks_is_drawn() {
 fn the_picture_of_slopes_shows_the_amounts() {
     const STEPS: usize = 8;
     let columns = [
-        ("helical_right", "left", "right hand, left flank"),
-        ("helical_right", "right", "right hand, right flank"),
-        ("helical_left", "left", "left hand, left flank"),
-        ("helical_left", "right", "left hand, right flank"),
+        ("helical_right", "left", "right hand, left"),
+        ("helical_right", "right", "right hand, right"),
+        ("helical_left", "left", "left hand, left"),
+        ("helical_left", "right", "left hand, right"),
     ];
     let kinds = ["gears.profile_slope(4 um)", "gears.helix_slope(4 um)", "gears.twist(8 um)"];
     // Roll angles of the root form circle and the tip circle of these gears.
@@ -276,15 +280,16 @@ fn the_picture_of_slopes_shows_the_amounts() {
         content += &text(100.0, top + 98.0, "start", "#333333", &name);
         content += &text(92.0, top + 12.0, "end", "#777777", "tip");
         content += &text(92.0, top + 78.0, "end", "#777777", "root");
-        content += &text(
-            670.0,
-            top + 98.0,
-            "end",
-            "#777777",
-            "each from \u{2212}e3 on the left to +e3 on the right",
-        );
     }
     content +=
         &text(350.0, 20.0, "middle", "#333333", "red, +: material added;  blue, \u{2212}: material removed");
+    content += &text(92.0, 45.0, "end", "#777777", "hand, flank:");
+    content += &text(
+        670.0,
+        60.0 + 130.0 * (kinds.len() - 1) as f64 + 98.0,
+        "end",
+        "#777777",
+        "each from \u{2212}e3 on the left to +e3 on the right",
+    );
     compare("slope_signs.svg", &picture([700.0, 455.0], &content));
 }

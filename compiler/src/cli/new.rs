@@ -10,17 +10,24 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "Examples:
-  calyx new pair                      directory pair with pair.cx, two spur gears in mesh
-  calyx new pair.cx                   only the file
-  calyx new planet --template frames  kinematics without gears";
+  calyx new pair                            directory pair with pair.cx, two spur gears in mesh
+  calyx new pair.cx                         only the file
+  calyx new pair --template helical_pair    two helical gears
+  calyx new planet --template frames        kinematics without gears";
 
 /// Template of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 #[value(rename_all = "snake_case")]
 enum Template {
-    /// A spur gear pair: transmission error, contact pressure, root stress
+    /// Two spur gears in mesh: transmission error, load share, contact pressure, root stress
     #[default]
     SpurPair,
+    /// Two helical gears in mesh, with misalignment
+    HelicalPair,
+    /// A pinion in an internal gear
+    InternalPair,
+    /// A spur pair of explicit bodies, frames and a mesh, for other shafts and loads
+    Bodies,
     /// Moving frames: a planet on its carrier, positions and velocities
     Frames,
     /// Quantities, functions and a table of results, without gears
@@ -31,6 +38,9 @@ impl Template {
     fn text(self) -> &'static str {
         match self {
             Template::SpurPair => include_str!("../../templates/spur_pair.cx"),
+            Template::HelicalPair => include_str!("../../templates/helical_pair.cx"),
+            Template::InternalPair => include_str!("../../templates/internal_pair.cx"),
+            Template::Bodies => include_str!("../../templates/bodies.cx"),
             Template::Frames => include_str!("../../templates/frames.cx"),
             Template::Calculation => include_str!("../../templates/calculation.cx"),
         }

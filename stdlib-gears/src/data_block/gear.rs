@@ -17,6 +17,8 @@ const NORMAL: [&str; LIMITS] = ["s_ns", "s_nm", "s_ni"];
 const TRANSVERSE: [&str; LIMITS] = ["s_ts", "s_tm", "s_ti"];
 const SPAN: [&str; LIMITS] = ["W_ks", "W_km", "W_ki"];
 const BALLS: [&str; LIMITS] = ["M_dKs", "M_dKm", "M_dKi"];
+/// Difference of root radii, in modules, up to which they are equal.
+const SAME_ROOT: f64 = 1e-9;
 /// Quantities of [`of_gear`] that are entries of a data block.
 const DERIVED: [&str; 11] = ["z", "beta", "beta_b", "p_z", "d", "d_b", "d_a", "d_Fa", "d_Ff", "d_f", "h"];
 
@@ -47,6 +49,7 @@ pub(super) fn values(gear: &GearPrototype, length: LengthUnit) -> Values {
     }
     add_rack(&mut values, gear, module);
     add_thicknesses(&mut values, gear);
+    separate_generated(&mut values, gear, module);
     if let Some(material) = gear.stated.material {
         values.insert("material", material.into());
     }
@@ -61,6 +64,54 @@ pub(super) fn values(gear: &GearPrototype, length: LengthUnit) -> Values {
 pub(super) fn normal_angle(transverse: f64, helix: f64) -> f64 {
     // atan(tan(x)) can differ from x in the last digit.
     if helix == 0.0 { transverse } else { math::atan(math::tan(transverse) * math::cos(helix)) }
+}
+
+/// Keys of nominal quantities, and of those that the tool generates with the thickness of the
+/// analysis. Index `E` stands for quantities that a generating profile shift determines (ISO
+/// 21771:2007).
+const GENERATED: [(&str, &str); 5] =
+    [("d_Ff", "d_FfE"), ("d_f", "d_fE"), ("h", "h_E"), ("s_an", "s_anE"), ("x - x_min", "x_E - x_Emin")];
+
+/// Quantities of the generated gear get their own keys, and nominal values are added, if the
+/// analysis uses an allowance of the tooth thickness. The root diameter is nominal if it is stated.
+fn separate_generated(values: &mut Values, gear: &GearPrototype, module: f64) {
+    if gear.stated.allowance == 0.0 {
+        return;
+    }
+    let root = nominal_root(gear, module);
+    for (nominal, generated) in GENERATED {
+        if root.is_none() && matches!(nominal, "d_f" | "h") {
+            continue;
+        }
+        if let Some(value) = values.remove(nominal) {
+            values.insert(generated, value);
+        }
+    }
+    let form = gear.form();
+    if let Some(root) = root {
+        values.extend([
+            ("d_f", Value::from(2.0 * root)),
+            ("h", (form.sense() * (form.tip_radius - root)).into()),
+        ]);
+    }
+    let thinned = gear.stated.allowance * form.tip_radius / form.pitch_radius;
+    let tip_helix = gear.helix.angle_at(form.tip_radius, form.pitch_radius);
+    values.insert("s_an", ((form.tip_thickness() - thinned) * math::cos(tip_helix)).into());
+}
+
+/// Root radius at the nominal profile shift, m, if the root diameter of the gear follows from its
+/// rack and its generating profile shift.
+pub(super) fn nominal_root(gear: &GearPrototype, module: f64) -> Option<f64> {
+    let form = gear.form();
+    let [_, dedendum] = gear.stated.heights?;
+    let dedendum = match &gear.gear {
+        Gear::External(external) => dedendum * external.rack.tool_module(),
+        Gear::Internal(_) => dedendum * module,
+    };
+    let at =
+        |thickness| form.pitch_radius + profile_shift_of(gear, thickness) * module - form.sense() * dedendum;
+    let follows = (form.root_radius - at(form.tooth_thickness)).abs() < SAME_ROOT * module;
+    follows.then(|| at(form.tooth_thickness - gear.stated.allowance))
 }
 
 /// Adds the tool and the profile shift.
@@ -83,6 +134,9 @@ fn add_rack(values: &mut Values, gear: &GearPrototype, module: f64) {
             ("rho_fP", Value::from(rack.tip_radius / rack.tool_module())),
             ("x - x_min", margin.into()),
         ]);
+        if rack.residual_undercut > 0.0 {
+            values.insert("s_pr", rack.residual_undercut.into());
+        }
     }
     if let Some([addendum, dedendum]) = stated.heights {
         values.extend([("h_aP", Value::from(addendum)), ("h_fP", dedendum.into())]);

@@ -1,8 +1,9 @@
 //! Values of the data block of a mesh.
 
-use super::gear::normal_angle;
+use super::gear::{nominal_root, normal_angle};
 use super::{Value, Values};
 use crate::derived_quantities::of_mesh;
+use crate::drawing_externs::normal_module;
 use crate::internal::tip_margin;
 use crate::mesh_geometry::MeshGeometry;
 use crate::prototype::GearPrototype;
@@ -34,6 +35,9 @@ pub(super) fn values(gears: [&GearPrototype; 2], mesh: &MeshGeometry) -> (Values
         let Some(key) = DERIVED.into_iter().find(|key| *key == quantity.symbol) else { continue };
         let values = quantity.member.and_then(|member| members.get_mut(member)).unwrap_or(&mut common);
         values.insert(key, quantity.value.into());
+    }
+    for (values, gear) in members.iter_mut().zip(gears) {
+        separate_generated(values, gear);
     }
     let [first, second] = forms;
     let teeth = forms.map(|form| f64::from(form.teeth));
@@ -80,6 +84,23 @@ pub(super) fn values(gears: [&GearPrototype; 2], mesh: &MeshGeometry) -> (Values
         values.insert("j_phi", (2.0 * mesh.backlash / operating[member]).into());
     }
     (common, members)
+}
+
+/// Clearances of a generated root get their own keys, and the nominal tip clearance is added, as in
+/// the data of the gear.
+fn separate_generated(values: &mut Values, gear: &GearPrototype) {
+    if gear.stated.allowance == 0.0 {
+        return;
+    }
+    if let Some(clearance) = values.remove("c_F") {
+        values.insert("c_FE", clearance);
+    }
+    let form = gear.form();
+    let Some(root) = nominal_root(gear, normal_module(gear)) else { return };
+    if let Some(Value::Number(generated)) = values.get("c").cloned() {
+        let nominal = generated - form.sense() * (root - form.root_radius);
+        values.extend([("c_E", Value::from(generated)), ("c", nominal.into())]);
+    }
 }
 
 /// Specific sliding `zeta` of a member at a point of contact with these roll angles of both members

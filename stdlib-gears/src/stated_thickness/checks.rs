@@ -3,18 +3,82 @@
 
 use super::{Geometry, Limit, SAME_THICKNESS, ThicknessStatements, incomplete};
 use crate::blank::Tool;
-use crate::error::{GeometryError, sentence};
+use crate::error::{GeometryError, Sentence, sentence};
 use crate::helix::Helix;
-use std::f64::consts::PI;
+use crate::plausibility::meant;
+use calyx_abi::math;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::RangeInclusive;
 
 /// Largest magnitude of a profile shift coefficient that a measurement may mean. One tooth more or
 /// less in a span changes it by about 4.
 const LARGEST_SHIFT: f64 = 1.5;
+/// Largest usual magnitude of an allowance of the normal tooth thickness, in normal modules: more
+/// than the backlash of coarse gears.
+const LARGEST_ALLOWANCE: f64 = 0.3;
+/// Allowances that a message suggests, in normal modules.
+const USUAL_ALLOWANCES: RangeInclusive<f64> = 2e-3..=0.15;
 
 impl ThicknessStatements {
-    /// Warns about a positive allowance, and about an allowance without the other one.
+    /// Returns a warning for each allowance that is larger than those of any backlash.
+    ///
+    /// # Errors
+    /// E0928: the allowance is as large as the tooth, as with micrometres stated as millimetres.
+    pub(super) fn large_allowances(
+        &self,
+        geometry: &Geometry<'_>,
+    ) -> Result<Vec<GeometryError>, GeometryError> {
+        let normal_module = geometry.pitch * math::cos(geometry.helix.angle()) / PI;
+        let mut warnings = Vec::new();
+        for (allowance, name) in self.allowances.iter().zip(["upper_allowance", "lower_allowance"]) {
+            let Some(value) = *allowance else { continue };
+            let modules = value.abs() / normal_module;
+            if modules <= LARGEST_ALLOWANCE {
+                continue;
+            }
+            let impossible = modules >= FRAC_PI_2;
+            let message = match impossible {
+                true => sentence![
+                    "an allowance of ", length value, " is as large as a tooth: half a normal pitch is ",
+                    length FRAC_PI_2 * normal_module
+                ],
+                false => sentence![
+                    "an allowance of ", length value, " is unusually large: it changes the tooth thickness by ",
+                    number (100.0 * modules).round() / 100.0, " normal modules"
+                ],
+            };
+            let help = match meant(modules, &USUAL_ALLOWANCES) {
+                Some(meant) => sentence![
+                    "is `", text name, " = ", length value.signum() * meant * normal_module,
+                    "` meant? Allowances of 0.02 to 0.1 modules are usual"
+                ],
+                None => {
+                    sentence!["check the number and the unit; allowances of 0.02 to 0.1 modules are usual"]
+                }
+            };
+            if impossible {
+                return Err(GeometryError::error("E0928", name, message, help));
+            }
+            warnings.push(GeometryError::warning("W0843", name, message, help));
+        }
+        Ok(warnings)
+    }
+
+    /// Warns about positive allowances, and about an allowance without the other one.
     pub(super) fn unusual_allowances(&self) -> Option<GeometryError> {
         let names = ["upper_allowance", "lower_allowance"];
+        if let [Some(upper), Some(lower)] = self.allowances
+            && lower > 0.0
+        {
+            return Some(GeometryError::warning(
+                "W0848",
+                "upper_allowance",
+                sentence![
+                    "allowances of ", length upper, " and ", length lower, " make the teeth thicker than nominal"
+                ],
+                negative_allowances(upper, lower),
+            ));
+        }
         let mut stated = self.allowances.iter().zip(names);
         if let Some((value, name)) =
             stated.clone().find_map(|(allowance, name)| Some((allowance.filter(|value| *value > 0.0)?, name)))
@@ -115,19 +179,27 @@ impl ThicknessStatements {
     }
 
     /// Checks that the balls of a dimension over balls are not below the tip circle, where nothing
-    /// can measure them.
+    /// can measure them. `thickness` is the nominal thickness in the plane of the tool, m.
     ///
     /// # Errors
     /// E0917.
     pub fn check_ball(
         &self,
         tool: &Tool,
-        teeth: u32,
+        (teeth, thickness): (u32, f64),
         helix: &Helix,
         tip_diameter: f64,
     ) -> Result<(), GeometryError> {
-        let ((argument, Some(dimension)), Some(ball)) = (self.over_balls, self.ball) else { return Ok(()) };
+        let ((argument, dimension), Some(ball)) = (self.over_balls, self.ball) else { return Ok(()) };
         let geometry = Geometry::new(tool, helix, teeth);
+        let measured = dimension.or_else(|| geometry.balls_of(geometry.transverse(thickness), ball));
+        let Some(dimension) = measured else {
+            return Err(incomplete(
+                "ball",
+                sentence!["balls of ", length ball, " do not touch both flanks of a tooth space"],
+                sentence!["measure with other balls, such as `ball = ", length 1.75 * tool.module(), "`"],
+            ));
+        };
         let centers = (dimension - geometry.sense() * ball) / geometry.odd();
         let end = centers + geometry.sense() * ball;
         if geometry.sense() * (end - tip_diameter) > 0.0 {
@@ -142,4 +214,33 @@ impl ThicknessStatements {
             sentence!["measure with larger balls, such as `ball = ", length 1.75 * tool.module(), "`"],
         ))
     }
+}
+
+/// Error for an upper allowance below the lower one.
+pub(super) fn reversed_allowances(upper: f64, lower: f64) -> GeometryError {
+    let help = match upper > 0.0 {
+        true => negative_allowances(upper, lower),
+        false => sentence![
+            "exchange them: `upper_allowance = ", length lower, ", lower_allowance = ", length upper,
+            "`; the upper allowance belongs to the thickest teeth"
+        ],
+    };
+    incomplete(
+        "upper_allowance",
+        sentence![
+            "the upper allowance of the tooth thickness, ", length upper, ", is below the lower one, ", length lower
+        ],
+        help,
+    )
+}
+
+/// Help for two positive allowances, which state by how much the teeth are thinner than nominal.
+fn negative_allowances(one: f64, other: f64) -> Sentence {
+    sentence![
+        "is `upper_allowance = ",
+        length - one.min(other),
+        ", lower_allowance = ",
+        length - one.max(other),
+        "` meant? Allowances that make the teeth thinner are negative, and the upper one is nearer to zero"
+    ]
 }

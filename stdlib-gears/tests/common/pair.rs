@@ -289,6 +289,7 @@ pub fn pair(options: &PairOptions) -> (Scene, GearMesh) {
         grid: GridOptions { width: options.grid_width, edges: options.edges, ..GridOptions::default() },
         mesh: Some(mesh.clone()),
         front: None,
+        lubrication: None,
     });
     // In the order of `Values`.
     scene.add_observable(TransmissionError(MESH));

@@ -9,5 +9,5 @@ mod loads;
 mod modes;
 mod motion;
 mod phases;
-mod set;
+pub mod set;
 mod splined;

@@ -82,8 +82,8 @@ rows!(body(FunctionBody) {
     FunctionBody::Statement(_) => "`function f(...) s`",
     FunctionBody::Symbolic(Expr { kind: ExprKind::Block(_), .. }) => "`function f(...) := { ... }`",
     FunctionBody::Symbolic(_) => "`function f(...) := e;`",
-    FunctionBody::Extern { purity: None } => "`extern function`",
-    FunctionBody::Extern { purity: Some(_) } => "`extern pure function`",
+    FunctionBody::Extern { purity: None, .. } => "`extern function`",
+    FunctionBody::Extern { purity: Some(_), .. } => "`extern pure function`",
 });
 
 rows!(mode(Mode) {
