@@ -76,6 +76,22 @@ fn a_loaded_calculation_gives_the_same_bits() {
     assert_eq!(outcome(&loaded, &set), expected);
 }
 
+/// Values that anonymous functions capture, and the error of an index beyond an array.
+#[test]
+fn captured_values_of_a_loaded_model_give_the_same_bits() {
+    let module = compiled(check_text("captures.cx", include_str!("data/captures.cx")));
+    let loaded = loaded(&module.serialize().unwrap());
+    let set = [("level", "6 mm"), ("low.load", "7 N")];
+    let expected = outcome(&module, &set);
+    assert!(expected.as_ref().is_ok_and(|(table, _)| table.lines().count() == 2), "{expected:?}");
+    assert_eq!(outcome(&loaded, &set), expected);
+    let beyond = [("heights", "[1, 2] mm")];
+    let expected = outcome(&module, &beyond);
+    assert_eq!(expected.as_ref().map_err(|error| error.code.as_str()), Err("E0701"));
+    assert_eq!(outcome(&loaded, &beyond), expected);
+    same_answers(&module, &loaded);
+}
+
 /// Params of every kind, kernels, and an imported module that is deleted before the artifact is
 /// loaded.
 #[test]

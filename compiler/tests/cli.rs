@@ -248,8 +248,8 @@ fn run_example(arguments: &[&str]) -> (Value, String, tempfile::TempDir) {
 }
 
 const OUTPUTS: [(&str, &str, &str); 8] = [
-    ("transmission_error", "rad", "rad"),
-    ("transmission_error_length", "m", "inch"),
+    ("transmission_error", "rad", "urad"),
+    ("transmission_error_length", "m", "microinch"),
     ("load_share", "", ""),
     ("mesh_stiffness", "N/m", "lbf/inch"),
     ("max_contact_pressure", "Pa", "psi"),

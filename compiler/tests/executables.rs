@@ -115,6 +115,17 @@ fn a_calculation_runs_alone_and_writes_the_same_bits() {
     runs_alone_and_writes_the_same_bits(&model, &["addendum=2.5"], &[], &[]);
 }
 
+/// Anonymous functions that capture values, elements and functions, in a component and outside.
+#[test]
+fn captured_values_run_alone_and_write_the_same_bits() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = directory.path().join("captures.cx");
+    fs::write(&model, include_str!("data/captures.cx")).unwrap();
+    for how in [&[][..], &["--bundle"][..]] {
+        runs_alone_and_writes_the_same_bits(&model, &["level=6 mm", "low.load=7 N"], &[], how);
+    }
+}
+
 /// Compares an executable with `calyx run` for a model with the given params, run options and build
 /// options.
 fn runs_alone_and_writes_the_same_bits(model: &Path, set: &[&str], options: &[&str], how: &[&str]) {

@@ -219,8 +219,8 @@ fn a_remedy_cures() {
     assert!(rows.len() > 30, "{} rows", rows.len());
 }
 
-/// The template that `calyx new pair` creates.
-const TEMPLATE: &str = include_str!("../templates/spur_pair.cx");
+/// The template that `calyx new --template bodies` creates.
+const TEMPLATE: &str = include_str!("../templates/bodies.cx");
 
 /// Warnings, largest contact pressure and its estimated error (Pa) of the template with a param
 /// and further arguments of its mesh.

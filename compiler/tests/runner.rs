@@ -247,6 +247,11 @@ fn a_journal_that_was_cut_off_is_gone_on_with() {
     end_after(&mut Way::CalyxRun.command(directory.path(), &["--quiet", "--set", "steps=2"]), 1, "-INT");
     assert_eq!(run(&["--resume", "--quiet"]).0, Some(0));
     assert!(results(directory.path()) == expected);
+    // A new run over an interrupted one mentions that it could be resumed.
+    kill_after(&mut Way::CalyxRun.command(directory.path(), &["--quiet", "--set", "steps=2"]), 3);
+    let (status, _, err) = run(&[]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(err.contains("; --resume would continue after them"), "{err}");
     // With another model or other params the run cannot be resumed.
     fs::remove_file(directory.path().join("results/run.json")).unwrap();
     fs::write(&journal, &text).unwrap();

@@ -82,7 +82,7 @@ fn a_pair_shows_the_harmonics_of_its_mesh_in_tables_and_pictures() {
     assert!(output.status.success(), "{printed}");
     // Two cycles of 20 Hz.
     assert!(
-        printed.lines().any(|line| line.starts_with("te_spectrum [rad]: ") && line.contains("at 20 Hz")),
+        printed.lines().any(|line| line.starts_with("te_spectrum [urad]: ") && line.contains("at 20 Hz")),
         "{printed}"
     );
     let below = directory.path().join("run/signals");

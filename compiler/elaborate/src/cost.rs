@@ -98,6 +98,7 @@ fn search_lines(tolerance: f64, search: &SearchCost) -> Vec<String> {
 /// Formats a number of bytes with about two digits, the precision of the prediction.
 fn bytes(count: f64) -> String {
     match count {
+        count if count < 1e6 => "below 1 MB".to_owned(),
         count if count < 1e9 => format!("{:.0} MB", (1e-6 * count).ceil()),
         count => format!("{:.1} GB", 1e-9 * count),
     }

@@ -9,7 +9,7 @@ use crate::printed::Printed;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::{FileDescription, ModelDescription};
-use calyx_abi::{Cancel, Context, Kernel, Purity, RuntimeError};
+use calyx_abi::{Cancel, Context, Kernel, Purity, RuntimeError, stack};
 use calyx_gears::calculation::calculate;
 use calyx_gears::data_block::DataBlock;
 use calyx_gears::externs::{check_plan, check_unrestrained};
@@ -26,7 +26,10 @@ use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::settings_override::Override;
 use std::collections::{BTreeMap, HashSet};
 use std::fmt;
+use std::num::NonZero;
+use std::panic::resume_unwind;
 use std::sync::{Arc, Mutex};
+use std::thread::{Builder, available_parallelism};
 
 /// Limit of the basic blocks that a program may enter during checking. A program that does not end
 /// is stopped.
@@ -107,8 +110,8 @@ pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<E
     let lines = Printed::default();
     let printed = lines.clone();
     let print = Box::new(move |line: &str| printed.push(line));
-    let elaboration = match kernels(program, cancel)? {
-        Ok(kernels) => elaborate_with(program, kernels, params, cancel, (print, false))?,
+    let elaboration = match lowered(program, cancel)? {
+        Ok(lowered) => elaborate_with(&lowered, params, cancel, (print, false))?,
         Err(unrunnable) => *unrunnable,
     };
     Ok(Elaboration { printed: lines.lines(), ..elaboration })
@@ -116,31 +119,70 @@ pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<E
 
 /// As [`elaborate`], for a program with the kernels of all sites; returns the problems only.
 pub(crate) fn problems_with(
-    program: &Program,
-    kernels: &[Arc<dyn Kernel>],
+    lowered: &Lowered<'_>,
     given: &[ParamAssignment],
     cancel: &Cancel,
 ) -> Result<Vec<Diagnostic>, Cancelled> {
     let params = Params::Given(given, Override::default(), None);
     let print = Box::new(|_: &str| {});
-    Ok(elaborate_with(program, kernels.to_vec(), params, cancel, (print, false))?.found)
+    Ok(elaborate_with(lowered, params, cancel, (print, false))?.found)
 }
 
-/// The kernels of all sites, or the result of a program that cannot run.
-type LoweredKernels = Result<Vec<Arc<dyn Kernel>>, Box<Elaboration>>;
+/// A program with what all its elaborations share.
+pub(crate) struct Lowered<'p> {
+    program: &'p Program,
+    /// The kernels of all sites, in order.
+    kernels: Vec<Arc<dyn Kernel>>,
+    sites: CallSites,
+}
 
-/// Lowers the kernels of all sites, in order; or returns the result of a program that has a site
-/// without a kernel.
-pub(crate) fn kernels(program: &Program, cancel: &Cancel) -> Result<LoweredKernels, Cancelled> {
-    let mut kernels = Vec::with_capacity(program.sites.len());
-    for site in (0..program.sites.len() as u32).map(SiteId) {
-        ensure_running(cancel)?;
-        match lower_site(program, site) {
-            Ok(tape) => kernels.push(kernel(tape)),
-            Err(error) => return Ok(Err(Box::new(unrunnable(no_kernel(&error))))),
+/// Number of sites for which another thread pays off.
+const SITES_OF_A_THREAD: usize = 32;
+
+/// Lowers the kernels of all sites; or returns the result of a program that has a site without a
+/// kernel.
+pub(crate) fn lowered<'p>(
+    program: &'p Program,
+    cancel: &Cancel,
+) -> Result<Result<Lowered<'p>, Box<Elaboration>>, Cancelled> {
+    let each: Vec<SiteId> = (0..program.sites.len() as u32).map(SiteId).collect();
+    let lower = |sites: &[SiteId]| {
+        let mut kernels = Vec::with_capacity(sites.len());
+        for site in sites {
+            ensure_running(cancel)?;
+            match lower_site(program, *site) {
+                Ok(tape) => kernels.push(kernel(tape)),
+                Err(error) => return Ok(Err(Box::new(unrunnable(no_kernel(&error))))),
+            }
+        }
+        Ok(Ok(kernels))
+    };
+    let threads = match each.len() / SITES_OF_A_THREAD {
+        0 | 1 => 1,
+        most => available_parallelism().map_or(1, NonZero::get).min(most),
+    };
+    let mut parts = each.chunks(each.len().div_ceil(threads).max(1));
+    let first = parts.next().unwrap_or_default();
+    let results = std::thread::scope(|scope| {
+        let spawn = |part| (part, Builder::new().spawn_scoped(scope, move || lower(part)));
+        let others: Vec<_> = parts.map(spawn).collect();
+        let mut results = vec![lower(first)];
+        for (part, thread) in others {
+            results.push(match thread {
+                Ok(thread) => thread.join().unwrap_or_else(|payload| resume_unwind(payload)),
+                Err(_) => lower(part),
+            });
+        }
+        results
+    });
+    let mut kernels = Vec::with_capacity(each.len());
+    for result in results {
+        match result? {
+            Ok(part) => kernels.extend(part),
+            Err(unrunnable) => return Ok(Err(unrunnable)),
         }
     }
-    Ok(Ok(kernels))
+    Ok(Ok(Lowered { program, kernels, sites: CallSites::new(program) }))
 }
 
 /// Elaborates a program with the defaults of its params. Returns the lines it prints and the
@@ -154,10 +196,10 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
         }
     };
     let cancel = Cancel::default();
-    let found = kernels(program, &cancel).and_then(|kernels| match kernels {
-        Ok(kernels) => {
+    let found = lowered(program, &cancel).and_then(|lowered| match lowered {
+        Ok(lowered) => {
             let print: PrintLine = Box::new(print);
-            Ok(elaborate_with(program, kernels, Params::Defaults, &cancel, (print, true))?.found)
+            Ok(elaborate_with(&lowered, Params::Defaults, &cancel, (print, true))?.found)
         }
         Err(unrunnable) => Ok(unrunnable.found),
     });
@@ -168,16 +210,27 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
 /// A callback that receives each line that a program prints.
 type PrintLine = Box<dyn FnMut(&str) + Send>;
 
-/// As [`elaborate`], with the kernels of all sites; `keeps_output` if all printed lines count as
-/// memory of the program.
+/// As [`elaborate`]; `keeps_output` if all printed lines count as memory of the program.
 fn elaborate_with(
-    program: &Program,
-    kernels: Vec<Arc<dyn Kernel>>,
+    lowered: &Lowered<'_>,
+    params: Params,
+    cancel: &Cancel,
+    output: (PrintLine, bool),
+) -> Result<Elaboration, Cancelled> {
+    // The defaults and ranges of all params run on this stack. Otherwise, each of them would run on
+    // a thread of its own.
+    stack::with_stack(|| elaborate_here(lowered, params, cancel, output))
+        .unwrap_or_else(|error| Ok(unrunnable(Box::new(diagnostic(&error)))))
+}
+
+/// As [`elaborate_with`], on the stack of this thread.
+fn elaborate_here(
+    Lowered { program, kernels, sites }: &Lowered<'_>,
     params: Params,
     cancel: &Cancel,
     (print, keeps_output): (PrintLine, bool),
 ) -> Result<Elaboration, Cancelled> {
-    let mut interpreted = match Interpreted::with_kernels(program, Purity::Scene, kernels) {
+    let mut interpreted = match Interpreted::with_kernels(program, Purity::Scene, kernels.clone()) {
         Ok(interpreted) => interpreted.recovering(),
         Err(found) => return Ok(unrunnable(found)),
     };
@@ -196,7 +249,6 @@ fn elaborate_with(
     let values = ran.as_ref().map(|slots| values::of_top_level(program, slots, &context)).unwrap_or_default();
     ensure_running(cancel)?;
     let survived = interpreted.failures();
-    let sites = CallSites::new(program);
     let at_place = |error: &RuntimeError| {
         let mut error = error.clone();
         sites.blame(&mut error);
@@ -225,7 +277,7 @@ fn elaborate_with(
             .collect();
         geometry = Geometry::of(host);
         gear_data = DataBlock::of(host);
-        found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, &sites)));
+        found.extend(host.findings.iter().map(|finding| finding_diagnostic(finding, sites)));
     }
     match ran {
         // A run may need more steps and memory than checking allows.

@@ -70,6 +70,12 @@ impl<'p> Interpreted<'p> {
         self
     }
 
+    /// Enables tracing of infinite results, see [`Interpreter::tracing_infinities`].
+    pub(crate) fn tracing_infinities(mut self) -> Self {
+        self.interpreter = self.interpreter.tracing_infinities();
+        self
+    }
+
     pub(crate) fn trace(&self) -> Option<&NanTrace> {
         self.interpreter.trace()
     }

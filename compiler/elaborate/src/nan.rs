@@ -9,18 +9,21 @@ use calyx_abi::error::Place;
 use calyx_abi::text::number;
 use calyx_abi::{Context, Purity, RuntimeError};
 use calyx_gears::host::ModelHost;
-use calyx_lang::ir::{Program, SiteId};
+use calyx_lang::ir::{Program, SiteId, SymExpr, SymKind};
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::kernels::trace_nan;
 use calyx_lower::nan::NanSource;
 use calyx_rt::program::ParamFunction;
 use calyx_rt::{NanLog, ParamAssignment, Program as _, apply};
+use std::collections::HashSet;
 
 /// Codes of errors that a NaN causes: in an equation, a frame, an argument, an output.
 const EQUATION: &str = "E0863";
 const FRAME: &str = "E0710";
 const ARGUMENT: &str = "E0722";
 const OUTPUT: &str = "E0721";
+/// Code of an argument outside of its range, which may be infinite or NaN.
+const RANGE: &str = "E0314";
 
 /// Returns the site that is responsible for an error, and the inputs for which its kernel returned
 /// NaN.
@@ -42,7 +45,11 @@ pub fn explain(program: &Program, given: &[ParamAssignment], seen: &NanLog, erro
         error.message = error.message.replacen("an equation", &format!("the equation `{equation}`"), 1);
         error.message = error.message.replacen("a function", &format!("the function `{equation}`"), 1);
     }
-    error.details.notes.extend(found(program, given, seen, &error.code));
+    let note = match error.code == RANGE {
+        true => outside_range(program, given, seen, error),
+        false => found(program, given, seen, &error.code),
+    };
+    error.details.notes.extend(note);
 }
 
 /// Returns the function of the `solve` or `minimize` that found nothing.
@@ -59,8 +66,8 @@ fn found(program: &Program, given: &[ParamAssignment], seen: &NanLog, code: &str
         }
         EQUATION | FRAME | OUTPUT => {
             let (site, inputs) = blamed(program, seen, code)?;
-            let time = inputs.first().copied();
             let site = SiteId(site as u32);
+            let time = inputs.first().copied().filter(|_| depends_on_time(program, site));
             let found = trace_nan(program, site, &inputs)?;
             let Some(input) = found.input else { return Some(note(program, &found, time)) };
             let captured = retrace(program, given, seen, |interpreted| interpreted.trace()?.captured(site));
@@ -71,6 +78,59 @@ fn found(program: &Program, given: &[ParamAssignment], seen: &NanLog, code: &str
         }
         _ => None,
     }
+}
+
+/// Returns `true` if the value of a site may depend on `Time`.
+fn depends_on_time(program: &Program, site: SiteId) -> bool {
+    let Some(site) = program.sites.get(site.0 as usize) else { return false };
+    if site.captures.iter().any(|capture| capture.observable || capture.is_part()) {
+        return true;
+    }
+    let mut left: Vec<&SymExpr> = site.shared.iter().chain([&site.expr]).collect();
+    let mut seen = HashSet::new();
+    while let Some(e) = left.pop() {
+        match &e.kind {
+            SymKind::Time => return true,
+            SymKind::Call(id, _) | SymKind::Solve(_, id, _) if seen.insert(id.0) => {
+                let function = program.symbolic_functions.get(id.0 as usize);
+                left.extend(function.into_iter().flat_map(|f| f.shared.iter().chain([&f.body])));
+            }
+            _ => {}
+        }
+        left.extend(e.operands());
+    }
+    false
+}
+
+/// Returns the origin of an infinite or NaN argument that is outside of its range, such as a
+/// division by zero.
+fn outside_range(
+    program: &Program,
+    given: &[ParamAssignment],
+    seen: &NanLog,
+    error: &RuntimeError,
+) -> Option<(Place, String)> {
+    let (_, value) = error.message.split_once(", not ").or(error.message.split_once(" is "))?;
+    let infinite = value.trim_start_matches('-').starts_with("inf");
+    if !infinite && !value.to_lowercase().starts_with("nan") {
+        return None;
+    }
+    let interpreted = Interpreted::new(program, Purity::Scene).ok()?;
+    let interpreted = if infinite { interpreted.tracing_infinities() } else { interpreted.tracing() };
+    let mut context = context(&interpreted);
+    context.cancel = seen.cancel.clone();
+    context.limits = seen.limits;
+    apply(&interpreted, given, &mut context).ok()?;
+    // NaN in place of an infinite number may fail elsewhere, or as NaN in the call.
+    let again = interpreted.main(&mut context).err()?;
+    let argument = |error: &RuntimeError| error.message.split('`').nth(1).map(str::to_owned);
+    if !matches!(again.code.as_str(), RANGE | ARGUMENT) || argument(&again) != argument(error) {
+        return None;
+    }
+    let source = interpreted.trace()?.compared()?;
+    let (at, text) = note(program, &source, None);
+    let text = if infinite { text.replacen("NaN", "infinity", 1) } else { text };
+    Some((at, text))
 }
 
 /// Returns the origin of a NaN in the default of a param.

@@ -415,7 +415,10 @@ impl Planned {
             1 => "1 degree of freedom".to_owned(),
             count => format!("{count} degrees of freedom"),
         };
-        let unknowns = format!("about {cells} contact pressures and {dofs}");
+        let unknowns = match cells {
+            0 => dofs,
+            _ => format!("about {cells} contact pressures and {dofs}"),
+        };
         lines.push(match self.positions[..] {
             [] => format!("no positions are given; each position is a contact problem with {unknowns}"),
             [count] => format!("{count} positions, each a contact problem with {unknowns}"),
@@ -509,5 +512,10 @@ fn mesh_line(mesh: &PlannedMesh) -> String {
         (false, true) => "flanks and tip edges",
         (false, false) => "flanks on the nominal path of contact",
     };
-    format!("\"{first}\" with \"{second}\": {edges}, {} cells per tooth pair{ratio}", mesh.grid.cells())
+    let cells = match mesh.grid.cells() {
+        // Rigid bodies touch without a contact grid.
+        0 => String::new(),
+        cells => format!(", {cells} cells per tooth pair"),
+    };
+    format!("\"{first}\" with \"{second}\": {edges}{cells}{ratio}")
 }

@@ -1,14 +1,17 @@
-//! Builds a model at the other values of its integer, Boolean and choice params.
+//! Builds a model at the other values of its integer, Boolean and choice params, and at the ends of
+//! the ranges of its other params.
 
 use crate::check::Checked;
-use crate::elaboration::{Cancelled, kernels, problems_with};
+use crate::elaboration::{Cancelled, Lowered, lowered, problems_with};
 use calyx_abi::description::{ParamDescription, ParamValue};
-use calyx_abi::{Cancel, Kernel, Repr};
+use calyx_abi::{Cancel, Repr};
 use calyx_lang::diagnostic::{Diagnostic, Severity};
-use calyx_lang::ir::Program;
 use calyx_lang::span::Span;
 use calyx_rt::ParamAssignment;
-use std::sync::Arc;
+use std::num::NonZero;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{Builder as Thread, available_parallelism};
 
 /// Limit of the values of one param.
 const MOST_VALUES: usize = 32;
@@ -53,8 +56,9 @@ pub struct Ranges {
     pub cut_pairs: Option<(usize, usize)>,
 }
 
-/// Builds a model, without solving, at the values of its integer, Boolean and choice params; the
-/// other params have their defaults. Ranges with many values are sampled, with both ends. Values
+/// Builds a model, without solving, at the values of its integer, Boolean and choice params, and at
+/// the ends of the ranges of its other params. One param is varied; the others have their defaults.
+/// Ranges with many values are sampled, with both ends. Values
 /// that an assertion of the model refuses are no problem.
 ///
 /// # Errors
@@ -70,7 +74,7 @@ pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Resul
     let most_values = match extent {
         // Choices come first, because they differ more than numbers do.
         Extent::Cheap => {
-            discrete.sort_by_key(|(_, values)| values.count());
+            discrete.sort_by_key(|(_, values)| (values.is_continuous(), values.count()));
             MOST_VALUES_BY_DEFAULT
         }
         Extent::Pairs => MOST_VALUES,
@@ -78,9 +82,9 @@ pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Resul
     if discrete.is_empty() {
         return Ok(ranges);
     }
-    let Ok(kernels) = kernels(program, cancel)? else { return Ok(ranges) };
-    let builder = Builder { program, kernels, cancel };
-    let mut valid: Vec<Varied<'_>> = Vec::new();
+    let Ok(lowered) = lowered(program, cancel)? else { return Ok(ranges) };
+    let builder = Builder { lowered, cancel };
+    let mut planned: Vec<(Varied<'_>, Vec<ParamValue>)> = Vec::new();
     for (at, (index, values)) in discrete.iter().enumerate() {
         let each = match extent {
             Extent::Cheap => {
@@ -94,25 +98,37 @@ pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Resul
         let (Some(param), Some(declared)) = (params.get(*index), program.params.get(*index)) else {
             continue;
         };
-        let tried = values.at_most(each);
-        if tried.len() < values.count() {
+        let mut tried = values.at_most(each);
+        if tried.len() < values.count() && !values.is_continuous() {
             ranges.cut.push((param.name.clone(), tried.len(), values.count()));
         }
+        tried.retain(|value| Some(value) != param.default.as_ref());
+        ranges.models += tried.len();
+        let varied = Varied { param, declared: declared.span, values, valid: Vec::new(), refused: 0 };
+        planned.push((varied, tried));
+    }
+    let models: Vec<Vec<Setting<'_>>> = planned
+        .iter()
+        .flat_map(|(varied, tried)| tried.iter().map(|value| vec![(varied.param, value)]))
+        .collect();
+    let mut results = builder.problems_of(&models)?.into_iter();
+    let mut valid: Vec<Varied<'_>> = Vec::new();
+    for (mut varied, tried) in planned {
         let mut problems = Problems::default();
-        let mut varied = Varied { param, declared: declared.span, values, valid: Vec::new(), refused: 0 };
-        for value in tried.into_iter().filter(|value| Some(value) != param.default.as_ref()) {
-            ranges.models += 1;
-            let found = builder.problems_at(&[(param, &value)])?;
+        for (value, found) in tried.into_iter().zip(&mut results) {
             if found.is_empty() {
                 varied.valid.push(value);
             } else {
                 varied.refused += 1;
-                problems.add(found, shown(&value));
+                problems.add(found, varied.values.shown(&value));
             }
         }
-        valid.push(varied);
-        let named = |values: &[String]| format!("`{}` = {}", param.name, listed(values));
-        ranges.found.extend(problems.warnings(named, &[(declared.span, &param.name)]));
+        let (name, declared) = (&varied.param.name, varied.declared);
+        let named = |values: &[String]| format!("`{name}` = {}", listed(values));
+        ranges.found.extend(problems.warnings(named, &[(declared, name)]));
+        if !varied.values.is_continuous() {
+            valid.push(varied);
+        }
     }
     if extent == Extent::Pairs {
         check_pairs(&builder, &valid, &mut ranges)?;
@@ -150,22 +166,15 @@ fn check_pairs(builder: &Builder<'_>, valid: &[Varied<'_>], ranges: &mut Ranges)
             true => (spread(&first.valid, few), spread(&second.valid, many)),
             false => (spread(&first.valid, many), spread(&second.valid, few)),
         };
+        let models: Vec<Vec<Setting<'_>>> = of_first
+            .iter()
+            .flat_map(|a| of_second.iter().map(move |b| vec![(first.param, a), (second.param, b)]))
+            .collect();
+        (tried, ranges.models) = (tried + models.len(), ranges.models + models.len());
         let mut problems = Problems::default();
-        for a in &of_first {
-            for b in &of_second {
-                (tried, ranges.models) = (tried + 1, ranges.models + 1);
-                let found = builder.problems_at(&[(first.param, a), (second.param, b)])?;
-                problems.add(
-                    found,
-                    format!(
-                        "`{}` = {} and `{}` = {}",
-                        first.param.name,
-                        shown(a),
-                        second.param.name,
-                        shown(b)
-                    ),
-                );
-            }
+        for (model, found) in models.iter().zip(builder.problems_of(&models)?) {
+            let each = model.iter().map(|(param, value)| format!("`{}` = {}", param.name, shown(value)));
+            problems.add(found, each.collect::<Vec<_>>().join(" and "));
         }
         let named = |values: &[String]| match values {
             [only] => only.clone(),
@@ -231,22 +240,53 @@ impl Problems {
 
 /// Builds a program at given values of params.
 struct Builder<'p> {
-    program: &'p Program,
-    kernels: Vec<Arc<dyn Kernel>>,
+    lowered: Lowered<'p>,
     cancel: &'p Cancel,
 }
 
+/// A param and its value.
+type Setting<'p> = (&'p ParamDescription, &'p ParamValue);
+
 impl Builder<'_> {
+    /// Builds a model for each list of settings, on all cores, and returns the errors of each.
+    fn problems_of(&self, models: &[Vec<Setting<'_>>]) -> Result<Vec<Vec<Diagnostic>>, Cancelled> {
+        let next = AtomicUsize::new(0);
+        let work = || {
+            let mut built = Vec::new();
+            loop {
+                let at = next.fetch_add(1, Ordering::Relaxed);
+                let Some(model) = models.get(at) else { return Ok(built) };
+                built.push((at, self.problems_at(model)?));
+            }
+        };
+        let threads = available_parallelism().map_or(1, NonZero::get).min(models.len());
+        let mut built = std::thread::scope(|scope| {
+            // If the system creates no thread, the others do its work.
+            let others = (1..threads).filter_map(|_| Thread::new().spawn_scoped(scope, work).ok());
+            let others: Vec<_> = others.collect();
+            let mut built = work()?;
+            for other in others {
+                match other.join() {
+                    Ok(more) => built.extend(more?),
+                    Err(payload) => resume_unwind(payload),
+                }
+            }
+            Ok(built)
+        })?;
+        built.sort_by_key(|(at, _)| *at);
+        Ok(built.into_iter().map(|(_, found)| found).collect())
+    }
+
     /// Builds the model and returns the errors.
-    fn problems_at(&self, given: &[(&ParamDescription, &ParamValue)]) -> Result<Vec<Diagnostic>, Cancelled> {
-        let assignment = |(param, value): &(&ParamDescription, &ParamValue)| ParamAssignment {
+    fn problems_at(&self, given: &[Setting<'_>]) -> Result<Vec<Diagnostic>, Cancelled> {
+        let assignment = |(param, value): &Setting<'_>| ParamAssignment {
             name: param.name.clone(),
             value: (*value).clone().into(),
             origin: None,
             name_origin: None,
         };
         let given: Vec<ParamAssignment> = given.iter().map(assignment).collect();
-        let mut problems = problems_with(self.program, &self.kernels, &given, self.cancel)?;
+        let mut problems = problems_with(&self.lowered, &given, self.cancel)?;
         problems.retain(|found| found.severity == Severity::Error && found.code != ASSERTION);
         Ok(problems)
     }
@@ -264,6 +304,9 @@ enum Values {
     Listed(Vec<ParamValue>),
     /// First and last integer.
     Integers(i64, i64),
+    /// Both ends of a continuous range in SI, and the size of the unit of the param in SI with its
+    /// name.
+    Ends([f64; 2], f64, String),
 }
 
 impl Values {
@@ -274,7 +317,12 @@ impl Values {
         if param.repr == Repr::Bool {
             return Some(Values::Listed(vec![ParamValue::Bool(false), ParamValue::Bool(true)]));
         }
-        let (low, high) = (param.low?.ceil(), param.high?.floor());
+        let (low, high) = (param.low?, param.high?);
+        if param.repr == Repr::Number && !param.integral {
+            let ends = low < high && low.is_finite() && high.is_finite();
+            return ends.then(|| Values::Ends([low, high], param.unit.factor, param.unit.name.clone()));
+        }
+        let (low, high) = (low.ceil(), high.floor());
         let finite = param.repr == Repr::Number
             && param.integral
             && low.abs() < 1e15
@@ -287,6 +335,24 @@ impl Values {
         match self {
             Values::Listed(values) => values.len(),
             Values::Integers(first, last) => (last - first) as usize + 1,
+            Values::Ends(..) => 2,
+        }
+    }
+
+    /// Returns `true` for a param with more values than those that are tried.
+    fn is_continuous(&self) -> bool {
+        matches!(self, Values::Ends(..))
+    }
+
+    /// Returns a value as text, in the unit of the param.
+    fn shown(&self, value: &ParamValue) -> String {
+        match (self, value) {
+            (Values::Ends(_, factor, unit), ParamValue::Number(number)) => {
+                let scaled = number / factor;
+                let rounded: f64 = format!("{scaled:.9e}").parse().unwrap_or(scaled);
+                format!("{rounded} {unit}").trim_end().to_owned()
+            }
+            _ => shown(value),
         }
     }
 
@@ -298,6 +364,7 @@ impl Values {
         let value = |index: usize| match self {
             Values::Listed(values) => values.get(index).cloned(),
             Values::Integers(first, _) => Some(ParamValue::Number((first + index as i64) as f64)),
+            Values::Ends(ends, ..) => ends.get(index).copied().map(ParamValue::Number),
         };
         (0..number).filter_map(|index| value(at(index))).collect()
     }

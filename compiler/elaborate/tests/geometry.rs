@@ -131,7 +131,7 @@ fn an_impossible_gear_does_not_hide_the_others() {
     assert_eq!(teeth, [20.0, 40.0]);
     let meshes: Vec<&[String; 2]> = ended.geometry.meshes.iter().map(|made| &made.first[0].bodies).collect();
     assert_eq!(meshes, [&["a".to_owned(), "c".to_owned()]]);
-    assert!(ended.found.iter().any(|found| found.code == "E0607"), "{:?}", ended.found);
+    assert!(ended.found.iter().any(|found| found.code == "E0929"), "{:?}", ended.found);
     assert!(ended.plan.is_none());
 }
 

@@ -234,7 +234,9 @@ fn extreme_arguments_are_refused_or_work() {
                 while let Some((text, solved)) = calls.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let started = Instant::now();
                     let verdict = verdict(text, *solved);
-                    tally.lock().expect("no call panics").add(text, &verdict, started.elapsed());
+                    let mut tally = tally.lock().expect("no call panics");
+                    tally.add(text, &verdict, started.elapsed());
+                    tally.print_progress(calls.len());
                 }
             });
         }
@@ -277,7 +279,16 @@ impl Tally {
         *self.counts.entry(name).or_default() += 1;
         self.longest = self.longest.max(elapsed);
         if let Some(why) = problem {
+            println!("{line}\n    {why}");
             self.wrong += &format!("{line}\n    {why}\n");
+        }
+    }
+
+    /// Prints the counts after each twentieth of the calls: all calls of a long test take an hour.
+    fn print_progress(&self, all: usize) {
+        let done: usize = self.counts.values().sum();
+        if done.is_multiple_of((all / 20).max(1)) {
+            println!("{done} of {all} calls: {:?}", self.counts);
         }
     }
 }

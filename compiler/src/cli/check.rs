@@ -27,7 +27,8 @@ pub struct Check {
     /// Apply unambiguous fixes to the model and the modules in its directory, then check again
     #[arg(long)]
     fix: bool,
-    /// Build the model also at the other values of its integer, Boolean and choice params
+    /// Build the model also at the other values of its integer, Boolean and choice params, and at
+    /// the ends of the ranges of its other params
     ///
     /// One param is varied at a time, then two. Of a range with many values, 32 are tried, or fewer
     /// if there are many params. Without this option, a few values of each param are tried; fewer

@@ -100,6 +100,13 @@ pub fn page(name: &str, text: &str, library: bool, types: &BTreeMap<String, Stri
     }
 }
 
+fn is_literal(e: &Expr) -> bool {
+    matches!(
+        e.kind,
+        ExprKind::Number(_) | ExprKind::Quantity { .. } | ExprKind::Bool(_) | ExprKind::Measured { .. }
+    )
+}
+
 struct Reader<'t> {
     text: &'t str,
     types: &'t BTreeMap<String, String>,
@@ -113,6 +120,24 @@ impl Reader<'_> {
             text.strip_prefix("Observable(").and_then(|inner| inner.strip_suffix(')')).unwrap_or(&text);
         let units = Dimension::from_name(inner).map(units).unwrap_or_default();
         Some(Type { text: inner.to_owned(), units, names: Vec::new() })
+    }
+
+    /// Returns a default as a value on a command line; `...` if it is computed.
+    fn given(&self, default: &Expr) -> String {
+        match &default.kind {
+            ExprKind::Paren(inner) => self.given(inner),
+            ExprKind::String(parts) => match parts.as_slice() {
+                [] => String::new(),
+                [StringPart::Text(text)] => text.clone(),
+                _ => "...".into(),
+            },
+            // A choice of an enumeration.
+            ExprKind::Field { field, .. } => field.name.clone(),
+            ExprKind::Unary { operand, .. } if is_literal(operand) => self.slice(default.span),
+            ExprKind::List(elements) if elements.iter().all(is_literal) => self.slice(default.span),
+            _ if is_literal(default) => self.slice(default.span),
+            _ => "...".into(),
+        }
     }
 
     fn entry(&self, statement: &Stmt, module: &str, library: bool) -> Option<Entry> {
@@ -139,7 +164,7 @@ impl Reader<'_> {
                     domain: self.domain(&param.domain),
                     symbolic: false,
                 };
-                let signature = format!("--set \"{}={default}\"", param.name.name);
+                let signature = format!("--set \"{}={}\"", param.name.name, self.given(&param.default));
                 Entry { fields: vec![field], ..entry(Kind::Param, &param.name, signature) }
             }
             StmtKind::Output { name, value, .. } => {
@@ -323,8 +348,8 @@ fn call(name: &str, fields: &[Field]) -> String {
 
 fn effect(function: &FunctionDecl) -> &'static str {
     match &function.body {
-        FunctionBody::Extern { purity: Some(word) } if word.name == "pure" => "",
-        FunctionBody::Extern { purity: Some(word) } if word.name == "scene" => "adds to the scene",
+        FunctionBody::Extern { purity: Some(word), .. } if word.name == "pure" => "",
+        FunctionBody::Extern { purity: Some(word), .. } if word.name == "scene" => "adds to the scene",
         FunctionBody::Extern { .. } => "solves; not called by check",
         FunctionBody::Statement(_) if function.is_host => "an embedding program may provide it",
         FunctionBody::Statement(_) | FunctionBody::Symbolic(_) => "",

@@ -133,6 +133,12 @@ fn entry_html(entry: &Entry, links: &Links) -> String {
     out + "</section>\n"
 }
 
+/// Returns `true` for a parameter or field that has no default and needs a value.
+fn is_required(entry: &Entry, field: &Field) -> bool {
+    let given = !matches!(entry.kind, Kind::Param | Kind::Enumeration) && field.mode != "output";
+    given && field.default.is_none()
+}
+
 fn field_html(entry: &Entry, field: &Field, links: &Links) -> String {
     let mut facts = Vec::new();
     if let Some(ty) = &field.ty {
@@ -150,7 +156,7 @@ fn field_html(entry: &Entry, field: &Field, links: &Links) -> String {
     }
     match &field.default {
         Some(default) => facts.push(format!("default <code>{}</code>", escape(default))),
-        None if entry.kind != Kind::Param && field.mode != "output" => facts.push("required".into()),
+        None if is_required(entry, field) => facts.push("required".into()),
         None => {}
     }
     if !field.domain.is_empty() {
@@ -305,20 +311,24 @@ pub fn text(page: &Page) -> String {
                 out += &format!("    {line}\n");
             }
             for field in &entry.fields {
-                out += &format!("  {}\n", field_text(field));
+                out += &format!("  {}\n", field_text(entry, field));
             }
         }
     }
     out
 }
 
-fn field_text(field: &Field) -> String {
+fn field_text(entry: &Entry, field: &Field) -> String {
     let mut parts = vec![field.name.clone()];
     if let Some(ty) = &field.ty {
         let units = if ty.units.is_empty() { String::new() } else { format!(" [{}]", ty.units.join(", ")) };
         parts.push(format!("{}{units}", ty.text));
     }
-    parts.push(field.default.as_ref().map_or("required".into(), |default| format!("default {default}")));
+    match &field.default {
+        Some(default) => parts.push(format!("default {default}")),
+        None if is_required(entry, field) => parts.push("required".into()),
+        None => {}
+    }
     if !field.domain.is_empty() {
         parts.push(format!("allowed {}", field.domain));
     }

@@ -48,9 +48,10 @@ const OF_FILES: [&str; 2] = ["read_table", "column"];
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 12] = [
+const OF_FORMULAS: [&str; 16] = [
     "iso1328",
     "deviations",
+    "inspection",
     "iso6336",
     "iso6336_1",
     "iso6336_2",
@@ -61,6 +62,9 @@ const OF_FORMULAS: [&str; 12] = [
     "micropitting",
     "agma908",
     "agma2101",
+    "envelope",
+    "bevel",
+    "bevel_contact",
 ];
 
 /// Returns every function that programs may call, except those of [`OF_FORMULAS`].
@@ -169,6 +173,7 @@ fn sample_of(ty: &str) -> Option<String> {
         "Body" => "pinion",
         "Mesh" => "mesh",
         "Gauge" => "gauge",
+        "Lubrication" => "lubrication",
         "Bearing" => "bearing",
         "Positions" => "gears.mesh_cycle(mesh, 2)",
         "Modes" => "modes",
@@ -226,6 +231,7 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("shaper", "tip_radius", "0.2 mm"),
     ("simple_rim", "diameter", "30 mm"),
     ("simple_rim", "inner_diameter", "20 mm"),
+    ("pair", "torque", "10 N*m"),
     ("outer_rim", "diameter", "130 mm"),
     ("outer_rim", "outer_diameter", "150 mm"),
     ("webbed_rim", "diameter", "30 mm"),
@@ -292,6 +298,8 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("transfer_function", "momentum", "1"),
     ("torque_from_power", "power", "1 kW"),
     ("torque_from_power", "speed", "1000 rpm"),
+    ("pair", "first_name", "\"a\""),
+    ("pair", "second_name", "\"b\""),
     ("planetary", "sun", "pinion_gear"),
     ("planetary", "planet", "pinion_gear"),
     ("planetary", "ring", "ring_gear"),
@@ -308,6 +316,9 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("lumped_natural_frequency", "sun_meshes", "[mesh]"),
     ("lumped_natural_frequency", "ring_meshes", "[mesh]"),
     ("tooth_load", "tooth", "0"),
+    ("lubrication", "oil", "\"ISO VG 220\""),
+    ("lubrication", "temperature", "70"),
+    ("lubrication", "roughness", "0.6 um"),
     ("friction_loss", "coefficient", "0.05"),
     ("efficiency", "coefficient", "0.05"),
     ("spline_tooth_force", "tooth", "0"),
@@ -349,6 +360,7 @@ var pinion_gear = gears.external(teeth = 20, rack = rack, face_width = 10 mm, ou
     root_diameter = 35 mm, material = steel, rim = rim, tooth_thickness = 3.1 mm);
 var ring_gear = gears.internal(teeth = 60, shaper = shaper, face_width = 10 mm, minor_diameter = 116.4 mm,
     root_diameter = 125 mm, material = steel, rim = outer_rim, tooth_thickness = 3.1 mm);
+var lubrication = gears.lubrication("ISO VG 220", temperature = 70, roughness = 0.6 um);
 var speed = 1000 rpm;
 var member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm, 1e8 N/m);
 var planet_member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm);
@@ -368,7 +380,7 @@ var pinion = gears.body("pinion", pinion_gear, free = ["theta_z"], moment = 10 N
 var wheel = gears.body("wheel", pinion_gear, frame := Rotate(-speed * Time, e3) * Translate(40 mm * e1));
 var housing = gears.rigid_body("housing", free = ["u_x", "u_y"], mass = 1 kg, frame := Translate(1 m * e1));
 var bearing = gears.bearing("seat", housing, radial_stiffness = 1e8 N/m);
-var mesh = gears.mesh(pinion, wheel, coast_side_contact = TRUE);
+var mesh = gears.mesh(pinion, wheel, coast_side_contact = TRUE, lubrication = lubrication);
 var gauge = gears.gauge(pinion);
 output error := gears.transmission_error(mesh);
 "#;

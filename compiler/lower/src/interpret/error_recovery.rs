@@ -108,7 +108,7 @@ impl<'p> Machine<'_, 'p> {
 
 /// Returns `true` for findings about gears and scenes, `false` for errors of the program.
 fn is_finding(error: &RuntimeError) -> bool {
-    ["E06", "E080"].iter().any(|block| error.code.starts_with(block))
+    ["E06", "E080", "E0927", "E0928", "E0929", "E0930"].iter().any(|block| error.code.starts_with(block))
 }
 
 /// Returns `true` if a value contains a poisoned handle. A number computed from a poisoned handle

@@ -20,6 +20,8 @@ const MARKED: u64 = 0x7fff_ffff_0000_0000;
 /// Sources of NaN found so far.
 #[derive(Debug, Default)]
 pub struct NanTrace {
+    /// True if infinite results of operations on finite numbers become marked NaN, too.
+    infinities: bool,
     state: Mutex<State>,
 }
 
@@ -28,6 +30,8 @@ struct State {
     sources: Vec<NanSource>,
     /// The source of a NaN among the arguments of the last engine call.
     in_call: Option<u32>,
+    /// The source of the last NaN that was compared with another number, such as a limit.
+    compared: Option<u32>,
     /// The source of a NaN among the values that a site captured when it was last bound.
     captured: HashMap<u32, u32>,
 }
@@ -37,6 +41,14 @@ impl NanTrace {
     pub fn in_call(&self) -> Option<NanSource> {
         let state = self.state();
         state.in_call.and_then(|id| state.sources.get(id as usize).cloned())
+    }
+
+    /// Returns the source of the last NaN that was compared with another number, or that the last
+    /// engine call received.
+    pub fn compared(&self) -> Option<NanSource> {
+        let state = self.state();
+        let id = state.compared.or(state.in_call)?;
+        state.sources.get(id as usize).cloned()
     }
 
     /// Returns the source of the NaN that a site captured when it was last bound.
@@ -69,6 +81,15 @@ impl NanTrace {
 
     /// Marks a NaN in the result of an operation: with the mark of an operand, or a new mark.
     pub(super) fn operation(&self, op: Op, operands: &[Slot], result: &mut [Slot], span: Span) {
+        if matches!(op, Op::Less | Op::LessEqual | Op::Greater | Op::GreaterEqual)
+            && let Some(source) = operands.iter().find_map(|slot| number(*slot))
+        {
+            self.state().compared = Some(source);
+        }
+        if self.infinities && operands.iter().all(|slot| f64::from_bits(*slot).is_finite()) {
+            let infinite = result.iter_mut().filter(|slot| f64::from_bits(**slot).is_infinite());
+            infinite.for_each(|slot| *slot = f64::NAN.to_bits());
+        }
         if !result.iter().any(|slot| is_nan(*slot)) {
             return;
         }
@@ -107,6 +128,13 @@ impl Interpreter<'_> {
     /// Enables NaN tracing; see [`Interpreter::trace`].
     pub fn tracing(mut self) -> Self {
         self.trace = Some(NanTrace::default());
+        self
+    }
+
+    /// As [`Interpreter::tracing`], and traces infinite results of operations on finite numbers in
+    /// the same way. The program computes with NaN in their place.
+    pub fn tracing_infinities(mut self) -> Self {
+        self.trace = Some(NanTrace { infinities: true, ..NanTrace::default() });
         self
     }
 
