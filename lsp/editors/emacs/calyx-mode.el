@@ -227,8 +227,9 @@ Stops at the end of the line if there is none.  Quotes between are no quotes."
   "How many columns the line is to be indented."
   (save-excursion
     (back-to-indentation)
-    (let* ((open (nth 1 (syntax-ppss (line-beginning-position))))
-           (here (buffer-substring-no-properties (point) (line-end-position)))
+    ;; `syntax-ppss' may move point to its argument.
+    (let* ((here (buffer-substring-no-properties (point) (line-end-position)))
+           (open (nth 1 (syntax-ppss (line-beginning-position))))
            (opening (and open (save-excursion (goto-char open) (current-indentation))))
            (base (if open (+ opening calyx-indent-offset) 0))
            (limit (if open (save-excursion (goto-char open) (line-end-position)) (point-min)))

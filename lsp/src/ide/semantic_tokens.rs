@@ -337,7 +337,7 @@ fn of_statement(statement: &Stmt, found: &mut HashMap<u32, NameMeaning>) {
             written.chain(&path.alias).for_each(|name| is(name, TokenKind::Namespace, Modifiers::NONE));
         }
         StmtKind::Function(function) => {
-            if let FunctionBody::Extern { purity: Some(word) } = &function.body {
+            if let FunctionBody::Extern { purity: Some(word), .. } = &function.body {
                 is(word, TokenKind::Keyword, Modifiers::NONE);
             }
         }
