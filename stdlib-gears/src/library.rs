@@ -48,6 +48,9 @@ pub const MODULES: &[LibraryModule] = modules![
     "envelope",
     "bevel",
     "bevel_contact",
+    "bevel_curve",
+    "bevel_section",
+    "bevel_tooth",
 ];
 
 /// Tables of the functions that programs may call: those of the library, and those of the language

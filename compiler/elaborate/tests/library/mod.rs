@@ -48,7 +48,7 @@ const OF_FILES: [&str; 2] = ["read_table", "column"];
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 16] = [
+const OF_FORMULAS: [&str; 19] = [
     "iso1328",
     "deviations",
     "inspection",
@@ -65,6 +65,9 @@ const OF_FORMULAS: [&str; 16] = [
     "envelope",
     "bevel",
     "bevel_contact",
+    "bevel_curve",
+    "bevel_section",
+    "bevel_tooth",
 ];
 
 /// Returns every function that programs may call, except those of [`OF_FORMULAS`].
