@@ -224,6 +224,15 @@ impl ModelHost {
         }
     }
 
+    /// Reports a warning of a module in Calyx, once.
+    pub(crate) fn warn(&mut self, code: &str, message: String, help: &str, place: (u32, u32, u32)) {
+        let error = RuntimeError { place: Some(place), ..RuntimeError::new(code, message, help) };
+        let finding = Finding { severity: Severity::Warning, error: self.in_instance(error) };
+        if !self.findings.contains(&finding) {
+            self.findings.push(finding);
+        }
+    }
+
     /// Converts a refusal to a diagnostic. The first of several findings stops the model; the
     /// others are stored.
     pub(crate) fn rejected(&mut self, refusal: Refusal, place: (u32, u32, u32)) -> RuntimeError {

@@ -47,6 +47,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "agma2101",
     "envelope",
     "bevel",
+    "bevel_checks",
     "bevel_contact",
     "bevel_curve",
     "bevel_section",
@@ -58,6 +59,7 @@ pub const MODULES: &[LibraryModule] = modules![
 const TABLES: &[&[Extern]] = &[
     crate::externs::EXTERNS,
     crate::bearing_externs::EXTERNS,
+    crate::bevel_externs::EXTERNS,
     crate::body_externs::EXTERNS,
     crate::cutting_externs::EXTERNS,
     crate::drawing_externs::EXTERNS,
