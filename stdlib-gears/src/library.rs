@@ -50,6 +50,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "bevel_checks",
     "bevel_contact",
     "bevel_curve",
+    "bevel_form",
     "bevel_pattern",
     "bevel_section",
     "bevel_tooth",

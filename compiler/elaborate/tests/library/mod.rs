@@ -48,7 +48,7 @@ const OF_FILES: [&str; 2] = ["read_table", "column"];
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 21] = [
+const OF_FORMULAS: [&str; 22] = [
     "iso1328",
     "deviations",
     "inspection",
@@ -67,6 +67,7 @@ const OF_FORMULAS: [&str; 21] = [
     "bevel_checks",
     "bevel_contact",
     "bevel_curve",
+    "bevel_form",
     "bevel_pattern",
     "bevel_section",
     "bevel_tooth",
