@@ -177,6 +177,10 @@ impl Surface for GearSurface {
         [[0.0, self.plain.length()], [-0.5 * self.face_width, 0.5 * self.face_width]]
     }
 
+    fn is_extruded(&self) -> bool {
+        true
+    }
+
     fn at(&self, u: f64, v: f64) -> SurfacePoint {
         let Section { point: ProfilePoint { position, tangent, normal, curvature }, stretch } =
             self.section(u);

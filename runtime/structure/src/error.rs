@@ -23,6 +23,8 @@ pub enum StructureError {
     NoFaces { faces: String },
     #[error("the faces `{faces}` are not swept along the z axis")]
     NotSwept { faces: String },
+    #[error("the coordinates of the surface of `{faces}` are not those of its mesh")]
+    CoordinatesDiffer { faces: String },
     #[error("the mesh has no area")]
     NoArea,
     #[error("the mesh of the bore is too coarse for the order of its constraints")]

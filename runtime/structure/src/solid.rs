@@ -16,7 +16,10 @@ mod influence;
 mod mirror_symmetry;
 mod responses;
 mod screw;
+mod side_faces;
 mod stored;
+mod surface_means;
+mod surface_metric;
 mod table_weights;
 #[cfg(any(test, feature = "fixtures"))]
 #[allow(dead_code, missing_docs, reason = "tests of other crates use it too")]
@@ -37,10 +40,9 @@ use std::sync::Arc;
 /// variations along the face that the cells' pressures do not have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSegment {
-    /// Coordinates on the surface: along the profile, and the middle of the length along the face,
-    /// m.
+    /// Coordinates on the surface: along the profile, and the middle of the length along the face.
     pub place: [f64; 2],
-    /// Length along the second coordinate, m; 0 for a point.
+    /// Length in the second coordinate; 0 for a point.
     pub length: f64,
 }
 
@@ -78,6 +80,13 @@ impl Mirror {
         let [nx, ny, nz] = self.normal;
         let twice = 2.0 * ((x - px) * nx + (y - py) * ny + (z - pz) * nz);
         [x - twice * nx, y - twice * ny, z - twice * nz]
+    }
+
+    /// Returns the plane rotated by an angle (rad) about the z axis.
+    fn rotated(&self, angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        let turn = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
+        Self { point: turn(self.point), normal: turn(self.normal) }
     }
 }
 
@@ -127,6 +136,14 @@ pub trait SolidStructure: Send + Sync {
 
     /// Returns the mirror planes in which `G` has images.
     fn mirrors(&self) -> &[Mirror];
+
+    /// Returns the mirror planes in which `G` has images on one surface, in the body's frame: the
+    /// planes that touch the free side faces where the surface ends, at two coordinates `u`, one
+    /// for the start and one for the end of `v`. They are those of [`Self::mirrors`] on every
+    /// surface whose side faces are planes.
+    fn side_faces(&self, _chart: Chart, _u: [f64; 2]) -> Vec<Mirror> {
+        self.mirrors().to_vec()
+    }
 
     /// Adds `R` to `block`, row-major, `observers.len()` rows by `loads.len()` columns: inward
     /// normal displacement at spots of `observe` per unit inward normal force at spots of `load`,
@@ -210,6 +227,10 @@ impl SolidStructure for ModifiedStructure {
 
     fn mirrors(&self) -> &[Mirror] {
         self.shared.mirrors()
+    }
+
+    fn side_faces(&self, chart: Chart, u: [f64; 2]) -> Vec<Mirror> {
+        self.shared.side_faces(chart, u)
     }
 
     fn add_compliance_until(

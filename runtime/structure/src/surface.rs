@@ -25,6 +25,14 @@ pub trait Surface: Send + Sync {
     /// Returns the point at `u`, `v`.
     fn at(&self, u: f64, v: f64) -> SurfacePoint;
 
+    /// Returns whether the surface is a plane profile extruded along the owner's z axis, straight or
+    /// with a constant rotation per length (flanks of spur and helical gears, apart from
+    /// modifications): `u` is the arc length of the profile, `v` the axial coordinate, and side
+    /// faces are normal to the axis. The compliance of such a surface takes a shorter computation.
+    fn is_extruded(&self) -> bool {
+        false
+    }
+
     /// Returns the values of `u`, ascending and inside the range, at which the curvature jumps:
     /// start of a relief, or of a rounded edge.
     fn breaks(&self) -> &[f64] {

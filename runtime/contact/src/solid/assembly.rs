@@ -99,9 +99,16 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
         return Ok(());
     }
     let mut mirrors: Vec<PlacedMirror> = Vec::new();
-    for side in patch.sides.iter().filter(|side| softness(side) > 0.0) {
-        for mirror in side.structure.mirrors() {
-            let mirror = PlacedMirror::new(mirror, &side.pose, softness(side));
+    // A curved side face counts where the patch is closest to it: images matter only there.
+    let ends = |side: usize| {
+        let place = |cell: &Cell| cell.places[side];
+        let by_v = |a: &[f64; 2], b: &[f64; 2]| a[1].total_cmp(&b[1]);
+        let cells = || patch.cells.iter().map(place);
+        [cells().min_by(by_v), cells().max_by(by_v)].map(|place| place.map_or(0.0, |[u, _]| u))
+    };
+    for (number, side) in patch.sides.iter().enumerate().filter(|(_, side)| softness(side) > 0.0) {
+        for mirror in side.structure.side_faces(side.chart, ends(number)) {
+            let mirror = PlacedMirror::new(&mirror, &side.pose, softness(side));
             match mirrors.iter_mut().find(|known| known.is_same(&mirror, patch.frame.point)) {
                 Some(known) => known.softness += mirror.softness,
                 None => mirrors.push(mirror),

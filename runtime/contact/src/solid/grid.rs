@@ -30,6 +30,8 @@ pub struct Cell {
     pub places: [[f64; 2]; 2],
     /// Length along the body's axis, m, by side.
     pub axial: [f64; 2],
+    /// Length in the surface coordinate `v`, by side: `axial` on extruded surfaces.
+    pub spans: [f64; 2],
     /// Average separation of the undeformed surfaces along the normal of the frame, m; negative for
     /// overlap.
     pub gap: f64,
@@ -49,7 +51,7 @@ impl Cell {
 
     /// Returns the loaded spot on the body of a side.
     pub fn segment(&self, side: usize) -> SurfaceSegment {
-        SurfaceSegment { place: self.places[side], length: self.axial[side] }
+        SurfaceSegment { place: self.places[side], length: self.spans[side] }
     }
 
     /// Returns the ends across (axis 0) or along (1) the contact line, m.
@@ -524,8 +526,13 @@ impl Layer<'_> {
         };
         let edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
         let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
+        let span = |side: usize| match self.placed[side].surface.is_extruded() {
+            true => axial[side],
+            false => size[1] * feet[side].place_along()[1].abs(),
+        };
+        let spans = [span(0), span(1)];
         let point = self.frame.at([self.snapped(contact_line), center[1]]);
-        Some((Cell { center, size, places, axial, gap, point, edge }, places))
+        Some((Cell { center, size, places, axial, spans, gap, point, edge }, places))
     }
 
     /// Returns the ends along the contact line of a cell at `x` of a slice: those of the side faces

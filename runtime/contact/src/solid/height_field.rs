@@ -46,6 +46,13 @@ const SETTLED: f64 = 4.0 * f64::EPSILON;
 const NEARLY: f64 = 1e-8;
 
 impl FootPoint {
+    /// Returns the derivatives of the surface coordinates by y, at constant x.
+    pub fn place_along(&self) -> [f64; 2] {
+        let [x, y] = self.tangents;
+        let determinant = x[0] * y[1] - x[1] * y[0];
+        [-x[1] / determinant, x[0] / determinant]
+    }
+
     /// Returns Newton's step of the surface coordinates towards `at`, and the remaining distance.
     fn step_to(&self, at: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let [x, y] = self.tangents;

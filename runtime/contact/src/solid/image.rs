@@ -226,7 +226,16 @@ mod tests {
 
     fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
         let places = [[0.0; 2]; 2];
-        Cell { center, size, places, axial: [size[1]; 2], gap: 0.0, point: [0.0; 3], edge: false }
+        Cell {
+            center,
+            size,
+            places,
+            axial: [size[1]; 2],
+            spans: [size[1]; 2],
+            gap: 0.0,
+            point: [0.0; 3],
+            edge: false,
+        }
     }
 
     const FRAME: PatchFrame = PatchFrame {

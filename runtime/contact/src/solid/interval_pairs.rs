@@ -121,7 +121,16 @@ mod tests {
     use super::*;
 
     fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
-        Cell { center, size, places: [[0.0; 2]; 2], axial: [0.0; 2], gap: 0.0, point: [0.0; 3], edge: false }
+        Cell {
+            center,
+            size,
+            places: [[0.0; 2]; 2],
+            axial: [0.0; 2],
+            spans: [0.0; 2],
+            gap: 0.0,
+            point: [0.0; 3],
+            edge: false,
+        }
     }
 
     /// Lattice with a shortened last row, and one cell unlike all others.

@@ -29,6 +29,8 @@ pub use pressure::{GridReport, Peak, assess, half_axes, peak, peak_in, pressures
 pub use surface_curvature::relative_curvature_along;
 
 #[cfg(test)]
+mod general_tests;
+#[cfg(test)]
 mod helical_tests;
 #[cfg(test)]
 mod hertz_tests;

@@ -17,7 +17,7 @@ use std::time::SystemTime;
 
 /// Start of a file. The last byte is the version of the layout: this, the key, the hash of the
 /// content, the content.
-const MAGIC: [u8; 16] = *b"calyx structure\x01";
+const MAGIC: [u8; 16] = *b"calyx structure\x02";
 const HEADER: usize = MAGIC.len() + 32 + 32;
 const WHOLE: &str = "structure";
 const PARTIAL: &str = "partial";

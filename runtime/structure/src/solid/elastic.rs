@@ -23,6 +23,7 @@ use super::axial_modes::AxialModes;
 use super::exchange::Sector;
 use super::mirror_symmetry::MirrorMap;
 use super::responses::{BoreResponse, Responses, whole};
+use super::surface_metric::SurfaceMetric;
 use crate::bore::{BoreMeans, RequestedMeans};
 use crate::bore_coupling::BoreCoupling;
 use crate::bspline::BSpline;
@@ -47,8 +48,9 @@ use std::sync::Arc;
 /// [`calyx_fe::solid::SolidMesh::faces`] and swept from chains of the section.
 #[derive(Clone)]
 pub struct SolidSurfaceSource {
-    /// Surface from which the mesh was generated, extruded along the z axis with or without
-    /// rotation: `u` is the arc length of the chain, `v` the axial coordinate.
+    /// Surface from which the mesh was generated. Its coordinates are those of the chart of the
+    /// faces: `u` is `s`, the arc length of the chain, and `v` the coordinate of the stations, the
+    /// axial one of an extruded surface ([`Surface::is_extruded`]).
     pub surface: Arc<dyn Surface>,
     /// Set of its faces, without a rounded edge of the body.
     pub faces: String,
@@ -127,6 +129,8 @@ pub(super) struct SurfaceTables {
     pub turned: Vec<f64>,
     /// Stress recovery points: coordinates on the chart of those faces, and position, m.
     pub stress_points: Vec<([f64; 2], [f64; 3])>,
+    /// Metric of a surface that is not extruded.
+    pub metric: Option<SurfaceMetric>,
 }
 
 impl ElasticSolid {
@@ -143,7 +147,9 @@ impl ElasticSolid {
         options: &SolidSplitOptions,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let mirrored = MirrorMap::of(&model.mesh);
+        // Only the polynomials along extruded surfaces are certainly even or odd.
+        let is_extruded = surfaces.iter().all(|source| source.surface.is_extruded());
+        let mirrored = is_extruded.then(|| MirrorMap::of(&model.mesh)).flatten();
         Self::ring_by(mirrored.as_ref(), model, ring, (surfaces, options), interrupt)
     }
 
@@ -321,6 +327,7 @@ impl ElasticSolid {
         let turned: Vec<MollifierSamples<NormalAngle>> =
             prepared.mollifiers.iter().map(|mollifier| quadrature.sampled(mollifier, place)).collect();
         let curved = |a: NormalAngle, b: NormalAngle| self.curvature_term(known, a, b);
+        let per_length = known.metric.as_ref().map(SurfaceMetric::per_length);
         let pairs: Vec<(usize, usize)> = (0..places).flat_map(|k| (0..=k).map(move |l| (k, l))).collect();
         let taken_out = pairs
             .par_iter()
@@ -332,8 +339,13 @@ impl ElasticSolid {
                 for n in 0..count {
                     for m in 0..count {
                         means[(n, m)] /= PI * self.surface_modulus;
+                        if let Some(per_length) = &per_length {
+                            means[(n, m)] += kink * per_length[(n, m)];
+                        }
                     }
-                    means[(n, n)] += kink;
+                    if per_length.is_none() {
+                        means[(n, n)] += kink;
+                    }
                 }
                 Ok(means)
             })

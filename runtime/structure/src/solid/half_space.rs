@@ -12,6 +12,7 @@
 
 use super::axial_modes::AxialModes;
 use super::screw::Screw;
+use super::surface_means::SurfaceMeans;
 use crate::kernel::Mollifier;
 use calyx_numerics::interpolation::lagrange;
 use calyx_numerics::quadrature::gauss_legendre;
@@ -28,15 +29,34 @@ const DIRECTIONS: [f64; 6] = [
     1.0,
 ];
 /// Quadrature points over the sum of `u` and `u'`: exact for the product of two mollifiers.
-const ACROSS: usize = 8;
+pub(super) const ACROSS: usize = 8;
 /// Sampling points of that sum at which the distance is computed: it hardly depends on it.
-const PLACES: usize = 4;
+pub(super) const PLACES: usize = 4;
 /// Points on each panel of graded quadrature over `u - u'`.
-const POINTS: usize = 12;
+pub(super) const POINTS: usize = 12;
 /// Largest ratio of the length of a panel to its distance from the singularity.
-const GRADING: f64 = 8.0;
+pub(super) const GRADING: f64 = 8.0;
 /// Length of the finest panel, relative to the smallest width of a mollifier.
-const FINEST: f64 = 1e-4;
+pub(super) const FINEST: f64 = 1e-4;
+
+/// Means of `1/r`, with images, over pairs of loads on a surface.
+pub(super) enum HalfSpaceMeans {
+    /// On the flank of a spur or helical gear.
+    Screw(ReciprocalMeans),
+    /// On any smooth surface.
+    Surface(SurfaceMeans),
+}
+
+impl HalfSpaceMeans {
+    /// Returns the means over an observer `a` times a polynomial and a load `b` times another: rows
+    /// by the observer's polynomial, 1/m.
+    pub fn between(&self, a: &Mollifier, b: &Mollifier) -> Mat<f64> {
+        match self {
+            Self::Screw(means) => means.between(a, b),
+            Self::Surface(means) => means.between(a, b),
+        }
+    }
+}
 
 /// Means of `1/r`, with images, over pairs of loads on a helical surface.
 pub(crate) struct ReciprocalMeans {
@@ -133,7 +153,7 @@ impl ReciprocalMeans {
         let points = panel.squares.len();
         let mut means = vec![0.0; points * panel.rotations.len()];
         let ([a_start, a_end], [b_start, b_end]) = (a.support(), b.support());
-        for interval in self.differences(a, b, panel.from).windows(2) {
+        for interval in differences(a, b, self.finest.max(2.0 * panel.from)).windows(2) {
             let half = 0.5 * (interval[1] - interval[0]);
             for (x, along) in &self.along {
                 let difference = interval[0] + half * (1.0 + x);
@@ -166,47 +186,45 @@ impl ReciprocalMeans {
         }
         at_points.extend(means);
     }
+}
 
-    /// Returns the ends of the panels over `u - u'`, ascending. On each panel the product of the
-    /// mollifiers is smooth, and so is the distance for axial distances of at least `axial`.
-    fn differences(&self, a: &Mollifier, b: &Mollifier, axial: f64) -> Vec<f64> {
-        let apart = a.center - b.center;
-        let (sum, rest) = (a.width + b.width, (a.width - b.width).abs());
-        let mut ends = vec![apart - sum, apart - rest, apart + rest, apart + sum];
-        if ends[0] < 0.0 && ends[3] > 0.0 {
-            ends.push(0.0);
-        }
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
-        let mut graded = vec![ends[0]];
-        for pair in ends.windows(2) {
-            let inner =
-                self.graded(pair[0].abs().min(pair[1].abs()), pair[0].abs().max(pair[1].abs()), axial);
-            if pair[1] <= 0.0 {
-                graded.extend(inner.into_iter().rev().map(|distance| -distance));
-            } else {
-                graded.extend(inner);
-            }
-            graded.push(pair[1]);
-        }
-        graded
+/// Returns the ends of the panels over `u - u'`, ascending. On each panel the product of the
+/// mollifiers is smooth. Panels next to zero are no shorter than `finest`.
+pub(super) fn differences(a: &Mollifier, b: &Mollifier, finest: f64) -> Vec<f64> {
+    let apart = a.center - b.center;
+    let (sum, rest) = (a.width + b.width, (a.width - b.width).abs());
+    let mut ends = vec![apart - sum, apart - rest, apart + rest, apart + sum];
+    if ends[0] < 0.0 && ends[3] > 0.0 {
+        ends.push(0.0);
     }
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    let mut all = vec![ends[0]];
+    for pair in ends.windows(2) {
+        let inner = graded(pair[0].abs().min(pair[1].abs()), pair[0].abs().max(pair[1].abs()), finest);
+        if pair[1] <= 0.0 {
+            all.extend(inner.into_iter().rev().map(|distance| -distance));
+        } else {
+            all.extend(inner);
+        }
+        all.push(pair[1]);
+    }
+    all
+}
 
-    /// Returns ascending distances at which an interval between two others is cut.
-    fn graded(&self, near: f64, far: f64, axial: f64) -> Vec<f64> {
-        let mut cuts = Vec::new();
-        let mut end = far;
-        let finest = self.finest.max(2.0 * axial);
-        while end - near > finest.max((GRADING - 1.0) * near) {
-            end /= GRADING;
-            if end <= near {
-                break;
-            }
-            cuts.push(end);
+/// Returns ascending distances at which an interval between two others is cut.
+fn graded(near: f64, far: f64, finest: f64) -> Vec<f64> {
+    let mut cuts = Vec::new();
+    let mut end = far;
+    while end - near > finest.max((GRADING - 1.0) * near) {
+        end /= GRADING;
+        if end <= near {
+            break;
         }
-        cuts.reverse();
-        cuts
+        cuts.push(end);
     }
+    cuts.reverse();
+    cuts
 }
 
 /// Computes the distribution of products of modes over the directions at axial distance `t`: of the

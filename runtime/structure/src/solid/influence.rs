@@ -7,6 +7,7 @@
 //! orientations always the same one is computed.
 
 use super::elastic::{ElasticSolid, SurfaceTables};
+use super::surface_metric::SurfaceMetric;
 use super::table_weights::{TablePoints, TransverseWeights};
 use super::{Mirror, SegmentLoad, SolidStructure, SurfaceSegment, SurfaceStress};
 use crate::bore_coupling::{BoreCoupling, Coupling};
@@ -67,7 +68,8 @@ impl ElasticSolid {
         let by_second = columns[1].columns(table.as_ref(), interrupt)?;
         let mut block = columns[0].seen(by_second.as_ref(), interrupt)?;
         // The projection of a point load on the polynomials, along the line through the point.
-        let lines = columns[0].lines(&columns[1]);
+        let per_length = known.metric.as_ref().map(SurfaceMetric::per_length);
+        let lines = columns[0].lines(&columns[1], per_length.as_ref().map(Mat::as_ref));
         let turned = |points: &[SurfaceSegment]| {
             points.iter().map(|segment| known.normal_angle_at(segment.place[0])).collect::<Vec<NormalAngle>>()
         };
@@ -111,6 +113,17 @@ impl SolidStructure for ElasticSolid {
 
     fn mirrors(&self) -> &[Mirror] {
         &self.mirrors
+    }
+
+    fn side_faces(&self, chart: Chart, u: [f64; 2]) -> Vec<Mirror> {
+        let Some(known) = self.known(chart) else { return Vec::new() };
+        let Some(metric) = &known.metric else { return self.mirrors.to_vec() };
+        let mirror = |side: usize| {
+            let u = u[side].clamp(known.range[0], known.range[1]);
+            let mirror = metric.sides.mirror(known.surface.as_ref(), side, u);
+            mirror.rotated(self.tooth_angle(chart.tooth))
+        };
+        vec![mirror(0), mirror(1)]
     }
 
     fn add_compliance_until(
@@ -240,6 +253,7 @@ impl SolidStructure for ElasticSolid {
                 + known.stretched.bytes()
                 + size_of_val(known.turned.as_slice())
                 + size_of_val(known.stress_points.as_slice())
+                + known.metric.as_ref().map_or(0, SurfaceMetric::bytes)
         };
         let tables = self.offsets.iter().flat_map(|tables| {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()

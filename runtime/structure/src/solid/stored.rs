@@ -4,6 +4,7 @@
 use super::Mirror;
 use super::axial_modes::AxialModes;
 use super::elastic::{ElasticSolid, SurfaceTables};
+use super::surface_metric::SurfaceMetric;
 use crate::sampling::EdgeCoordinate;
 use crate::stored::{StoredBore, StoredOffset, from_bytes, spline, to_bytes};
 use crate::surface::Surface;
@@ -34,6 +35,7 @@ struct StoredSurface {
     range: [f64; 2],
     turned: Vec<f64>,
     stress_points: Vec<([f64; 2], [f64; 3])>,
+    metric: Option<SurfaceMetric>,
 }
 
 impl ElasticSolid {
@@ -45,6 +47,7 @@ impl ElasticSolid {
             range: known.range,
             turned: known.turned.clone(),
             stress_points: known.stress_points.clone(),
+            metric: known.metric.clone(),
         };
         to_bytes(&StoredSolid {
             teeth: self.teeth,
@@ -62,7 +65,11 @@ impl ElasticSolid {
     /// surfaces that it was built with. `None` if the bytes contain something else.
     pub fn restored(bytes: &[u8], surfaces: Vec<Arc<dyn Surface>>) -> Option<Self> {
         let stored: StoredSolid = from_bytes(bytes)?;
+        let modes = stored.modes;
         let known = |(stored, surface): (StoredSurface, Arc<dyn Surface>)| {
+            if stored.metric.as_ref().is_some_and(|metric| !metric.is_sound(&modes)) {
+                return None;
+            }
             Some(SurfaceTables {
                 surface,
                 spline: spline(stored.nodes)?,
@@ -71,6 +78,7 @@ impl ElasticSolid {
                 range: stored.range,
                 turned: stored.turned,
                 stress_points: stored.stress_points,
+                metric: stored.metric,
             })
         };
         if stored.surfaces.len() != surfaces.len() {
@@ -86,9 +94,9 @@ impl ElasticSolid {
             surface_modulus: stored.surface_modulus,
             kink: stored.kink,
             mirrors: stored.mirrors.map(|[point, normal]| Mirror { point, normal }),
-            modes: stored.modes,
             surfaces: stored.surfaces.into_iter().zip(surfaces).map(known).collect::<Option<_>>()?,
             offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
+            modes,
             bore,
         })
     }

@@ -159,9 +159,14 @@ impl TablePoints {
     }
 
     /// Returns the projection of a load on the polynomials, at these points (rows) and others: sums
-    /// of products of polynomials.
-    pub fn lines(&self, others: &TablePoints) -> impl Fn(usize, usize) -> f64 {
-        let products = product(self.along.transpose(), others.along.as_ref());
+    /// of products of polynomials, with a matrix between them where lengths vary along the face.
+    pub fn lines(
+        &self,
+        others: &TablePoints,
+        between: Option<MatRef<'_, f64>>,
+    ) -> impl Fn(usize, usize) -> f64 {
+        let weighted = between.map(|between| product(between, others.along.as_ref()));
+        let products = product(self.along.transpose(), weighted.as_ref().unwrap_or(&others.along).as_ref());
         move |point, other| products[(self.line[point], others.line[other])]
     }
 }

@@ -1,7 +1,8 @@
-//! Test surface: an arc of a circle, or a line, in the transverse plane, extruded along the z axis
-//! with a rotation.
+//! Test surfaces: an arc of a circle, or a line, in the transverse plane, extruded along the z axis
+//! with a rotation; and other surfaces in mapped coordinates.
 
 use crate::surface::{Surface, SurfacePoint};
+use calyx_numerics::vec3::{cross, dot, scaled, unit};
 
 /// Convex, with the material on the left of its arc.
 pub struct ScrewedArc {
@@ -44,6 +45,10 @@ impl Surface for ScrewedArc {
         [[0.0, self.length], self.range]
     }
 
+    fn is_extruded(&self) -> bool {
+        true
+    }
+
     fn at(&self, u: f64, v: f64) -> SurfacePoint {
         let turned = self.angle + self.curvature * u;
         let (sin, cos) = turned.sin_cos();
@@ -60,5 +65,46 @@ impl Surface for ScrewedArc {
         let across = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
         let size = (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt();
         SurfacePoint { position: [x, y, v], tangents, normal: across.map(|part| part / size) }
+    }
+}
+
+/// Surface in other coordinates and at other positions.
+pub struct MappedSurface<S> {
+    pub base: S,
+    /// Ranges of its own coordinates.
+    pub range: [[f64; 2]; 2],
+    /// Coordinates on the base of its own ones.
+    pub coordinates: fn([f64; 2]) -> [f64; 2],
+    /// Map of positions that preserves the orientation.
+    pub map: fn([f64; 3]) -> [f64; 3],
+}
+
+impl<S: Surface> MappedSurface<S> {
+    pub fn position(&self, u: f64, v: f64) -> [f64; 3] {
+        let [u, v] = (self.coordinates)([u, v]);
+        (self.map)(self.base.at(u, v).position)
+    }
+}
+
+impl<S: Surface> Surface for MappedSurface<S> {
+    fn range(&self) -> [[f64; 2]; 2] {
+        self.range
+    }
+
+    fn at(&self, u: f64, v: f64) -> SurfacePoint {
+        // Differences of fourth order.
+        let step = self.range.map(|[from, to]| 1e-3 * (to - from));
+        let slope = |shift: [f64; 2]| {
+            let at = |k: f64| self.position(u + k * shift[0], v + k * shift[1]);
+            let [far, near, next, last] = [-2.0, -1.0, 1.0, 2.0].map(at);
+            [0, 1, 2]
+                .map(|k| (8.0 * (next[k] - near[k]) - (last[k] - far[k])) / (12.0 * (shift[0] + shift[1])))
+        };
+        let tangents = [slope([step[0], 0.0]), slope([0.0, step[1]])];
+        let [x, y] = (self.coordinates)([u, v]);
+        let base = self.base.at(x, y);
+        let across = cross(tangents[0], tangents[1]);
+        let sign = dot(cross(base.tangents[0], base.tangents[1]), base.normal).signum();
+        SurfacePoint { position: self.position(u, v), tangents, normal: unit(scaled(across, sign)) }
     }
 }

@@ -8,20 +8,29 @@ use crate::kernel::Mollifier;
 use crate::sampling::{SplitOptions, sample};
 use crate::solid::axial_modes::AxialModes;
 use crate::solid::exchange::LoadsAndRows;
-use crate::solid::half_space::ReciprocalMeans;
+use crate::solid::half_space::{HalfSpaceMeans, ReciprocalMeans};
 use crate::solid::mirror_symmetry::images_of;
 use crate::solid::screw::Screw;
-use calyx_fe::solid::{FacePoint, SolidModel, SurfaceStressRecovery};
+use crate::solid::side_faces::SideFaces;
+use crate::solid::surface_means::SurfaceMeans;
+use crate::solid::surface_metric::{SurfaceMetric, normal_angles};
+use crate::surface::Surface;
+use calyx_fe::solid::{FacePoint, FaceSet, SolidModel, SurfaceStressRecovery};
 use calyx_fe::{EdgeChain, SparseVector};
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
+use calyx_numerics::vec3::{Vector, length, minus};
 use faer::Mat;
 use rayon::prelude::*;
+
+/// Largest distance of a point of a surface from the point of its mesh with the same coordinates,
+/// relative to the length of the profile.
+const COORDINATES: f64 = 0.02;
 
 /// Surface with its loads and stress rows, before solution.
 pub(super) struct Prepared {
     pub known: SurfaceTables,
     pub mollifiers: Vec<Mollifier>,
-    pub means: ReciprocalMeans,
+    pub means: HalfSpaceMeans,
     /// Number of its loads.
     pub loads: usize,
     /// Number of its rows of stress.
@@ -115,8 +124,14 @@ fn prepare_surface(
     let samples = sample(&swept.section, &chain, source.edges, &across)
         .ok_or_else(|| StructureError::Coarse { chain: source.faces.clone() })?;
     let range = chain.range();
-    let screw = Screw::of(source.surface.as_ref(), range).ok_or_else(|| not_swept(&source.faces))?;
+    let surface = source.surface.as_ref();
+    if !surface.is_extruded() && !has_coordinates_of_mesh(surface, model, set, [range, modes.range()]) {
+        return Err(StructureError::CoordinatesDiffer { faces: source.faces.clone() });
+    }
     let smallest = samples.mollifiers.iter().map(|mollifier| mollifier.width).fold(f64::INFINITY, f64::min);
+
+    let (metric, means) =
+        half_space(model, set, surface, modes, smallest).ok_or_else(|| not_swept(&source.faces))?;
 
     let by_mollifier = samples
         .mollifiers
@@ -142,6 +157,7 @@ fn prepare_surface(
         range,
         turned: Vec::new(),
         stress_points: Vec::new(),
+        metric,
     };
     known.turned = normal_angle_coefficients(&known);
     let (mut rows, mut room) = (Vec::new(), MemoryReservation::default());
@@ -172,10 +188,46 @@ fn prepare_surface(
         }
         room.shrink_to(rows.iter().map(SparseVector::memory).sum());
     }
-    let means = ReciprocalMeans::new(screw, modes, [true; 2], smallest);
     let (mollifiers, counts) = (samples.mollifiers, [loads.len(), rows.len()]);
     let prepared = Prepared { known, mollifiers, means, loads: counts[0], stress_rows: counts[1] };
     Ok((prepared, Vectors { loads, rows, room }))
+}
+
+/// Returns whether a surface and a set of faces have the same points at the same coordinates, to
+/// within the error of a coarse mesh.
+fn has_coordinates_of_mesh(
+    surface: &dyn Surface,
+    model: &SolidModel,
+    set: &FaceSet,
+    [u, v]: [[f64; 2]; 2],
+) -> bool {
+    let at = |[from, to]: [f64; 2], share: f64| from + share * (to - from);
+    let apart = |a: Vector, b: Vector| length(minus(a, b));
+    let size = apart(surface.at(u[0], at(v, 0.5)).position, surface.at(u[1], at(v, 0.5)).position);
+    let same = |u: f64, v: f64| {
+        let point = model.mesh.surface_point(set, u, v);
+        point.is_some_and(|point| apart(point.position, surface.at(u, v).position) < COORDINATES * size)
+    };
+    [0.0, 0.5, 1.0].into_iter().all(|i| [0.0, 0.5, 1.0].into_iter().all(|j| same(at(u, i), at(v, j))))
+}
+
+/// Prepares the half-space's responses, and the metric of a surface that is not extruded. `None` if
+/// the faces have no chart, or the surface is no screw although it is declared as extruded.
+fn half_space(
+    model: &SolidModel,
+    set: &FaceSet,
+    surface: &dyn Surface,
+    modes: &AxialModes,
+    smallest: f64,
+) -> Option<(Option<SurfaceMetric>, HalfSpaceMeans)> {
+    let range = set.chart.as_ref()?.s_range();
+    if surface.is_extruded() {
+        let screw = Screw::of(surface, range)?;
+        return Some((None, HalfSpaceMeans::Screw(ReciprocalMeans::new(screw, modes, [true; 2], smallest))));
+    }
+    let sides = SideFaces::of(&model.mesh, set, surface)?;
+    let means = SurfaceMeans::new(surface, range, modes, Some(&sides), smallest);
+    Some((Some(SurfaceMetric::new(surface, sides, modes)), HalfSpaceMeans::Surface(means)))
 }
 
 /// Returns spline coefficients of the angle by which the transverse normal has rotated since the
@@ -183,6 +235,10 @@ fn prepare_surface(
 fn normal_angle_coefficients(known: &SurfaceTables) -> Vec<f64> {
     let [_, [start, end]] = known.surface.range();
     let middle = 0.5 * (start + end);
+    if !known.surface.is_extruded() {
+        let angles = normal_angles(known.surface.as_ref(), known.spline.nodes(), middle);
+        return coefficients(known, &angles);
+    }
     let mut angles = Vec::with_capacity(known.places());
     let mut previous: Option<[f64; 2]> = None;
     let mut angle = 0.0;
@@ -197,6 +253,10 @@ fn normal_angle_coefficients(known: &SurfaceTables) -> Vec<f64> {
         previous = Some([x, y]);
         angles.push(angle);
     }
-    let table = Mat::from_fn(angles.len(), 1, |i, _| angles[i]);
+    coefficients(known, &angles)
+}
+
+fn coefficients(known: &SurfaceTables, values: &[f64]) -> Vec<f64> {
+    let table = Mat::from_fn(values.len(), 1, |i, _| values[i]);
     known.spline.coefficients(table.as_ref()).col(0).iter().copied().collect()
 }

@@ -2,6 +2,7 @@
 
 use super::super::{ElasticSolid, SolidSplitOptions, SolidSurfaceSource};
 use crate::profile::Profile;
+use crate::solid::test_surface::MappedSurface;
 use crate::surface::{Surface, SurfacePoint};
 use crate::tests::bodies::{Divisions, ring_source, toothed_sector};
 use calyx_fe::material::Material;
@@ -35,6 +36,10 @@ impl Surface for Screwed {
         [[0.0, self.profile.length()], [-0.5 * self.face_width, 0.5 * self.face_width]]
     }
 
+    fn is_extruded(&self) -> bool {
+        true
+    }
+
     fn at(&self, u: f64, v: f64) -> SurfacePoint {
         let point = self.profile.at(u);
         let (sin, cos) = (self.rate * v).sin_cos();
@@ -49,6 +54,18 @@ impl Surface for Screwed {
             tangents: [[tx, ty, 0.0], along],
             normal: [nx / size, ny / size, slope / size],
         }
+    }
+}
+
+struct Shared(Arc<dyn Surface>);
+
+impl Surface for Shared {
+    fn range(&self) -> [[f64; 2]; 2] {
+        self.0.range()
+    }
+
+    fn at(&self, u: f64, v: f64) -> SurfacePoint {
+        self.0.at(u, v)
     }
 }
 
@@ -78,6 +95,40 @@ impl Ring {
             stress_points: [source.stress_points_per_edge, 2],
         });
         (SolidModel::new(mesh, material), surfaces.collect())
+    }
+
+    /// Returns a sector in other coordinates and at other positions: `coordinates` changes `v` only,
+    /// `map` preserves the orientation and the symmetry about the z axis.
+    pub fn mapped_sector(
+        &self,
+        coordinates: fn([f64; 2]) -> [f64; 2],
+        map: fn([f64; 3]) -> [f64; 3],
+    ) -> (SolidModel, Vec<SolidSurfaceSource>) {
+        let (plane, _) = toothed_sector(TEETH, 1.0, self.divisions);
+        let (straight, _) = self.sector();
+        let rate = self.rate();
+        let place = |[x, y]: [f64; 2], v: f64| {
+            let [_, z] = coordinates([0.0, v]);
+            let (sin, cos) = (rate * z).sin_cos();
+            map([cos * x - sin * y, sin * x + cos * y, z])
+        };
+        let stations = &straight.mesh.swept.as_ref().unwrap().stations;
+        let mesh = SolidMesh::swept(&plane.mesh, stations, self.axial_order, &place).unwrap();
+        (SolidModel::new(mesh, straight.material), self.mapped_surfaces(coordinates, map))
+    }
+
+    /// Returns the surfaces of [`Self::mapped_sector`].
+    pub fn mapped_surfaces(
+        &self,
+        coordinates: fn([f64; 2]) -> [f64; 2],
+        map: fn([f64; 3]) -> [f64; 3],
+    ) -> Vec<SolidSurfaceSource> {
+        let mapped = |source: SolidSurfaceSource| {
+            let range = source.surface.range();
+            let surface = MappedSurface { base: Shared(source.surface), range, coordinates, map };
+            SolidSurfaceSource { surface: Arc::new(surface), ..source }
+        };
+        self.sector().1.into_iter().map(mapped).collect()
     }
 
     pub fn structure(&self, options: &SolidSplitOptions) -> ElasticSolid {

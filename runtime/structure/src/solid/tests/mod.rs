@@ -4,6 +4,8 @@ pub mod bodies;
 #[cfg(test)]
 mod influence;
 #[cfg(test)]
+mod lofted;
+#[cfg(test)]
 mod mirror_symmetry;
 #[cfg(test)]
 mod plane;

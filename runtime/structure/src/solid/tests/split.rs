@@ -12,17 +12,18 @@ use crate::solid::{ElasticSolid, SegmentLoad, SolidSplitOptions, SolidStructure,
 use crate::tests::bodies::Divisions;
 use calyx_fe::SparseVector;
 use calyx_fe::material::Plane;
-use calyx_fe::solid::SurfaceStressRecovery;
+use calyx_fe::solid::{SolidModel, SurfaceStressRecovery};
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::quadrature::gauss_legendre;
+use faer::MatRef;
 use std::f64::consts::{PI, TAU};
 
 /// Loaded patch, distributed over the profile and over the face.
 #[derive(Clone)]
-struct Patch {
-    surface: u32,
-    across: Mollifier,
-    along: Mollifier,
+pub(super) struct Patch {
+    pub surface: u32,
+    pub across: Mollifier,
+    pub along: Mollifier,
 }
 
 impl Patch {
@@ -38,7 +39,7 @@ impl Patch {
     }
 
     /// Returns points with their shares of a unit force.
-    fn points(&self) -> Vec<([f64; 2], f64)> {
+    pub fn points(&self) -> Vec<([f64; 2], f64)> {
         let rule = gauss_legendre(10);
         let mut points = Vec::new();
         for &(x, a) in &rule {
@@ -54,7 +55,7 @@ impl Patch {
     }
 }
 
-fn patches(ring: &Ring, length: f64) -> Vec<Patch> {
+pub(super) fn patches(ring: &Ring, length: f64) -> Vec<Patch> {
     [
         (0, [0.5, 0.2], [0.0, 0.3]),
         (0, [0.5, 0.2], [-0.25, 0.25]),
@@ -67,7 +68,7 @@ fn patches(ring: &Ring, length: f64) -> Vec<Patch> {
 }
 
 /// Returns the mean of the smooth part of the compliance between patches.
-fn smooth_mean(structure: &ElasticSolid, observed: (u32, &Patch), loaded: (u32, &Patch)) -> f64 {
+pub(super) fn smooth_mean(structure: &ElasticSolid, observed: (u32, &Patch), loaded: (u32, &Patch)) -> f64 {
     let [observer, load] = [observed, loaded].map(|(tooth, patch)| Chart { tooth, surface: patch.surface });
     let (rows, columns) = (observed.1.points(), loaded.1.points());
     let places = |points: &[([f64; 2], f64)]| {
@@ -91,14 +92,6 @@ fn half_space(ring: &Ring, patches: &[Patch]) -> Vec<Vec<f64>> {
     // Enough polynomials to represent the patches themselves.
     let modes = AxialModes::new(sources[0].surface.range()[1], 32);
     let smallest = patches.iter().map(|patch| patch.across.width).fold(f64::INFINITY, f64::min);
-    let shares = |patch: &Patch| {
-        let mut shares = vec![0.0; modes.count()];
-        for (v, weight) in modes.quadrature(patch.along.support(), 16) {
-            let values = modes.values(v).into_iter();
-            shares.iter_mut().zip(values).for_each(|(sum, p)| *sum += weight * p * patch.along.value(v));
-        }
-        shares
-    };
     let mut means = vec![vec![0.0; patches.len()]; patches.len()];
     for surface in 0..2 {
         let flank = &sources[surface as usize].surface;
@@ -107,12 +100,7 @@ fn half_space(ring: &Ring, patches: &[Patch]) -> Vec<Vec<f64>> {
         for (row, a) in patches.iter().enumerate().filter(|(_, patch)| patch.surface == surface) {
             for (column, b) in patches.iter().enumerate().filter(|(_, patch)| patch.surface == surface) {
                 let between = reciprocal.between(&a.across, &b.across);
-                let (a, b) = (shares(a), shares(b));
-                for n in 0..modes.count() {
-                    for m in 0..modes.count() {
-                        means[row][column] += a[n] * between[(n, m)] * b[m];
-                    }
-                }
+                means[row][column] = with_shares(&modes, between.as_ref(), [a, b]);
                 means[row][column] /= PI * model.material.surface_modulus(Plane::Strain);
             }
         }
@@ -120,10 +108,32 @@ fn half_space(ring: &Ring, patches: &[Patch]) -> Vec<Vec<f64>> {
     means
 }
 
+/// Returns the mean over two patches from the means over pairs of polynomials.
+pub(super) fn with_shares(modes: &AxialModes, between: MatRef<'_, f64>, patches: [&Patch; 2]) -> f64 {
+    let [a, b] = patches.map(|patch| {
+        let mut shares = vec![0.0; modes.count()];
+        for (v, weight) in modes.quadrature(patch.along.support(), 16) {
+            let values = modes.values(v).into_iter();
+            shares.iter_mut().zip(values).for_each(|(sum, p)| *sum += weight * p * patch.along.value(v));
+        }
+        shares
+    });
+    let mut mean = 0.0;
+    for n in 0..modes.count() {
+        for m in 0..modes.count() {
+            mean += a[n] * between[(n, m)] * b[m];
+        }
+    }
+    mean
+}
+
 /// Returns the response of a mesh that resolves the patches, with stress rows on the fillet of
 /// flank 0.
-fn direct(ring: &Ring, patches: &[Patch], places: &[[f64; 2]]) -> (Condensed, RingFlexibility) {
-    let (model, _) = ring.sector();
+pub(super) fn direct(
+    model: &SolidModel,
+    patches: &[Patch],
+    places: &[[f64; 2]],
+) -> (Condensed, RingFlexibility) {
     let nodes = |name: &str| model.mesh.nodes_on(model.mesh.face_set(name).unwrap());
     let assembled =
         Assembled::solid(&model.mesh, &Interrupt::never(), || Ok(model.stiffness())).expect("room");
@@ -142,7 +152,7 @@ fn direct(ring: &Ring, patches: &[Patch], places: &[[f64; 2]]) -> (Condensed, Ri
             load.unwrap()
         })
         .collect();
-    let recovery = SurfaceStressRecovery::new(&model).unwrap();
+    let recovery = SurfaceStressRecovery::new(model).unwrap();
     let root = model.mesh.face_set("root_0").unwrap();
     let rows: Vec<SparseVector> =
         places.iter().flat_map(|&[s, z]| recovery.rows(root, s, z).unwrap().rows).collect();
@@ -161,13 +171,19 @@ fn direct(ring: &Ring, patches: &[Patch], places: &[[f64; 2]]) -> (Condensed, Ri
     (condensed, flexibility)
 }
 
-fn direct_mean(direct: &(Condensed, RingFlexibility), offset: u32, row: usize, column: usize) -> f64 {
+pub(super) fn direct_mean(
+    direct: &(Condensed, RingFlexibility),
+    offset: u32,
+    row: usize,
+    column: usize,
+) -> f64 {
     let (condensed, ring) = direct;
     let through = condensed.on_cuts.col(row).transpose() * (ring.at(offset) * condensed.on_cuts.col(column));
     if offset == 0 { through + condensed.own[(row, column)] } else { through }
 }
 
-const DIVISIONS: Divisions = Divisions { rim: 2, tooth_root: 3, flank: 10, thickness: 8, grading: 4.0 };
+pub(super) const DIVISIONS: Divisions =
+    Divisions { rim: 2, tooth_root: 3, flank: 10, thickness: 8, grading: 4.0 };
 
 /// Returns a ring whose mesh resolves the patches, so that the direct solution is as accurate as
 /// the split.
@@ -181,7 +197,7 @@ fn split_agrees_with_brute_force_on_own_and_neighbour_teeth() {
     let structure = ring.structure(&SolidSplitOptions::default());
     let patches = patches(&ring, structure.surface(0).range()[0][1]);
     let half_space = half_space(&ring, &patches);
-    let direct = direct(&ring, &patches, &[]);
+    let direct = direct(&ring.sector().0, &patches, &[]);
     for offset in 0..=1 {
         for (row, observed) in patches.iter().enumerate() {
             for (column, loaded) in patches.iter().enumerate() {
@@ -214,7 +230,7 @@ fn stress_map_agrees_with_direct_solution() {
             places.extend((0..9).map(|z| [s, ring.face_width * (f64::from(z) / 8.0 - 0.5)]));
         }
     }
-    let (condensed, flexibility) = direct(&ring, &patches, &places);
+    let (condensed, flexibility) = direct(&model, &patches, &places);
     for offset in 0..=1 {
         for (column, patch) in patches.iter().enumerate() {
             let chart = Chart { tooth: 5, surface: patch.surface };

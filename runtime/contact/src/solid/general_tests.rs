@@ -1,0 +1,184 @@
+//! Tests of surfaces with coordinates of any kind, and of curved side faces.
+
+use super::test_surfaces::{HELICAL, Helicoid};
+use super::*;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_structure::Chart;
+use calyx_structure::solid::{
+    HalfSpaceBody, Mirror, SegmentLoad, SolidStructure, SurfaceSegment, SurfaceStress,
+};
+use calyx_structure::surface::{Surface, SurfacePoint};
+use std::sync::Arc;
+
+/// Helicoid in other coordinates: `v` is no length and runs backwards, and its lines are oblique.
+struct Oblique(Helicoid);
+
+impl Oblique {
+    /// Returns the coordinates on the helicoid and their derivatives by both coordinates.
+    fn place(&self, u: f64, v: f64) -> ([f64; 2], [[f64; 2]; 2]) {
+        let z = -0.5 * self.0.v[1] * v * (1.0 + 0.2 * v);
+        let slope = -0.5 * self.0.v[1] * (1.0 + 0.4 * v);
+        ([u * (1.0 + 0.03 * v), z], [[1.0 + 0.03 * v, 0.0], [0.03 * u, slope]])
+    }
+}
+
+impl Surface for Oblique {
+    fn range(&self) -> [[f64; 2]; 2] {
+        [self.0.u, [-1.5, 1.5]]
+    }
+
+    fn at(&self, u: f64, v: f64) -> SurfacePoint {
+        let ([x, y], derivatives) = self.place(u, v);
+        let point = self.0.at(x, y);
+        let [a, b] = point.tangents;
+        let along = |[p, q]: [f64; 2]| [0, 1, 2].map(|k| p * a[k] + q * b[k]);
+        SurfacePoint { tangents: derivatives.map(along), ..point }
+    }
+}
+
+/// The helicoid, declared as an extruded profile.
+struct Extruded(Helicoid);
+
+impl Surface for Extruded {
+    fn range(&self) -> [[f64; 2]; 2] {
+        self.0.range()
+    }
+
+    fn at(&self, u: f64, v: f64) -> SurfacePoint {
+        self.0.at(u, v)
+    }
+
+    fn is_extruded(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn cells_have_the_length_of_the_surface_coordinate() {
+    let (flanks, turns) = HELICAL.turned();
+    let poses = [0.0, HELICAL.center()]
+        .map(|x| Pose { origin: [x, 0.0, 0.0], ..Pose::IDENTITY })
+        .into_iter()
+        .zip(turns)
+        .map(|(pose, turn)| pose.rotated_first(turn))
+        .collect::<Vec<_>>();
+    let (first, second) = (Oblique(flanks[0]), Extruded(flanks[1]));
+    let placed = [
+        PlacedSurface { surface: &first, pose: poses[0] },
+        PlacedSurface { surface: &second, pose: poses[1] },
+    ];
+    let contact_line = find_contact_line(placed[0], placed[1], true).expect("they touch");
+    let options = GridOptions {
+        half_count: 2,
+        half_slices: 8,
+        width: Some(4e-4),
+        length: Some(0.012),
+        force: 1000.0,
+        contact_modulus: 1.1e11,
+        search_edges: true,
+    };
+    let grid = build_grid(placed[0], placed[1], &contact_line, &options);
+    assert_eq!(grid.cells.len(), 5 * 17);
+    for cell in &grid.cells {
+        assert_eq!(cell.spans[1], cell.axial[1]);
+        let [u, v] = cell.places[0];
+        let ends = [-0.5, 0.5].map(|part| first.place(u, v + part * cell.spans[0]).0[1]);
+        let length = (ends[1] - ends[0]).abs();
+        assert!((length / cell.axial[0] - 1.0).abs() < 2e-3, "{length} {}", cell.axial[0]);
+        assert_eq!(cell.segment(0).length, cell.spans[0]);
+    }
+    // Cells of neighbouring slices join, also in the surface coordinate.
+    for pair in grid.slices.windows(2) {
+        let [one, next] = [&pair[0], &pair[1]].map(|slice| &grid.cells[slice.cells.start + 2]);
+        let gap = (one.places[0][1] - next.places[0][1]).abs() - 0.5 * (one.spans[0] + next.spans[0]);
+        assert!(gap.abs() < 1e-3 * one.spans[0], "{gap}");
+    }
+}
+
+/// Half-space whose side faces depend on where they are met.
+struct Cone(HalfSpaceBody);
+
+fn faces(u: [f64; 2]) -> Vec<Mirror> {
+    [(0, -1.0), (1, 1.0)]
+        .map(|(side, sign)| {
+            let lean = 0.3 + u[side];
+            Mirror { point: [0.0, sign * 1.5e-3, 0.0], normal: [0.0, sign * lean.cos(), lean.sin()] }
+        })
+        .to_vec()
+}
+
+impl SolidStructure for Cone {
+    fn surface(&self, surface: u32) -> Arc<dyn Surface> {
+        self.0.surface(surface)
+    }
+
+    fn teeth(&self) -> u32 {
+        1
+    }
+
+    fn surface_modulus(&self) -> f64 {
+        self.0.surface_modulus()
+    }
+
+    fn mirrors(&self) -> &[Mirror] {
+        &[]
+    }
+
+    fn side_faces(&self, _: Chart, u: [f64; 2]) -> Vec<Mirror> {
+        faces(u)
+    }
+
+    fn add_compliance_until(
+        &self,
+        _: Chart,
+        _: &[SurfaceSegment],
+        _: Chart,
+        _: &[SurfaceSegment],
+        _: &mut [f64],
+        _: &Interrupt,
+    ) -> Result<(), EngineError> {
+        Ok(())
+    }
+
+    fn stresses(&self, _: u32, _: u32, _: &[SegmentLoad]) -> Vec<SurfaceStress> {
+        Vec::new()
+    }
+
+    fn bytes(&self) -> usize {
+        0
+    }
+}
+
+#[test]
+fn images_lie_in_the_side_face_where_the_patch_meets_it() {
+    let frame = PatchFrame {
+        point: [0.0; 3],
+        normal: [0.0, 0.0, 1.0],
+        across: [1.0, 0.0, 0.0],
+        along: [0.0, 1.0, 0.0],
+    };
+    let cell = |k: f64| Cell {
+        center: [1e-5 * k, 1e-3 * k],
+        size: [1e-4, 1e-3],
+        places: [[0.1 * k, k]; 2],
+        axial: [0.0; 2],
+        spans: [1.0; 2],
+        gap: 0.0,
+        point: [0.0; 3],
+        edge: false,
+    };
+    let cells = [cell(0.0), cell(1.0), cell(-1.0)];
+    let rigid = HalfSpaceBody::rigid(Vec::new(), 1);
+    let matrix = |structure: &dyn SolidStructure| {
+        let chart = Chart { tooth: 0, surface: 0 };
+        let side = |body, structure| Side { body, structure, chart, pose: Pose::IDENTITY };
+        let sides = [side(0, &rigid as &dyn SolidStructure), side(1, structure)];
+        compliance(&[PatchCells { sides, frame: &frame, cells: &cells }], &Interrupt::never())
+            .expect("a matrix")
+    };
+    let body = || HalfSpaceBody::half_space(Vec::new(), 1, 2e11);
+    let found = matrix(&Cone(body()));
+    assert_eq!(found, matrix(&body().between(faces([-0.1, 0.1]))));
+    assert_ne!(found, matrix(&body().between(faces([0.0, 0.0]))));
+}
