@@ -3,7 +3,7 @@
 //! The functions `body` and `mesh` of the language's library call these functions, so a pair built
 //! in Rust and one described in Calyx are the same scene, bit for bit.
 
-use crate::axes::{Axes, turns_about_e3};
+use crate::axes::{Axes, turns_about_own_axis};
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::gear::Gear;
 use crate::mesh_geometry::{HelicalTeeth, MeshGeometry};
@@ -15,16 +15,17 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::lubrication::Lubrication;
 use calyx_runtime::motion::{PlanePose, axle, rotation_speed, spatial_pose};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
+use calyx_runtime::vec3::dot;
 use std::any::Any;
 use std::sync::Arc;
 
 /// Adds a body to a scene.
 ///
 /// # Errors
-/// E0610: its rotation axis is not e3 within the permitted misalignment. E0671: the scene has a
-/// body of that name. E0710: its frame is NaN or infinite at time 0. E0723: its load is.
+/// E0610: it does not rotate about its own axis, e3 of its frame. E0671: the scene has a body of
+/// that name. E0710: its frame is NaN or infinite at time 0. E0723: its load is.
 pub fn add_body(scene: &mut Scene, body: Body) -> Result<BodyId, Refusal> {
-    turns_about_e3(body.motion.as_ref())?;
+    turns_about_own_axis(body.motion.as_ref())?;
     if scene.bodies.iter().any(|other| other.name == body.name) {
         return Err(EngineError::new(
             "E0671",
@@ -429,7 +430,7 @@ fn reversed_frame(runout: f64, at: [f64; 3]) -> GeometryError {
 
 /// Rejects a second mesh of the same bodies: the distribution of load between the two would be
 /// indeterminate.
-fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
+pub(crate) fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
     if ids[0] == ids[1] {
         return Err(EngineError::new(
             "E0652",
@@ -453,10 +454,15 @@ fn meet_once(scene: &Scene, ids: [BodyId; 2]) -> Result<(), EngineError> {
 /// Direction in which the first body pushes: along its own moment; otherwise against the second
 /// body's moment; otherwise so that it transmits the loads and earlier meshes on the shaft of
 /// either gear; otherwise along its motion. `sign` is -1 if the second gear is internal.
-fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Result<f64, EngineError> {
+pub(crate) fn drive_sense(
+    scene: &Scene,
+    bodies: [BodyId; 2],
+    sign: f64,
+    speed: f64,
+) -> Result<f64, EngineError> {
     for (id, sign) in bodies.into_iter().zip([1.0, sign]) {
         let body = &scene.bodies[id.0];
-        let moment = body.load.at(0.0).moment[2];
+        let moment = own_moment(scene, id)?;
         if moment.is_nan() {
             return Err(EngineError::new(
                 "E0723",
@@ -481,26 +487,45 @@ fn drive_sense(scene: &Scene, bodies: [BodyId; 2], sign: f64, speed: f64) -> Res
     Ok(if speed == 0.0 { 1.0 } else { speed.signum() })
 }
 
+/// Moment of a body's load about its own axis at time 0, N m.
+fn own_moment(scene: &Scene, id: BodyId) -> Result<f64, EngineError> {
+    let body = &scene.bodies[id.0];
+    let axis = spatial_pose(body.motion.as_ref(), 0.0)?.axis();
+    Ok(dot(body.load.at(0.0).moment, axis))
+}
+
+/// Sense of a body's axis relative to that of another one on its shaft.
+fn same_way(scene: &Scene, id: BodyId, other: BodyId) -> f64 {
+    let axis = |id: BodyId| spatial_pose(scene.bodies[id.0].motion.as_ref(), 0.0).map(|pose| pose.axis());
+    match (axis(id), axis(other)) {
+        (Ok(one), Ok(other)) if dot(one, other) < 0.0 => -1.0,
+        _ => 1.0,
+    }
+}
+
 /// Direction in which loads and earlier meshes drive a freely rotating gear with its shaft and all
 /// gears on it, as a sum of signs. An idler or a planet transmits it to the next gear.
 fn driven(scene: &Scene, id: BodyId) -> f64 {
     let free = |id: &BodyId| scene.bodies[id.0].free[Component::ThetaZ as usize];
     let on_shaft: Vec<BodyId> = on_shaft(scene, id).into_iter().filter(free).collect();
-    let moments = on_shaft.iter().map(|id| scene.bodies[id.0].load.at(0.0).moment[2]);
+    let moments = on_shaft
+        .iter()
+        .map(|other| same_way(scene, id, *other) * own_moment(scene, *other).unwrap_or(f64::NAN));
     let moment: f64 = moments.filter(|moment| !moment.is_nan()).sum();
     if moment != 0.0 {
         return moment.signum();
     }
     let driving = scene.pairs.iter().filter(|pair| pair.front.is_none());
     // Without any load, the first gear of each mesh drives, and the reaction does not drive it.
-    let unloaded = scene.bodies.iter().all(|body| body.load.at(0.0).moment[2] == 0.0);
+    let unloaded = (0..scene.bodies.len()).all(|body| own_moment(scene, BodyId(body)) == Ok(0.0));
     let torque = |pair: &SurfacePair| {
         let mesh = pair.mesh.as_ref()?;
         let side = pair.bodies.iter().position(|body| on_shaft.contains(body))?;
+        let way = same_way(scene, id, pair.bodies[side]);
         match side {
             0 if unloaded => None,
-            0 => Some(-mesh.drive_sense),
-            _ => Some(-mesh.drive_sense * mesh.sign),
+            0 => Some(-way * mesh.drive_sense),
+            _ => Some(-way * mesh.drive_sense * mesh.sign),
         }
     };
     driving.filter_map(torque).sum()

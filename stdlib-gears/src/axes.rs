@@ -15,11 +15,11 @@ use calyx_runtime::vec3::{cross, dot, length};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-/// Largest inclination of a body's axis to e3, rad.
+/// Largest inclination of a body's axis of rotation to its own axis, rad.
 const LARGEST_LEAN: f64 = 5.0 * DEGREE;
 /// Largest angle between the axes of two meshing gears, rad; larger angles require gears for
 /// crossed axes.
-const LARGEST_MISALIGNMENT: f64 = 3.0 * DEGREE;
+pub(crate) const LARGEST_MISALIGNMENT: f64 = 3.0 * DEGREE;
 const DEGREE: f64 = PI / 180.0;
 
 /// Axes of two meshing gears at time 0.
@@ -134,25 +134,21 @@ impl Axes {
     }
 }
 
-/// Checks that a body rotates about e3 except for a misalignment.
+/// Checks that a body rotates about its own axis, e3 of its frame, except for a misalignment.
 ///
 /// # Errors
 /// E0610: it does not. E0710: its frame is NaN or infinite at time 0.
-pub(crate) fn turns_about_e3(motion: &dyn Motion) -> Result<(), EngineError> {
-    let tilt = Orientation::of(&spatial_pose(motion, 0.0)?).tilt();
-    let [x, y, z] = angular_velocity(motion, 0.0);
-    // A frame that is upright at time 0 may tilt later.
-    let falls = x.hypot(y).atan2(z.abs());
-    if tilt <= LARGEST_LEAN && falls <= LARGEST_LEAN {
+pub(crate) fn turns_about_own_axis(motion: &dyn Motion) -> Result<(), EngineError> {
+    let axis = Orientation::of(&spatial_pose(motion, 0.0)?).axis();
+    let turning = angular_velocity(motion, 0.0);
+    let lean = length(cross(turning, axis)).atan2(dot(turning, axis).abs());
+    if lean <= LARGEST_LEAN {
         return Ok(());
     }
     Err(EngineError::new(
         "E0610",
-        format!("the body turns about an axis that leans {} deg from e3", shown(tilt.max(falls) / DEGREE)),
-        format!(
-            "build the frame from rotations about e3 (an axis of unit length) and translations; a misaligned axis is inclined by at most {} deg",
-            shown(LARGEST_LEAN / DEGREE)
-        ),
+        format!("the body turns about an axis that leans {} deg from e3 of its frame, its own axis", shown(lean / DEGREE)),
+        "let the frame rotate about e3 last, like `Rotate(speed * Time, e3) * Rotate(90 deg, e2) * Translate(...)` for an axis along e1 of ground",
     )
     .blame("frame"))
 }

@@ -4,6 +4,7 @@ use crate::analyses::{self, Arguments};
 use crate::assembly::{MeshOptions, Misalignment, Pairing};
 use crate::bearing_externs::GROUND;
 use crate::error::Severity;
+use crate::general_mesh::{general_mesh, is_general};
 use crate::host::{AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
 use crate::load_plausibility::check_loads;
 use crate::lubrication_externs::of_mesh;
@@ -52,8 +53,11 @@ calyx_abi::externs! {
         }
         let ids = [body(context, "first", first)?, body(context, "second", second)?];
         let (place, host) = (context.place, host(context)?);
-        host.gear_on("first", ids[0])?;
-        host.gear_on("second", ids[1])?;
+        for (argument, id) in ["first", "second"].into_iter().zip(ids) {
+            if host.scene.bodies.get(id.0).is_none_or(|body| body.prototype.tooth_flanks().is_none()) {
+                host.gear_on(argument, id)?;
+            }
+        }
         let lubrication = of_mesh(host, lubrication, ids, place)?;
         let options = MeshOptions {
             tip_corner_contact,
@@ -65,6 +69,12 @@ calyx_abi::externs! {
             coast_side_contact,
             lubrication,
         };
+        if is_general(&host.scene, ids).map_err(engine)? {
+            let meshed = general_mesh(&mut host.scene, ids, &options);
+            let meshed = meshed.map_err(|refusal| host.rejected(refusal, place))?;
+            host.note(&meshed.warnings, place);
+            return Ok(Handle(meshed.pair.0 as u64));
+        }
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.rejected(refusal, place))?;
         // A pair that can touch has a geometry even if it cannot run.
         if let Some(geometry) = pairing.geometry(&host.scene) {

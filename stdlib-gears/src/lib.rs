@@ -135,6 +135,7 @@ pub mod flank;
 pub mod gauge_externs;
 pub mod gear;
 pub mod gear_surface;
+pub mod general_mesh;
 pub mod helix;
 pub mod host;
 mod inertia;

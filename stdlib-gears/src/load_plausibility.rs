@@ -6,9 +6,12 @@ use crate::host::{Finding, ModelHost};
 use calyx_abi::RuntimeError;
 use calyx_runtime::analyses::Analysis;
 use calyx_runtime::error::{EngineError, Subject};
+use calyx_runtime::motion::{Orientation, spatial_pose};
 use calyx_runtime::observables::Needs;
 use calyx_runtime::scene::{BodyId, DOF_NAMES, Fidelity, Scene};
 
+/// Components of a load below this fraction of the largest are rounding errors.
+const ROUNDING: f64 = 1e-12;
 /// Number of times at which variable loads are sampled.
 const SAMPLES: usize = 8;
 /// Mesh stiffness of a tooth pair divided by face width and Young's modulus: 14 N/(mm um) for steel
@@ -105,9 +108,12 @@ impl LoadGroups {
                 continue;
             }
             for &time in times {
-                let wrench = body.load.at(time);
-                let components = wrench.force.into_iter().chain(wrench.moment).enumerate();
-                for (component, _) in components.filter(|(_, part)| *part != 0.0) {
+                let along = body.load.at(time).along(&own_axes(scene, index, time));
+                // Parts of a load on an inclined axis that are rounding errors do not count.
+                let size = |from: usize| (from..from + 3).map(|k| along[k].abs()).fold(0.0, f64::max);
+                let sizes = [size(0), size(3)];
+                let components = along.into_iter().enumerate();
+                for (component, _) in components.filter(|(k, part)| part.abs() > ROUNDING * sizes[k / 3]) {
                     match body.free[component] {
                         true => loads.on_free = true,
                         false => {
@@ -141,7 +147,7 @@ impl LoadGroups {
                 let help = match component {
                     // A body that is free to tilt would not transmit this load either.
                     "theta_x" | "theta_y" => {
-                        "gears transmit a moment about their axis: give it along e3, such as `moment = 100 N*m * e3`".to_string()
+                        "gears transmit a moment about their axis: give it along the axis, such as `moment = 100 N*m * e3` for an axis along e3".to_string()
                     }
                     _ => format!(
                         "let the load move the body, `free = [\"{component}\"]`, or put the load on a body that is free"
@@ -214,7 +220,9 @@ fn overloaded(host: &ModelHost, times: &[f64]) -> Result<Vec<Finding>, RuntimeEr
             if host.host_loaded.contains(&body.0) {
                 return 0.0;
             }
-            let load = |time: &f64| scene.bodies[body.0].load.at(*time).moment[2].abs();
+            let load = |time: &f64| {
+                scene.bodies[body.0].load.at(*time).along(&own_axes(scene, body.0, *time))[5].abs()
+            };
             let moment = times.iter().map(load).fold(0.0, f64::max);
             let moment = if scene.bodies[body.0].free[5] { moment } else { 0.0 };
             moment / mesh.base_radii[side] / meshes.max(1) as f64
@@ -242,6 +250,12 @@ fn overloaded(host: &ModelHost, times: &[f64]) -> Result<Vec<Finding>, RuntimeEr
         }
     }
     Ok(found)
+}
+
+/// Directions of a body's degrees of freedom, to which its loads refer.
+fn own_axes(scene: &Scene, body: usize, time: f64) -> [[f64; 3]; 3] {
+    spatial_pose(scene.bodies[body].motion.as_ref(), time)
+        .map_or([[f64::NAN; 3]; 3], |pose| Orientation::of(&pose).axes)
 }
 
 /// Rounds a number to two digits for display.

@@ -1,6 +1,6 @@
 //! Geometry of unloaded meshes for programs: the Rust side of the mesh geometry in `gears.cx`.
 
-use crate::externs::{defect, entry, host};
+use crate::externs::{defect, entry, host, refusal};
 use crate::mesh_geometry::MeshGeometry;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
@@ -35,8 +35,28 @@ calyx_abi::externs! {
     }
 }
 
+/// Checks that a mesh is one of involute gears on parallel axes, on which the involute geometry and
+/// the load factors of ISO 6336-1 are defined.
+pub(crate) fn on_parallel_axes(
+    context: &mut Context,
+    mesh: Handle,
+    instead: &str,
+) -> Result<(), RuntimeError> {
+    let pair = entry(&host(context)?.scene.pairs, mesh)?;
+    if pair.mesh.as_ref().is_none_or(|mesh| mesh.first_contact.is_none()) {
+        return Ok(());
+    }
+    let message = "this quantity is defined for involute gears on parallel axes, and the axes of this mesh are not parallel";
+    Err(refusal("E0888", "mesh", message, instead))
+}
+
 /// Geometry of a mesh.
 fn geometry(context: &mut Context, mesh: Handle) -> Result<MeshGeometry, RuntimeError> {
+    on_parallel_axes(
+        context,
+        mesh,
+        "use `pairs_in_contact`, whose mean over a mesh cycle is the contact ratio under load",
+    )?;
     let host = host(context)?;
     let bodies = entry(&host.scene.pairs, mesh)?.bodies.map(|body| body.0);
     let meeting = host.mesh_records.iter().find(|meeting| meeting.bodies == bodies);

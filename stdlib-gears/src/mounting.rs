@@ -154,6 +154,7 @@ impl Sides<'_> {
             roll_at_zero: self.roll_at_zero(),
             orbit: 0.0,
             phase_offset: 0.0,
+            first_contact: None,
         })
     }
 }

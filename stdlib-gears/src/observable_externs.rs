@@ -2,6 +2,7 @@
 
 use crate::externs::{self, entry, host, refusal, spline_tooth_number, tooth_number};
 use crate::lumped_scene::{LumpedFrequency, LumpedSet};
+use crate::mesh_externs::on_parallel_axes;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observables::{
@@ -128,10 +129,12 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_face_load_factor(context, mesh: Handle) -> Handle {
+        on_parallel_axes(context, mesh, INSTEAD_OF_FACTORS)?;
         observe(context, FaceLoadFactor(pair(mesh)))
     }
 
     Scene fn calyx_gears_face_load_factor_bending(context, mesh: Handle) -> Handle {
+        on_parallel_axes(context, mesh, INSTEAD_OF_FACTORS)?;
         let host = host(context)?;
         let mut depth_ratio = 0.0_f64;
         for body in entry(&host.scene.pairs, mesh)?.bodies {
@@ -143,10 +146,12 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_transverse_load_factor(context, mesh: Handle) -> Handle {
+        on_parallel_axes(context, mesh, INSTEAD_OF_FACTORS)?;
         observe(context, TransverseLoadFactor(pair(mesh)))
     }
 
     Scene fn calyx_gears_transverse_load_factor_bending(context, mesh: Handle) -> Handle {
+        on_parallel_axes(context, mesh, INSTEAD_OF_FACTORS)?;
         observe(context, TransverseLoadFactor(pair(mesh)))
     }
 
@@ -293,6 +298,10 @@ fn mode_number(mode: f64) -> Result<usize, RuntimeError> {
         )),
     }
 }
+
+/// Help for load factors of meshes that have none.
+const INSTEAD_OF_FACTORS: &str =
+    "leave the output out; `max_line_load` and `pair_load` report the distribution of the load";
 
 /// Body that carries a gear.
 fn gear_body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {

@@ -18,7 +18,7 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
-use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions};
+use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks};
 use calyx_runtime::spline_contact::SplineContact;
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
@@ -546,6 +546,12 @@ impl Prototype for GearPrototype {
 
     fn face_width(&self) -> f64 {
         self.face_width
+    }
+
+    fn tooth_flanks(&self) -> Option<ToothFlanks> {
+        let surfaces = self.surfaces(&StructureOptions::default()).ok()?;
+        let surfaces = surfaces.map(|surface| surface as Arc<dyn Surface>);
+        Some(ToothFlanks { teeth: self.gear.teeth(), surfaces })
     }
 
     fn pitch_error(&self, tooth: u32) -> f64 {

@@ -5,6 +5,7 @@ mod analysis;
 mod backlash;
 mod chapter_5_solid;
 mod common;
+mod crossed;
 mod deformed;
 mod derived;
 mod diagnostics;

@@ -80,6 +80,7 @@ fn options() -> GridOptions {
         force: 30e3,
         contact_modulus: 1.1e11,
         search_edges: true,
+        local_normals: false,
     }
 }
 

@@ -5,8 +5,8 @@ pub use calyx_model::dof::{Component, DOF_NAMES};
 pub use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions, Template};
 pub use calyx_model::ids::{BearingId, BodyId, ObservableId, PairId};
 pub use calyx_model::mechanism::Mechanism;
-pub use calyx_model::pairs::{CharacteristicPoint, GearMesh, GridOptions, SurfacePair};
-pub use calyx_model::prototype::{Ignored, Prototype};
+pub use calyx_model::pairs::{CharacteristicPoint, FirstContact, GearMesh, GridOptions, SurfacePair};
+pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks};
 
 use crate::observables::{ModesRequest, Observable};
 use calyx_model::target::{Examined, Target};

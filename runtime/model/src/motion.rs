@@ -243,6 +243,10 @@ impl Orientation {
     /// Returns the orientation of a body in a pose.
     pub fn of(pose: &Pose) -> Orientation {
         let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = pose.rotation;
+        if zz <= OPPOSITE {
+            // The minimal rotation to -e3 is not unique: half a revolution about e1 is used.
+            return Orientation { axes: tilted_axes([xz, yz, zz]), angle: (-yx).atan2(xx) };
+        }
         Orientation { axes: tilted_axes([xz, yz, zz]), angle: (yx - xy).atan2(xx + yy) }
     }
 
@@ -258,8 +262,15 @@ impl Orientation {
     }
 }
 
-/// Rotates the ground axes by the minimal rotation that maps e3 to `axis` (unit vector).
+/// Component along e3 of an axis that is opposite to e3 to within rounding.
+const OPPOSITE: f64 = -1.0 + 1e-12;
+
+/// Rotates the ground axes by the minimal rotation that maps e3 to `axis` (unit vector); for -e3, by
+/// half a revolution about e1.
 pub fn tilted_axes([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
+    if z <= OPPOSITE {
+        return [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
+    }
     let by = (1.0 + z).recip();
     let mixed = -x * y * by;
     [[1.0 - x * x * by, mixed, -x], [mixed, 1.0 - y * y * by, -y], [x, y, z]]
@@ -393,6 +404,9 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
 pub fn rotation_speed(motion: &dyn Motion, time: f64) -> Result<f64, EngineError> {
     let [x, y, z] = Orientation::of(&spatial_pose(motion, time)?).axis();
     let [along_x, along_y, along_z] = angular_velocity(motion, time);
+    if z <= OPPOSITE {
+        return Ok(-along_z);
+    }
     // Complete for a fixed axis, and for one that precesses about e3 at the speed of the body's
     // rotation.
     Ok((along_x * x + along_y * y + along_z * (1.0 + z)) / (1.0 + z))
@@ -457,6 +471,21 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    /// The angle of a body is continuous in its rotation whatever the direction of its axis.
+    #[test]
+    fn bodies_on_general_axes_turn_about_their_own() {
+        for axis in [[0.6, 0.0, 0.8], [1.0, 0.0, 0.0], [0.0, -0.6, -0.8], [0.0, 0.0, -1.0]] {
+            let [x, y, z] = tilted_axes(axis);
+            let rotation = [0, 1, 2].map(|k: usize| [x[k], y[k], z[k]]);
+            let still = SteadyRotation { origin: [0.0; 2], start: 0.4, speed: -2.0 };
+            let placed = RelocatedMotion::rotated_about(Arc::new(still), rotation, [0.1, 0.2, 0.3]);
+            let at = Orientation::of(&spatial_pose(&placed, 0.1).unwrap());
+            assert!((at.angle - 0.2).abs() < 1e-12, "{axis:?}: {}", at.angle);
+            assert!((0..3).all(|k| (at.axis()[k] - axis[k]).abs() < 1e-15), "{axis:?}");
+            assert!((rotation_speed(&placed, 0.1).unwrap() + 2.0).abs() < 1e-12, "{axis:?}");
         }
     }
 

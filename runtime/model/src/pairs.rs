@@ -97,12 +97,13 @@ impl Default for GridOptions {
 pub struct GearMesh {
     /// Numbers of teeth.
     pub teeth: [u32; 2],
-    /// Base radii, m.
+    /// Base radii, m. On general axes, the moment arms of the common normal at the
+    /// [`GearMesh::first_contact`] about the two axes: force along the normal times arm is torque.
     pub base_radii: [f64; 2],
     /// +1 if the first body drives counter-clockwise, -1 if it drives clockwise.
     pub drive_sense: f64,
     /// +1 for external, -1 for internal meshes: a positive rotation of the first body rotates the
-    /// second by `-sign`.
+    /// second by `-sign`. On general axes it follows from the directions of the axes.
     pub sign: f64,
     /// Teeth of the pair that enters contact at the start of the mesh cycle.
     pub entering: [u32; 2],
@@ -113,10 +114,12 @@ pub struct GearMesh {
     /// Characteristic points of the path of contact, in order of time.
     pub characteristic: Vec<CharacteristicPoint>,
     /// Roll angles of the first gear's tooth of the entering pair at the start and at the end of
-    /// the cycle, rad.
+    /// the cycle, rad. On general axes, the rotation of the first gear in its drive sense from the
+    /// position at which this pair enters contact.
     pub roll: [f64; 2],
     /// Nominal path of contact: least and greatest roll angle of the first gear, rad, with the
-    /// overlap of helical teeth.
+    /// overlap of helical teeth. On general axes, that of unloaded contact between the flanks of
+    /// one pair of teeth.
     pub path: [f64; 2],
     /// Overlap ratio: common face width in axial pitches; 0 for spur teeth.
     pub overlap_ratio: f64,
@@ -130,6 +133,18 @@ pub struct GearMesh {
     /// rigid teeth into contact, rad. Zero for a mesh that determined the phase of a gear. A mesh
     /// that closes a loop may have a gap due to misplaced axes and thin teeth.
     pub phase_offset: f64,
+    /// Contact of rigid flanks at time 0, of gears on general axes; `None` for involute gears on
+    /// parallel axes, whose contact follows from the base radii.
+    pub first_contact: Option<FirstContact>,
+}
+
+/// Contact of rigid flanks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstContact {
+    /// Point of contact in ground coordinates, m.
+    pub point: [f64; 3],
+    /// Common unit normal, out of the first gear.
+    pub normal: [f64; 3],
 }
 
 impl GearMesh {

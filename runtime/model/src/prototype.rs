@@ -7,6 +7,7 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::Key;
 use calyx_structure::solid::SolidStructure;
+use calyx_structure::surface::Surface;
 use calyx_structure::{BodyModes, MeshedBody, Structure, StructureSize, VisualizationMesh};
 use std::any::Any;
 use std::sync::Arc;
@@ -199,6 +200,12 @@ pub trait Prototype: Any + Send + Sync {
     /// Face width, m.
     fn face_width(&self) -> f64;
 
+    /// Returns the flanks of equal teeth, for meshes on general axes; `None` for a body without
+    /// such teeth.
+    fn tooth_flanks(&self) -> Option<ToothFlanks> {
+        None
+    }
+
     /// Returns the pitch deviation of a tooth as an angle, rad, counter-clockwise.
     fn pitch_error(&self, _tooth: u32) -> f64 {
         0.0
@@ -221,6 +228,16 @@ pub trait Prototype: Any + Send + Sync {
     fn ignored(&self, _fidelity: Fidelity) -> Vec<Ignored> {
         Vec::new()
     }
+}
+
+/// Flanks of a body with equal teeth: exact surfaces, independent of any mesh.
+#[derive(Clone)]
+pub struct ToothFlanks {
+    /// Number of teeth.
+    pub teeth: u32,
+    /// Counter-clockwise and clockwise flank of tooth 0 in the coordinates of the body, whose teeth
+    /// are arranged about the z axis. Tooth `k` is rotated by `2 pi k / teeth`.
+    pub surfaces: [Arc<dyn Surface>; 2],
 }
 
 /// Returns the error for bodies that have only a plane model.

@@ -2,7 +2,7 @@
 //! solved.
 //!
 //! The contact forces of an involute mesh act along one line, regardless of the number of teeth in
-//! contact. Each mesh therefore constrains one combination of DOFs in one sense. Whether these
+//! contact; on general axes they act about along the common normal at the first contact. Each mesh therefore constrains one combination of DOFs in one sense. Whether these
 //! constraints can balance the load is a small contact problem of its own.
 //!
 //! See `docs/theory/equilibrium.md`.
@@ -13,12 +13,14 @@ use calyx_model::bearing::springs;
 use calyx_model::dof::DOF_NAMES;
 use calyx_model::dof::Dof;
 use calyx_model::flanks::{add_flanks, spline_contacts};
-use calyx_model::frames::{loads_on, number_dofs, solid_pose};
+use calyx_model::frames::{axes, loads_on, number_dofs, solid_pose};
 use calyx_model::mechanism::Mechanism;
-use calyx_model::pairs::SurfacePair;
+use calyx_model::motion::axle;
+use calyx_model::pairs::{FirstContact, SurfacePair};
 use calyx_model::plan::Plan;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::vec3::{cross, dot, minus};
 use std::f64::consts::PI;
 
 /// Checks that nominal contact resists every free motion of the planned bodies under the loads at a
@@ -88,6 +90,9 @@ fn nominal_arms(
 ) -> Result<Option<Vec<f64>>, EngineError> {
     let Some(mesh) = &pair.mesh else { return Ok(None) };
     let bodies = pair.bodies.map(|body| body.0);
+    if let Some(FirstContact { point, normal }) = mesh.first_contact {
+        return arms_along_normal(scene, bodies, dofs, time, (point, normal)).map(Some);
+    }
     let [first, second] =
         [solid_pose(scene, bodies[0], time)?.origin, solid_pose(scene, bodies[1], time)?.origin];
     let across = [second[0] - first[0], second[1] - first[1]];
@@ -116,6 +121,26 @@ fn nominal_arms(
         }
     };
     Ok(Some(dofs.iter().map(arm).collect()))
+}
+
+/// Returns the work of a unit force at a point (m) along a normal out of the first of two bodies on
+/// each DOF, at a time (s).
+fn arms_along_normal(
+    scene: &Mechanism,
+    bodies: [usize; 2],
+    dofs: &[Dof],
+    time: f64,
+    (point, normal): ([f64; 3], [f64; 3]),
+) -> Result<Vec<f64>, EngineError> {
+    let arm = |dof: &Dof| {
+        let Some(side) = bodies.iter().position(|body| *body == dof.body) else { return Ok(0.0) };
+        let origin = solid_pose(scene, dof.body, time)?.point(axle(scene.bodies[dof.body].motion.as_ref()));
+        let axis = axes(scene, dof.body, time)[dof.component % 3];
+        let direction = if dof.component < 3 { axis } else { cross(axis, minus(point, origin)) };
+        let along = dot(normal, direction);
+        Ok(if side == 0 { -along } else { along })
+    };
+    dofs.iter().map(arm).collect()
 }
 
 /// Returns the load direction of the rigid-body limit of an unloaded system: the drive direction of

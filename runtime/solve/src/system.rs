@@ -11,7 +11,7 @@ use calyx_model::flanks::{add_flanks, spline_contacts};
 use calyx_model::frames::{axes, loads_on, number_dofs, pose, solid_pose};
 use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
-use calyx_model::motion::{Orientation, PlanePose, axle, moved_by, point_velocity};
+use calyx_model::motion::{Orientation, PlanePose, axle, moved_by, point_velocity, rotation_speed};
 use calyx_model::pairs::SurfacePair;
 use calyx_model::plan::{BodyPlan, Plan, face_widths};
 use calyx_model::resources::Resources;
@@ -301,6 +301,12 @@ impl<'s> System<'s> {
             Bodies::Solid(bodies) => solid_pose(self.scene, body, time)
                 .map_or(f64::NAN, |pose| Orientation::of(&pose).angle - bodies.initial[body]),
         }
+    }
+
+    /// Returns the prescribed angular velocity of a body about its own axis, rad/s; NaN if the motion
+    /// is NaN.
+    pub fn speed(&self, body: usize, time: f64) -> f64 {
+        rotation_speed(self.scene.bodies[body].motion.as_ref(), time).unwrap_or(f64::NAN)
     }
 
     /// Returns the prescribed direction from the axis of a pair's first body to that of its second,

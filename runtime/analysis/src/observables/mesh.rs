@@ -13,7 +13,8 @@ const THETA_Z: usize = 5;
 
 /// Transmission error: lag of the second gear behind the drive flanks of the first gear, `sense
 /// (theta_1 N1/N2 + sign theta_2)`, rad. Angles are measured from rigid unmodified contact and
-/// relative to the line of centres, which rotates if the axes move.
+/// relative to the line of centres, which rotates if the axes move. On general axes they are
+/// rotations of the bodies about their own axes, measured from rigid contact at time 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransmissionError(pub PairId);
 
@@ -72,7 +73,8 @@ impl Observable for UnloadedTransmissionError {
 }
 
 /// Secant stiffness: the force along the line of action divided by the displacement of the mesh
-/// along it from unloaded contact, N/m. Zero without load.
+/// along it from unloaded contact, N/m. Zero without load. On general axes the line of action is the
+/// common normal at the first contact ([`FirstContact`](calyx_model::pairs::FirstContact)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SecantStiffness(pub PairId);
 
@@ -97,7 +99,8 @@ impl Observable for SecantStiffness {
 }
 
 /// Mesh stiffness (tangent stiffness): inverse of the displacement along the line of action per
-/// added force, with the present active set, N/m. Zero without load.
+/// added force, with the present active set, N/m. Zero without load. The line of action is that of
+/// [`SecantStiffness`].
 ///
 /// For two gears without another mesh, the compliance of bearings is included. Otherwise, as for a
 /// planet, the force would pass on to other meshes. Then it is the stiffness of these teeth alone,

@@ -130,6 +130,10 @@ impl Contact<'_> {
     /// Returns the power of the patch's normal forces on the body of a side relative to the line of
     /// centres, W: the power that the mesh transmits.
     fn power(&self, side: usize) -> f64 {
+        if self.at.mesh(self.pair()).is_some_and(|(mesh, _)| mesh.first_contact.is_some()) {
+            // Cells act in different directions; axes on general meshes are at rest.
+            return self.torque(side) * self.at.system.speed(self.bodies()[side].0, self.at.time());
+        }
         let normal = self.normal();
         let sense = if side == 0 { -1.0 } else { 1.0 };
         let of = |point: [f64; 3]| -> f64 {
@@ -141,9 +145,13 @@ impl Contact<'_> {
     }
 
     /// Returns the direction from the axis of a body to a point, in the transverse plane.
-    fn away_from_axis(&self, side: usize, [x, y, _]: [f64; 3]) -> [f64; 3] {
-        let [ox, oy, _] = self.at.system.origin(self.bodies()[side].0, self.at.time());
-        [x - ox, y - oy, 0.0]
+    fn away_from_axis(&self, side: usize, point: [f64; 3]) -> [f64; 3] {
+        let body = self.bodies()[side].0;
+        let (origin, axis) =
+            (self.at.system.origin(body, self.at.time()), self.at.system.axes(body, self.at.time())[2]);
+        let from = [0, 1, 2].map(|k: usize| point[k] - origin[k]);
+        let along: f64 = (0..3).map(|k| from[k] * axis[k]).sum();
+        [0, 1, 2].map(|k: usize| from[k] - along * axis[k])
     }
 }
 

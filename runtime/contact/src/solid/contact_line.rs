@@ -25,6 +25,8 @@ pub struct ContactLinePoint {
     pub at: [f64; 2],
     /// Gap along the normal of the frame, m; negative for overlap.
     pub gap: f64,
+    /// Slopes along x and y of the surface between both flanks.
+    pub slope: [f64; 2],
     /// True if either surface is on its rounded edge here.
     pub on_edge: bool,
     /// True if a surface ends here before the minimum of the gap.
@@ -230,7 +232,8 @@ impl<'a> Search<'a> {
     fn point(&self, closest: &TransverseApproach) -> ContactLinePoint {
         let places = closest.places();
         let on_edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
-        ContactLinePoint { at: closest.at(), gap: closest.gap(), on_edge, at_end: closest.end.is_some() }
+        let (slope, at_end) = (closest.common_slope(), closest.end.is_some());
+        ContactLinePoint { at: closest.at(), gap: closest.gap(), slope, on_edge, at_end }
     }
 
     /// Rotates y of the frame into the direction of the least relative curvature.

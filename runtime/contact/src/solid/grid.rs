@@ -15,7 +15,7 @@ use super::transverse_approach::{SurfaceEnd, closest_across, limits};
 use crate::grid::{Edge, MARGIN, cell_bounds};
 use crate::pressure::hertz_half_width;
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
-use calyx_numerics::vec3::{Vector, dot};
+use calyx_numerics::vec3::{Vector, dot, plus, scaled};
 use calyx_structure::solid::{SolidStructure, SurfaceSegment};
 use std::ops::Range;
 
@@ -35,10 +35,13 @@ pub struct Cell {
     /// Average separation of the undeformed surfaces along the normal of the frame, m; negative for
     /// overlap.
     pub gap: f64,
-    /// Point of action of the force along the normal of the frame, m: the nearest point of the
-    /// contact line. The offset of the cell from the contact line and the rotation of its own
-    /// normal are neglected together; on involutes they cancel.
+    /// Point of action of the force, m: the nearest point of the contact line. The offset of the
+    /// cell from the contact line and the rotation of its own normal are neglected together; on
+    /// involutes they cancel, and on other conjugate flanks they do to first order.
     pub point: Vector,
+    /// Slopes along x and y of the surface between both flanks there, for the direction of the
+    /// force ([`PatchFrame::action`]); zero without [`GridOptions::local_normals`].
+    pub slope: [f64; 2],
     /// True if either surface is on its rounded edge here.
     pub edge: bool,
 }
@@ -80,6 +83,9 @@ pub struct GridOptions {
     pub contact_modulus: f64,
     /// Permits cells on rounded edges.
     pub search_edges: bool,
+    /// Lets every slice act along the common normal at its own point of the contact line. Otherwise
+    /// all slices act along the normal of the frame, which is exact for involutes on parallel axes.
+    pub local_normals: bool,
 }
 
 /// Slice: the cells of a patch at one position along its contact line.
@@ -182,6 +188,7 @@ pub fn build_grid(
         reach: half_counts[1] as i32,
         surface_ends,
         search_edges: options.search_edges,
+        local_normals: options.local_normals,
     };
     layer.fill(&mut grid, contact_line.places);
     grid
@@ -217,7 +224,12 @@ fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2],
             contact_line.points.iter().map(|point| [point.at[1], point.gap]).collect();
         let low = crossing(&mut points.iter().rev().filter(|[y, _]| *y < 0.0));
         let high = crossing(&mut points.iter().filter(|[y, _]| *y > 0.0));
-        [low, high]
+        if !options.local_normals {
+            return [low, high];
+        }
+        // Surfaces may also be near each other beyond a larger gap, as at both ends of a face.
+        let near = points.iter().filter(|[_, gap]| gap - floor <= depth).map(|[y, _]| *y);
+        near.fold([low, high], |[low, high], y| [low.min(y), high.max(y)])
     };
     let (mut shallow, mut deep) =
         (0.0, 2.0 * contact_line.points.iter().map(|point| point.gap - contact_line.gap).fold(0.0, f64::max));
@@ -311,6 +323,7 @@ struct Layer<'a> {
     reach: i32,
     surface_ends: [bool; 2],
     search_edges: bool,
+    local_normals: bool,
 }
 
 type Places = [[f64; 2]; 2];
@@ -531,8 +544,16 @@ impl Layer<'_> {
             false => size[1] * feet[side].place_along()[1].abs(),
         };
         let spans = [span(0), span(1)];
-        let point = self.frame.at([self.snapped(contact_line), center[1]]);
-        Some((Cell { center, size, places, axial, spans, gap, point, edge }, places))
+        let (point, slope) = match self.local_normals {
+            true => {
+                let closest = closest_across(&self.height_fields, center[1], places)?;
+                let height = 0.5 * (closest.feet[0].height + closest.feet[1].height);
+                let point = self.frame.at([closest.at()[0], center[1]]);
+                (plus(point, scaled(self.frame.normal, height)), closest.common_slope())
+            }
+            false => (self.frame.at([self.snapped(contact_line), center[1]]), [0.0; 2]),
+        };
+        Some((Cell { center, size, places, axial, spans, gap, point, slope, edge }, places))
     }
 
     /// Returns the ends along the contact line of a cell at `x` of a slice: those of the side faces

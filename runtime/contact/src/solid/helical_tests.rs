@@ -52,6 +52,7 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
         force: 1000.0,
         contact_modulus: 1.1e11,
         search_edges: true,
+        local_normals: false,
     };
     let grid = build_grid(placed[0], placed[1], &contact_line, &options);
     // All cells except those at the side faces are whole.
@@ -167,6 +168,7 @@ fn a_generator_that_leaves_the_flank_ends_there() {
             force: 1000.0,
             contact_modulus: 1.1e11,
             search_edges,
+            local_normals: false,
         };
         let grid = build_grid(placed[0], placed[1], contact_line, &options);
         assert!(grid.cells.iter().all(|cell| cell.gap > -1e-12));

@@ -59,6 +59,7 @@ impl Press {
             force: self.force,
             contact_modulus: self.modulus,
             search_edges: true,
+            local_normals: false,
         };
         let body = HalfSpaceBody::half_space(Vec::new(), 1, 2.0 * self.modulus).between(self.mirrors.clone());
         for _ in 0..4 {
@@ -194,6 +195,21 @@ fn ellipses_of_contact_are_hertz_s() {
         assert!((ellipse.axes[1] / ellipse.axes[0] / aspect - 1.0).abs() < 0.06, "{ellipse:?}");
         let pressed = press(radii, MODULUS, 1000.0).run();
         ellipse.assert_like(&pressed, 0.01, &format!("{radii:?}"));
+    }
+}
+
+/// The grid of gear meshes, under light and heavy load.
+#[test]
+fn the_default_grid_is_accurate_for_all_shapes() {
+    for ratio in [1.0, 1.5, 5.0, 30.0, 100.0, 600.0] {
+        let radii = [1.0, ratio];
+        for force in [1.0, 1000.0] {
+            let ellipse = Ellipse::new(radii, MODULUS, force);
+            let pressed = Press { half_counts: [10, 8], ..press(radii, MODULUS, force) }.run();
+            let errors = [pressed.peak() / ellipse.peak - 1.0, pressed.sink() / ellipse.approach - 1.0];
+            assert!(errors.iter().all(|error| error.abs() < 3e-3), "{ratio} {force}: {errors:?}");
+            ellipse.assert_like(&pressed, 0.02, &format!("{ratio} {force}"));
+        }
     }
 }
 

@@ -225,7 +225,7 @@ mod tests {
     use super::*;
 
     fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
-        let places = [[0.0; 2]; 2];
+        let (places, slope) = ([[0.0; 2]; 2], [0.0; 2]);
         Cell {
             center,
             size,
@@ -234,6 +234,7 @@ mod tests {
             spans: [size[1]; 2],
             gap: 0.0,
             point: [0.0; 3],
+            slope,
             edge: false,
         }
     }

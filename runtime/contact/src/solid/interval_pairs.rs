@@ -129,6 +129,7 @@ mod tests {
             spans: [0.0; 2],
             gap: 0.0,
             point: [0.0; 3],
+            slope: [0.0; 2],
             edge: false,
         }
     }

@@ -25,7 +25,9 @@ pub use assembly::{PatchCells, Side, compliance};
 pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};
 pub use grid::{Cell, Grid, GridOptions, Slice, build_grid, contact_modulus};
 pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};
-pub use pressure::{GridReport, Peak, assess, half_axes, peak, peak_in, pressures, slice_peaks_in};
+pub use pressure::{
+    GridReport, Peak, assess, fitting_size, half_axes, peak, peak_in, pressures, slice_peaks_in,
+};
 pub use surface_curvature::relative_curvature_along;
 
 #[cfg(test)]

@@ -119,6 +119,18 @@ impl PatchFrame {
         self.translation_arm(side, cross(axis, minus(point, center)))
     }
 
+    /// Returns the direction in which a unit force on a surface with these slopes along x and y acts
+    /// out of the first body: its component along the normal is 1.
+    pub fn action(&self, slope: [f64; 2]) -> Vector {
+        match slope == [0.0; 2] {
+            true => self.normal,
+            false => {
+                let tangential = plus(scaled(self.across, slope[0]), scaled(self.along, slope[1]));
+                minus(self.normal, tangential)
+            }
+        }
+    }
+
     /// Returns the point of the tangent plane at x, y, m.
     pub fn at(&self, [x, y]: [f64; 2]) -> Vector {
         plus(self.point, plus(scaled(self.across, x), scaled(self.along, y)))

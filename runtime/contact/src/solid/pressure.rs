@@ -194,6 +194,33 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
     report
 }
 
+/// Fraction of a grid below which its loaded part is too small for accurate pressures.
+const LEAST_LOADED_PART: f64 = 0.64;
+
+/// Returns the width and length (m) that a grid should have for its loaded part to be [`MARGIN`]
+/// times smaller, where that part is now less than [`LEAST_LOADED_PART`] of the grid; `None` where
+/// the grid suits. `pressures` are in Pa, one per cell.
+pub fn fitting_size(grid: &Grid, pressures: &[f64]) -> [Option<f64>; 2] {
+    let mut reach = [0.0f64; 2];
+    let mut cell = [0.0f64; 2];
+    for index in 0..grid.slices.len() {
+        let (cells, own) = strip(grid, pressures, index);
+        let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
+        for (ends, _) in cells.iter().zip(&own).filter(|(_, p)| **p > 0.0) {
+            let [from, to] = ends.map(|x| (x - middle).abs());
+            let y = grid.slices[index].y;
+            reach = [reach[0].max(from).max(to), reach[1].max(y[0].abs()).max(y[1].abs())];
+            cell = [cell[0].max(ends[1] - ends[0]), cell[1].max(y[1] - y[0])];
+        }
+    }
+    [0, 1].map(|k: usize| {
+        // The outermost loaded cells are loaded on a part of them only.
+        let fitting = 2.0 * MARGIN * (reach[k] - 0.5 * cell[k]);
+        let present = grid.extent[k];
+        (fitting > 0.0 && fitting < LEAST_LOADED_PART * MARGIN * present).then_some(fitting)
+    })
+}
+
 struct Judgement {
     truncated: bool,
     under_resolved: bool,

@@ -29,6 +29,17 @@ impl TransverseApproach {
         [0, 1].map(|axis| self.feet[1].slope[axis] - self.feet[0].slope[axis])
     }
 
+    /// Returns the slopes along x and y of the surface between both; where one of them ends, of the
+    /// other.
+    pub fn common_slope(&self) -> [f64; 2] {
+        let [first, second] = self.feet.map(|foot| foot.slope);
+        match self.end {
+            Some(0) => second,
+            Some(_) => first,
+            None => [0, 1].map(|axis: usize| 0.5 * (first[axis] + second[axis])),
+        }
+    }
+
     pub fn places(&self) -> [[f64; 2]; 2] {
         self.feet.map(|foot| foot.place)
     }

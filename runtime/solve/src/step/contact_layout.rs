@@ -70,6 +70,9 @@ impl<S: ContactGeometry> Solver<'_, S> {
     pub(super) fn solve(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
         let start = self.start(time, load)?;
         let mut laid = self.solve_from(time, load, &start)?;
+        if laid.step.problem.gaps.is_empty() && self.on_general_axes() {
+            return Ok(self.touching(time, load, laid).step);
+        }
         let LaidOutContact { step, references } = &laid;
         if farthest(self.system, time, references, &difference(&step.motion, &step.start)).0 <= MOST_SHIFT {
             return Ok(laid.step);
@@ -165,6 +168,28 @@ impl<S: ContactGeometry> Solver<'_, S> {
             Ok(None) | Err(_) => {}
         }
         Ok(carried)
+    }
+
+    fn on_general_axes(&self) -> bool {
+        let meshes = self.system.scene.pairs.iter().filter_map(|pair| pair.mesh.as_ref());
+        meshes.into_iter().any(|mesh| mesh.first_contact.is_some())
+    }
+
+    /// Repeats the limit of a vanishing load at the position that it finds until that is the position
+    /// of contact: gaps are linear in the motions, and the unloaded transmission error of flanks that
+    /// are not conjugate is a hundred times larger than its required accuracy.
+    fn touching(&self, time: f64, load: &[f64], mut laid: LaidOutContact) -> LaidOutContact {
+        for _ in 0..STARTS {
+            let LaidOutContact { step, .. } = &laid;
+            if step.motion == step.start {
+                break;
+            }
+            match self.solve_from(time, load, &step.motion) {
+                Ok(next) if next.step.problem.gaps.is_empty() => laid = next,
+                _ => break,
+            }
+        }
+        laid
     }
 
     /// Returns whether teeth may touch on both flanks.

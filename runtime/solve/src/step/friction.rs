@@ -8,6 +8,8 @@ use calyx_model::pairs::SurfacePair;
 /// ground coordinates.
 pub(super) struct Action {
     pub normal: [f64; 3],
+    /// Unit vector across the contact line.
+    pub across: [f64; 3],
     /// Points of action, m.
     pub points: Vec<[f64; 3]>,
 }

@@ -5,6 +5,7 @@ use calyx_contact::grid::{Cell, pressures};
 use calyx_contact::pressure::{Peak, half_width, peak};
 use calyx_contact::zone::{Edges, FlankEnds, Zone};
 use calyx_contact::{ContactFrame, solid};
+use calyx_numerics::vec3::{cross, dot, minus};
 
 /// Pair of tooth surfaces in (possible) contact at a position.
 #[derive(Clone, Debug)]
@@ -129,7 +130,8 @@ impl ContactPatch {
                 for (cell, &force) in grid.cells.iter().zip(&self.forces).filter(|(_, force)| **force != 0.0)
                 {
                     for (component, sum) in wrench.iter_mut().enumerate() {
-                        *sum += force * solid_arm(&grid.frame, side, component, &GROUND, origin, cell.point);
+                        let action = grid.frame.action(cell.slope);
+                        *sum += force * solid_arm(action, side, component, &GROUND, origin, cell.point);
                     }
                 }
                 wrench
@@ -151,9 +153,9 @@ const GROUND: [[f64; 3]; 3] = solid::Pose::IDENTITY.rotation;
 
 /// Returns the growth of the gap at `point` by a component of a body's motion, in the order of
 /// [`calyx_model::dof::DOF_NAMES`], along `axes`: m per m, or m per rad about one of them through
-/// `origin`.
+/// `origin`. `action` is the direction of the force out of the first body.
 pub(super) fn solid_arm(
-    frame: &solid::PatchFrame,
+    action: [f64; 3],
     side: usize,
     component: usize,
     axes: &[[f64; 3]; 3],
@@ -161,9 +163,7 @@ pub(super) fn solid_arm(
     point: [f64; 3],
 ) -> f64 {
     let axis = axes[component % 3];
-    if component < 3 {
-        frame.translation_arm(side, axis)
-    } else {
-        frame.rotation_arm(side, axis, origin, point)
-    }
+    let direction = if component < 3 { axis } else { cross(axis, minus(point, origin)) };
+    let along = dot(action, direction);
+    if side == 0 { -along } else { along }
 }

@@ -134,13 +134,14 @@ impl ContactGeometry for Plane<'_> {
     }
 
     fn action(&self, candidate: &Candidate<Site>, grid: &Grid) -> Action {
-        let Action { normal, points } = self.approaching(candidate);
-        Action { normal, points: points.repeat(grid.cells.len()) }
+        let action = self.approaching(candidate);
+        Action { points: action.points.repeat(grid.cells.len()), ..action }
     }
 
     fn approaching(&self, candidate: &Candidate<Site>) -> Action {
         let ContactFrame { point: [x, y], normal: [along_x, along_y], .. } = candidate.site.approach.frame;
-        Action { normal: [along_x, along_y, 0.0], points: vec![[x, y, 0.0]] }
+        let (normal, across) = ([along_x, along_y, 0.0], [along_y, -along_x, 0.0]);
+        Action { normal, across, points: vec![[x, y, 0.0]] }
     }
 
     fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {

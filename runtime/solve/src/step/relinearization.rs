@@ -5,6 +5,7 @@
 use super::friction::{Action, work};
 use crate::system::System;
 use calyx_model::mechanism::Mechanism;
+use calyx_numerics::vec3::{dot, minus, plus, scaled};
 
 /// Point of action of a loaded patch, and its half-width.
 pub(super) struct ContactReference {
@@ -23,6 +24,10 @@ impl ContactReference {
     /// centre of curvature of an involute lies on the common normal at its closest point to the
     /// gear's axis, like that of a disc.
     fn relative_shift(&self, system: &System, time: f64, motion: &[f64]) -> f64 {
+        let mesh = system.scene.pairs[self.pair].mesh.as_ref();
+        if mesh.is_some_and(|mesh| mesh.first_contact.is_some()) {
+            return self.relative_shift_on_general_axes(system, time, motion);
+        }
         let [x, y, _] = self.action.normal;
         let size = x.hypot(y);
         if !(size > 0.0 && self.reach > 0.0) {
@@ -50,6 +55,40 @@ impl ContactReference {
             (foot - moves(0, point)).abs().max((foot - moves(1, point)).abs())
         };
         self.action.points.iter().map(|&point| at(point)).fold(0.0, f64::max) / self.reach
+    }
+
+    /// Returns the drift on general axes: as for parallel ones, with the point of the common normal
+    /// closest to a gear's axis as the centre of curvature.
+    fn relative_shift_on_general_axes(&self, system: &System, time: f64, motion: &[f64]) -> f64 {
+        let Action { normal, across, points } = &self.action;
+        if self.reach.is_nan() || self.reach <= 0.0 {
+            return 0.0;
+        }
+        let bodies = system.scene.pairs[self.pair].bodies;
+        let sides = bodies.map(|body| (system.origin(body.0, time), system.axes(body.0, time)));
+        let moves = |side: usize, point: [f64; 3]| -> f64 {
+            let own = system.dofs.iter().zip(motion).filter(|(dof, _)| bodies[side].0 == dof.body);
+            let (origin, axes) = &sides[side];
+            own.map(|(dof, motion)| motion * work(*across, 0, dof.component, axes, *origin, point)).sum()
+        };
+        let at = |point: [f64; 3]| {
+            let centre = |side: usize| {
+                let (origin, axes) = &sides[side];
+                // Directions normal to the axis.
+                let away = |vector: [f64; 3]| minus(vector, scaled(axes[2], dot(vector, axes[2])));
+                let (direction, offset) = (away(*normal), away(minus(*origin, point)));
+                let along = dot(offset, direction) / dot(direction, direction);
+                let along = if along.is_finite() { along } else { 0.0 };
+                (along, moves(side, plus(point, scaled(*normal, along))))
+            };
+            let [(first, first_moves), (second, second_moves)] = [centre(0), centre(1)];
+            let foot = match second - first {
+                0.0 => 0.0,
+                apart => (first_moves * second - second_moves * first) / apart,
+            };
+            (foot - moves(0, point)).abs().max((foot - moves(1, point)).abs())
+        };
+        points.iter().map(|&point| at(point)).fold(0.0, f64::max) / self.reach
     }
 
     /// Returns the warning that the contact drifts off its grid by this fraction of its half-width

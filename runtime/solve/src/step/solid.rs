@@ -9,7 +9,7 @@ use crate::system::{SolidBodies, System};
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
     self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance,
-    contact_modulus, find_contact_line, first_guess, pressures,
+    contact_modulus, find_contact_line, first_guess, fitting_size, pressures,
 };
 use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
@@ -76,7 +76,8 @@ impl ContactGeometry for Solid<'_> {
                 };
                 (0..structures[side].teeth()).map(place).collect::<Vec<_>>()
             });
-            let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges);
+            let local_normals = has_local_normals(pair);
+            let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges && !local_normals);
             let stances = [0, 1].map(|side: usize| Orientation::of(&frames[side]));
             let angle = stances[0].angle + scene.bodies[bodies[0]].phase
                 - self.system.rotated_line_of_centres(index, time);
@@ -103,18 +104,20 @@ impl ContactGeometry for Solid<'_> {
                         // Springs and loads refer to the axes of the prescribed orientation,
                         // regardless of where the contact grid is created.
                         let axes = bodies.map(|body| self.system.axes(body, time));
-                        let at = |gap, point| Approach {
+                        let frame = &contact_line.frame;
+                        let at = |gap, action, point| Approach {
                             gap,
-                            arms: self.arms_at(bodies, (origins, axes), &contact_line.frame, point),
+                            arms: self.arms_at(bodies, (origins, axes), action, point),
                         };
+                        let action = |slope| if local_normals { frame.action(slope) } else { frame.normal };
                         found.push(Candidate {
                             teeth: (index, [*first, *second]),
                             length: shapes[0].across,
-                            nearest: at(contact_line.gap, contact_line.frame.point),
+                            nearest: at(contact_line.gap, frame.normal, frame.point),
                             others: contact_line
                                 .points
                                 .iter()
-                                .map(|p| at(p.gap, contact_line.frame.at(p.at)))
+                                .map(|p| at(p.gap, action(p.slope), frame.at(p.at)))
                                 .collect(),
                             site: Site { surfaces: surfaces.clone(), poses, origins, axes, contact_line },
                         });
@@ -153,21 +156,23 @@ impl ContactGeometry for Solid<'_> {
         grid.cells.iter().map(|cell| cell.gap).collect()
     }
 
-    /// Every cell acts along the patch's normal through the nearest point of the contact line.
+    /// Every cell acts along the patch's normal through the nearest point of the contact line, or,
+    /// on general axes, along its own normal at its own place.
     fn arms(&self, candidate: &Candidate<Site>, grid: &Grid) -> Vec<f64> {
         let bodies = self.pair(candidate).bodies.map(|body| body.0);
         let at = (candidate.site.origins, candidate.site.axes);
-        let of = |cell: &solid::Cell| self.arms_at(bodies, at, &grid.frame, cell.point);
+        let of = |cell: &solid::Cell| self.arms_at(bodies, at, grid.frame.action(cell.slope), cell.point);
         grid.cells.iter().flat_map(of).collect()
     }
 
     fn action(&self, _: &Candidate<Site>, grid: &Grid) -> Action {
-        Action { normal: grid.frame.normal, points: grid.cells.iter().map(|cell| cell.point).collect() }
+        let PatchFrame { normal, across, .. } = grid.frame;
+        Action { normal, across, points: grid.cells.iter().map(|cell| cell.point).collect() }
     }
 
     fn approaching(&self, candidate: &Candidate<Site>) -> Action {
-        let PatchFrame { normal, point, .. } = candidate.site.contact_line.frame;
-        Action { normal, points: vec![point] }
+        let PatchFrame { normal, across, point, .. } = candidate.site.contact_line.frame;
+        Action { normal, across, points: vec![point] }
     }
 
     fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {
@@ -202,9 +207,15 @@ impl ContactGeometry for Solid<'_> {
         forces: &[f64],
         wide: bool,
     ) -> Option<[Option<f64>; 2]> {
-        let report = assess(grid, &pressures(&grid.cells, forces));
+        let pressures = pressures(&grid.cells, forces);
+        let report = assess(grid, &pressures);
         let asked = |k: usize| report.recommended[k].filter(|_| !(wide && report.under_resolved[k]));
-        let [width, length] = [asked(0), asked(1)];
+        let mut asked = [asked(0), asked(1)];
+        if has_local_normals(self.pair(candidate)) && !wide && asked == [None; 2] {
+            // Several teeth share the load, and a point contact shrinks with it in both directions.
+            asked = fitting_size(grid, &pressures);
+        }
+        let [width, length] = asked;
         let width = width.filter(|_| self.pair(candidate).grid.width.is_none());
         if width.is_none() && length.is_none() {
             return None;
@@ -266,6 +277,7 @@ impl Solid<'_> {
             force,
             contact_modulus: self.contact_modulus(candidate),
             search_edges: grid.edges,
+            local_normals: has_local_normals(self.pair(candidate)),
         };
         build_grid(site.placed(0), site.placed(1), &site.contact_line, &options)
     }
@@ -282,15 +294,21 @@ impl Solid<'_> {
         &self,
         bodies: [usize; 2],
         (origins, axes): ([[f64; 3]; 2], [[[f64; 3]; 3]; 2]),
-        frame: &PatchFrame,
+        action: [f64; 3],
         point: [f64; 3],
     ) -> Vec<f64> {
         let arm = |dof: &Dof| {
-            let of = |side: usize| solid_arm(frame, side, dof.component, &axes[side], origins[side], point);
+            let of = |side: usize| solid_arm(action, side, dof.component, &axes[side], origins[side], point);
             (0..2).filter(|&side| bodies[side] == dof.body).map(of).sum()
         };
         self.system.dofs.iter().map(arm).collect()
     }
+}
+
+/// Returns whether the cells of a pair act along their own normals: on general axes the normals of
+/// conjugate flanks vary along their contact.
+fn has_local_normals(pair: &SurfacePair) -> bool {
+    pair.mesh.as_ref().is_some_and(|mesh| mesh.first_contact.is_some())
 }
 
 /// Returns whether surfaces with this approach face each other. If they overlap by half a pitch of

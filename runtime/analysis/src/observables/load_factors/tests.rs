@@ -59,6 +59,7 @@ fn a_uniform_load_on_oblique_contact_lines_has_a_face_load_factor_of_one() {
         roll_at_zero: 0.0,
         orbit: 0.0,
         phase_offset: 0.0,
+        first_contact: None,
     };
     for (contact_ratio, overlap_ratio) in [(1.4, 0.5), (1.55, 0.83), (1.62, 1.0), (1.3, 2.37)] {
         let mesh = mesh(overlap_ratio);

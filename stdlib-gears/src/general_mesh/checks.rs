@@ -1,0 +1,242 @@
+//! Checks of meshes on general axes, and their findings.
+
+use crate::assembly::gear_of;
+use crate::axes::LARGEST_MISALIGNMENT;
+use crate::error::{GeometryError, Refusal, sentence};
+use calyx_runtime::error::EngineError;
+use calyx_runtime::motion::{
+    Motion, Orientation, angular_velocity, axle, point_velocity, rotation_speed, spatial_pose,
+};
+use calyx_runtime::scene::{BodyId, Scene};
+use calyx_runtime::vec3::{cross, dot, length, minus, scaled, unit};
+
+/// Largest velocity of an axis, relative to that of the teeth.
+const AT_REST: f64 = 1e-9;
+/// Relative tolerance of speeds.
+const SAME_SPEED: f64 = 1e-9;
+/// Contact ratio below which a warning is issued.
+const LEAST_CONTACT_RATIO: f64 = 1.0;
+
+/// Returns whether two bodies mesh on general axes: their axes are not parallel, or one of them is
+/// no involute gear.
+///
+/// # Errors
+/// E0710: a frame is NaN or infinite.
+pub(crate) fn is_general(scene: &Scene, ids: [BodyId; 2]) -> Result<bool, EngineError> {
+    if ids.iter().any(|id| gear_of(scene, *id).is_none()) {
+        return Ok(true);
+    }
+    let [first, second] = [axis(scene, ids[0])?, axis(scene, ids[1])?];
+    Ok(length(cross(first, second)).atan2(dot(first, second)) > LARGEST_MISALIGNMENT)
+}
+
+fn motion(scene: &Scene, id: BodyId) -> &dyn Motion {
+    scene.bodies[id.0].motion.as_ref()
+}
+
+/// Returns the direction of a body's axis at time 0.
+fn axis(scene: &Scene, id: BodyId) -> Result<[f64; 3], EngineError> {
+    Ok(Orientation::of(&spatial_pose(motion(scene, id), 0.0)?).axis())
+}
+
+/// Checks that both bodies rotate about axes at rest.
+///
+/// # Errors
+/// E0886.
+pub(super) fn check_axes(scene: &Scene, ids: [BodyId; 2]) -> Result<(), Refusal> {
+    for (id, argument) in ids.into_iter().zip(["first", "second"]) {
+        let motion = motion(scene, id);
+        let origin = spatial_pose(motion, 0.0)?.point(axle(motion));
+        let turning = angular_velocity(motion, 0.0);
+        let rim = length(turning) * scene.bodies[id.0].prototype.enclosing_radius();
+        let moves = length(point_velocity(motion, 0.0, origin)) > AT_REST * rim;
+        let leans = length(cross(turning, axis(scene, id)?)) > AT_REST * length(turning);
+        if moves || leans {
+            let name = &scene.bodies[id.0].name;
+            return Err(EngineError::new(
+                "E0886",
+                format!("the axis of \"{name}\" moves: meshes on axes that are not parallel need axes at rest"),
+                "let the frame rotate about e3 last, like `Rotate(speed * Time, e3) * Rotate(90 deg, e2) * Translate(...)`; bevel gears on a carrier are not supported",
+            )
+            .blame(argument)
+            .into());
+        }
+    }
+    Ok(())
+}
+
+/// Returns the speeds of both bodies about their axes if they match the numbers of teeth.
+///
+/// # Errors
+/// E0650, E0651.
+pub(super) fn check_speeds(scene: &Scene, ids: [BodyId; 2], teeth: [u32; 2]) -> Result<[f64; 2], Refusal> {
+    let speeds = [rotation_speed(motion(scene, ids[0]), 0.0)?, rotation_speed(motion(scene, ids[1]), 0.0)?];
+    let ratio = f64::from(teeth[0]) / f64::from(teeth[1]);
+    if speeds[0] == 0.0 {
+        return Err(GeometryError::error(
+            "E0650",
+            "first",
+            sentence!["the first gear does not rotate, so its mesh has no cycle"],
+            sentence!["let the frames rotate with Time, like `Rotate(3 rpm * Time, e3) * ...`"],
+        )
+        .into());
+    }
+    let fitting = (speeds[0] * ratio).abs();
+    if (speeds[1].abs() - fitting).abs() > SAME_SPEED * fitting {
+        return Err(GeometryError::error(
+            "E0651",
+            "second",
+            sentence![
+                "the second gear turns ", number (speeds[1] / speeds[0]).abs(), " times as fast as the first, but with ",
+                number f64::from(teeth[0]), " and ", number f64::from(teeth[1]), " teeth it must turn ",
+                number ratio, " times"
+            ],
+            sentence![
+                "rotate the second frame about its own axis by the angle of the first, times the teeth of the first gear over those of the second"
+            ],
+        )
+        .into());
+    }
+    Ok(speeds)
+}
+
+/// Checks that the tooth traces of two cylindrical gears agree where the gears meet, so that
+/// crossed helical gears are not taken for a wrong frame.
+///
+/// # Errors
+/// E0648: the traces cross. E0884: internal teeth, or axes that intersect.
+pub(super) fn trace_angle(scene: &Scene, ids: [BodyId; 2]) -> Result<(), Refusal> {
+    let [Some(first), Some(second)] = ids.map(|id| gear_of(scene, id)) else { return Ok(()) };
+    if first.form().internal || second.form().internal {
+        let help = "place the axes of a gear and of its ring parallel to each other";
+        return Err(EngineError::new("E0884", "internal gears mesh on parallel axes only", help)
+            .blame("second")
+            .into());
+    }
+    let axes = [axis(scene, ids[0])?, axis(scene, ids[1])?];
+    let origin = |id: BodyId| spatial_pose(motion(scene, id), 0.0).map(|pose| pose.origin);
+    let apart = minus(origin(ids[1])?, origin(ids[0])?);
+    let crossing = unit(cross(axes[0], axes[1]));
+    let distance = dot(apart, crossing);
+    let least = 0.5 * (first.form().base_radius + second.form().base_radius);
+    if distance.abs() < least {
+        return Err(GeometryError::error(
+            "E0884",
+            "second",
+            sentence![
+                "the axes of these cylindrical gears pass each other at a distance of only ", length distance.abs()
+            ],
+            sentence![
+                "crossed helical gears need a centre distance of about the sum of their pitch radii, ",
+                length first.form().pitch_radius + second.form().pitch_radius, "; intersecting axes need bevel gears"
+            ],
+        )
+        .into());
+    }
+    // From the first axis to the second along their common perpendicular.
+    let across = scaled(crossing, distance.signum());
+    let trace = |axis: [f64; 3], outwards: [f64; 3], angle: f64| {
+        let around = cross(axis, outwards);
+        [0, 1, 2].map(|k: usize| axis[k] * angle.cos() + around[k] * angle.sin())
+    };
+    let one = trace(axes[0], across, first.helix.signed_angle());
+    let other = trace(axes[1], scaled(across, -1.0), second.helix.signed_angle());
+    let angle = length(cross(one, other)).atan2(dot(one, other).abs());
+    if angle <= LARGEST_MISALIGNMENT {
+        return Ok(());
+    }
+    let shaft = length(cross(axes[0], axes[1])).atan2(dot(axes[0], axes[1]));
+    let sum = (first.helix.signed_angle() + second.helix.signed_angle()).abs();
+    Err(GeometryError::error(
+        "E0648",
+        "second",
+        sentence![
+            "the axes of the two gears are ", angle shaft, " from parallel, and their teeth cross at ", angle angle,
+            " where the gears meet"
+        ],
+        sentence![
+            "make the axes parallel to within ", angle LARGEST_MISALIGNMENT,
+            ", or let crossed helical gears have the shaft angle that is the sum of their helix angles (right-handed ones positive), ",
+            angle sum, ", in the other sense of rotation if it is that already"
+        ],
+    )
+    .into())
+}
+
+/// Error about flanks that have no point of contact.
+pub(super) fn no_contact(reversed: bool) -> GeometryError {
+    let help = match reversed {
+        true => sentence![
+            "let the second gear turn about its axis in the other sense: its teeth would then touch those of the first"
+        ],
+        false => sentence![
+            "check the frames: the axis of a gear is e3 of its frame, and the teeth of both gears must overlap where they meet"
+        ],
+    };
+    GeometryError::error(
+        "E0884",
+        "second",
+        sentence!["the driving flanks of these gears do not face each other anywhere at time 0"],
+        help,
+    )
+}
+
+/// Error about a misalignment.
+pub(super) fn misaligned() -> EngineError {
+    EngineError::new(
+        "E0885",
+        "`misalignment` refers to the plane of action of gears on parallel axes",
+        "leave it out, and displace or tilt the `frame` of a gear",
+    )
+    .blame("misalignment")
+}
+
+/// Error about a loop of meshes that cannot be assembled.
+pub(super) fn unfit_loop(angle: f64) -> GeometryError {
+    GeometryError::error(
+        "E0887",
+        "second",
+        sentence![
+            "these gears cannot be assembled: both are phased by earlier meshes, and the second gear would have to turn by ",
+            angle angle, " to touch the first"
+        ],
+        sentence!["check the numbers of teeth and the positions of the axes in the loop"],
+    )
+}
+
+/// Warning about flanks that touch at edges only.
+pub(super) fn edge_contact() -> GeometryError {
+    GeometryError::warning(
+        "W0860",
+        "second",
+        sentence!["without load these gears touch at edges of their teeth only"],
+        sentence!["check the frames and the helix or spiral angles: contact of the flanks is usual"],
+    )
+}
+
+/// Warning about interrupted contact.
+pub(super) fn low_contact_ratio(ratio: f64) -> Option<GeometryError> {
+    (ratio < LEAST_CONTACT_RATIO).then(|| {
+        GeometryError::warning(
+            "W0861",
+            "second",
+            sentence![
+                "without load a pair of teeth is in contact for ", number ratio, " pitches only: edges touch in between"
+            ],
+            sentence!["give the teeth more depth or a larger face width"],
+        )
+    })
+}
+
+/// Warning about teeth that fill the spaces.
+pub(super) fn no_backlash(overlap: f64) -> GeometryError {
+    GeometryError::warning(
+        "W0862",
+        "second",
+        sentence![
+            "the gears have no backlash: their coast flanks overlap by ", length overlap,
+            ". Contact is searched on the driving flanks only"
+        ],
+        sentence!["reduce `tooth_thickness`, or place the axes farther apart"],
+    )
+}

@@ -1,0 +1,147 @@
+//! Crossed helical gears: meshes on general axes whose contact is known in closed form. Involute
+//! helicoids are conjugate at any shaft angle and centre distance, and touch at points.
+
+mod hertz;
+mod pair;
+
+use crate::common::built;
+use calyx_runtime::observables::{Observe, TransmissionError};
+use calyx_runtime::scene::{BodyId, Fidelity, PairId, StructureOptions, Template};
+use calyx_runtime::step::{ContactPatch, StepResult};
+use calyx_runtime::vec3::{dot, length};
+use hertz::Ellipse;
+use pair::{Options, TEETH, modulus, relative_radii};
+
+const FIRST: BodyId = BodyId(0);
+const SECOND: BodyId = BodyId(1);
+const MESH: PairId = PairId(0);
+const MEDIUM: Fidelity = Fidelity::Solid(Template::Medium);
+
+fn pairs() -> Vec<Options> {
+    let plain = Options::default();
+    vec![
+        plain,
+        Options { apart: 0.01, ..plain },
+        Options { inclined: 0.03, apart: 0.01, ..plain },
+        Options { helix: [0.2, 0.3], ..plain },
+        Options { helix: [-0.5, -0.6], apart: 0.02, inclined: -0.02, ..plain },
+        Options { torque: -20.0, ..plain },
+    ]
+}
+
+#[test]
+fn crossed_helicoids_are_conjugate() {
+    for (index, options) in pairs().into_iter().enumerate() {
+        let (scene, mesh) = options.scene();
+        // Without load, elastic bodies touch like rigid ones.
+        let levels = if index == 0 { vec![Fidelity::Rigid, MEDIUM] } else { vec![Fidelity::Rigid] };
+        for fidelity in levels {
+            let system = built(&scene, fidelity, StructureOptions::default());
+            for part in [0.13, 0.77] {
+                let step = system.touch(mesh.start + part * mesh.period).expect("they touch");
+                let error = system.value(&step, &TransmissionError(MESH)).value;
+                assert!(error.abs() < 1e-9, "{error:e} at {part}, helix {:?}", options.helix);
+            }
+        }
+    }
+}
+
+/// The common normal touches both base cylinders at their base helix angles.
+#[test]
+fn the_normal_of_the_first_contact_touches_both_base_cylinders() {
+    for options in pairs() {
+        let (_, mesh) = options.scene();
+        for member in [0, 1] {
+            let arm = options.normal_arm(member);
+            assert!((mesh.base_radii[member] / arm - 1.0).abs() < 1e-9, "{:?} {arm}", mesh.base_radii);
+        }
+    }
+}
+
+/// Whether a tip edge carries load, which turns the common normal.
+fn on_edge(step: &StepResult) -> bool {
+    let loaded = |patch: &ContactPatch| {
+        let cells = patch.solid().map(|grid| &grid.cells[..]).unwrap_or_default();
+        cells.iter().zip(&patch.forces).any(|(cell, force)| cell.edge && *force > 0.0)
+    };
+    step.patches.iter().any(loaded)
+}
+
+#[test]
+fn forces_are_those_of_the_common_normal() {
+    for options in pairs() {
+        let options = Options { torque: 0.2 * options.torque, ..options };
+        let (scene, mesh) = options.scene();
+        let system = built(&scene, MEDIUM, StructureOptions::default());
+        let normal = mesh.first_contact.expect("general axes").normal;
+        let mut compared = 0;
+        for part in [0.1, 0.35, 0.6] {
+            let step = system.solve(mesh.start + part * mesh.period).expect("it can be solved");
+            let force = system.contact_force(&step, FIRST);
+            let other = system.contact_force(&step, SECOND);
+            let size = options.torque.abs() / options.normal_arm(0);
+            // Forces and moments of both bodies are in equilibrium about the origin of ground.
+            let distance = options.distance();
+            let moments = [
+                force[3] + other[3],
+                force[4] + other[4] - distance * other[2],
+                force[5] + other[5] + distance * other[1],
+            ];
+            let forces = [0, 1, 2].map(|k: usize| force[k] + other[k]);
+            assert!(length(forces) < 1e-9 * size && length(moments) < 1e-9 * size * distance);
+            if on_edge(&step) {
+                continue;
+            }
+            compared += 1;
+            let error = [0, 1, 2].map(|k: usize| force[k] / size + normal[k]);
+            assert!(length(error) < 3e-4, "{error:?}");
+            let torque = dot([other[3], other[4], other[5]], options.second_axis());
+            let ratio = f64::from(TEETH[1]) / f64::from(TEETH[0]);
+            let error = torque / (options.torque * ratio) + 1.0;
+            assert!(error.abs() < 3e-5, "{error:e}");
+        }
+        assert!(compared > 0, "{:?}", options.helix);
+    }
+}
+
+/// Both shafts exchange the same work over a mesh cycle.
+#[test]
+fn the_work_at_both_shafts_is_equal() {
+    let options = Options { torque: 2.0, ..Options::default() };
+    let (scene, mesh) = options.scene();
+    let system = built(&scene, MEDIUM, StructureOptions::default());
+    let steps = 12;
+    let mut mean = 0.0;
+    for index in 0..steps {
+        let part = (f64::from(index) + 0.5) / f64::from(steps);
+        let step = system.solve(mesh.start + part * mesh.period).expect("it can be solved");
+        let [.., x, y, z] = system.contact_force(&step, SECOND);
+        mean += dot([x, y, z], options.second_axis()) / f64::from(steps);
+    }
+    let ratio = f64::from(TEETH[1]) / f64::from(TEETH[0]);
+    let error = mean / (options.torque * ratio) + 1.0;
+    // The neglected slopes of the flanks within a patch are of second order.
+    assert!(error.abs() < 2e-5, "{error:e}");
+}
+
+#[test]
+fn the_pressure_is_hertz_s() {
+    for helix in [[0.9, 0.67], [0.3, 0.25]] {
+        for torque in [0.5, 20.0] {
+            let options = Options { helix, torque, ..Options::default() };
+            let (scene, mesh) = options.scene();
+            let system = built(&scene, MEDIUM, StructureOptions::default());
+            for part in [0.3, 0.5] {
+                let step = system.solve(mesh.start + part * mesh.period).expect("it can be solved");
+                for patch in step.patches.iter().filter(|patch| patch.force() > 0.0) {
+                    let grid = patch.solid().expect("it is solid");
+                    let radii = relative_radii(&options, grid.frame.point, grid.frame.normal);
+                    let ellipse = Ellipse::new(radii, 0.5 * modulus(), patch.force());
+                    let peak = patch.peak().expect("it is loaded").pressure;
+                    let error = peak / ellipse.peak - 1.0;
+                    assert!(error.abs() < 3e-3, "{helix:?} {torque} {part}: {error:e}, {ellipse:?}");
+                }
+            }
+        }
+    }
+}
