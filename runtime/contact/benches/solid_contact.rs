@@ -49,7 +49,7 @@ fn measure(half_count: usize, half_slices: usize) {
         search_edges: true,
         local_normals: false,
     };
-    let grid = build_grid(placed[0], placed[1], &found, &options);
+    let grid = build_grid(placed[0], placed[1], &found, &options, &Interrupt::never()).unwrap();
     let faces = [-half_length, half_length].map(|y| Mirror { point: [0.0, y, 0.0], normal: [0.0, 1.0, 0.0] });
     let body = HalfSpaceBody::half_space(Vec::new(), 1, 2.0 * MODULUS).between(faces.to_vec());
     let problem = problem(&grid, &body);
@@ -60,7 +60,9 @@ fn measure(half_count: usize, half_slices: usize) {
     let factor = fastest(3, || Llt::new(matrix.as_ref(), faer::Side::Lower).is_ok());
     let parts = [
         fastest(3, || contact_line().is_some()),
-        fastest(3, || !build_grid(placed[0], placed[1], &found, &options).cells.is_empty()),
+        fastest(3, || {
+            !build_grid(placed[0], placed[1], &found, &options, &Interrupt::never()).unwrap().cells.is_empty()
+        }),
         fastest(3, || !self::problem(&grid, &body).compliance.is_empty()),
         fastest(3, || !first_guess(&problem, &[&grid], &never).is_empty()),
         fastest(2, || {

@@ -48,8 +48,8 @@ impl Drop for MemoryReservation {
 /// the caller.
 ///
 /// Checkpoints are between positions, between the batches of long computations while structures are
-/// built, at each row of a contact compliance, before each factorization of the contact solver and
-/// before each piece of a large one. Parallel computations call the callback from several threads
+/// built, at each slice of a three-dimensional contact grid, at each row of a contact compliance,
+/// before each factorization of the contact solver and before each piece of a large one. Parallel computations call the callback from several threads
 /// concurrently. It should return quickly (test a flag, read a clock), and continue to fail after
 /// its first error.
 ///

@@ -77,8 +77,9 @@ fn cells_have_the_length_of_the_surface_coordinate() {
         force: 1000.0,
         contact_modulus: 1.1e11,
         search_edges: true,
+        local_normals: false,
     };
-    let grid = build_grid(placed[0], placed[1], &contact_line, &options);
+    let grid = build_grid(placed[0], placed[1], &contact_line, &options, &Interrupt::never()).unwrap();
     assert_eq!(grid.cells.len(), 5 * 17);
     for cell in &grid.cells {
         assert_eq!(cell.spans[1], cell.axial[1]);

@@ -9,12 +9,14 @@
 //! the cell like its uniform pressure.
 
 use super::contact_line::{ContactLine, ends_along, relative_curvature};
+use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
 use super::transverse_approach::{SurfaceEnd, closest_across, limits};
-use crate::grid::{Edge, MARGIN, cell_bounds};
-use crate::pressure::hertz_half_width;
+use crate::grid::{Edge, cell_bounds};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, dot, plus, scaled};
 use calyx_structure::solid::{SolidStructure, SurfaceSegment};
 use std::ops::Range;
@@ -61,31 +63,6 @@ impl Cell {
     pub fn ends(&self, axis: usize) -> [f64; 2] {
         [self.center[axis] - 0.5 * self.size[axis], self.center[axis] + 0.5 * self.size[axis]]
     }
-}
-
-/// Options of a grid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GridOptions {
-    /// M: a slice has 2M + 1 cells, more where it is graded towards an edge and fewer where a
-    /// surface ends.
-    pub half_count: usize,
-    /// N: a patch has 2N + 1 slices.
-    pub half_slices: usize,
-    /// Width across, measured on the flank, m; `None` derives it from the force.
-    pub width: Option<f64>,
-    /// Length along the contact line, centred at the closest approach and at most that of the
-    /// contact line, m; `None` derives it from the force.
-    pub length: Option<f64>,
-    /// Largest expected force on the patch, N. It determines automatic sizes, which are [`MARGIN`]
-    /// times those of a Hertzian contact.
-    pub force: f64,
-    /// Contact modulus, 1/E* = 1/E'1 + 1/E'2, Pa.
-    pub contact_modulus: f64,
-    /// Permits cells on rounded edges.
-    pub search_edges: bool,
-    /// Lets every slice act along the common normal at its own point of the contact line. Otherwise
-    /// all slices act along the normal of the frame, which is exact for involutes on parallel axes.
-    pub local_normals: bool,
 }
 
 /// Slice: the cells of a patch at one position along its contact line.
@@ -135,11 +112,6 @@ const BESIDE: f64 = 1e-6;
 /// Distance from the edge, relative to the surface's range, below which the curvature is evaluated
 /// on the flank alone.
 const NEAR_EDGE: f64 = 2e-4;
-/// Approach relative to force / (E* length), that of a long patch with uniformly distributed force.
-/// The least gap plus this approach bounds the loaded part of the contact line. With this factor a
-/// circular contact gets [`MARGIN`] times its length.
-const DEPTH: f64 = 1.65;
-
 /// Returns the contact modulus of two bodies: 1/E* = 1/E'1 + 1/E'2 (Johnson, eq. 4.5). Infinite if
 /// both are rigid.
 pub fn contact_modulus(first: &dyn SolidStructure, second: &dyn SolidStructure) -> f64 {
@@ -147,26 +119,22 @@ pub fn contact_modulus(first: &dyn SolidStructure, second: &dyn SolidStructure) 
 }
 
 /// Creates the grid around a contact line of `first` and `second`. The grid has no cells if the
-/// surfaces do not face each other.
+/// surfaces do not face each other. Each slice is a checkpoint.
+///
+/// # Errors
+/// Those of the interrupt.
 pub fn build_grid(
     first: PlacedSurface,
     second: PlacedSurface,
     contact_line: &ContactLine,
     options: &GridOptions,
-) -> Grid {
+    interrupt: &Interrupt,
+) -> Result<Grid, EngineError> {
     let placed = [first, second];
     let frame = contact_line.frame;
-    let height_fields = [0, 1]
-        .map(|side| HeightField::new(placed[side], frame, contact_line.places[side], options.search_edges));
-    let (y, surface_ends) = length_along(contact_line, options);
+    let height_fields = height_fields(placed, contact_line, options);
     let flank = flank_curvature(&height_fields, contact_line);
-    let width = options.width.unwrap_or_else(|| {
-        // In a point contact the middle carries 1.5 times the average line load; in a line contact
-        // the load is uniform.
-        let share = if surface_ends == [true; 2] { 1.0 } else { 1.5 };
-        let line_load = share * options.force / (y[1] - y[0]);
-        2.0 * MARGIN * hertz_half_width(line_load, options.contact_modulus, flank)
-    });
+    let Region { y, width, surface_ends } = Region::new(contact_line, options, flank);
     let half_counts = [options.half_count, options.half_slices];
     let extent = [width, y[1] - y[0]];
     let [low, high] = contact_line.extent();
@@ -175,7 +143,7 @@ pub fn build_grid(
     let (cells, slices) = (Vec::new(), Vec::new());
     let mut grid = Grid { frame, cells, slices, extent, line, half_counts, surface_ends, unit_half_width };
     if !(extent.iter().all(|size| size.is_finite() && *size > 0.0)) {
-        return grid;
+        return Ok(grid);
     }
     let layer = Layer {
         placed,
@@ -190,61 +158,30 @@ pub fn build_grid(
         search_edges: options.search_edges,
         local_normals: options.local_normals,
     };
-    layer.fill(&mut grid, contact_line.places);
-    grid
+    layer.fill(&mut grid, contact_line.places, interrupt)?;
+    Ok(grid)
 }
 
-/// Returns y of the grid's ends, and whether they are ends of the surfaces.
-fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
-    let all = contact_line.extent();
-    let clipped = |[low, high]: [f64; 2]| {
-        let y = [low.max(all[0]), high.min(all[1])];
-        (y, [y[0] <= all[0], y[1] >= all[1]])
-    };
-    if let Some(length) = options.length {
-        return clipped([-0.5 * length, 0.5 * length]);
-    }
-    // The approach decreases as more of the contact line is loaded.
-    let within = |depth: f64| -> [f64; 2] {
-        let floor = contact_line.gap;
-        let crossing = |step: &mut dyn Iterator<Item = &[f64; 2]>| {
-            let (mut y, mut rise) = (0.0, 0.0f64);
-            for &[next, gap] in step {
-                let above = (gap - floor).max(0.0);
-                if above > depth {
-                    // Between samples the gap is nearly a parabola from the closest approach.
-                    let (from, to) = (rise.max(0.0).sqrt(), above.sqrt());
-                    return y + (next - y) * (depth.sqrt() - from) / (to - from);
-                }
-                (y, rise) = (next, above);
-            }
-            y
-        };
-        let points: Vec<[f64; 2]> =
-            contact_line.points.iter().map(|point| [point.at[1], point.gap]).collect();
-        let low = crossing(&mut points.iter().rev().filter(|[y, _]| *y < 0.0));
-        let high = crossing(&mut points.iter().filter(|[y, _]| *y > 0.0));
-        if !options.local_normals {
-            return [low, high];
-        }
-        // Surfaces may also be near each other beyond a larger gap, as at both ends of a face.
-        let near = points.iter().filter(|[_, gap]| gap - floor <= depth).map(|[y, _]| *y);
-        near.fold([low, high], |[low, high], y| [low.min(y), high.max(y)])
-    };
-    let (mut shallow, mut deep) =
-        (0.0, 2.0 * contact_line.points.iter().map(|point| point.gap - contact_line.gap).fold(0.0, f64::max));
-    let enough = |depth: f64| {
-        let [low, high] = within(depth);
-        depth * (high - low) * options.contact_modulus >= DEPTH * options.force
-    };
-    if deep == 0.0 || !enough(deep) {
-        return clipped(all);
-    }
-    for _ in 0..60 {
-        let middle = 0.5 * (shallow + deep);
-        if enough(middle) { deep = middle } else { shallow = middle }
-    }
-    clipped(within(deep))
+/// Returns the width across of the grid that [`build_grid`] creates, m.
+pub fn grid_width(
+    first: PlacedSurface,
+    second: PlacedSurface,
+    contact_line: &ContactLine,
+    options: &GridOptions,
+) -> f64 {
+    let height_fields = height_fields([first, second], contact_line, options);
+    Region::new(contact_line, options, flank_curvature(&height_fields, contact_line)).width
+}
+
+fn height_fields<'a>(
+    placed: [PlacedSurface<'a>; 2],
+    contact_line: &ContactLine,
+    options: &GridOptions,
+) -> [HeightField<'a>; 2] {
+    [0, 1].map(|side| {
+        let start = contact_line.places[side];
+        HeightField::new(placed[side], contact_line.frame, start, options.search_edges)
+    })
 }
 
 /// Returns the sum of both surfaces' curvatures across the contact line at the closest approach,
@@ -339,7 +276,7 @@ struct Laid {
 }
 
 impl Layer<'_> {
-    fn fill(&self, grid: &mut Grid, start: Places) {
+    fn fill(&self, grid: &mut Grid, start: Places, interrupt: &Interrupt) -> Result<(), EngineError> {
         // Proceed upwards and downwards from the middle, each slice starting at the end of the
         // previous one; then sort.
         let mut found: Vec<(i32, Laid)> = Vec::new();
@@ -354,6 +291,7 @@ impl Layer<'_> {
                 if beyond && (!oblique || index.abs() > self.reach + 2) {
                     break;
                 }
+                interrupt.check()?;
                 let Some(laid) = self.slice(index, guess) else { break };
                 guess = laid.places;
                 let empty = laid.cells.is_empty();
@@ -374,6 +312,7 @@ impl Layer<'_> {
             let y = [center - 0.5 * self.pitch[1], center + 0.5 * self.pitch[1]];
             grid.slices.push(Slice { y, cells: first..grid.cells.len(), surface_ends, edges, places });
         }
+        Ok(())
     }
 
     fn center(&self, index: i32) -> f64 {

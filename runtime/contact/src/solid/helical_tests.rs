@@ -3,7 +3,11 @@
 
 use super::test_surfaces::{HELICAL, Helicoid, Pair};
 use super::*;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{cross, unit};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 impl Pair {
     /// Flanks of both in the coordinates of their bodies, and the poses: in contact at mid-face.
@@ -39,6 +43,42 @@ fn aligned_helicoids_touch_along_their_generator() {
     }
 }
 
+/// The work between two checkpoints of a grid is one slice, whatever its number of slices.
+#[test]
+fn every_slice_of_a_grid_is_a_checkpoint() {
+    let (flanks, poses) = HELICAL.flanks();
+    let placed = [0, 1].map(|side| PlacedSurface { surface: &flanks[side], pose: poses[side] });
+    let contact_line = find_contact_line(placed[0], placed[1], true).expect("they touch");
+    let options = GridOptions {
+        half_count: 2,
+        half_slices: 6,
+        width: Some(4e-4),
+        length: None,
+        force: 1000.0,
+        contact_modulus: 1.1e11,
+        search_edges: true,
+        local_normals: false,
+    };
+    let counted = |last: usize| {
+        let asked = Arc::new(AtomicUsize::new(0));
+        let counter = asked.clone();
+        let interrupt = Interrupt::new(move || match counter.fetch_add(1, Ordering::Relaxed) {
+            number if number == last => Err(EngineError::new("E0704", "enough", "")),
+            _ => Ok(()),
+        });
+        let grid = build_grid(placed[0], placed[1], &contact_line, &options, &interrupt);
+        (grid, asked.load(Ordering::Relaxed))
+    };
+    let (grid, asked) = counted(usize::MAX);
+    let grid = grid.unwrap();
+    assert!(grid.slices.len() >= 13 && asked >= grid.slices.len(), "{asked} checkpoints");
+    assert!(counted(5).0.is_err() && counted(5).1 == 6);
+    // The automatic width does not need the cells.
+    let derived = GridOptions { width: None, ..options };
+    let whole = build_grid(placed[0], placed[1], &contact_line, &derived, &Interrupt::never()).unwrap();
+    assert_eq!(grid_width(placed[0], placed[1], &contact_line, &derived), whole.extent[0]);
+}
+
 #[test]
 fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
     let (flanks, poses) = HELICAL.flanks();
@@ -54,7 +94,7 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
         search_edges: true,
         local_normals: false,
     };
-    let grid = build_grid(placed[0], placed[1], &contact_line, &options);
+    let grid = build_grid(placed[0], placed[1], &contact_line, &options, &Interrupt::never()).unwrap();
     // All cells except those at the side faces are whole.
     let longest = grid.cells.iter().map(|cell| cell.size[1]).fold(0.0, f64::max);
     assert!(grid.cells.iter().filter(|cell| (cell.size[1] / longest - 1.0).abs() < 1e-12).count() >= 17 * 15);
@@ -170,7 +210,7 @@ fn a_generator_that_leaves_the_flank_ends_there() {
             search_edges,
             local_normals: false,
         };
-        let grid = build_grid(placed[0], placed[1], contact_line, &options);
+        let grid = build_grid(placed[0], placed[1], contact_line, &options, &Interrupt::never()).unwrap();
         assert!(grid.cells.iter().all(|cell| cell.gap > -1e-12));
         (
             grid.cells.len(),

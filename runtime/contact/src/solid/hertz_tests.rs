@@ -63,7 +63,9 @@ impl Press {
         };
         let body = HalfSpaceBody::half_space(Vec::new(), 1, 2.0 * self.modulus).between(self.mirrors.clone());
         for _ in 0..4 {
-            let grid = build_grid(self.placed(0), self.placed(1), &contact_line, &options);
+            let grid =
+                build_grid(self.placed(0), self.placed(1), &contact_line, &options, &Interrupt::never())
+                    .unwrap();
             let chart = Chart { tooth: 0, surface: 0 };
             let side = |k: usize| Side { body: k, structure: &body, chart, pose: self.poses[k] };
             let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };

@@ -11,6 +11,7 @@ mod active_set_guess;
 mod assembly;
 mod contact_line;
 mod grid;
+mod grid_region;
 mod half_space;
 mod height_field;
 mod image;
@@ -23,7 +24,8 @@ mod transverse_approach;
 pub use active_set_guess::first_guess;
 pub use assembly::{PatchCells, Side, compliance};
 pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};
-pub use grid::{Cell, Grid, GridOptions, Slice, build_grid, contact_modulus};
+pub use grid::{Cell, Grid, Slice, build_grid, contact_modulus, grid_width};
+pub use grid_region::GridOptions;
 pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};
 pub use pressure::{
     GridReport, Peak, assess, fitting_size, half_axes, peak, peak_in, pressures, slice_peaks_in,

@@ -64,13 +64,13 @@ pub(super) trait ContactGeometry {
     fn force_of_overlap(&self, candidate: &Candidate<Self::Site>, overlap: f64) -> f64;
 
     /// Creates the grid of a patch: of the given size, else of the model's, else of one derived
-    /// from the force.
+    /// from the force. There are checkpoints in three dimensions.
     fn build_grid(
         &self,
         candidate: &Candidate<Self::Site>,
         force: f64,
         size: Option<Self::Size>,
-    ) -> Self::Grid;
+    ) -> Result<Self::Grid, EngineError>;
 
     /// Returns the number of cells of a grid.
     fn count(&self, grid: &Self::Grid) -> usize;

@@ -55,12 +55,12 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
         let mut rounds = REGRIDS;
         let (grids, drags, mut problem, modal, solution) = loop {
-            let grids: Vec<S::Grid> = candidates
+            let grids = candidates
                 .iter()
                 .zip(&largest_forces)
                 .zip(&sizes)
                 .map(|((candidate, &force), &size)| self.space.build_grid(candidate, force, size))
-                .collect();
+                .collect::<Result<Vec<S::Grid>, EngineError>>()?;
             let (problem, modal) = self.problem(load, candidates, &grids)?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);

@@ -103,9 +103,14 @@ impl ContactGeometry for Plane<'_> {
         overlap * self.contact_modulus(self.pair(candidate).bodies.map(|body| body.0))
     }
 
-    fn build_grid(&self, candidate: &Candidate<Site>, force: f64, width: Option<f64>) -> Grid {
+    fn build_grid(
+        &self,
+        candidate: &Candidate<Site>,
+        force: f64,
+        width: Option<f64>,
+    ) -> Result<Grid, EngineError> {
         let width = width.or(self.pair(candidate).grid.width);
-        self.grid_of_width(candidate, width.map_or(Width::Hertz { force }, Width::Total))
+        Ok(self.grid_of_width(candidate, width.map_or(Width::Hertz { force }, Width::Total)))
     }
 
     fn automatic_width(&self, candidate: &Candidate<Site>, force: f64) -> f64 {

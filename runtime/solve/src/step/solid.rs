@@ -9,7 +9,7 @@ use crate::system::{SolidBodies, System};
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
     self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance,
-    contact_modulus, find_contact_line, first_guess, fitting_size, pressures,
+    contact_modulus, find_contact_line, first_guess, fitting_size, grid_width, pressures,
 };
 use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
@@ -93,6 +93,7 @@ impl ContactGeometry for Solid<'_> {
                     if !first_boxes.iter().any(|one| second_boxes.iter().any(|other| one.meets(other))) {
                         continue;
                     }
+                    self.system.interrupt.check()?;
                     let poses = [*first_pose, *second_pose];
                     let placed =
                         |side: usize| PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
@@ -135,13 +136,22 @@ impl ContactGeometry for Solid<'_> {
         overlap * overlapping_length(contact_line) * self.contact_modulus(candidate)
     }
 
-    fn build_grid(&self, candidate: &Candidate<Site>, force: f64, size: Option<[Option<f64>; 2]>) -> Grid {
+    fn build_grid(
+        &self,
+        candidate: &Candidate<Site>,
+        force: f64,
+        size: Option<[Option<f64>; 2]>,
+    ) -> Result<Grid, EngineError> {
         let [width, length] = size.unwrap_or_default();
-        self.grid_of_size(candidate, force, [width.or(self.pair(candidate).grid.width), length])
+        let size = [width.or(self.pair(candidate).grid.width), length];
+        let (site, options) = (&candidate.site, self.grid_options(candidate, force, size));
+        let placed = [0, 1].map(|side| site.placed(side));
+        build_grid(placed[0], placed[1], &site.contact_line, &options, &self.system.interrupt)
     }
 
     fn automatic_width(&self, candidate: &Candidate<Site>, force: f64) -> f64 {
-        self.grid_of_size(candidate, force, [None; 2]).extent[0]
+        let (site, options) = (&candidate.site, self.grid_options(candidate, force, [None; 2]));
+        grid_width(site.placed(0), site.placed(1), &site.contact_line, &options)
     }
 
     fn count(&self, grid: &Grid) -> usize {
@@ -265,11 +275,16 @@ impl Solid<'_> {
         &self.system.scene.pairs[candidate.teeth.0]
     }
 
-    /// Creates the grid of a patch of this width and length, or those that follow from the force.
-    fn grid_of_size(&self, candidate: &Candidate<Site>, force: f64, size: [Option<f64>; 2]) -> Grid {
-        let (grid, site) = (&self.pair(candidate).grid, &candidate.site);
-        let [width, length] = size;
-        let options = GridOptions {
+    /// Returns the options of the grid of a patch of this width and length, or of those that follow
+    /// from the force.
+    fn grid_options(
+        &self,
+        candidate: &Candidate<Site>,
+        force: f64,
+        [width, length]: [Option<f64>; 2],
+    ) -> GridOptions {
+        let grid = &self.pair(candidate).grid;
+        GridOptions {
             half_count: grid.solid_half_cells(),
             half_slices: grid.half_slices,
             width,
@@ -278,8 +293,7 @@ impl Solid<'_> {
             contact_modulus: self.contact_modulus(candidate),
             search_edges: grid.edges,
             local_normals: has_local_normals(self.pair(candidate)),
-        };
-        build_grid(site.placed(0), site.placed(1), &site.contact_line, &options)
+        }
     }
 
     fn contact_modulus(&self, candidate: &Candidate<Site>) -> f64 {

@@ -1,0 +1,113 @@
+//! Options of a contact grid, and the region of the tangent plane that it covers.
+
+use super::contact_line::ContactLine;
+use crate::grid::MARGIN;
+use crate::pressure::hertz_half_width;
+
+/// Options of a grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridOptions {
+    /// M: a slice has 2M + 1 cells, more where it is graded towards an edge and fewer where a
+    /// surface ends.
+    pub half_count: usize,
+    /// N: a patch has 2N + 1 slices.
+    pub half_slices: usize,
+    /// Width across, measured on the flank, m; `None` derives it from the force.
+    pub width: Option<f64>,
+    /// Length along the contact line, centred at the closest approach and at most that of the
+    /// contact line, m; `None` derives it from the force.
+    pub length: Option<f64>,
+    /// Largest expected force on the patch, N. It determines automatic sizes, which are [`MARGIN`]
+    /// times those of a Hertzian contact.
+    pub force: f64,
+    /// Contact modulus, 1/E* = 1/E'1 + 1/E'2, Pa.
+    pub contact_modulus: f64,
+    /// Permits cells on rounded edges.
+    pub search_edges: bool,
+    /// Lets every slice act along the common normal at its own point of the contact line. Otherwise
+    /// all slices act along the normal of the frame, which is exact for involutes on parallel axes.
+    pub local_normals: bool,
+}
+
+/// Approach relative to force / (E* length), that of a long patch with uniformly distributed force.
+/// The least gap plus this approach bounds the loaded part of the contact line. With this factor a
+/// circular contact gets [`MARGIN`] times its length.
+const DEPTH: f64 = 1.65;
+
+/// Region of the tangent plane that a grid covers.
+pub(super) struct Region {
+    /// Ends along the contact line, m.
+    pub y: [f64; 2],
+    /// Width across, m.
+    pub width: f64,
+    /// True at low and at high y if a surface ends there.
+    pub surface_ends: [bool; 2],
+}
+
+impl Region {
+    /// `flank` is the sum of both curvatures across the contact line, 1/m.
+    pub fn new(contact_line: &ContactLine, options: &GridOptions, flank: f64) -> Region {
+        let (y, surface_ends) = length_along(contact_line, options);
+        let width = options.width.unwrap_or_else(|| {
+            // In a point contact the middle carries 1.5 times the average line load; in a line
+            // contact the load is uniform.
+            let share = if surface_ends == [true; 2] { 1.0 } else { 1.5 };
+            let line_load = share * options.force / (y[1] - y[0]);
+            2.0 * MARGIN * hertz_half_width(line_load, options.contact_modulus, flank)
+        });
+        Region { y, width, surface_ends }
+    }
+}
+
+/// Returns y of the grid's ends, and whether they are ends of the surfaces.
+fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2], [bool; 2]) {
+    let all = contact_line.extent();
+    let clipped = |[low, high]: [f64; 2]| {
+        let y = [low.max(all[0]), high.min(all[1])];
+        (y, [y[0] <= all[0], y[1] >= all[1]])
+    };
+    if let Some(length) = options.length {
+        return clipped([-0.5 * length, 0.5 * length]);
+    }
+    // The approach decreases as more of the contact line is loaded.
+    let within = |depth: f64| -> [f64; 2] {
+        let floor = contact_line.gap;
+        let crossing = |step: &mut dyn Iterator<Item = &[f64; 2]>| {
+            let (mut y, mut rise) = (0.0, 0.0f64);
+            for &[next, gap] in step {
+                let above = (gap - floor).max(0.0);
+                if above > depth {
+                    // Between samples the gap is nearly a parabola from the closest approach.
+                    let (from, to) = (rise.max(0.0).sqrt(), above.sqrt());
+                    return y + (next - y) * (depth.sqrt() - from) / (to - from);
+                }
+                (y, rise) = (next, above);
+            }
+            y
+        };
+        let points: Vec<[f64; 2]> =
+            contact_line.points.iter().map(|point| [point.at[1], point.gap]).collect();
+        let low = crossing(&mut points.iter().rev().filter(|[y, _]| *y < 0.0));
+        let high = crossing(&mut points.iter().filter(|[y, _]| *y > 0.0));
+        if !options.local_normals {
+            return [low, high];
+        }
+        // Surfaces may also be near each other beyond a larger gap, as at both ends of a face.
+        let near = points.iter().filter(|[_, gap]| gap - floor <= depth).map(|[y, _]| *y);
+        near.fold([low, high], |[low, high], y| [low.min(y), high.max(y)])
+    };
+    let (mut shallow, mut deep) =
+        (0.0, 2.0 * contact_line.points.iter().map(|point| point.gap - contact_line.gap).fold(0.0, f64::max));
+    let enough = |depth: f64| {
+        let [low, high] = within(depth);
+        depth * (high - low) * options.contact_modulus >= DEPTH * options.force
+    };
+    if deep == 0.0 || !enough(deep) {
+        return clipped(all);
+    }
+    for _ in 0..60 {
+        let middle = 0.5 * (shallow + deep);
+        if enough(middle) { deep = middle } else { shallow = middle }
+    }
+    clipped(within(deep))
+}
