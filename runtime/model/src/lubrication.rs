@@ -1,4 +1,5 @@
-//! Lubrication of a gear mesh: friction, flash temperature and film thickness at a point of contact.
+//! Lubrication of a gear mesh: friction, flash temperature and film thickness at a point of
+//! contact.
 //!
 //! All formulas are local: they use the line load, the relative curvature and the rolling
 //! velocities of the point. See `docs/theory/tribology.md`.
@@ -35,8 +36,8 @@ pub struct Oil {
 }
 
 impl Oil {
-    /// Returns the kinematic viscosity at a temperature in degrees Celsius, m²/s: log(log(nu + 0.7))
-    /// is linear in log(T), with nu in mm²/s (ASTM D341).
+    /// Returns the kinematic viscosity at a temperature in degrees Celsius, m²/s:
+    /// log(log(nu + 0.7)) is linear in log(T), with nu in mm²/s (ASTM D341).
     pub fn kinematic_viscosity(&self, celsius: f64) -> f64 {
         let double_log = |viscosity: f64| (1e6 * viscosity + 0.7).log10().ln();
         let [at_40, at_100] = self.viscosities.map(double_log);
@@ -45,8 +46,8 @@ impl Oil {
         1e-6 * (10f64.powf(value.exp()) - 0.7)
     }
 
-    /// Returns the dynamic viscosity at a temperature in degrees Celsius, Pa s. The density falls by
-    /// 0.7 kg/m³ per kelvin (ISO/TS 6336-22).
+    /// Returns the dynamic viscosity at a temperature in degrees Celsius, Pa s. The density falls
+    /// by 0.7 kg/m³ per kelvin (ISO/TS 6336-22).
     pub fn dynamic_viscosity(&self, celsius: f64) -> f64 {
         self.kinematic_viscosity(celsius) * (self.density - 0.7 * (celsius + 273.0 - 289.0))
     }
@@ -102,8 +103,12 @@ pub struct RollingContact {
     pub modulus: f64,
     /// Velocities with which both surfaces move through the contact, across the contact line, m/s.
     pub rolling: [f64; 2],
-    /// Sliding speed, m/s: the difference of the two, with sliding along the contact line.
+    /// Velocities with which both surfaces move along the contact line, m/s.
+    pub along: [f64; 2],
+    /// Sliding speed, m/s: magnitude of the difference of both velocities, across and along.
     pub sliding: f64,
+    /// Loaded length of the contact line, m.
+    pub length: f64,
 }
 
 impl RollingContact {
@@ -120,6 +125,14 @@ impl RollingContact {
     /// Magnitude of the sum of both rolling velocities, m/s.
     pub fn sum_velocity(&self) -> f64 {
         (self.rolling[0] + self.rolling[1]).abs()
+    }
+
+    /// Returns the velocities that determine the time for which each surface is heated, m/s: width
+    /// of the contact over this time. A surface leaves the contact across the contact line or, if
+    /// it hardly moves in that direction, at its end.
+    fn passing_velocities(&self) -> [f64; 2] {
+        let aspect = 2.0 * self.half_width() / self.length;
+        [0, 1].map(|side| self.rolling[side].abs().max(aspect * self.along[side].abs()))
     }
 }
 
@@ -147,8 +160,10 @@ impl Lubrication {
     }
 
     /// Returns Blok's flash temperature, K:
-    /// `1.11 mu w |v1 - v2| / (sqrt(2 b) (B1 sqrt(v1) + B2 sqrt(v2)))`, with the Hertzian half-width
-    /// `b` and the thermal contact coefficients `B` (ISO/TS 6336-20). 0 without motion.
+    /// `1.11 mu w |v1 - v2| / (sqrt(2 b) (B1 sqrt(v1) + B2 sqrt(v2)))`, with the Hertzian
+    /// half-width `b` and the thermal contact coefficients `B` (ISO/TS 6336-20). 0 without sliding.
+    /// The velocity of a surface that hardly moves across the contact line is the one for which the
+    /// time of heating is the same.
     pub fn flash_temperature(&self, contact: &RollingContact) -> f64 {
         BLOK * self.heating(contact)
     }
@@ -164,8 +179,8 @@ impl Lubrication {
         if power == 0.0 {
             return 0.0;
         }
-        let cooling: f64 =
-            (0..2).map(|side| self.thermal_contact[side] * contact.rolling[side].abs().sqrt()).sum();
+        let passing = contact.passing_velocities();
+        let cooling: f64 = (0..2).map(|side| self.thermal_contact[side] * passing[side].sqrt()).sum();
         power / ((2.0 * contact.half_width()).sqrt() * cooling)
     }
 
@@ -213,7 +228,9 @@ mod tests {
         curvature: 90.0,
         modulus: 1.132e11,
         rolling: [3.0, 5.0],
+        along: [0.0; 2],
         sliding: 2.0,
+        length: 0.03,
     };
 
     fn close(a: f64, b: f64) -> bool {
@@ -255,6 +272,26 @@ mod tests {
         assert_eq!(LUBRICATION.film_thickness(&other), LUBRICATION.film_thickness(&CONTACT));
         let reverse = RollingContact { rolling: [-3.0, -5.0], ..CONTACT };
         assert_eq!(LUBRICATION.film_thickness(&reverse), LUBRICATION.film_thickness(&CONTACT));
+    }
+
+    /// Surfaces that slide along the contact line without rolling are heated over its length: the
+    /// flash temperature is that of a band of this width with the same heat flux.
+    #[test]
+    fn surfaces_that_only_slide_along_the_line_have_a_finite_temperature() {
+        let contact = RollingContact { rolling: [0.0; 2], along: [1.0, -1.0], ..CONTACT };
+        let flux = 0.05 * contact.line_load * contact.sliding / (2.0 * contact.half_width());
+        let band = 1.11 * 0.5 * flux * contact.length.sqrt() / STEEL;
+        assert!(close(LUBRICATION.flash_temperature(&contact), band));
+        // One surface stands still: the other one takes all heat.
+        let single = RollingContact { along: [2.0, 0.0], ..contact };
+        assert!(close(LUBRICATION.flash_temperature(&single), band * 2f64.sqrt()));
+        // The velocity along the line is without effect while the surfaces roll.
+        let rolling = RollingContact { along: [1.0, -1.0], ..CONTACT };
+        assert_eq!(LUBRICATION.flash_temperature(&rolling), LUBRICATION.flash_temperature(&CONTACT));
+        // The temperature is continuous: slow rolling does not change it.
+        let slow = RollingContact { rolling: [1e-9, 1e-9], ..contact };
+        assert_eq!(LUBRICATION.flash_temperature(&slow), LUBRICATION.flash_temperature(&contact));
+        assert_eq!(LUBRICATION.film_thickness(&contact), 0.0);
     }
 
     #[test]

@@ -189,11 +189,16 @@ impl Contact<'_> {
     /// patch (ground coordinates, m), across the contact line, m/s. They are relative to the line
     /// of centres, along which the contact of involutes moves in the direction of the normal.
     pub fn rolling(&self, point: [f64; 3]) -> [f64; 2] {
-        let across = self.across();
+        self.velocities(point, self.across())
+    }
+
+    /// Returns the components of the velocities of both surfaces in a direction, m/s, as
+    /// [`Contact::rolling`].
+    fn velocities(&self, point: [f64; 3], direction: [f64; 3]) -> [f64; 2] {
         let line = self.at.system.line_velocity(self.patch.pair, self.at.time(), point);
         self.bodies().map(|body| {
             let velocity = self.at.velocity(body, point);
-            (0..3).map(|k| (velocity[k] - line[k]) * across[k]).sum()
+            (0..3).map(|k| (velocity[k] - line[k]) * direction[k]).sum()
         })
     }
 
@@ -207,6 +212,8 @@ impl Contact<'_> {
     pub(super) fn rolling_states(&self) -> Vec<(Slice, Option<RollingContact>)> {
         let modulus = self.contact_modulus();
         let placed = self.placed();
+        let slices = self.slices();
+        let length = slices.iter().filter(|slice| slice.force > 0.0).map(|slice| slice.length).sum();
         let state = |(index, slice): (usize, Slice)| {
             let loaded = slice.force > 0.0 && modulus.is_finite();
             let curvature =
@@ -217,11 +224,13 @@ impl Contact<'_> {
                 curvature,
                 modulus,
                 rolling: self.rolling(slice.point),
+                along: self.velocities(slice.point, self.along()),
                 sliding: size(self.sliding(slice.point)),
+                length,
             });
             (slice, contact)
         };
-        self.slices().into_iter().enumerate().map(state).collect()
+        slices.into_iter().enumerate().map(state).collect()
     }
 
     /// Returns the direction in the tangent plane across the contact line.
@@ -229,6 +238,14 @@ impl Contact<'_> {
         match &self.patch.grid {
             ContactGrid::Plane { frame, .. } => [frame.tangent[0], frame.tangent[1], 0.0],
             ContactGrid::Solid(grid) => grid.frame.across,
+        }
+    }
+
+    /// Returns the direction along the contact line.
+    fn along(&self) -> [f64; 3] {
+        match &self.patch.grid {
+            ContactGrid::Plane { .. } => [0.0, 0.0, 1.0],
+            ContactGrid::Solid(grid) => grid.frame.along,
         }
     }
 
