@@ -5,6 +5,7 @@ pub mod document;
 pub mod judge;
 pub mod modules;
 pub mod plots;
+pub mod printed;
 
 use std::path::PathBuf;
 

@@ -1,15 +1,15 @@
 //! Compares the quantities that the gear library derives for analyses and hover texts with those of
 //! the module `iso21771`: a spur pair and a helical pair, both with profile shift.
 
-use calyx::{Engine, Module};
 use calyx_gears::blank::{GearBlank, Thickness};
 use calyx_gears::derived_quantities::{Quantity, of_gear, of_mesh};
 use calyx_gears::helix::{Hand, Helix};
 use calyx_gears::mesh_geometry::{HelicalTeeth, MeshGeometry};
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::{Plane, Rack};
+use calyx_tests::printed::printed_numbers;
 use std::fmt::Write;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 const MODULE: f64 = 3e-3;
 const FACE_WIDTH: f64 = 32e-3;
@@ -108,15 +108,7 @@ fn evaluated(helix_degrees: f64, center_distance: f64, expressions: &[String]) -
     for expression in expressions {
         writeln!(text, "print({expression});").expect("text grows");
     }
-    let module =
-        Module::from_text(&Engine::default(), "pair.cx", &text).unwrap_or_else(|error| panic!("{error}"));
-    let mut instance = module.instantiate();
-    let lines = Arc::new(Mutex::new(Vec::new()));
-    let sink = lines.clone();
-    instance.on_print(move |line| sink.lock().unwrap().push(line.to_owned()));
-    instance.solve().unwrap_or_else(|error| panic!("{error}"));
-    let lines = lines.lock().unwrap();
-    lines.iter().map(|line| line.parse().unwrap_or_else(|_| panic!("not a number: {line}"))).collect()
+    printed_numbers("pair.cx", &text)
 }
 
 fn value(quantities: &[Quantity], symbol: &str, member: Option<usize>) -> f64 {

@@ -5,22 +5,14 @@
 //! `internal.cx` are from the KISSsoft 03/2017 reports of the NREL 5 MW gearbox (public repository
 //! gfsReboucas/Drivetrain, `stage_01.rtf` and `stage_02.rtf`).
 
-use calyx::{Engine, Module};
+use calyx_tests::printed::printed_lines;
 use calyx_tests::root;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::sync::{Arc, Mutex};
 
 /// Runs a model and returns the values that it prints, by block and quantity.
 fn printed(name: &str, text: &str) -> BTreeMap<(String, String), f64> {
-    let module = Module::from_text(&Engine::default(), name, text).unwrap_or_else(|error| panic!("{error}"));
-    let mut instance = module.instantiate();
-    let lines = Arc::new(Mutex::new(Vec::new()));
-    let sink = lines.clone();
-    instance.on_print(move |line| sink.lock().unwrap().push(line.to_owned()));
-    instance.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
-    let lines = lines.lock().unwrap();
     let row = |line: &String| {
         let [block, quantity, value] = line.split('|').collect::<Vec<_>>()[..] else {
             panic!("not a row: {line}")
@@ -28,7 +20,7 @@ fn printed(name: &str, text: &str) -> BTreeMap<(String, String), f64> {
         let value = value.parse().unwrap_or_else(|_| panic!("not a number: {line}"));
         ((block.to_owned(), quantity.to_owned()), value)
     };
-    lines.iter().map(row).collect()
+    printed_lines(name, text).iter().map(row).collect()
 }
 
 fn data(name: &str) -> Value {

@@ -2,10 +2,9 @@
 //! `docs/howto/microgeometry.md` with the modifications that they show. `CALYX_BLESS=1` rewrites
 //! the pictures.
 
-use calyx::{Engine, Module};
+use calyx_tests::printed::printed_numbers;
 use calyx_tests::root;
 use std::fmt::Write;
-use std::sync::{Arc, Mutex};
 
 /// Largest difference from a closed form, relative to an amount of one micrometre.
 const ROUNDING: f64 = 1e-11;
@@ -47,15 +46,7 @@ fn amounts<'r>(points: impl Iterator<Item = [&'r str; 5]>) -> Vec<f64> {
         let amount = format!("gears.modification_amount({gear}({modification}), {point}) / (1 um)");
         writeln!(text, "print({amount});").expect("text grows");
     }
-    let module =
-        Module::from_text(&Engine::default(), "gears.cx", &text).unwrap_or_else(|error| panic!("{error}"));
-    let mut instance = module.instantiate();
-    let lines = Arc::new(Mutex::new(Vec::new()));
-    let sink = lines.clone();
-    instance.on_print(move |line| sink.lock().unwrap().push(line.to_owned()));
-    instance.solve().unwrap_or_else(|error| panic!("{error}"));
-    let lines = lines.lock().unwrap();
-    lines.iter().map(|line| line.parse().unwrap_or_else(|_| panic!("not a number: {line}"))).collect()
+    printed_numbers("gears.cx", &text)
 }
 
 #[test]

@@ -3,10 +3,9 @@
 //! `ratings/cases.cx` has the inputs. Each row of `ratings.csv` has an expression of its variables
 //! and the published digits.
 
-use calyx::{Engine, Module};
+use calyx_tests::printed::printed_lines;
 use calyx_tests::root;
 use std::fmt::Write;
-use std::sync::{Arc, Mutex};
 
 /// A published number.
 struct Row {
@@ -67,14 +66,7 @@ fn published_ratings_and_tolerances_are_reproduced() {
     for row in &rows {
         writeln!(text, "{}", row.statement()).expect("text grows");
     }
-    let module =
-        Module::from_text(&Engine::default(), "cases.cx", &text).unwrap_or_else(|error| panic!("{error}"));
-    let mut instance = module.instantiate();
-    let lines = Arc::new(Mutex::new(Vec::new()));
-    let sink = lines.clone();
-    instance.on_print(move |line| sink.lock().unwrap().push(line.to_owned()));
-    instance.solve().unwrap_or_else(|error| panic!("{error}"));
-    let lines = lines.lock().unwrap();
+    let lines = printed_lines("cases.cx", &text);
     assert_eq!(lines.len(), rows.len());
     let mut wrong = String::new();
     for (row, line) in rows.iter().zip(lines.iter()) {

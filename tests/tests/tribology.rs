@@ -1,10 +1,9 @@
 //! Local friction, flash temperature and film thickness against the library modules of ISO/TS
 //! 6336-20 and -22, at the same load, radii and velocities.
 
-use calyx::{Engine, Module};
 use calyx_runtime::lubrication::{BaseOil, Lubrication, Oil, RollingContact};
+use calyx_tests::printed::printed_numbers;
 use std::f64::consts::PI;
-use std::sync::{Arc, Mutex};
 
 const OIL: Oil = Oil { viscosities: [320e-6, 24e-6], density: 890.0, base: BaseOil::Mineral };
 const OIL_TEMPERATURE: f64 = 65.0;
@@ -49,15 +48,7 @@ for (Gamma in Gammas) {
 /// Numbers that the model prints.
 fn printed(helix: &str) -> Vec<f64> {
     let text = MODEL.replace("HELIX", helix);
-    let module =
-        Module::from_text(&Engine::default(), "points.cx", &text).unwrap_or_else(|error| panic!("{error}"));
-    let mut instance = module.instantiate();
-    let lines = Arc::new(Mutex::new(Vec::new()));
-    let sink = lines.clone();
-    instance.on_print(move |line| sink.lock().unwrap().push(line.to_owned()));
-    instance.solve().unwrap_or_else(|error| panic!("{error}"));
-    let lines = lines.lock().unwrap();
-    lines.iter().map(|line| line.parse().unwrap_or_else(|_| panic!("not a number: {line}"))).collect()
+    printed_numbers("points.cx", &text)
 }
 
 fn off(found: f64, expected: f64) -> f64 {
@@ -90,7 +81,9 @@ fn local_values_are_those_of_the_ratings_at_the_same_point() {
                 curvature: 1.0 / radius,
                 modulus: 0.5 * modulus,
                 rolling: [*first, *second],
+                along: [0.0; 2],
                 sliding: (first - second).abs(),
+                length: 42e-3,
             };
             assert!(off(contact.hertz_pressure(), *pressure) < 1e-12);
             assert!(off(lubrication.film_thickness(&contact), *film) < 1e-9, "{helix}: {film}");
@@ -98,11 +91,12 @@ fn local_values_are_those_of_the_ratings_at_the_same_point() {
             if contact.sliding < 1e-9 {
                 continue;
             }
-            // ISO/TS 6336-22 uses the coefficient of a uniform heat flux, 2/sqrt(pi), for Blok's 1.11.
+            // ISO/TS 6336-22 uses the coefficient of a uniform heat flux, 2/sqrt(pi), for Blok's
+            // 1.11.
             let uniform = lubrication.flash_temperature(&contact) * 2.0 / PI.sqrt() / 1.11;
             assert!(off(uniform, *flash) < 1e-9, "{helix}: {uniform} {flash}");
-            // The angle factor contains the ratio of normal to transverse unit load, as this mean of
-            // the pressure angles of the working and the reference circle.
+            // The angle factor contains the ratio of normal to transverse unit load, as this mean
+            // of the pressure angles of the working and the reference circle.
             let tilt = cos_working.powf(2.0 / 3.0) * cos_reference.powf(1.0 / 3.0);
             let loaded = RollingContact { line_load: 3e5 / tilt, ..contact };
             let blok = Lubrication { friction: Some(0.06), ..lubrication }.flash_temperature(&loaded);
@@ -134,7 +128,9 @@ fn the_coefficient_of_friction_is_that_of_the_standard() {
         curvature: 100.0,
         modulus: 1.13e11,
         rolling: [3.0; 2],
+        along: [0.0; 2],
         sliding: 0.0,
+        length: 42e-3,
     };
     let text = "import micropitting;\nimport scuffing;\n\
         var oil = scuffing.Lubricant(320 mm^2/s, 24 mm^2/s, temperature = 65);\n\
@@ -142,13 +138,6 @@ fn the_coefficient_of_friction_is_that_of_the_standard() {
         var rough = micropitting.X_R(0.7 um, 10 mm);\n\
         var mu = micropitting.mu_m(250 N/mm, 6 m/s, 10 mm, eta, rough);\n\
         print(\"{mu : .17e}\");\n";
-    let module =
-        Module::from_text(&Engine::default(), "mu.cx", text).unwrap_or_else(|error| panic!("{error}"));
-    let mut instance = module.instantiate();
-    let found = Arc::new(Mutex::new(String::new()));
-    let sink = found.clone();
-    instance.on_print(move |line| line.clone_into(&mut sink.lock().unwrap()));
-    instance.solve().unwrap_or_else(|error| panic!("{error}"));
-    let expected: f64 = found.lock().unwrap().parse().expect("a number");
+    let expected = printed_numbers("mu.cx", text)[0];
     assert!(off(lubrication.friction(&contact), expected) < 1e-12, "{expected}");
 }
