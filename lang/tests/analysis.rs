@@ -59,8 +59,8 @@ fn every_identifier_of_the_examples_is_known() {
             for token in &database.tokens(file).expect("tokens").tokens {
                 let word = &text[token.span.start as usize..token.span.end as usize];
                 let known = names.binary_search_by_key(&token.span.start, |name| name.start).is_ok();
-                // Built-in types, unit systems, `none`, `not`, `as` and the keywords of `extern` are not
-                // names of the program.
+                // Built-in types, unit systems, `none`, `not`, `as` and the keywords of `extern`
+                // are not names of the program.
                 let own = |word: &str| {
                     word.starts_with(char::is_uppercase)
                         || word.contains("_s")

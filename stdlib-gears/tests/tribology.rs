@@ -121,7 +121,8 @@ fn a_spur_pair_rolls_and_slides_as_involutes_do() {
                 "{pressure} {}",
                 contact.hertz_pressure()
             );
-            // Blok's formula with this pressure, as ISO/TS 6336-22 writes it for a uniform heat flux.
+            // Blok's formula with this pressure, as ISO/TS 6336-22 writes it for a uniform heat
+            // flux.
             let uniform = 0.5 * PI.sqrt() * FRICTION * contact.hertz_pressure() * contact.sliding
                 / (13.8e3 * (first.sqrt() + second.sqrt()))
                 * (2.0 * contact.half_width()).sqrt();

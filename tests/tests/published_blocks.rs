@@ -115,8 +115,8 @@ fn shown(entry: &Value, what: &str) -> f64 {
     }
 }
 
-/// Returns true if a value has these digits: it differs by at most half a unit of the last one, with
-/// a margin for the rounding of the printing program.
+/// Returns true if a value has these digits: it differs by at most half a unit of the last one,
+/// with a margin for the rounding of the printing program.
 fn has_digits(value: f64, digits: &str, what: &str) -> bool {
     let published: f64 = digits.parse().unwrap_or_else(|_| panic!("{what}: {digits} is not a number"));
     let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());

@@ -51,7 +51,8 @@ impl<'a> Checker<'a> {
             let new = self.diagnostics.get_mut(reported..).unwrap_or_default();
             let unknown = |d: &&mut Diagnostic| d.code == "E0205" && d.primary.span == name.span;
             let Some(problem) = new.iter_mut().find(unknown) else { continue };
-            // A spelling of a parameter's name, or of the name of another quantity in documentation.
+            // A spelling of a parameter's name, or of the name of another quantity in
+            // documentation.
             if decl.parameters.iter().any(|parameter| has_symbol(&parameter.name.name, &name.name)) {
                 continue;
             }

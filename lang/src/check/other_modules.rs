@@ -60,13 +60,19 @@ enum DocumentedItem {
 
 fn listed(doc: &str, name: &str) -> Option<DocumentedItem> {
     let mut make: Option<fn(String) -> DocumentedItem> = None;
-    for line in doc.lines().map(str::trim) {
+    let mut lines = doc.lines().map(str::trim).peekable();
+    while let Some(line) = lines.next() {
         match line {
             "Not available yet:" => make = Some(DocumentedItem::Absent),
             "Under another name:" => make = Some(DocumentedItem::Renamed),
             "" => make = None,
             _ => {
-                let Some((make, item)) = make.zip(line.strip_prefix("- ")) else { continue };
+                let Some((make, first)) = make.zip(line.strip_prefix("- ")) else { continue };
+                let mut item = first.to_owned();
+                while let Some(more) = lines.next_if(|line| !line.is_empty() && !line.starts_with("- ")) {
+                    item.push(' ');
+                    item.push_str(more);
+                }
                 let Some((text, names)) = item.rsplit_once(" (") else { continue };
                 if names.split('`').skip(1).step_by(2).any(|listed| has_words(name, listed)) {
                     return Some(make(text.to_owned()));
@@ -132,7 +138,8 @@ fn related(name: &str, declared: &[String]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     const DOC: &str = "Gears.\n\nNot available yet:\n- bevel gears (`bevel`, `hypoid`)\n- scuffing (`flash_temperature`)\n\n\
-                       Under another name:\n- `external` makes external gears (`pinion`)\n";
+                       Under another name:\n- `external` makes external gears (`pinion`,\n  `wheel`)\n- `internal` makes\n\
+                         internal gears (`ring`)\n";
 
     #[test]
     fn concepts_that_the_documentation_lists_are_recognised() {
@@ -144,6 +151,9 @@ mod tests {
         assert_eq!(help("spiral_bevel"), "Calyx does not have bevel gears yet");
         assert_eq!(help("flash_temperature"), "Calyx does not have scuffing yet");
         assert_eq!(help("pinion"), "`external` makes external gears");
+        // Items may continue on the next line.
+        assert_eq!(help("wheel"), "`external` makes external gears");
+        assert_eq!(help("ring"), "`internal` makes internal gears");
         assert_eq!(help("tooth_root_stress"), "it has names like it: `max_root_stress`, `gauge_stress`");
         assert!(help("zebra").contains("`calyx doc gears`"));
         // Parts of words do not match.

@@ -1,4 +1,5 @@
-//! Units of outputs that a library function declares for its result: `-> Observable(Angle) in urad`.
+//! Units of outputs that a library function declares for its result, such as
+//! `-> Observable(Angle) in urad`.
 
 use super::infer::Checker;
 use super::params::listed;

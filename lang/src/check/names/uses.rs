@@ -423,8 +423,8 @@ impl<'a> Resolver<'a> {
         *problem = problem.clone().help(help).suggest(format!("write `{quoted}`"), place, quoted);
     }
 
-    /// Returns `true` if a parameter is a text or has one as its default, as the materials and racks
-    /// of the gear library have.
+    /// Returns `true` if a parameter is a text or has one as its default, as the materials and
+    /// racks of the gear library have.
     fn accepts_text(&self, callee: &Expr, parameter: &str) -> bool {
         let (ExprKind::Name(name) | ExprKind::Field { field: name, .. }) = &callee.kind else { return false };
         let declared = match self.names.uses.get(&name.span) {
