@@ -232,8 +232,9 @@ pub enum UnitMeaning {
 pub enum Domain {
     /// `in low .. high`, inclusive; either limit may be missing.
     Range { low: Option<Expr>, high: Option<Expr>, span: Span },
-    /// `in ["a", "b"]`
-    Choices { values: Vec<Expr>, span: Span },
+    /// `in ["a", "b"]`, with the other names of choices in the documentation of a parameter, each
+    /// followed by its choice.
+    Choices { values: Vec<Expr>, span: Span, other_names: Vec<(String, String)> },
 }
 
 /// `function f(in a, in b = 2, in frame := e, out c) { ... }`,
@@ -274,8 +275,8 @@ pub enum FunctionBody {
     /// before `function`.
     Extern {
         purity: Option<Ident>,
-        /// Unit in which outputs show the result: `extern scene function f() -> Observable(Angle) in
-        /// urad;`.
+        /// Unit in which outputs show the result:
+        /// `extern scene function f() -> Observable(Angle) in urad;`.
         unit: Option<Expr>,
     },
 }

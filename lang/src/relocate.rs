@@ -216,7 +216,7 @@ fn domain(domain: &mut Option<Domain>, visit: &mut Visit<'_>) {
             visit(span, None);
             low.iter_mut().chain(high).for_each(|e| expr(e, visit));
         }
-        Some(Domain::Choices { values, span }) => {
+        Some(Domain::Choices { values, span, .. }) => {
             visit(span, None);
             values.iter_mut().for_each(|e| expr(e, visit));
         }

@@ -10,7 +10,7 @@ use crate::helix::{Hand, Helix};
 use crate::host::{ModelHost, keep};
 use crate::material_names;
 use crate::modification::Modification;
-use crate::plausibility::{metric_pitch, of_gear, tiny_module};
+use crate::plausibility::{StatedModule, metric_pitch, of_gear, tiny_module};
 use crate::prototype::GearPrototype;
 use crate::rack::{Plane, Rack};
 use crate::roughing::RoughingTool;
@@ -407,13 +407,19 @@ fn cut_gear(
         }
         gear
     });
-    keep_gear(host, cut, (tool.module(), pitch_of(&given.modules), far), place)
+    keep_gear(host, cut, (tool.module(), stated_module(&given.modules), far), place)
 }
 
 /// Returns the diametral pitch that states the size of the teeth, 1/m, with its argument.
 fn pitch_of(statements: &[ModuleStatement]) -> Option<(&'static str, f64)> {
     let pitch = statements.iter().find(|statement| statement.argument.ends_with("diametral_pitch"))?;
     Some((pitch.argument, 1.0 / pitch.module))
+}
+
+/// Returns the statement of the size of the teeth: a diametral pitch, else a module.
+fn stated_module(statements: &[ModuleStatement]) -> Option<StatedModule> {
+    let pitch = pitch_of(statements).map(|(argument, pitch)| StatedModule::Pitch(argument, pitch));
+    pitch.or_else(|| statements.first().map(|stated| StatedModule::Module(stated.argument, stated.module)))
 }
 
 /// Returns the error for a module in a wrong unit, which makes all diameters of the gear wrong.
@@ -428,13 +434,13 @@ fn module_slip(statements: &[ModuleStatement], face_width: f64, module: f64) -> 
 fn keep_gear(
     host: &mut ModelHost,
     cut: Result<Arc<GearPrototype>, Refusal>,
-    (module, pitch, far): (f64, Option<(&'static str, f64)>, Option<&'static str>),
+    (module, stated, far): (f64, Option<StatedModule>, Option<&'static str>),
     place: Place,
 ) -> Result<Handle, RuntimeError> {
     let gear = cut.map_err(|refusal| host.rejected(refusal, place))?;
     host.note(gear.gear.warnings(), place);
     let (wrong, unusual): (Vec<_>, Vec<_>) =
-        of_gear(&gear, module, pitch, far).into_iter().partition(|found| found.severity == Severity::Error);
+        of_gear(&gear, module, stated, far).into_iter().partition(|found| found.severity == Severity::Error);
     host.note(&unusual, place);
     if !wrong.is_empty() {
         return Err(host.rejected(wrong.into(), place));

@@ -29,6 +29,8 @@ const FACE_WIDTHS: RangeInclusive<f64> = 0.2..=150.0;
 const POSSIBLE_FACE_WIDTHS: RangeInclusive<f64> = 0.02..=2000.0;
 /// Face widths that a message suggests, in modules.
 const USUAL_FACE_WIDTHS: RangeInclusive<f64> = 2.0..=50.0;
+/// Face width in modules below which a module in inches is questioned.
+const NARROW_FACE: f64 = 2.0;
 /// Smallest thickness between the tooth spaces and the supported surface, and of the rim alone, in
 /// modules.
 const THINNEST_METAL: f64 = 0.4;
@@ -93,18 +95,30 @@ pub(crate) fn of_material(material: &Material, place: (u32, u32, u32)) -> Vec<Fi
     found
 }
 
+/// Argument that states the size of the teeth, with its value.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum StatedModule {
+    /// Module, m.
+    Module(&'static str, f64),
+    /// Diametral pitch, 1/m.
+    Pitch(&'static str, f64),
+}
+
 /// Errors and warnings about the face width, the rim and the pitch deviations of a generated gear.
-/// `module` is the tool's module as given, and `pitch` the diametral pitch that states it, if any,
-/// with its argument. `far` is the argument that states the blank in place of `rim`, if any.
+/// `module` is the tool's module as given, and `stated` the argument that states it with its value,
+/// a length or a diametral pitch, if any. `far` is the argument that states the blank in place of `rim`, if any.
 pub(crate) fn of_gear(
     gear: &GearPrototype,
     module: f64,
-    pitch: Option<(&'static str, f64)>,
+    stated: Option<StatedModule>,
     far: Option<&'static str>,
 ) -> Vec<GeometryError> {
-    let per_millimetre = pitch.and_then(|pitch| metric_pitch(gear.face_width, module, pitch));
+    let slip = stated.and_then(|stated| match stated {
+        StatedModule::Pitch(argument, pitch) => metric_pitch(gear.face_width, module, (argument, pitch)),
+        StatedModule::Module(argument, module) => module_in_inches(gear.face_width, argument, module),
+    });
     let found = [
-        per_millimetre.or_else(|| face_width(gear.face_width, module)),
+        slip.or_else(|| face_width(gear.face_width, module)),
         thin_rim(&gear.form(), &gear.rim, module, far),
         pitch_deviations(&gear.form(), &gear.pitch_errors),
     ];
@@ -192,6 +206,29 @@ pub(crate) fn tiny_module(face_width: f64, (argument, module): (&'static str, f6
             number shown(face_width / module), " modules wide"
         ],
         sentence!["is `", text argument, " = ", length meant, "` meant?"],
+    ))
+}
+
+/// Detects a module in inches that is probably in millimetres: the face is narrower than the teeth
+/// are high, and usual with a module of as many millimetres.
+fn module_in_inches(face_width: f64, argument: &'static str, module: f64) -> Option<GeometryError> {
+    let inches = module / INCH;
+    let digits = (1e3 * inches).round() / 1e3;
+    let metric = face_width / (inches * MILLIMETRE);
+    let is_written = (inches - digits).abs() <= 1e-9 * inches;
+    if face_width >= NARROW_FACE * module || !is_written || !USUAL_FACE_WIDTHS.contains(&metric) {
+        return None;
+    }
+    Some(GeometryError::warning(
+        "E0803",
+        argument,
+        sentence![
+            "a module of ", number digits, " inch is ", length module, ", and the face is only ",
+            number shown(face_width / module), " modules wide"
+        ],
+        sentence![
+            "is `", text argument, " = ", number digits, " mm` meant? Modules are in millimetres; gears in inches have a diametral pitch"
+        ],
     ))
 }
 

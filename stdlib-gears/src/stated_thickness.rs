@@ -148,6 +148,15 @@ impl<'t> Geometry<'t> {
         if self.internal { self.pitch - arc } else { arc }
     }
 
+    /// Returns the diameter of the circle on which balls touch both flanks of a tooth space, from
+    /// that of their centres: the normal of the flank at the point of contact passes through the
+    /// centre.
+    fn contact_diameter(&self, centers: f64, ball: f64) -> f64 {
+        let tangent = ((centers / self.base_diameter).powi(2) - 1.0).max(0.0).sqrt();
+        let along = tangent - self.sense() * ball * self.base_cosine / self.base_diameter;
+        self.base_diameter * (1.0 + along * along).sqrt()
+    }
+
     fn of_span(&self, span: f64, teeth: f64) -> f64 {
         let arc = span / self.base_cosine - (teeth - 1.0) * self.base_pitch;
         self.of_half_base_angle(arc / self.base_diameter)

@@ -22,9 +22,32 @@ pub struct Check {
     low: Option<Expr>,
     high: Option<Expr>,
     choices: Vec<String>,
+    /// Other names of choices, each with its choice.
+    other_names: Vec<(String, String)>,
     span: Span,
     /// The range as written.
     text: String,
+}
+
+impl Check {
+    /// Returns the choice that the documentation lists for another name, and `true` if it has the
+    /// same meaning. A name that ends with `...` in the documentation stands for all that begin
+    /// alike. Case, blanks and hyphens do not matter.
+    fn other_name(&self, text: &str) -> Option<(&str, bool)> {
+        let plain = |text: &str| {
+            let letters = text.chars().filter(|c| !matches!(c, ' ' | '-' | '_'));
+            letters.flat_map(char::to_lowercase).collect::<String>()
+        };
+        let own = plain(text);
+        let known = |name: &str| match name.strip_suffix("...") {
+            Some(start) if own.starts_with(&plain(start)) => Some(false),
+            _ => (plain(name) == own).then_some(true),
+        };
+        let found =
+            self.other_names.iter().filter_map(|(name, choice)| Some((choice.as_str(), known(name)?)));
+        let found = found.filter(|(choice, _)| self.choices.iter().any(|known| known == choice));
+        found.max_by_key(|(_, is_same)| *is_same)
+    }
 }
 
 impl ArgumentRange {
@@ -85,11 +108,12 @@ impl<'a> Checker<'a> {
                     low,
                     high,
                     choices: Vec::new(),
+                    other_names: Vec::new(),
                     span: *span,
                     text: self.text(*span).to_string(),
                 }
             }
-            Some(Domain::Choices { values, span }) => {
+            Some(Domain::Choices { values, span, other_names }) => {
                 let around = self.constant_place.replace("a list of choices");
                 let mut choices = Vec::new();
                 for e in values {
@@ -106,6 +130,7 @@ impl<'a> Checker<'a> {
                     low: None,
                     high: None,
                     choices,
+                    other_names: other_names.clone(),
                     span: *span,
                     text,
                 }
@@ -283,6 +308,16 @@ impl<'a> Checker<'a> {
         let message = format!("`{}` cannot be \"{text}\"", check.name);
         let diagnostic = Diagnostic::error("E0314", message, span, "not an allowed value")
             .label(check.span, "allowed here");
+        if let Some((choice, is_same)) = check.other_name(text) {
+            let written = format!("\"{choice}\"");
+            let diagnostic = diagnostic.help(format!("did you mean {written}? Allowed: {allowed}"));
+            let title = format!("change to {written}");
+            self.report(match is_same {
+                true => diagnostic.fix(title, span, written),
+                false => diagnostic.suggest(title, span, written),
+            });
+            return;
+        }
         let begun: Vec<&String> =
             check.choices.iter().filter(|choice| !text.is_empty() && choice.starts_with(text)).collect();
         let diagnostic = match similar(text, check.choices.iter().map(String::as_str)) {

@@ -2,7 +2,7 @@
 //!
 //! Locations in an item are relative to its start, so edits above an item do not change it.
 
-use crate::ast::{Expr, ExprKind, FunctionBody, FunctionDecl, Stmt, StmtKind};
+use crate::ast::{Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Stmt, StmtKind};
 use crate::relocate;
 use crate::span::{FileId, Span};
 use std::collections::BTreeSet;
@@ -124,11 +124,31 @@ fn symbols(doc: &str) -> Option<String> {
     (!first.is_empty() || !others.is_empty()).then(|| format!("{first}. {others}"))
 }
 
+/// Returns the other names of choices in a parameter's documentation, each with its choice. They
+/// follow the choice in parentheses: `"left" (LH, L)`.
+fn choice_names(doc: &str) -> Vec<(String, String)> {
+    let doc = doc.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut names = Vec::new();
+    let mut rest = doc.as_str();
+    while let Some((before, after)) = rest.split_once("\" (") {
+        rest = after;
+        if let (Some((_, choice)), Some((listed, _))) = (before.rsplit_once('"'), after.split_once(')')) {
+            names.extend(listed.split(", ").map(|name| (name.to_owned(), choice.to_owned())));
+        }
+    }
+    names
+}
+
 fn without_docs(statement: &mut Stmt) {
     match &mut statement.kind {
         StmtKind::Function(decl) => {
             // A call with an unknown argument name is compared with the symbols of the parameters.
             for parameter in &mut decl.parameters {
+                if let (Some(doc), Some(Domain::Choices { other_names, .. })) =
+                    (&parameter.doc, &mut parameter.domain)
+                {
+                    *other_names = choice_names(doc);
+                }
                 parameter.doc = parameter.doc.take().and_then(|doc| symbols(&doc));
             }
             // Embedding programs can list symbolic functions and host functions, with their

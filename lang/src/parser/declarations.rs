@@ -151,7 +151,11 @@ fn is_component_body(source: &Source<'_>, open: usize) -> bool {
 
 /// Parses `in low .. high` or `in ["a", "b"]`.
 fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
-    let choices = e.list.clone().map_with(|values, extra| (values, source.range(extra.span())));
+    let choices = e.list.clone().map_with(|values, extra| Domain::Choices {
+        values,
+        span: source.range(extra.span()),
+        other_names: Vec::new(),
+    });
     let bound = when(move |at| {
         super::expressions::may_begin(source.kind(at)) && source.kind(at) != Some(Kind::DotDot)
     })
@@ -163,9 +167,7 @@ fn domain<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, Domain> {
         .then_ignore(expect(source, Kind::DotDot, "between the limits of the range"))
         .then(upper)
         .map_with(|(low, high), extra| Domain::Range { low, high, span: source.range(extra.span()) });
-    just(Kind::In)
-        .ignore_then(choice((choices.map(|(values, span)| Domain::Choices { values, span }), range)))
-        .boxed()
+    just(Kind::In).ignore_then(choice((choices, range))).boxed()
 }
 
 /// Parses `component Name(a: Type, b = 2) { ... }`.

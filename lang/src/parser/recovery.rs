@@ -276,6 +276,49 @@ fn decimal_comma(source: &Source<'_>, comma: usize) -> Option<Diagnostic> {
     Diagnostic::decimal_comma(place, source.text(first), source.text(comma + 1))
 }
 
+/// Returns the error for a number directly after a quantity, as in `14 deg 30`.
+fn after_quantity(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    let unit = at.checked_sub(1)?;
+    let number = unit.checked_sub(1)?;
+    let kinds = [number, unit, at].map(|index| source.kind(index));
+    if kinds != [Some(Kind::Number), Some(Kind::Identifier), Some(Kind::Number)] {
+        return None;
+    }
+    let named = Unit::find(source.text(unit))?;
+    let (quantity, second) = (format!("{} {}", source.text(number), source.text(unit)), source.text(at));
+    let problem = Diagnostic::error(
+        "E0131",
+        format!("`{second}` follows `{quantity}` without an operator"),
+        source.place(at),
+        "a second number",
+    );
+    let degrees: Option<f64> = source.text(number).parse().ok();
+    let minutes: Option<f64> = second.parse().ok().filter(|minutes| (0.0..60.0).contains(minutes));
+    let (Some(degrees), Some(minutes), "deg") = (degrees, minutes, named.name) else {
+        return Some(problem.help("write an operator or a `,` between the two"));
+    };
+    // The unit of the minutes, if any.
+    let own = source.kind(at + 1) == Some(Kind::Identifier) && Unit::find(source.text(at + 1)).is_some();
+    let last = if own { at + 1 } else { at };
+    let sign = if source.previous(number) == Some(Kind::Minus) { '-' } else { '+' };
+    let written = format!("{sign} {second} arcmin");
+    let problem = problem.help(format!(
+        "{second} minutes of arc are added: write `{quantity} {written}`, or `{} deg`",
+        shortest(degrees + minutes / 60.0)
+    ));
+    Some(problem.suggest(
+        format!("write `{quantity} {written}`"),
+        source.place(at).to(source.place(last)),
+        written,
+    ))
+}
+
+/// Returns a number with at most six decimals.
+fn shortest(value: f64) -> String {
+    let text = format!("{value:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 /// Returns the error for a number directly after another number, as in `100 1/min`.
 fn second_number(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
     let before = at.checked_sub(1)?;
@@ -338,7 +381,10 @@ pub(super) fn conversion(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
 
 /// Returns the error for a known mistake at a token that no rule accepts.
 fn mistake(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
-    decimal_comma(source, at).or_else(|| second_number(source, at)).or_else(|| conversion(source, at))
+    decimal_comma(source, at)
+        .or_else(|| second_number(source, at))
+        .or_else(|| after_quantity(source, at))
+        .or_else(|| conversion(source, at))
 }
 
 /// Returns the error for a token that no rule accepts.

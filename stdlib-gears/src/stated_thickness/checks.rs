@@ -178,8 +178,8 @@ impl ThicknessStatements {
         ))
     }
 
-    /// Checks that the balls of a dimension over balls are not below the tip circle, where nothing
-    /// can measure them. `thickness` is the nominal thickness in the plane of the tool, m.
+    /// Checks that the balls of a dimension over balls touch the flanks below the tips, and that they
+    /// are not themselves below the tip circle, where nothing can measure them. `thickness` is the nominal thickness in the plane of the tool, m.
     ///
     /// # Errors
     /// E0917.
@@ -201,6 +201,17 @@ impl ThicknessStatements {
             ));
         };
         let centers = (dimension - geometry.sense() * ball) / geometry.odd();
+        let contact = geometry.contact_diameter(centers, ball);
+        if geometry.sense() * (contact - tip_diameter) > SAME_THICKNESS * tool.module() {
+            return Err(incomplete(
+                "ball",
+                sentence![
+                    "balls of ", length ball, " touch the flanks at a diameter of ", length contact,
+                    ", beyond the tip circle of ", length tip_diameter, ": they rest on the tips of the teeth"
+                ],
+                sentence!["measure with smaller balls, such as `ball = ", length 1.75 * tool.module(), "`"],
+            ));
+        }
         let end = centers + geometry.sense() * ball;
         if geometry.sense() * (end - tip_diameter) > 0.0 {
             return Ok(());
