@@ -56,8 +56,11 @@ pub fn page(name: &str, allowed: &Arc<[PathBuf]>) -> Result<Page, DocError> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     // Types are known for valid declarations, even if others have errors.
     let loader = ModelLoader { folder: path.parent().map(Path::to_path_buf), allowed: allowed.clone() };
-    let types = check_program(name, &text, &loader).types;
-    Ok(collect::page(&stem, &text, false, &types))
+    let checked = check_program(name, &text, &loader);
+    let mut page = collect::page(&stem, &text, false, &checked.types);
+    let params = checked.program.map(|program| program.params).unwrap_or_default();
+    page.entries.extend(collect::instance_params(&params, &checked.files));
+    Ok(page)
 }
 
 /// Returns the names of the library modules, the prelude first.

@@ -2,6 +2,7 @@
 
 use calyx_lang::ast::*;
 use calyx_lang::dimension::{Dimension, Rational};
+use calyx_lang::ir::{Param, SourceFile};
 use calyx_lang::parser::parse;
 use calyx_lang::span::{FileId, Span};
 use calyx_lang::units::UnitSystem;
@@ -97,6 +98,55 @@ pub fn page(name: &str, text: &str, library: bool, types: &BTreeMap<String, Stri
             .filter(|s| !s.private)
             .filter_map(|s| reader.entry(s, name, library))
             .collect(),
+    }
+}
+
+/// Returns the params of component instances, such as `low.torque`, among the `params` of a model
+/// whose sources are `files`. The declaration in the component has their defaults and ranges.
+pub fn instance_params(params: &[Param], files: &[SourceFile]) -> Vec<Entry> {
+    let types = BTreeMap::new();
+    let mut parsed = BTreeMap::new();
+    let instances = params.iter().filter(|param| param.name.contains('.'));
+    let entry = |param: &Param| {
+        let file = param.span.file;
+        let text = &files.get(file.0 as usize)?.text;
+        let module = parsed.entry(file.0).or_insert_with(|| parse(file, text).0);
+        let components = module.statements.iter().flat_map(members);
+        let declared = components.filter_map(|member| match &member.kind {
+            StmtKind::Param(decl) => Some(decl),
+            _ => None,
+        });
+        let decl = declared.into_iter().find(|decl| decl.name.span.start == param.span.start)?;
+        let reader = Reader { text, types: &types };
+        let field = Field {
+            name: param.name.clone(),
+            default: Some(reader.slice(decl.default.span)),
+            domain: reader.domain(&decl.domain),
+            ..Field::default()
+        };
+        Some(Entry {
+            kind: Kind::Param,
+            name: param.name.clone(),
+            former: None,
+            doc: param.doc.clone(),
+            signature: format!("--set \"{}={}\"", param.name, reader.given(&decl.default)),
+            result: None,
+            fields: vec![field],
+            effect: "",
+        })
+    };
+    instances.filter_map(entry).collect()
+}
+
+/// Returns the statements of a component's body; nothing for other statements.
+fn members(statement: &Stmt) -> &[Stmt] {
+    let StmtKind::Function(component) = &statement.kind else { return &[] };
+    match &component.body {
+        FunctionBody::Statement(body) if component.is_component => match &body.kind {
+            StmtKind::Block(statements) => statements,
+            _ => &[],
+        },
+        _ => &[],
     }
 }
 
@@ -201,14 +251,7 @@ impl Reader<'_> {
                 let parameters = component.parameters.iter().map(|p| Field { mode: "", ..self.parameter(p) });
                 let parameters: Vec<Field> = parameters.collect();
                 let signature = call(&component.name.name, &parameters);
-                let members = match &component.body {
-                    FunctionBody::Statement(body) => match &body.kind {
-                        StmtKind::Block(statements) => statements.as_slice(),
-                        _ => &[],
-                    },
-                    _ => &[],
-                };
-                let members = members.iter().filter_map(|statement| self.member(statement));
+                let members = members(statement).iter().filter_map(|statement| self.member(statement));
                 let fields = parameters.into_iter().chain(members).collect();
                 Entry { fields, ..entry(Kind::Component, &component.name, signature) }
             }

@@ -66,10 +66,12 @@ impl Checker<'_> {
                     return false;
                 }
                 let text = [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.shallow(ty), Type::String));
-                let help = if text && verb == "add" {
-                    "convert values to text by interpolation: `\"{a}{b}\"`"
-                } else {
-                    "both sides must have the same type"
+                let help = match self.array_and_element(a, b, verb) {
+                    _ if text && verb == "add" => {
+                        "convert values to text by interpolation: `\"{a}{b}\"`".to_owned()
+                    }
+                    Some(help) => help,
+                    None => "both sides must have the same type".to_owned(),
                 };
                 let diagnostic = Diagnostic::error("E0301", message, b.span, format!("this is {right}"))
                     .label(a.span, format!("this is {left}"))
@@ -82,6 +84,29 @@ impl Checker<'_> {
         };
         self.report(diagnostic);
         false
+    }
+
+    /// Returns the help for the sum or difference of an array and one value of the type of its
+    /// elements.
+    fn array_and_element(&self, a: &Expr, b: &Expr, verb: &str) -> Option<String> {
+        let Type::Array(element) = self.store.shallow(&a.ty) else { return None };
+        let kind = |ty: &Type| std::mem::discriminant(&self.store.shallow(ty));
+        let sign = match verb {
+            "add" => '+',
+            "subtract" => '-',
+            _ => return None,
+        };
+        if kind(&element) != kind(&b.ty) {
+            return None;
+        }
+        let (array, value) = (self.text(a.span).trim(), self.text(b.span).trim());
+        let each = format!("for each element write `[x {sign} {value} for x in {array}]`");
+        Some(match (verb, &a.kind) {
+            ("add", Kind::Var(_) | Kind::Updated(_)) => {
+                format!("append it with `push({array}, {value})`; {each}")
+            }
+            _ => each,
+        })
     }
 
     /// Returns the error for the sum of a vector and a variable that starts with `0`, if the

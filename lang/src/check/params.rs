@@ -58,6 +58,8 @@ impl<'a> Checker<'a> {
         let default = self.whole(&decl.default);
         let ty = default.ty.clone();
         let (mut low, mut high, mut choices) = (None, None, Vec::new());
+        // An error in a list of choices is reported once.
+        let mut is_sound = true;
         let name = &decl.name.name;
         match &decl.domain {
             Some(Domain::Range { low: l, high: h, .. }) => {
@@ -79,12 +81,18 @@ impl<'a> Checker<'a> {
                 }
             }
             Some(Domain::Choices { values, .. }) => {
-                choices = self.param_choices(&ty, values);
-                self.expect(&Type::String, &default, &format!("the default of `{name}`"), None);
+                let texts = self.param_choices(&ty, values);
+                is_sound = texts.is_some();
+                choices = texts.unwrap_or_default();
+                if is_sound {
+                    self.expect(&Type::String, &default, &format!("the default of `{name}`"), None);
+                }
             }
             None => {}
         }
-        self.domain(&ty, decl.domain.as_ref(), Some(&default), name);
+        if is_sound {
+            self.domain(&ty, decl.domain.as_ref(), Some(&default), name);
+        }
         self.dependence.param(index, &default);
         self.note_circular_param(index, &default);
         self.constant_place = around;
@@ -104,11 +112,16 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Returns the allowed texts of a param of a type.
-    fn param_choices(&mut self, ty: &Type, values: &'a [ast::Expr]) -> Vec<String> {
+    /// Returns the allowed texts of a param of a type; `None` after reporting the first element that
+    /// is not a text.
+    fn param_choices(&mut self, ty: &Type, values: &'a [ast::Expr]) -> Option<Vec<String>> {
         let mut choices = Vec::new();
         for value in values {
             let value = self.expr(value);
+            if let Some(problem) = self.choice_of_other_kind(&value) {
+                self.report(problem);
+                return None;
+            }
             let wanted = if let Type::Enum(_) = self.store.shallow(ty) { ty.clone() } else { Type::String };
             self.expect(&wanted, &value, "a choice", None);
             match super::constant::text(&value) {
@@ -127,7 +140,20 @@ impl<'a> Checker<'a> {
                 None => {}
             }
         }
-        choices
+        Some(choices)
+    }
+
+    /// Returns the error for a number or a truth value in a list of choices.
+    fn choice_of_other_kind(&self, value: &Expr) -> Option<Diagnostic> {
+        let ty = self.store.shallow(&value.ty);
+        let help = match ty {
+            Type::Number(_) => "give a range such as `in 1 .. 3` for numbers, or write the choices as texts",
+            Type::Bool => "a param with the default `true` or `false` needs no list of choices",
+            _ => return None,
+        };
+        let shown = with_article(&self.store.show(&ty));
+        let message = format!("a choice must be a String, not {shown}");
+        Some(Diagnostic::error("E0301", message, value.span, format!("this is {shown}")).help(help))
     }
 
     /// Determines the type and the unit of each param, once types are known.

@@ -4,7 +4,7 @@ use super::groups::{Group, groups, links, named, sees_state};
 use super::items::{Item, facts, items, module, problems, reachable};
 use super::units::{check_group, check_top, dependents, id};
 use super::{Library, Storage, Text};
-use crate::ast::{Ident, StmtKind};
+use crate::ast::{ANONYMOUS, Ident, StmtKind};
 use crate::check::item::ItemKind;
 use crate::check::unit::Unit;
 use crate::check::{Checked, Linked, Model, has_errors, lower, rules};
@@ -194,7 +194,8 @@ pub(super) fn checked(db: &dyn salsa::Database, model: Text, library: Library) -
     diagnostics.retain(|d| seen.insert((d.code.clone(), d.primary.span, d.message.clone())));
     let schemes = linked.units().iter().take(of_model).flat_map(|unit| unit.schemes.clone());
     let types = linked.units().first().map(|unit| unit.types.clone()).unwrap_or_default();
-    let types = types.into_iter().chain(schemes).collect();
+    let has_name = |(name, _): &(String, String)| !name.ends_with(ANONYMOUS);
+    let types = types.into_iter().chain(schemes).filter(has_name).collect();
     Checked { program, diagnostics, files: sources, types }
 }
 
