@@ -1,7 +1,7 @@
 //! Checks a model from a file or a text: its language, then its gears.
 
 use crate::diagnostics::has_errors;
-use crate::elaboration::{Params, elaborate};
+use crate::elaboration::{Lowered, Params, elaborate_and_keep};
 use crate::loader::{ModelLoader, TextLoader};
 use crate::plan::Planned;
 use calyx_abi::Cancel;
@@ -41,6 +41,8 @@ pub struct Checked {
     pub gears: usize,
     /// Data of the gears and meshes, as in the data block of a drawing.
     pub gear_data: DataBlock,
+    /// Parts of the program that further elaborations need; `None` without a program.
+    pub(crate) lowered: Option<Lowered>,
 }
 
 impl Checked {
@@ -140,11 +142,13 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         blocks: 0,
         gear_data: DataBlock::default(),
         gears: 0,
+        lowered: None,
     };
     // No other code has access to this switch, so the elaboration cannot be cancelled.
     if let Some(program) = &result.program
-        && let Ok(elaboration) = elaborate(program, params, &Cancel::default())
+        && let Ok((elaboration, lowered)) = elaborate_and_keep(program, params, &Cancel::default())
     {
+        result.lowered = lowered;
         result.description = elaboration.description;
         result.diagnostics.extend(elaboration.found);
         result.plan = elaboration.plan;
@@ -200,5 +204,6 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         blocks: 0,
         gear_data: DataBlock::default(),
         gears: 0,
+        lowered: None,
     }
 }

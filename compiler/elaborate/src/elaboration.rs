@@ -107,30 +107,40 @@ pub struct Elaboration {
 /// # Errors
 /// The elaboration was cancelled.
 pub fn elaborate(program: &Program, params: Params, cancel: &Cancel) -> Result<Elaboration, Cancelled> {
+    Ok(elaborate_and_keep(program, params, cancel)?.0)
+}
+
+/// As [`elaborate`]. Returns also what further elaborations of the program need; `None` if it
+/// cannot run for any params.
+pub(crate) fn elaborate_and_keep(
+    program: &Program,
+    params: Params,
+    cancel: &Cancel,
+) -> Result<(Elaboration, Option<Lowered>), Cancelled> {
     let lines = Printed::default();
     let printed = lines.clone();
     let print = Box::new(move |line: &str| printed.push(line));
-    let elaboration = match lowered(program, cancel)? {
-        Ok(lowered) => elaborate_with(&lowered, params, cancel, (print, false))?,
-        Err(unrunnable) => *unrunnable,
+    let (elaboration, kept) = match lowered(program, cancel)? {
+        Ok(lowered) => (elaborate_with(program, &lowered, params, cancel, (print, false))?, Some(lowered)),
+        Err(unrunnable) => (*unrunnable, None),
     };
-    Ok(Elaboration { printed: lines.lines(), ..elaboration })
+    Ok((Elaboration { printed: lines.lines(), ..elaboration }, kept))
 }
 
 /// As [`elaborate`], for a program with the kernels of all sites; returns the problems only.
 pub(crate) fn problems_with(
-    lowered: &Lowered<'_>,
+    program: &Program,
+    lowered: &Lowered,
     given: &[ParamAssignment],
     cancel: &Cancel,
 ) -> Result<Vec<Diagnostic>, Cancelled> {
     let params = Params::Given(given, Override::default(), None);
     let print = Box::new(|_: &str| {});
-    Ok(elaborate_with(lowered, params, cancel, (print, false))?.found)
+    Ok(elaborate_with(program, lowered, params, cancel, (print, false))?.found)
 }
 
-/// A program with what all its elaborations share.
-pub(crate) struct Lowered<'p> {
-    program: &'p Program,
+/// Parts that all elaborations of a program share.
+pub(crate) struct Lowered {
     /// The kernels of all sites, in order.
     kernels: Vec<Arc<dyn Kernel>>,
     sites: CallSites,
@@ -141,10 +151,7 @@ const SITES_OF_A_THREAD: usize = 32;
 
 /// Lowers the kernels of all sites; or returns the result of a program that has a site without a
 /// kernel.
-pub(crate) fn lowered<'p>(
-    program: &'p Program,
-    cancel: &Cancel,
-) -> Result<Result<Lowered<'p>, Box<Elaboration>>, Cancelled> {
+fn lowered(program: &Program, cancel: &Cancel) -> Result<Result<Lowered, Box<Elaboration>>, Cancelled> {
     let each: Vec<SiteId> = (0..program.sites.len() as u32).map(SiteId).collect();
     let lower = |sites: &[SiteId]| {
         let mut kernels = Vec::with_capacity(sites.len());
@@ -182,7 +189,7 @@ pub(crate) fn lowered<'p>(
             Err(unrunnable) => return Ok(Err(unrunnable)),
         }
     }
-    Ok(Ok(Lowered { program, kernels, sites: CallSites::new(program) }))
+    Ok(Ok(Lowered { kernels, sites: CallSites::new(program) }))
 }
 
 /// Elaborates a program with the defaults of its params. Returns the lines it prints and the
@@ -199,7 +206,7 @@ pub fn elaborate_printing(program: &Program) -> (Vec<String>, Vec<Diagnostic>) {
     let found = lowered(program, &cancel).and_then(|lowered| match lowered {
         Ok(lowered) => {
             let print: PrintLine = Box::new(print);
-            Ok(elaborate_with(&lowered, Params::Defaults, &cancel, (print, true))?.found)
+            Ok(elaborate_with(program, &lowered, Params::Defaults, &cancel, (print, true))?.found)
         }
         Err(unrunnable) => Ok(unrunnable.found),
     });
@@ -212,20 +219,22 @@ type PrintLine = Box<dyn FnMut(&str) + Send>;
 
 /// As [`elaborate`]; `keeps_output` if all printed lines count as memory of the program.
 fn elaborate_with(
-    lowered: &Lowered<'_>,
+    program: &Program,
+    lowered: &Lowered,
     params: Params,
     cancel: &Cancel,
     output: (PrintLine, bool),
 ) -> Result<Elaboration, Cancelled> {
     // The defaults and ranges of all params run on this stack. Otherwise, each of them would run on
     // a thread of its own.
-    stack::with_stack(|| elaborate_here(lowered, params, cancel, output))
+    stack::with_stack(|| elaborate_here(program, lowered, params, cancel, output))
         .unwrap_or_else(|error| Ok(unrunnable(Box::new(diagnostic(&error)))))
 }
 
 /// As [`elaborate_with`], on the stack of this thread.
 fn elaborate_here(
-    Lowered { program, kernels, sites }: &Lowered<'_>,
+    program: &Program,
+    Lowered { kernels, sites }: &Lowered,
     params: Params,
     cancel: &Cancel,
     (print, keeps_output): (PrintLine, bool),

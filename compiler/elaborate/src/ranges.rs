@@ -2,10 +2,11 @@
 //! the ranges of its other params.
 
 use crate::check::Checked;
-use crate::elaboration::{Cancelled, Lowered, lowered, problems_with};
+use crate::elaboration::{Cancelled, Lowered, problems_with};
 use calyx_abi::description::{ParamDescription, ParamValue};
 use calyx_abi::{Cancel, Repr};
 use calyx_lang::diagnostic::{Diagnostic, Severity};
+use calyx_lang::ir::Program;
 use calyx_lang::span::Span;
 use calyx_rt::ParamAssignment;
 use std::num::NonZero;
@@ -82,8 +83,8 @@ pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Resul
     if discrete.is_empty() {
         return Ok(ranges);
     }
-    let Ok(lowered) = lowered(program, cancel)? else { return Ok(ranges) };
-    let builder = Builder { lowered, cancel };
+    let Some(lowered) = &checked.lowered else { return Ok(ranges) };
+    let builder = Builder { program, lowered, cancel };
     let mut planned: Vec<(Varied<'_>, Vec<ParamValue>)> = Vec::new();
     for (at, (index, values)) in discrete.iter().enumerate() {
         let each = match extent {
@@ -240,7 +241,8 @@ impl Problems {
 
 /// Builds a program at given values of params.
 struct Builder<'p> {
-    lowered: Lowered<'p>,
+    program: &'p Program,
+    lowered: &'p Lowered,
     cancel: &'p Cancel,
 }
 
@@ -286,7 +288,7 @@ impl Builder<'_> {
             name_origin: None,
         };
         let given: Vec<ParamAssignment> = given.iter().map(assignment).collect();
-        let mut problems = problems_with(&self.lowered, &given, self.cancel)?;
+        let mut problems = problems_with(self.program, self.lowered, &given, self.cancel)?;
         problems.retain(|found| found.severity == Severity::Error && found.code != ASSERTION);
         Ok(problems)
     }
