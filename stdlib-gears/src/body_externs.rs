@@ -19,7 +19,7 @@ calyx_abi::externs! {
         context, name: String, blank: Handle, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3],
         moment: [f64; 3], mass: f64, inertia: f64, host_load: Option<String>,
     ) -> Handle {
-        let prototype = entry(&host(context)?.gears, blank)?.clone();
+        let prototype = entry(&host(context)?.gears, blank)?.prototype();
         let added = lumped(mass, inertia)?;
         let frame = BodyPlacement { name, frame, free, load: Wrench { force, moment }, added, host_load };
         frame.add(context, prototype, Some(blank.0 as usize))

@@ -7,7 +7,7 @@ use crate::data_block::StatedData;
 use crate::error::{GeometryError, Refusal, Severity};
 use crate::externs::{entry, host, refusal};
 use crate::helix::{Hand, Helix};
-use crate::host::{ModelHost, keep};
+use crate::host::{GearModel, ModelHost, keep};
 use crate::material_names;
 use crate::modification::Modification;
 use crate::plausibility::{StatedModule, metric_pitch, of_gear, tiny_module};
@@ -446,5 +446,5 @@ fn keep_gear(
         return Err(host.rejected(wrong.into(), place));
     }
     host.gear_places.push(place);
-    Ok(keep(&mut host.gears, gear))
+    Ok(keep(&mut host.gears, GearModel::Cylindrical(gear)))
 }

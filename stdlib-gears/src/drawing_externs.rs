@@ -2,7 +2,7 @@
 //! `sum_of_shifts` and the diameters of a gear in `gears.cx`.
 
 use crate::error::{GeometryError, sentence};
-use crate::externs::{entry, host};
+use crate::externs::host;
 use crate::involute::{inverse_involute, involute};
 use crate::prototype::GearPrototype;
 use calyx_abi::externs::Handle;
@@ -20,32 +20,32 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_profile_shift(context, gear: Handle) -> f64 {
-        let gear = entry(&host(context)?.gears, gear)?;
+        let gear = host(context)?.cylindrical("gear", gear)?;
         Ok(profile_shift_of(gear, gear.form().tooth_thickness))
     }
 
     Pure fn calyx_gears_normal_module(context, gear: Handle) -> f64 {
-        Ok(normal_module(entry(&host(context)?.gears, gear)?))
+        Ok(normal_module(host(context)?.cylindrical("gear", gear)?))
     }
 
     Pure fn calyx_gears_transverse_thickness(context, gear: Handle) -> f64 {
-        Ok(entry(&host(context)?.gears, gear)?.form().tooth_thickness)
+        Ok(host(context)?.cylindrical("gear", gear)?.form().tooth_thickness)
     }
 
     Pure fn calyx_gears_reference_diameter(context, gear: Handle) -> f64 {
-        Ok(2.0 * entry(&host(context)?.gears, gear)?.form().pitch_radius)
+        Ok(2.0 * host(context)?.cylindrical("gear", gear)?.form().pitch_radius)
     }
 
     Pure fn calyx_gears_tip_diameter(context, gear: Handle) -> f64 {
-        Ok(2.0 * entry(&host(context)?.gears, gear)?.form().tip_radius)
+        Ok(2.0 * host(context)?.cylindrical("gear", gear)?.form().tip_radius)
     }
 
     Pure fn calyx_gears_root_form_diameter(context, gear: Handle) -> f64 {
-        Ok(2.0 * entry(&host(context)?.gears, gear)?.form().form_radius)
+        Ok(2.0 * host(context)?.cylindrical("gear", gear)?.form().form_radius)
     }
 
     Pure fn calyx_gears_root_diameter(context, gear: Handle) -> f64 {
-        Ok(2.0 * entry(&host(context)?.gears, gear)?.form().root_radius)
+        Ok(2.0 * host(context)?.cylindrical("gear", gear)?.form().root_radius)
     }
 }
 
@@ -61,8 +61,8 @@ fn pair<T>(
     second: Handle,
     answer: impl FnOnce(&Pair) -> Result<T, GeometryError>,
 ) -> Result<Result<T, GeometryError>, RuntimeError> {
-    let gears = &host(context)?.gears;
-    let (first, second) = (entry(gears, first)?, entry(gears, second)?);
+    let host = host(context)?;
+    let (first, second) = (host.cylindrical("first", first)?, host.cylindrical("second", second)?);
     Ok(Pair::new(first, second).and_then(|pair| answer(&pair)))
 }
 

@@ -129,11 +129,11 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_teeth(context, gear: Handle) -> f64 {
-        Ok(f64::from(entry(&host(context)?.gears, gear)?.gear.teeth()))
+        Ok(f64::from(entry(&host(context)?.gears, gear)?.teeth()))
     }
 
     Pure fn calyx_gears_base_radius(context, gear: Handle) -> f64 {
-        Ok(entry(&host(context)?.gears, gear)?.form().base_radius)
+        Ok(host(context)?.cylindrical("gear", gear)?.form().base_radius)
     }
 
     /// Registers an output of the model.
@@ -364,7 +364,7 @@ pub(crate) fn defect(message: &str) -> RuntimeError {
 
 /// Tooth of a body's gear.
 pub(crate) fn tooth_number(host: &ModelHost, body: BodyId, tooth: f64) -> Result<u32, RuntimeError> {
-    let teeth = host.gear_on("body", body)?.gear.teeth();
+    let teeth = host.gear_model_on("body", body)?.teeth();
     match tooth.fract() == 0.0 && (0.0..f64::from(teeth)).contains(&tooth) {
         true => Ok(tooth as u32),
         false => Err(refusal(

@@ -5,6 +5,7 @@ use crate::basic_rack::StatedRack;
 use crate::blank::Rim;
 use crate::deviation::Deviation;
 use crate::error::{GeometryError, Refusal, Severity};
+use crate::externs::entry;
 use crate::files::ModelFile;
 use crate::lubrication_externs::StatedLubrication;
 use crate::lumped_planetary::{LumpedMember, Mode};
@@ -13,6 +14,7 @@ use crate::modification::Modification;
 use crate::prototype::GearPrototype;
 use crate::shaper::Shaper;
 use crate::tables::Table;
+use crate::tabulated::prototype::TabulatedGear;
 use calyx_abi::externs::Handle;
 use calyx_abi::{RuntimeError, SymbolicValue};
 use calyx_runtime::analyses::Analysis;
@@ -24,7 +26,7 @@ use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
 use calyx_runtime::observables::Gauge;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
-use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions};
+use calyx_runtime::scene::{BodyId, Fidelity, Prototype, Scene, StructureOptions};
 use calyx_runtime::settings_override::Override;
 use calyx_runtime::signal::{Signal, SignalRequest};
 use std::collections::{BTreeMap, BTreeSet};
@@ -53,6 +55,70 @@ impl Default for LengthUnit {
     fn default() -> Self {
         LengthUnit { name: "mm", metres: 1e-3 }
     }
+}
+
+/// Gear of a model: the entry behind a handle of the type `Gear`.
+#[derive(Clone)]
+pub enum GearModel {
+    /// Cylindrical gear, cut by a rack or a shaper cutter.
+    Cylindrical(Arc<GearPrototype>),
+    /// Gear whose teeth are given by tables of points.
+    Tabulated(Arc<TabulatedGear>),
+}
+
+impl GearModel {
+    /// Returns the gear as a prototype of bodies.
+    pub fn prototype(&self) -> Arc<dyn Prototype> {
+        match self {
+            GearModel::Cylindrical(gear) => gear.clone(),
+            GearModel::Tabulated(gear) => gear.clone(),
+        }
+    }
+
+    /// Returns the gear if it is cylindrical.
+    pub fn cylindrical(&self) -> Option<&Arc<GearPrototype>> {
+        match self {
+            GearModel::Cylindrical(gear) => Some(gear),
+            GearModel::Tabulated(_) => None,
+        }
+    }
+
+    /// Returns the number of teeth.
+    pub fn teeth(&self) -> u32 {
+        match self {
+            GearModel::Cylindrical(gear) => gear.gear.teeth(),
+            GearModel::Tabulated(gear) => gear.teeth(),
+        }
+    }
+
+    /// Returns the ratio of the height of the teeth to the face width.
+    pub(crate) fn depth_ratio(&self) -> f64 {
+        match self {
+            GearModel::Cylindrical(gear) => {
+                let form = gear.gear.form();
+                (form.tip_radius - form.root_radius).abs() / gear.face_width
+            }
+            GearModel::Tabulated(gear) => gear.tooth_height() / gear.face_width(),
+        }
+    }
+
+    /// Returns the material.
+    pub fn material(&self) -> Material {
+        match self {
+            GearModel::Cylindrical(gear) => gear.material,
+            GearModel::Tabulated(gear) => gear.data.material,
+        }
+    }
+}
+
+/// Error for data that only cylindrical gears have.
+fn only_cylindrical(argument: &str, what: String) -> RuntimeError {
+    RuntimeError::new(
+        "E0976",
+        format!("{what} has tabulated teeth, which have no such data"),
+        "ask this of a gear from `external` or `internal`",
+    )
+    .of_argument(argument)
 }
 
 /// Inputs that the host program provides, by the names under which the model requests them.
@@ -84,7 +150,7 @@ pub struct ModelHost {
     /// Modifications of flanks.
     pub modifications: Vec<Modification>,
     /// Gears.
-    pub gears: Vec<Arc<GearPrototype>>,
+    pub gears: Vec<GearModel>,
     /// Source locations of the calls that created each gear.
     pub gear_places: Vec<(u32, u32, u32)>,
     /// Gear of each body of the scene, in order; `None` for a body without teeth.
@@ -159,8 +225,19 @@ impl ModelHost {
     /// Returns the gear of the body that is given as an argument.
     ///
     /// # Errors
-    /// E0659: it carries no gear.
+    /// E0659: it carries no gear. E0976: the teeth of its gear are given by tables.
     pub(crate) fn gear_on(&self, argument: &str, body: BodyId) -> Result<&Arc<GearPrototype>, RuntimeError> {
+        self.gear_model_on(argument, body)?.cylindrical().ok_or_else(|| {
+            let name = self.scene.bodies.get(body.0).map_or("", |body| &body.name);
+            only_cylindrical(argument, format!("the gear of \"{name}\""))
+        })
+    }
+
+    /// Returns the gear, of any kind, of the body that is given as an argument.
+    ///
+    /// # Errors
+    /// E0659: it carries no gear.
+    pub(crate) fn gear_model_on(&self, argument: &str, body: BodyId) -> Result<&GearModel, RuntimeError> {
         let gear = self.body_gears.get(body.0).copied().flatten();
         gear.and_then(|gear| self.gears.get(gear)).ok_or_else(|| {
             let name = self.scene.bodies.get(body.0).map_or("", |body| &body.name);
@@ -171,6 +248,19 @@ impl ModelHost {
             )
             .of_argument(argument)
         })
+    }
+
+    /// Returns the cylindrical gear that is given as an argument.
+    ///
+    /// # Errors
+    /// E0976: its teeth are given by tables.
+    pub(crate) fn cylindrical(
+        &self,
+        argument: &str,
+        gear: Handle,
+    ) -> Result<&Arc<GearPrototype>, RuntimeError> {
+        let gear = entry(&self.gears, gear)?;
+        gear.cylindrical().ok_or_else(|| only_cylindrical(argument, "this gear".into()))
     }
 
     /// Converts an error of the engine, located at the call that created the object in question.

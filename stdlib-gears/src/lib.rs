@@ -170,8 +170,11 @@ mod size;
 pub mod solid_prototype;
 mod stated_gear;
 mod stated_thickness;
+mod stress_recovery;
 pub mod table_splines;
 pub mod tables;
+pub mod tabulated;
+pub mod tabulated_externs;
 pub mod template;
 pub mod web;
 

@@ -74,6 +74,7 @@ const TABLES: &[&[Extern]] = &[
     crate::observable_externs::EXTERNS,
     crate::signal_externs::EXTERNS,
     crate::tables::EXTERNS,
+    crate::tabulated_externs::EXTERNS,
     crate::web::disc::EXTERNS,
     crate::web::straight::EXTERNS,
     standard::EXTERNS,

@@ -87,7 +87,10 @@ pub(crate) fn of_mesh(
 ) -> Result<Option<Lubrication>, RuntimeError> {
     let Some(handle) = lubrication else { return Ok(None) };
     let stated = entry(&host.lubrications, handle)?.clone();
-    let materials = [host.gear_on("first", bodies[0])?.material, host.gear_on("second", bodies[1])?.material];
+    let materials = [
+        host.gear_model_on("first", bodies[0])?.material(),
+        host.gear_model_on("second", bodies[1])?.material(),
+    ];
     let (lubrication, warning) = stated.of(materials)?;
     host.note(warning.as_slice(), place);
     Ok(Some(lubrication))

@@ -3,7 +3,7 @@
 
 use crate::deviation::Deviation;
 use crate::error::GeometryError;
-use crate::externs::{entry, host, refusal};
+use crate::externs::{host, refusal};
 use crate::host::keep;
 use crate::modification::{
     EndRelief, FaceEnds, Modification, ReliefShape, ReliefStart, TipRelief, ToothFlank, without_start,
@@ -96,7 +96,7 @@ calyx_abi::externs! {
     Pure fn calyx_gears_modification_amount(
         context, gear: Handle, roll_angle: f64, axial_position: f64, flank: String,
     ) -> f64 {
-        let gear = entry(&host(context)?.gears, gear)?;
+        let gear = host(context)?.cylindrical("gear", gear)?;
         let form = gear.form();
         let side = flank_named(&flank).unwrap_or(ToothFlank::Left).side(form.internal);
         let surfaces = gear.surfaces(&StructureOptions::default());

@@ -138,9 +138,7 @@ calyx_abi::externs! {
         let host = host(context)?;
         let mut depth_ratio = 0.0_f64;
         for body in entry(&host.scene.pairs, mesh)?.bodies {
-            let gear = host.gear_on("mesh", body)?;
-            let form = gear.gear.form();
-            depth_ratio = depth_ratio.max((form.tip_radius - form.root_radius).abs() / gear.face_width);
+            depth_ratio = depth_ratio.max(host.gear_model_on("mesh", body)?.depth_ratio());
         }
         observe(context, RootFaceLoadFactor::new(pair(mesh), depth_ratio))
     }
@@ -306,7 +304,7 @@ const INSTEAD_OF_FACTORS: &str =
 /// Body that carries a gear.
 fn gear_body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError> {
     let body = self::body(context, body)?;
-    host(context)?.gear_on("body", body)?;
+    host(context)?.gear_model_on("body", body)?;
     Ok(body)
 }
 

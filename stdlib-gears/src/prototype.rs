@@ -11,6 +11,7 @@ use crate::modification::{Modification, along_face, check_faces};
 use crate::modified_structure::modified_structure;
 use crate::sector_mesh::{Refinement, sector_mesh};
 use crate::solid_prototype::SolidSector;
+use crate::stress_recovery::check_recovery;
 use calyx_runtime::cache::{Key, KeyWriter};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::{PlaneMesh, PlaneModel};
@@ -30,9 +31,9 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 /// Hash of this library's source. It is part of every key, so cached gear structures are only used
 /// by the version that meshed them.
-const SOURCE: &str = env!("CALYX_SOURCE");
+pub(crate) const SOURCE: &str = env!("CALYX_SOURCE");
 /// Largest distance, in pitches, of loaded teeth whose coupling through the rim is not negligible.
-const COUPLED_TEETH: u32 = 3;
+pub(crate) const COUPLED_TEETH: u32 = 3;
 /// Sampling points of recovered stress per element edge along a fillet.
 pub(crate) const STRESS_POINTS_PER_EDGE: usize = 4;
 /// Largest depth, in modules, of modifications that the mesh does not follow, so that gears with
@@ -41,13 +42,9 @@ pub(crate) const STRESS_POINTS_PER_EDGE: usize = 4;
 /// 0.7 and the root stress by 0.6 thousandths (`tests/pair/sharing.rs`).
 pub const DEEPEST_SHARED: f64 = 0.02;
 /// Edge radius, in modules, of a sharp tip edge: contact is confined to the nominal path.
-const SHARP_EDGE: f64 = 1e-6;
+pub(crate) const SHARP_EDGE: f64 = 1e-6;
 /// Largest edge radius, in modules, of such an edge in the mesh, which requires one.
 const SHARP_EDGE_IN_MESH: f64 = 5e-3;
-
-/// Largest Poisson's ratio for which elements of order below three recover stress to about one
-/// percent. Above, volumetric locking makes the error exceed the stress.
-const MOST_LATERAL_STRAIN: f64 = 0.45;
 
 /// Gear with its rim.
 pub struct GearPrototype {
@@ -217,18 +214,7 @@ impl GearPrototype {
     /// # Errors
     /// E0661: stress recovery is requested and these elements do not provide it.
     pub(crate) fn check_recovery(&self, options: &StructureOptions) -> Result<(), EngineError> {
-        let ratio = self.material.poissons_ratio;
-        if !options.stresses || options.order > 2 || ratio <= MOST_LATERAL_STRAIN {
-            return Ok(());
-        }
-        Err(EngineError::new(
-            "E0661",
-            format!(
-                "elements of order {} do not know the stress of a material that keeps its volume: Poisson's ratio {ratio}, and {MOST_LATERAL_STRAIN} at most",
-                options.order
-            ),
-            "take elements of order 3, or ask for no stress in fillets",
-        ))
+        check_recovery(&self.material, options)
     }
 
     fn plane_sector(

@@ -21,7 +21,7 @@
 //! blocks that would be left-handed are mirrored.
 
 mod boundary;
-mod divisions;
+pub(crate) mod divisions;
 mod refinement;
 
 pub use refinement::{Refinement, TipEdge};
@@ -46,9 +46,9 @@ pub const THINNEST_RIM: f64 = 0.25;
 const STRIP_DEPTH: f64 = 0.25;
 /// Ratio of the depth of the strip's outermost layer to the length of the flank's elements above
 /// it.
-const OUTERMOST_LAYER: f64 = 0.4;
+pub(crate) const OUTERMOST_LAYER: f64 = 0.4;
 /// Growth of the element length per distance from the fillet.
-const FILLET_GROWTH: f64 = 0.4;
+pub(crate) const FILLET_GROWTH: f64 = 0.4;
 /// Ratio of the length of the flank's last element to that of the edge's elements.
 const FLANK_BESIDE_EDGE: f64 = 0.25;
 /// Ratio of the depth of the web's elements to the width of a sector; the other constant is their
@@ -56,7 +56,7 @@ const FLANK_BESIDE_EDGE: f64 = 0.25;
 const WEB_DEPTH: f64 = 1.5;
 const DEEPEST_WEB: f64 = 6.0;
 /// Ratio of the length of the tip land's first element to that of the edge's elements.
-const LAND_GROWTH: f64 = 1.5;
+pub(crate) const LAND_GROWTH: f64 = 1.5;
 
 /// Creates the mesh of tooth 0 and its sector. `flanks` are the counter-clockwise and the clockwise
 /// flank; `bore_radius` (m) is at least [`THINNEST_RIM`] modules below the root radius, or above

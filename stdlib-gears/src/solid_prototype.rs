@@ -119,7 +119,7 @@ impl GearPrototype {
     }
 
     /// Number of elements along the face, and their order.
-    fn along_face(options: &StructureOptions) -> [usize; 2] {
+    pub(crate) fn along_face(options: &StructureOptions) -> [usize; 2] {
         let [elements, order] = along_face(options.template);
         let refined = ((elements as f64 * options.refinement).round() as usize).max(1);
         [options.face_elements.unwrap_or(refined), options.axial_order.unwrap_or(order)]

@@ -6,7 +6,7 @@ use calyx::build::{BuildOptions, build};
 use calyx::rt::{ParamAssignment, Program, RunOptions, apply, run};
 use calyx::{Engine, Interpreted, Module, check_file, check_text};
 use calyx_abi::{Context, Purity, SymbolicValue};
-use calyx_gears::host::ModelHost;
+use calyx_gears::host::{GearModel, ModelHost};
 use calyx_tests::root;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ fn scene(program: &dyn Program) -> String {
     let (params, slots) = (format!("{:?}", context.params), context.param_slots.len());
     let host = context.host::<ModelHost>().unwrap();
     let mut text = format!("{params} {slots}\n{:?}\n{:?}\n{:?}\n", host.materials, host.racks, host.rims);
-    for gear in &host.gears {
+    for gear in host.gears.iter().filter_map(GearModel::cylindrical) {
         writeln!(text, "{:?} {:?} {:?}", gear.gear, gear.modifications, gear.material).unwrap();
         writeln!(text, "{:?} {:?} {:?}", gear.rim, gear.face_width, gear.pitch_errors).unwrap();
     }

@@ -82,7 +82,8 @@ impl Geometry {
         // For each gear of the host: its call and its index within the call, if it is stored.
         let mut kept = Vec::with_capacity(host.gears.len());
         for (gear, made_at) in host.gears.iter().zip(&host.gear_places) {
-            let gear = || GearGeometry { bodies: Vec::new(), quantities: of_gear(gear), meshes: Vec::new() };
+            let quantities = || gear.cylindrical().map_or_else(Vec::new, |gear| of_gear(gear));
+            let gear = || GearGeometry { bodies: Vec::new(), quantities: quantities(), meshes: Vec::new() };
             kept.push(add(&mut geometry.gears, place(Some(*made_at)), gear));
         }
         for (body, gear) in host.scene.bodies.iter().zip(&host.body_gears) {
@@ -139,7 +140,7 @@ fn add<T>(calls: &mut Vec<CreatedAt<T>>, span: Span, make: impl FnOnce() -> T) -
 fn mesh(host: &ModelHost, meeting: &MeshRecord) -> Option<(MeshGeometry, [usize; 2])> {
     let [first, second] = meeting.bodies;
     let numbers = [(*host.body_gears.get(first)?)?, (*host.body_gears.get(second)?)?];
-    let gears = [host.gears.get(numbers[0])?, host.gears.get(numbers[1])?];
+    let gears = [host.gears.get(numbers[0])?.cylindrical()?, host.gears.get(numbers[1])?.cylindrical()?];
     let name = |body: usize| host.scene.bodies.get(body).map(|body| body.name.clone());
     let span = |gear: usize| place(host.gear_places.get(gear).copied());
     let mesh = MeshGeometry {

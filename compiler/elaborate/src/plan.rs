@@ -198,8 +198,8 @@ impl Planned {
             PlannedBody {
                 name: body.name.clone(),
                 gear: gear(index).map_or_else(String::new, |blank| {
-                    let width = rounded(blank.face_width / metres);
-                    format!("{} teeth, face width {width} {name}", blank.gear.teeth())
+                    let width = rounded(blank.prototype().face_width() / metres);
+                    format!("{} teeth, face width {width} {name}", blank.teeth())
                 }),
                 free: free(body, &description.units),
                 left_out: planned.left_out,

@@ -274,7 +274,7 @@ impl BoreMeans {
         .map(Some)
     }
 
-    /// Builds the means over a set of faces on a cylinder about the z axis.
+    /// Builds the means over a set of faces on a cylinder or cone about the z axis.
     pub fn solid(
         model: &SolidModel,
         bore: &FaceSet,
@@ -284,8 +284,8 @@ impl BoreMeans {
         // Next to a web there is no face.
         let present = |face: &&ElementFace| !model.mesh.absent.contains(&face.element);
         let bore = FaceSet { faces: bore.faces.iter().filter(present).copied().collect(), chart: None };
-        let Some(cylinder) = cylinder_of(model, &bore) else { return Ok(None) };
-        let Some(patterns) = BoreConstraints::new(cylinder, wanted, false) else { return Ok(None) };
+        let Some(surface) = bore_surface(model, &bore) else { return Ok(None) };
+        let Some(patterns) = BoreConstraints::new(surface, wanted, false) else { return Ok(None) };
         Self::over(&patterns, interrupt, |traction| model.face_load(&bore, |point| traction(point.position)))
             .map(Some)
     }
@@ -359,13 +359,37 @@ impl BoreMeans {
     }
 }
 
-/// Returns the cylinder about the z axis on which faces lie; `None` if they have no axial length.
-pub(super) fn cylinder_of(model: &SolidModel, faces: &FaceSet) -> Option<RevolutionSurface> {
-    let (mut radius, mut ends) = (0.0_f64, [f64::INFINITY, f64::NEG_INFINITY]);
-    for node in model.mesh.nodes_on(faces) {
-        let [x, y, z] = model.mesh.nodes[node];
-        radius = radius.max(x.hypot(y));
-        ends = [ends[0].min(z), ends[1].max(z)];
+/// Largest difference of radii on a cylinder, relative to the largest radius.
+const SAME_RADIUS: f64 = 1e-6;
+
+/// Returns the cylinder or cone about the z axis on which faces lie; `None` if they have no length
+/// along its generator.
+pub(super) fn bore_surface(model: &SolidModel, faces: &FaceSet) -> Option<RevolutionSurface> {
+    let places: Vec<[f64; 2]> = model
+        .mesh
+        .nodes_on(faces)
+        .into_iter()
+        .map(|node| model.mesh.nodes[node])
+        .map(|[x, y, z]| [x.hypot(y), z])
+        .collect();
+    let largest = places.iter().map(|place| place[0]).fold(0.0, f64::max);
+    let is_cylinder = places.iter().all(|place| largest - place[0] <= SAME_RADIUS * largest);
+    // The ends of the generator are the extreme nodes along z, on a cone those along its generator.
+    let first = *places.first()?;
+    let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let farthest = |from: [f64; 2]| {
+        places.iter().copied().max_by(|a, b| apart(*a, from).total_cmp(&apart(*b, from))).unwrap_or(from)
+    };
+    if is_cylinder {
+        let z = || places.iter().map(|place| place[1]);
+        let ends = [z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max)];
+        return (ends[0] < ends[1]).then(|| RevolutionSurface::cylinder(largest, ends));
     }
-    (ends[0] < ends[1]).then(|| RevolutionSurface::cylinder(radius, ends))
+    let one = farthest(first);
+    let other = farthest(one);
+    let [from, to] = if one[1] < other[1] { [one, other] } else { [other, one] };
+    let middle = 0.5 * (from[1] + to[1]);
+    let generator = [[from[0], from[1] - middle], [to[0], to[1] - middle]];
+    let cylinder = RevolutionSurface::cylinder(largest, [from[1], to[1]]);
+    (apart(from, to) > 0.0).then_some(RevolutionSurface { generator, ..cylinder })
 }

@@ -17,7 +17,7 @@
 //!
 //! See `docs/theory/substructures.md`.
 
-use super::bore::{BoreConstraints, BoreMeans, RequestedMeans, cylinder_of};
+use super::bore::{BoreConstraints, BoreMeans, RequestedMeans, bore_surface};
 use super::dense::{add_product, cholesky, mirror_lower, product, solve};
 use super::{BoreSupport, StructureError};
 use calyx_fe::material::Material;
@@ -234,7 +234,7 @@ impl BoreMeans {
             from < middle && middle < to
         };
         let bore = FaceSet { faces: bore.faces.iter().filter(within).copied().collect(), chart: None };
-        let Some(cylinder) = cylinder_of(model, &bore) else { return Ok(None) };
+        let Some(cylinder) = bore_surface(model, &bore) else { return Ok(None) };
         let wanted = web.wanted(sectors, coupled);
         let Some(patterns) = BoreConstraints::new(cylinder, wanted, false) else { return Ok(None) };
         let load = |traction: &mut dyn FnMut([f64; 3]) -> [f64; 3]| {

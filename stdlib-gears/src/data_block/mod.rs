@@ -107,7 +107,9 @@ impl DataBlock {
         // Column of each gear of the host.
         let mut columns: BTreeMap<usize, usize> = BTreeMap::new();
         for (body, gear) in host.scene.bodies.iter().zip(&host.body_gears) {
-            let Some((index, gear)) = gear.and_then(|gear| Some((gear, host.gears.get(gear)?))) else {
+            let Some((index, gear)) =
+                gear.and_then(|gear| Some((gear, host.gears.get(gear)?.cylindrical()?)))
+            else {
                 continue;
             };
             let column = *columns.entry(index).or_insert_with(|| {
@@ -119,7 +121,9 @@ impl DataBlock {
             }
         }
         if block.gears.is_empty() {
-            let unmounted = host.gears.iter().take(MOST_UNMOUNTED).enumerate();
+            let cylindrical =
+                host.gears.iter().enumerate().filter_map(|(index, gear)| Some((index, gear.cylindrical()?)));
+            let unmounted = cylindrical.take(MOST_UNMOUNTED);
             block.gears = unmounted
                 .map(|(index, gear)| MountedGear {
                     gear: gear.clone(),

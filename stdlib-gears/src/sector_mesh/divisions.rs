@@ -2,12 +2,12 @@
 
 use crate::root_finding::solve_bracketed;
 
-pub(super) fn ends(at: &[f64]) -> (f64, f64) {
+pub(crate) fn ends(at: &[f64]) -> (f64, f64) {
     (at[0], at[at.len() - 1])
 }
 
 /// Maps values linearly to the range from 0 at the first to 1 at the last, both exact.
-pub(super) fn normalised(at: &[f64]) -> Vec<f64> {
+pub(crate) fn normalised(at: &[f64]) -> Vec<f64> {
     let (from, to) = ends(at);
     let mut divisions: Vec<f64> = at.iter().map(|value| (value - from) / (to - from)).collect();
     divisions[at.len() - 1] = 1.0;
@@ -15,7 +15,7 @@ pub(super) fn normalised(at: &[f64]) -> Vec<f64> {
 }
 
 /// Divides `from ..= to` into elements of about the target sizes, using the integral of 1 / size.
-pub(super) fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
+pub(crate) fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f64> {
     const SAMPLES: usize = 200;
     let step = (to - from) / SAMPLES as f64;
     let mut counts = vec![0.0];
@@ -39,7 +39,7 @@ pub(super) fn divisions(from: f64, to: f64, size: impl Fn(f64) -> f64) -> Vec<f6
 
 /// Ratio of successive lengths of `count` parts of a whole whose smallest part is `smallest`, at
 /// most 1 / `count`.
-pub(super) fn growth(count: usize, smallest: f64) -> f64 {
+pub(crate) fn growth(count: usize, smallest: f64) -> f64 {
     if count < 2 {
         return 1.0;
     }
@@ -48,7 +48,7 @@ pub(super) fn growth(count: usize, smallest: f64) -> f64 {
 }
 
 /// Piecewise linear function through values at equal distances, evaluated at `u` in 0 ..= 1.
-pub(super) fn piecewise_linear(values: &[f64], u: f64) -> f64 {
+pub(crate) fn piecewise_linear(values: &[f64], u: f64) -> f64 {
     let last = values.len() - 1;
     let place = u * last as f64;
     let first = (place.floor() as usize).min(last - 1);

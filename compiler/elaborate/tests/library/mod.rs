@@ -33,7 +33,7 @@ pub struct Argument {
     pub high: Option<String>,
     choices: Vec<String>,
     ty: String,
-    /// `true` for numbers, vectors and arrays of them.
+    /// `true` for numbers, vectors and arrays of them that are not nested.
     pub is_number: bool,
     /// A value that is valid in [`model`].
     pub sample: Option<String>,
@@ -161,7 +161,10 @@ fn is_number(ty: &TypeExpr) -> bool {
     match &ty.kind {
         TypeKind::Name(name) => name.name == "Number" || Dimension::from_name(&name.name).is_some(),
         TypeKind::Apply(name, parts) => {
-            name.name == "Vector" || name.name == "Array" && parts.iter().all(is_number)
+            // Elements of nested arrays have no declared range; the function checks them.
+            let nested = |part: &TypeExpr| matches!(&part.kind, TypeKind::Apply(of, _) if of.name == "Array");
+            name.name == "Vector"
+                || name.name == "Array" && parts.iter().all(|part| is_number(part) && !nested(part))
         }
         TypeKind::Product(..) | TypeKind::Quotient(..) | TypeKind::Power(..) => true,
         TypeKind::Member(..) | TypeKind::Function(..) | TypeKind::Error => false,
@@ -280,6 +283,9 @@ const SAMPLES: &[(&str, &str, &str)] = &[
     ("internal", "minor_diameter", "116.4 mm"),
     ("internal", "root_diameter", "125 mm"),
     ("internal", "rim", "outer_rim"),
+    ("tabulated_gear", "teeth", "20"),
+    ("tabulated_gear", "flanks", "[flank(1), flank(-1)]"),
+    ("tabulated_gear", "fillets", "[fillet(1), fillet(-1)]"),
     ("body", "name", "\"another\""),
     ("rigid_body", "name", "\"another\""),
     ("bearing", "name", "\"another\""),
@@ -366,6 +372,16 @@ var pinion_gear = gears.external(teeth = 20, rack = rack, face_width = 10 mm, ou
     root_diameter = 35 mm, material = steel, rim = rim, tooth_thickness = 3.1 mm);
 var ring_gear = gears.internal(teeth = 60, shaper = shaper, face_width = 10 mm, minor_diameter = 116.4 mm,
     root_diameter = 125 mm, material = steel, rim = outer_rim, tooth_thickness = 3.1 mm);
+function at(in radius: Length, in angle: Number, in z: Length) {
+    return radius * cos(angle * rad) * e1 + radius * sin(angle * rad) * e2 + z * e3;
+}
+function flank(in side) {
+    return [[at(18 mm + 0.5 mm * k, side * (0.09 - 0.006 * k), z) for k in 0 .. 9] for z in [-5 mm, 0 mm, 5 mm]];
+}
+function fillet(in side) {
+    return [[at(18 mm - 0.6 mm * sin(k * pi / 16), side * (0.13 - 0.04 * cos(k * pi / 16)), z) for k in 0 .. 9]
+        for z in [-5 mm, 0 mm, 5 mm]];
+}
 var lubrication = gears.lubrication("ISO VG 220", temperature = 70, roughness = 0.6 um);
 var speed = 1000 rpm;
 var member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm, 1e8 N/m);

@@ -41,5 +41,5 @@ pub use mesh::{ABSENT, ElementFace, FacePoint, FaceSet, SolidElement, SolidEleme
 pub use model::SolidModel;
 pub use recovery::{ErrorEstimate, RecoveredStress};
 pub use surface_stress::{SurfaceStressRecovery, SurfaceStressRows};
-pub use sweep::{FACE_END, FACE_START, SweepError};
+pub use sweep::{FACE_END, FACE_START, SweepError, coordinate_stations};
 pub use swept::{FaceChart, Swept};

@@ -30,8 +30,22 @@ pub enum SweepError {
         "every axode must have an order of at least 1, and every node of the section must have one order"
     )]
     Orders,
+    #[error("a loft needs the positions of all nodes of the section at each of its coordinate stations")]
+    Sections,
     #[error("element {element} is folded or inverted at ({}, {}, {}) m", at[0], at[1], at[2])]
     Folded { element: usize, at: [f64; 3] },
+}
+
+/// Returns the axial coordinates of the coordinate nodes of a swept mesh: the Gauss-Lobatto points
+/// of each layer, ascending, with those that layers share once.
+pub fn coordinate_stations(stations: &[f64], order: u8) -> Vec<f64> {
+    let line = lobatto(order);
+    let mut all = Vec::new();
+    for (layer, pair) in stations.windows(2).enumerate() {
+        let at = |&zeta: &f64| 0.5 * ((1.0 - zeta) * pair[0] + (1.0 + zeta) * pair[1]);
+        all.extend(line[usize::from(layer > 0)..].iter().map(at));
+    }
+    all
 }
 
 impl SolidMesh {
@@ -70,6 +84,46 @@ impl SolidMesh {
         coordinate_order: u8,
         place: &dyn Fn([f64; 2], f64) -> [f64; 3],
     ) -> Result<Self, SweepError> {
+        let positions = |at: &[f64]| {
+            let of_node = |&point: &[f64; 2]| at.iter().map(move |&z| place(point, z));
+            section.coordinate_nodes.iter().flat_map(of_node).collect()
+        };
+        Self::swept_through(section, stations, orders, coordinate_order, &positions)
+    }
+
+    /// Builds a mesh through sections of different shape: a loft. `section` is one of them and
+    /// determines the elements, the chains and their arc lengths. `sections` contains the positions
+    /// of all its coordinate nodes at each of [`coordinate_stations`]. The axodes have one order.
+    ///
+    /// # Errors
+    /// As for [`SolidMesh::swept`]; the number of sections or of their positions is wrong.
+    pub fn lofted(
+        section: &PlaneMesh,
+        stations: &[f64],
+        axial_order: usize,
+        sections: &[Vec<[f64; 3]>],
+    ) -> Result<Self, SweepError> {
+        let order = u8::try_from(axial_order).map_err(|_| SweepError::Orders)?;
+        let count = section.coordinate_nodes.len();
+        let sound = sections.iter().all(|positions| positions.len() == count);
+        let positions = |at: &[f64]| -> Vec<[f64; 3]> {
+            if !sound || at.len() != sections.len() {
+                return Vec::new();
+            }
+            (0..count).flat_map(|node| sections.iter().map(move |positions| positions[node])).collect()
+        };
+        Self::swept_through(section, stations, &vec![order; section.nodes.len()], order, &positions)
+    }
+
+    /// Builds the mesh from the positions of all coordinate nodes: for each node of the section,
+    /// those at given axial coordinates.
+    fn swept_through(
+        section: &PlaneMesh,
+        stations: &[f64],
+        orders: &[u8],
+        coordinate_order: u8,
+        positions: &dyn Fn(&[f64]) -> Vec<[f64; 3]>,
+    ) -> Result<Self, SweepError> {
         // The comparison is negated so that NaN fails it.
         let ascending = stations.len() > 1 && stations.windows(2).all(|pair| pair[0] < pair[1]);
         if !ascending {
@@ -92,13 +146,9 @@ impl SolidMesh {
         };
 
         let along = usize::from(coordinate_order);
-        let line = lobatto(coordinate_order);
-        let mut coordinate_nodes = Vec::with_capacity(section.coordinate_nodes.len() * (layers * along + 1));
-        for &point in &section.coordinate_nodes {
-            for layer in 0..layers {
-                let first = usize::from(layer > 0);
-                coordinate_nodes.extend(line[first..].iter().map(|&zeta| place(point, swept.z(layer, zeta))));
-            }
+        let coordinate_nodes = positions(&coordinate_stations(stations, coordinate_order));
+        if coordinate_nodes.len() != section.coordinate_nodes.len() * (layers * along + 1) {
+            return Err(SweepError::Sections);
         }
 
         let mut elements = Vec::with_capacity(layers * section.elements.len());

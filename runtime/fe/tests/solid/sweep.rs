@@ -4,7 +4,7 @@ use crate::solid::convergence::{cylinder, solved};
 use crate::solid::shapes::Kind;
 use crate::solid::{GRADIENT, MATERIAL, dot, linear_field, residual, traction};
 use calyx_fe::material::Plane;
-use calyx_fe::solid::{SolidMesh, SolidModel, SurfaceStressRecovery};
+use calyx_fe::solid::{SolidMesh, SolidModel, SurfaceStressRecovery, SweepError, coordinate_stations};
 use calyx_fe::{
     Block, Curve, ElementOrder, MeshBuilder, PlaneMesh, PlaneModel, Side, StressRecovery, uniform,
 };
@@ -288,4 +288,24 @@ fn charts_follow_the_true_surface_at_the_order_of_the_coordinates() {
         println!("coordinates of order {order}: off the surface by {departures:?} m, rate {rate:.2}");
         assert!((rate - f64::from(order + 1)).abs() < 0.2, "order {order}: at {rate}");
     }
+}
+
+#[test]
+fn a_loft_through_rotated_sections_is_the_sweep() {
+    let section = section(ElementOrder::full(3), ElementOrder::full(2));
+    let swept = SolidMesh::swept(&section, &STATIONS, 3, &twisted).expect("sound");
+    let sections: Vec<Vec<[f64; 3]>> = coordinate_stations(&STATIONS, 3)
+        .into_iter()
+        .map(|z| section.coordinate_nodes.iter().map(|&point| twisted(point, z)).collect())
+        .collect();
+    assert_eq!(SolidMesh::lofted(&section, &STATIONS, 3, &sections), Ok(swept));
+    let lofted = |sections: &[Vec<[f64; 3]>]| SolidMesh::lofted(&section, &STATIONS, 3, sections);
+    assert_eq!(lofted(&sections[1..]), Err(SweepError::Sections));
+    let mut short = sections.clone();
+    short[4].pop();
+    assert_eq!(lofted(&short), Err(SweepError::Sections));
+    // A section that lies behind the one before it folds an element.
+    let mut folded = sections;
+    folded.swap(4, 5);
+    assert!(matches!(lofted(&folded), Err(SweepError::Folded { .. })));
 }
