@@ -7,7 +7,7 @@ use crate::solid::axial_modes::AxialModes;
 use crate::solid::side_faces::SideFaces;
 use crate::solid::surface_means::SurfaceMeans;
 use crate::solid::{ElasticSolid, SolidSplitOptions, SolidStructure, SolidSurfaceSource, SurfaceSegment};
-use crate::tests::bodies::{COARSE, ring_source};
+use crate::tests::bodies::{COARSE, Divisions, ring_source};
 use crate::{Chart, StructureError};
 use calyx_fe::material::Plane;
 use calyx_fe::solid::SolidModel;
@@ -88,6 +88,23 @@ fn the_split_of_a_bevel_tooth_agrees_with_direct_solutions() {
                 assert!(error < tolerance, "offset {offset}, {row} by {column}: {error:.1e}");
             }
         }
+    }
+}
+
+#[test]
+fn the_matching_depth_of_a_bevel_tooth_hardly_matters() {
+    let divisions = Divisions { flank: 14, thickness: 12, ..COARSE };
+    let ring = Ring { divisions, layers: 2, axial_order: 3, ..ring(0.0) };
+    let sector = ring.mapped_sector(same, bevel);
+    let all = &patches(&ring, sector.1[0].surface.range()[0][1])[..3];
+    let half_space = half_space(&sector, all);
+    let values = |matching_depth: f64| {
+        let options = SolidSplitOptions { matching_depth, ..SolidSplitOptions::default() };
+        let structure = condensed(&sector, &options);
+        [0, 1, 2].map(|k| half_space[(k, k)] + smooth_mean(&structure, (4, &all[k]), (4, &all[k])))
+    };
+    for (narrow, wide) in values(0.7).into_iter().zip(values(1.4)) {
+        assert!((narrow / wide - 1.0).abs() < 1e-2, "{narrow} {wide}");
     }
 }
 
