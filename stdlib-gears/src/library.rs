@@ -51,6 +51,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "bevel_contact",
     "bevel_curve",
     "bevel_form",
+    "bevel_gear",
     "bevel_pattern",
     "bevel_section",
     "bevel_tooth",

@@ -48,7 +48,7 @@ const OF_FILES: [&str; 2] = ["read_table", "column"];
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 22] = [
+const OF_FORMULAS: [&str; 23] = [
     "iso1328",
     "deviations",
     "inspection",
@@ -68,6 +68,7 @@ const OF_FORMULAS: [&str; 22] = [
     "bevel_contact",
     "bevel_curve",
     "bevel_form",
+    "bevel_gear",
     "bevel_pattern",
     "bevel_section",
     "bevel_tooth",
