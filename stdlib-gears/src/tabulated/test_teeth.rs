@@ -146,3 +146,24 @@ impl Conical {
         }
     }
 }
+
+/// Spiral bevel pinion (12 teeth) or gear (36 teeth) of chapter 6 of the report, from its machine
+/// settings.
+pub fn aerospace(name: &str) -> ToothTable {
+    const INCH: f64 = 0.0254;
+    let (mut flanks, mut fillets) =
+        ([PointGrid::new(), PointGrid::new()], [PointGrid::new(), PointGrid::new()]);
+    let rows = include_str!("../../tests/data/bevel_teeth.csv").lines();
+    for row in rows.filter(|row| row.starts_with(name)) {
+        let cells: Vec<&str> = row.split(',').collect();
+        let count = |cell: usize| cells[cell].parse::<usize>().expect("an index");
+        let (side, section) = (count(2), count(3));
+        let grid = if cells[1] == "flank" { &mut flanks[side] } else { &mut fillets[side] };
+        if grid.len() <= section {
+            grid.push(Vec::new());
+        }
+        grid[section].push([4, 5, 6].map(|cell: usize| INCH * cells[cell].parse::<f64>().expect("a number")));
+    }
+    let (teeth, pitch_angle) = if name == "pinion" { (12, 18.433_f64) } else { (36, 71.5666) };
+    ToothTable { teeth, pitch_angle: pitch_angle.to_radians(), flanks, fillets }
+}

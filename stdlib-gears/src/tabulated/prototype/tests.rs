@@ -1,7 +1,7 @@
 //! Tests of gears with tabulated teeth.
 
 use super::*;
-use crate::tabulated::test_teeth::{Conical, cylindrical, sampled};
+use crate::tabulated::test_teeth::{Conical, aerospace, cylindrical, sampled};
 use calyx_runtime::structure::Chart;
 use calyx_runtime::structure::solid::{SegmentLoad, SurfaceSegment};
 
@@ -136,4 +136,58 @@ fn every_input_of_the_structure_is_in_its_key() {
     }
     let errors = TabulatedGearData { pitch_errors: vec![1e-6], ..data(table) };
     assert_eq!(key(errors), own);
+}
+
+/// The gears of chapter 6 of the report on their rims: a cylinder and a cone.
+fn chapter_6() -> [Arc<TabulatedGear>; 2] {
+    const INCH: f64 = 0.0254;
+    let cone = BoreShape::Rim { thickness: Some(0.35 * INCH), angle: Some(61.5_f64.to_radians()) };
+    [("pinion", BoreShape::Cylinder(1.138 * INCH)), ("gear", cone)].map(|(name, bore)| {
+        TabulatedGear::new(TabulatedGearData { bore, ..data(aerospace(name)) }).expect("a gear")
+    })
+}
+
+#[test]
+fn spiral_bevel_gears_of_machine_settings_are_meshed() {
+    use calyx_runtime::scene::Template;
+    for gear in chapter_6() {
+        for template in [Template::Medium, Template::FineRoot] {
+            let options = StructureOptions { template, ..StructureOptions::default() };
+            gear.check(&options, true).unwrap_or_else(|error| panic!("{template:?}: {error}"));
+            let mesh = gear.solid_mesh(&options, &Interrupt::never());
+            let mesh = mesh.unwrap_or_else(|error| panic!("{template:?}: {error}"));
+            let worst = crate::tabulated::solid_mesh::tests::volume_and_quality(&mesh)[1];
+            assert!(worst > 0.005, "{} teeth, {template:?}: {worst}", gear.teeth());
+            crate::tabulated::solid_mesh::tests::assert_congruent(&mesh, gear.teeth());
+        }
+    }
+}
+
+#[test]
+fn the_mass_lies_between_those_of_the_root_and_the_tip_cone() {
+    let [pinion, gear] = chapter_6();
+    for gear in [pinion, gear] {
+        let Inertia { mass, moment, .. } = gear.inertia();
+        let density = gear.data.material.density;
+        let tooth = gear.tooth();
+        let [start, end] = tooth.face;
+        let ring = |height: &dyn Fn(f64) -> f64| {
+            let parts = 200;
+            let step = (end - start) / f64::from(parts);
+            let slice = |k: i32| {
+                let v = start + (f64::from(k) + 0.5) * step;
+                let (top, bottom) = (height(v), gear.bore().at(v));
+                let radius = tooth.cones.radius(tooth.along(v), 0.5 * (top + bottom));
+                std::f64::consts::TAU * radius * (top - bottom) * step
+            };
+            density * (0..parts).map(slice).sum::<f64>()
+        };
+        let tip = |v: f64| {
+            let point = tooth.flank_at(0, tooth.edge_from(0), v).position;
+            tooth.cones.rolled(tooth.along(v), point)[0]
+        };
+        let (least, most) = (ring(&|v| root_end(tooth, 0, v)[0]), ring(&tip));
+        assert!(mass > least && mass < most, "{mass} is not between {least} and {most}");
+        assert!(moment[0] == 0.0 && moment[1] == 0.0 && (moment[2] / mass).abs() < 0.1);
+    }
 }
