@@ -93,6 +93,24 @@ pub(super) fn zeros_of_squared_pressure(cells: &[impl PressureStrip], pressures:
     Parabola::through(cells, pressures, first + 1, last - 1)?.zeros()
 }
 
+/// Smallest pressure, relative to the largest, of the cells from which the extent of a point contact
+/// is extrapolated.
+const CORE: f64 = 0.6;
+
+/// Returns the half-width like [`half_width`], extrapolated from the core of the contact. Along the
+/// boundary of an ellipse, cells are loaded in part, and the pressure of cells next to it is less
+/// accurate.
+pub(super) fn half_width_of_core(cells: &[impl PressureStrip], pressures: &[f64]) -> Option<f64> {
+    let largest = pressures.iter().copied().fold(0.0, f64::max);
+    let in_core = |p: &f64| *p >= CORE * largest && *p > 0.0;
+    let (first, last) = (pressures.iter().position(in_core)?, pressures.iter().rposition(in_core)?);
+    if last < first + 4 {
+        return half_width(cells, pressures);
+    }
+    let [left, right] = Parabola::through(cells, pressures, first, last)?.zeros()?;
+    Some(0.5 * (right - left))
+}
+
 /// Parabola c0 + c1 u + c2 u², with u = (x - origin) / unit.
 struct Parabola {
     origin: f64,

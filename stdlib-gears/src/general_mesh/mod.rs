@@ -32,6 +32,8 @@ const BISECTIONS: usize = 30;
 /// Largest deviation, in pitches, of the rotation for one tooth from that for another: beyond it,
 /// flanks are far from contact.
 const IN_MESH: f64 = 0.25;
+/// Negative backlash up to this fraction of the pitch is attributed to rounded input data.
+const ROUNDING_OF_DATA: f64 = 1e-4;
 /// Iterations of the phase of the first body, which moves the contact.
 const PHASES: usize = 12;
 /// Misplacement of teeth in a loop, in pitches, that is impossible; smaller ones are position errors
@@ -227,7 +229,7 @@ pub fn general_mesh(
         Mate::new(bodies.flanks[1].surfaces[surfaces[1]].as_ref()).pushed * play
     });
     if !options.coast_side_contact
-        && let Some(overlap) = backlash.filter(|backlash| *backlash < 0.0)
+        && let Some(overlap) = backlash.filter(|backlash| *backlash < -ROUNDING_OF_DATA * pitch)
     {
         warnings.push(checks::no_backlash(-overlap * mesh.base_radii[1]));
     }

@@ -4,8 +4,6 @@ use std::f64::consts::PI;
 
 #[derive(Debug)]
 pub struct Ellipse {
-    /// Semi-axes, ascending, m.
-    pub axes: [f64; 2],
     /// Largest pressure, Pa.
     pub peak: f64,
 }
@@ -42,6 +40,6 @@ impl Ellipse {
         let [k, e] = elliptic(ratio);
         let shape = (k - e) / (1.0 - ratio * ratio);
         let a = (3.0 * force * shape * radii[1] / (PI * modulus)).cbrt();
-        Ellipse { axes: [ratio * a, a], peak: 3.0 * force / (2.0 * PI * a * a * ratio) }
+        Ellipse { peak: 3.0 * force / (2.0 * PI * a * a * ratio) }
     }
 }

@@ -18,6 +18,8 @@ struct Press {
     modulus: f64,
     force: f64,
     half_counts: [usize; 2],
+    /// Whether the grid is fitted to the loaded part, as for gears on general axes.
+    fitted: bool,
 }
 
 struct Pressed {
@@ -37,6 +39,7 @@ fn press(radii: [f64; 2], modulus: f64, force: f64) -> Press {
         modulus,
         force,
         half_counts: [12, 12],
+        fitted: false,
     }
 }
 
@@ -82,15 +85,19 @@ impl Press {
             let solution = solve_until(&problem, Some(&guess), &never).expect("it is well posed");
             assert!(solution.certificate.largest() <= 1e-12, "{:?}", solution.certificate);
             let pressures = pressures(&grid.cells, &solution.forces);
-            let report = assess(&grid, &pressures);
-            if report.recommended == [None, None] {
+            let mut recommended = assess(&grid, &pressures).recommended;
+            if self.fitted && recommended == [None, None] {
+                recommended = fitting_size(&grid, &pressures);
+            }
+            if recommended == [None, None] {
                 // The start of the search must not change a bit of the solution.
                 let cold = solve_until(&problem, None, &never).expect("it is well posed");
                 assert_eq!(cold.forces, solution.forces);
                 return Pressed { grid, pressures, solution };
             }
-            options.width = report.recommended[0].or(options.width);
-            options.length = report.recommended[1].or(options.length);
+            let [width, length] = grid.extent.map(|extent| self.fitted.then_some(extent));
+            options.width = recommended[0].or(options.width).or(width);
+            options.length = recommended[1].or(options.length).or(length);
         }
         panic!("the grid does not settle");
     }
@@ -207,7 +214,7 @@ fn the_default_grid_is_accurate_for_all_shapes() {
         let radii = [1.0, ratio];
         for force in [1.0, 1000.0] {
             let ellipse = Ellipse::new(radii, MODULUS, force);
-            let pressed = Press { half_counts: [10, 8], ..press(radii, MODULUS, force) }.run();
+            let pressed = Press { half_counts: [10, 8], fitted: true, ..press(radii, MODULUS, force) }.run();
             let errors = [pressed.peak() / ellipse.peak - 1.0, pressed.sink() / ellipse.approach - 1.0];
             assert!(errors.iter().all(|error| error.abs() < 3e-3), "{ratio} {force}: {errors:?}");
             ellipse.assert_like(&pressed, 0.02, &format!("{ratio} {force}"));

@@ -126,7 +126,7 @@ pub fn half_axes(grid: &Grid, pressures: &[f64]) -> Option<[f64; 2]> {
     let peaks: Vec<f64> = slice_peaks(grid, pressures).iter().map(|peak| peak.pressure).collect();
     let largest = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j]).then(j.cmp(&i)))?;
     let (cells, own) = strip(grid, pressures, largest);
-    Some([pressure::half_width(&cells, &own)?, pressure::half_width(&lengths(grid), &peaks)?])
+    Some([pressure::half_width_of_core(&cells, &own)?, pressure::half_width_of_core(&lengths(grid), &peaks)?])
 }
 
 /// Assessment of a grid from a solution (report figures 3.40 to 3.42).

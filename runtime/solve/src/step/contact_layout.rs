@@ -24,6 +24,9 @@ const STARTS: usize = 3;
 /// are linear in motions; the neglected term of a drift d is up to d² / 2 R, here a quarter of the
 /// rise of the gap's parabola to the end of the grid.
 pub(super) const MOST_SHIFT: f64 = 0.5;
+/// Motion, m or rad, below which the rigid-body limit on general axes needs no other position of its
+/// contacts: the neglected term is of the order of its square over the radius of a flank.
+const TOUCHING_AT: f64 = 1e-8;
 /// Difference of successive relinearization positions, relative to half a grid's width, that counts
 /// as converged.
 const SETTLED: f64 = 1e-3;
@@ -181,7 +184,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
     fn touching(&self, time: f64, load: &[f64], mut laid: LaidOutContact) -> LaidOutContact {
         for _ in 0..STARTS {
             let LaidOutContact { step, .. } = &laid;
-            if step.motion == step.start {
+            if difference(&step.motion, &step.start).iter().all(|moved| moved.abs() <= TOUCHING_AT) {
                 break;
             }
             match self.solve_from(time, load, &step.motion) {
