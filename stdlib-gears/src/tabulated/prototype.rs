@@ -19,7 +19,7 @@ use calyx_runtime::fe::solid::{SolidElementPoint, SolidMesh, SolidModel};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
-use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions};
+use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks};
 use calyx_runtime::structure::solid::{ElasticSolid, HalfSpaceBody, SolidStructure, SolidSurfaceSource};
 use calyx_runtime::structure::{
     BoreSupport, MeshedBody, RingSource, Structure, StructureSize, VisualizationMesh,
@@ -387,6 +387,12 @@ impl Prototype for TabulatedGear {
 
     fn pitch_error(&self, tooth: u32) -> f64 {
         self.pitch_errors.get(tooth as usize).copied().unwrap_or(0.0)
+    }
+
+    fn tooth_flanks(&self) -> Option<ToothFlanks> {
+        let surfaces = self.surfaces(&StructureOptions::default()).ok()?;
+        let surfaces = surfaces.map(|surface| surface as Arc<dyn Surface>);
+        Some(ToothFlanks { teeth: self.teeth(), surfaces })
     }
 
     fn needs_solid_model(&self) -> bool {
