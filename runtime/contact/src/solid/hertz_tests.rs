@@ -216,7 +216,7 @@ fn the_default_grid_is_accurate_for_all_shapes() {
             let ellipse = Ellipse::new(radii, MODULUS, force);
             let pressed = Press { half_counts: [10, 8], fitted: true, ..press(radii, MODULUS, force) }.run();
             let errors = [pressed.peak() / ellipse.peak - 1.0, pressed.sink() / ellipse.approach - 1.0];
-            assert!(errors.iter().all(|error| error.abs() < 3e-3), "{ratio} {force}: {errors:?}");
+            assert!(errors.iter().all(|error| error.abs() < 4e-3), "{ratio} {force}: {errors:?}");
             ellipse.assert_like(&pressed, 0.02, &format!("{ratio} {force}"));
         }
     }
