@@ -9,6 +9,7 @@ use calyx_gears::flank::Flank;
 use calyx_gears::gear_surface::GearSurface;
 use calyx_gears::modification::{LeadModification, Modification, ReliefShape};
 use calyx_runtime::contact::solid::{GridOptions, PlacedSurface, Pose, build_grid, find_contact_line};
+use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::motion::spatial_pose;
 use calyx_runtime::scene::GearMesh;
 use std::f64::consts::TAU;
@@ -106,7 +107,7 @@ fn spur_flanks_touch_along_their_face_from_entering_to_leaving() {
         let gaps = || contact_line.points.iter().map(|point| point.gap);
         let spread = gaps().fold(0.0f64, f64::max) - gaps().fold(f64::INFINITY, f64::min);
         assert!(spread < 1e-12, "{cycle}: {spread:e}");
-        let grid = build_grid(first, second, &contact_line, &options());
+        let grid = build_grid(first, second, &contact_line, &options(), &Interrupt::never()).unwrap();
         assert_eq!(grid.slices.len(), 21, "{cycle}");
         let area: f64 = grid.cells.iter().map(|cell| cell.area()).sum();
         assert!(area > 0.0 && grid.cells.iter().all(|cell| cell.gap > contact_line.gap - 1e-12), "{cycle}");
@@ -136,7 +137,7 @@ fn helical_flanks_enter_at_one_face_and_leave_at_the_other() {
             }
             if inside {
                 touched.push(contact_line.frame.point[2]);
-                let grid = build_grid(first, second, &contact_line, &options());
+                let grid = build_grid(first, second, &contact_line, &options(), &Interrupt::never()).unwrap();
                 assert!(!grid.cells.is_empty(), "{twist} {cycle}");
                 let least = grid.cells.iter().map(|cell| cell.gap).fold(f64::INFINITY, f64::min);
                 assert!(

@@ -167,6 +167,7 @@ fn images_lie_in_the_side_face_where_the_patch_meets_it() {
         spans: [1.0; 2],
         gap: 0.0,
         point: [0.0; 3],
+        slope: [0.0; 2],
         edge: false,
     };
     let cells = [cell(0.0), cell(1.0), cell(-1.0)];
