@@ -126,7 +126,7 @@ impl TabulatedGear {
     }
 
     /// Three-dimensional mesh of tooth 0 with its sector of the rim, see
-    /// [`solid_mesh`](super::solid_mesh::solid_mesh).
+    /// [`solid_mesh`].
     ///
     /// # Errors
     /// E0977: the tooth cannot be meshed. Also those of the interrupt.
