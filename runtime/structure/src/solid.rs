@@ -12,6 +12,7 @@ mod elastic;
 mod exchange;
 mod half_space;
 mod half_space_body;
+mod half_space_means;
 mod influence;
 mod mirror_symmetry;
 mod responses;

@@ -12,7 +12,6 @@
 
 use super::axial_modes::AxialModes;
 use super::screw::Screw;
-use super::surface_means::SurfaceMeans;
 use crate::kernel::Mollifier;
 use calyx_numerics::interpolation::lagrange;
 use calyx_numerics::quadrature::gauss_legendre;
@@ -38,25 +37,6 @@ pub(super) const POINTS: usize = 12;
 pub(super) const GRADING: f64 = 8.0;
 /// Length of the finest panel, relative to the smallest width of a mollifier.
 pub(super) const FINEST: f64 = 1e-4;
-
-/// Means of `1/r`, with images, over pairs of loads on a surface.
-pub(super) enum HalfSpaceMeans {
-    /// On the flank of a spur or helical gear.
-    Screw(ReciprocalMeans),
-    /// On any smooth surface.
-    Surface(SurfaceMeans),
-}
-
-impl HalfSpaceMeans {
-    /// Returns the means over an observer `a` times a polynomial and a load `b` times another: rows
-    /// by the observer's polynomial, 1/m.
-    pub fn between(&self, a: &Mollifier, b: &Mollifier) -> Mat<f64> {
-        match self {
-            Self::Screw(means) => means.between(a, b),
-            Self::Surface(means) => means.between(a, b),
-        }
-    }
-}
 
 /// Means of `1/r`, with images, over pairs of loads on a helical surface.
 pub(crate) struct ReciprocalMeans {
