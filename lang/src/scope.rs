@@ -225,6 +225,10 @@ impl Scan<'_> {
                 while self.kind(last + 1) == Some(Kind::Dot) && self.name(last + 2).is_some() {
                     last += 2;
                 }
+                // `import module as name` declares the second name.
+                if self.name(last + 1).is_some() && self.name(last + 2).is_some() {
+                    last += 2;
+                }
                 self.pending.extend(self.name(last).map(|span| (span, NameKind::Module)));
                 return last + 1;
             }

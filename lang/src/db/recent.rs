@@ -123,12 +123,17 @@ impl Database {
 
     /// Returns the file of the module that an `import` names.
     fn module_named(&self, text: &str, tokens: &[Token], local: &Local) -> Option<SourceRange> {
-        let mut first = tokens.iter().position(|token| token.span == local.span)?;
+        let named = tokens.iter().position(|token| token.span == local.span)?;
+        // The name of `import module as name` follows the module.
+        let renamed = named >= 3 && tokens.get(named - 1).is_some_and(|token| token.kind == Kind::Identifier);
+        let last = if renamed { named - 2 } else { named };
+        let mut first = last;
         while first >= 2 && tokens.get(first - 1).is_some_and(|token| token.kind == Kind::Dot) {
             first -= 2;
         }
         let start = tokens.get(first)?.span.start;
-        let path: String = text.get(start as usize..local.span.end as usize)?.split_whitespace().collect();
+        let end = tokens.get(last)?.span.end;
+        let path: String = text.get(start as usize..end as usize)?.split_whitespace().collect();
         Some(SourceRange { file: self.file_of(&path)?, start: 0, end: 0 })
     }
 }
