@@ -106,7 +106,8 @@ pub(crate) enum StatedModule {
 
 /// Errors and warnings about the face width, the rim and the pitch deviations of a generated gear.
 /// `module` is the tool's module as given, and `stated` the argument that states it with its value,
-/// a length or a diametral pitch, if any. `far` is the argument that states the blank in place of `rim`, if any.
+/// a length or a diametral pitch, if any. `far` is the argument that states the blank in place of
+/// `rim`, if any.
 pub(crate) fn of_gear(
     gear: &GearPrototype,
     module: f64,

@@ -1,5 +1,5 @@
-//! Compares the spiral bevel pair of `examples/spiral_bevel.cx` with published stresses and with the
-//! equilibrium of its forces.
+//! Compares the spiral bevel pair of `examples/spiral_bevel.cx` with published stresses and with
+//! the equilibrium of its forces.
 
 use calyx::rt::{ParamAssignment, RunOptions, run};
 use calyx::{Engine, Module, Override, check_file};

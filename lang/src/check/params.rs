@@ -112,8 +112,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Returns the allowed texts of a param of a type; `None` after reporting the first element that
-    /// is not a text.
+    /// Returns the allowed texts of a param of a type; `None` after reporting the first element
+    /// that is not a text.
     fn param_choices(&mut self, ty: &Type, values: &'a [ast::Expr]) -> Option<Vec<String>> {
         let mut choices = Vec::new();
         for value in values {

@@ -93,8 +93,8 @@ pub(super) fn zeros_of_squared_pressure(cells: &[impl PressureStrip], pressures:
     Parabola::through(cells, pressures, first + 1, last - 1)?.zeros()
 }
 
-/// Smallest pressure, relative to the largest, of the cells from which the extent of a point contact
-/// is extrapolated.
+/// Smallest pressure, relative to the largest, of the cells from which the extent of a point
+/// contact is extrapolated.
 const CORE: f64 = 0.6;
 
 /// Returns the half-width like [`half_width`], extrapolated from the core of the contact. Along the

@@ -265,8 +265,8 @@ impl Orientation {
 /// Component along e3 of an axis that is opposite to e3 to within rounding.
 const OPPOSITE: f64 = -1.0 + 1e-12;
 
-/// Rotates the ground axes by the minimal rotation that maps e3 to `axis` (unit vector); for -e3, by
-/// half a revolution about e1.
+/// Rotates the ground axes by the minimal rotation that maps e3 to `axis` (unit vector); for -e3,
+/// by half a revolution about e1.
 pub fn tilted_axes([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     if z <= OPPOSITE {
         return [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];

@@ -49,9 +49,9 @@ impl Drop for MemoryReservation {
 ///
 /// Checkpoints are between positions, between the batches of long computations while structures are
 /// built, at each slice of a three-dimensional contact grid, at each row of a contact compliance,
-/// before each factorization of the contact solver and before each piece of a large one. Parallel computations call the callback from several threads
-/// concurrently. It should return quickly (test a flag, read a clock), and continue to fail after
-/// its first error.
+/// before each factorization of the contact solver and before each piece of a large one. Parallel
+/// computations call the callback from several threads concurrently. It should return quickly (test
+/// a flag, read a clock), and continue to fail after its first error.
 ///
 /// # Time between checkpoints
 /// The longest stages without a checkpoint concern the mesh of one sector, a tooth of a gear with

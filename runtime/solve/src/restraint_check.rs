@@ -2,8 +2,9 @@
 //! solved.
 //!
 //! The contact forces of an involute mesh act along one line, regardless of the number of teeth in
-//! contact; on general axes they act about along the common normal at the first contact. Each mesh therefore constrains one combination of DOFs in one sense. Whether these
-//! constraints can balance the load is a small contact problem of its own.
+//! contact; on general axes they act about along the common normal at the first contact. Each mesh
+//! therefore constrains one combination of DOFs in one sense. Whether these constraints can balance
+//! the load is a small contact problem of its own.
 //!
 //! See `docs/theory/equilibrium.md`.
 

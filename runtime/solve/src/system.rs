@@ -303,8 +303,8 @@ impl<'s> System<'s> {
         }
     }
 
-    /// Returns the prescribed angular velocity of a body about its own axis, rad/s; NaN if the motion
-    /// is NaN.
+    /// Returns the prescribed angular velocity of a body about its own axis, rad/s; NaN if the
+    /// motion is NaN.
     pub fn speed(&self, body: usize, time: f64) -> f64 {
         rotation_speed(self.scene.bodies[body].motion.as_ref(), time).unwrap_or(f64::NAN)
     }

@@ -25,8 +25,8 @@ pub trait Surface: Send + Sync {
     /// Returns the point at `u`, `v`.
     fn at(&self, u: f64, v: f64) -> SurfacePoint;
 
-    /// Returns whether the surface is a plane profile extruded along the owner's z axis, straight or
-    /// with a constant rotation per length (flanks of spur and helical gears, apart from
+    /// Returns whether the surface is a plane profile extruded along the owner's z axis, straight
+    /// or with a constant rotation per length (flanks of spur and helical gears, apart from
     /// modifications): `u` is the arc length of the profile, `v` the axial coordinate, and side
     /// faces are normal to the axis. The compliance of such a surface takes a shorter computation.
     fn is_extruded(&self) -> bool {

@@ -2,8 +2,8 @@
 //!
 //! A point of the first flank needs a rotation of the second body to meet the point of the second
 //! flank with the same radius and axial position. Contact is where this rotation is an extreme over
-//! the first flank: in its interior the normals are parallel there, otherwise a flank ends (Stadtfeld
-//! calls the function the ease-off). The extreme exists for point and for line contact.
+//! the first flank: in its interior the normals are parallel there, otherwise a flank ends
+//! (Stadtfeld calls the function the ease-off). The extreme exists for point and for line contact.
 //!
 //! See `docs/theory/gear-geometry.md`.
 
@@ -61,8 +61,8 @@ pub(super) struct Driver<'a> {
     pub pose: Pose,
 }
 
-/// Rotation of the second body to a point of the first flank, and its derivatives by the coordinates
-/// of that flank.
+/// Rotation of the second body to a point of the first flank, and its derivatives by the
+/// coordinates of that flank.
 struct Ray {
     contact: FlankContact,
     slope: [f64; 2],

@@ -36,8 +36,8 @@ const IN_MESH: f64 = 0.25;
 const ROUNDING_OF_DATA: f64 = 1e-4;
 /// Iterations of the phase of the first body, which moves the contact.
 const PHASES: usize = 12;
-/// Misplacement of teeth in a loop, in pitches, that is impossible; smaller ones are position errors
-/// of axes and remain in the contact problem.
+/// Misplacement of teeth in a loop, in pitches, that is impossible; smaller ones are position
+/// errors of axes and remain in the contact problem.
 const IMPOSSIBLE: f64 = 0.1;
 
 /// Mesh on general axes.
@@ -86,8 +86,8 @@ impl Bodies {
         Ok(Bodies { poses: [pose(0)?, pose(1)?], flanks, pitches })
     }
 
-    /// Returns the pose of a tooth of the first body in the coordinates of the second, with the body
-    /// rotated by an angle (rad).
+    /// Returns the pose of a tooth of the first body in the coordinates of the second, with the
+    /// body rotated by an angle (rad).
     fn tooth_pose(&self, tooth: u32, angle: f64) -> Pose {
         let angle = angle + f64::from(tooth) * self.pitches[0];
         seen_from(&self.poses[0].rotated_first(angle), &self.poses[1])
@@ -167,8 +167,9 @@ impl Bodies {
 ///
 /// # Errors
 /// E0650, E0651: the speeds do not match the numbers of teeth. E0653: a body has no teeth. E0884:
-/// the flanks do not come into contact. E0885: a misalignment is given. E0886: an axis moves. E0887:
-/// the mesh closes a loop whose teeth do not fit. E0648: the teeth of two helical gears cross.
+/// the flanks do not come into contact. E0885: a misalignment is given. E0886: an axis moves.
+/// E0887: the mesh closes a loop whose teeth do not fit. E0648: the teeth of two helical gears
+/// cross.
 pub fn general_mesh(
     scene: &mut Scene,
     ids: [BodyId; 2],

@@ -178,8 +178,9 @@ impl ThicknessStatements {
         ))
     }
 
-    /// Checks that the balls of a dimension over balls touch the flanks below the tips, and that they
-    /// are not themselves below the tip circle, where nothing can measure them. `thickness` is the nominal thickness in the plane of the tool, m.
+    /// Checks that the balls of a dimension over balls touch the flanks below the tips, and that
+    /// they are not themselves below the tip circle, where nothing can measure them. `thickness` is
+    /// the nominal thickness in the plane of the tool, m.
     ///
     /// # Errors
     /// E0917.

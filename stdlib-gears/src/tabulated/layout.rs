@@ -398,8 +398,8 @@ impl HalfSection<'_> {
         blocks
     }
 
-    /// Corner of the tip edge, the inner side of the strip below it, the middle of the tip land, and
-    /// the inner side of its strip.
+    /// Corner of the tip edge, the inner side of the strip below it, the middle of the tip land,
+    /// and the inner side of its strip.
     fn tip_corners(&self) -> [[f64; 2]; 4] {
         let edge = self.layout.breaks.edge;
         let [corner, others] = [&self.half, &self.other].map(|half| half.outer(edge)[0]);

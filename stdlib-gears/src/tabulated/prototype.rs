@@ -43,8 +43,8 @@ pub struct TabulatedGearData {
     pub bore: BoreShape,
     /// Support of the bore.
     pub support: BoreSupport,
-    /// Cumulative pitch deviation of each tooth at the middle of the tooth, m; teeth beyond the list
-    /// have none.
+    /// Cumulative pitch deviation of each tooth at the middle of the tooth, m; teeth beyond the
+    /// list have none.
     pub pitch_errors: Vec<f64>,
 }
 

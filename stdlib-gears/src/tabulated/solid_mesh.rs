@@ -106,7 +106,8 @@ pub(super) mod tests {
             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
     }
 
-    /// Volume, and the smallest ratio of the Jacobian determinant to the largest one of its element.
+    /// Volume, and the smallest ratio of the Jacobian determinant to the largest one of its
+    /// element.
     pub fn volume_and_quality(mesh: &SolidMesh) -> [f64; 2] {
         let (mut volume, mut worst) = (0.0, f64::INFINITY);
         for (element, data) in mesh.elements.iter().enumerate() {

@@ -364,8 +364,8 @@ impl Stations {
                     sentence!["reduce the tip height, or check the tooth thickness"],
                 ));
             }
-            // Points of the fillets must not leave the sector of the tooth, whose middle is that of the
-            // root ends of both fillets.
+            // Points of the fillets must not leave the sector of the tooth, whose middle is that of
+            // the root ends of both fillets.
             let along = self.middle + self.along[station];
             let ends = [0, 1].map(|side: usize| {
                 let points = &self.fillets[side][station];

@@ -36,7 +36,8 @@ pub fn sampled(gear: &GearPrototype, stations: usize, points: usize) -> ToothTab
     let flank = |side: usize| -> PointGrid {
         let end = flanks[side].edge_range()[0];
         let point = |part: f64, z: f64| {
-            // Points at equal differences of the roll angle: the curvature varies like its reciprocal.
+            // Points at equal differences of the roll angle: the curvature varies like its
+            // reciprocal.
             let roll = flanks[side].form_roll() * (1.0 - part) + flanks[side].roll_at(end) * part;
             let [x, y] = flanks[side].at(flanks[side].s_at_roll(roll)).position;
             let (sine, cosine) = (twist * z).sin_cos();

@@ -1,8 +1,8 @@
 //! Tooth interpolated from its table: flanks with rounded tip edges, fillets, and the map from
 //! developed sections to the body.
 //!
-//! At each station a spline through the points is divided by arc length in equal proportions, from the
-//! fillet to the start of the tip edge, and from the flank to the root. A tensor-product spline
+//! At each station a spline through the points is divided by arc length in equal proportions, from
+//! the fillet to the start of the tip edge, and from the flank to the root. A tensor-product spline
 //! through these points gives the curve of any section. Lines of constant `u` therefore divide the
 //! profile alike at all stations, whatever the spacing of the points of the table.
 

@@ -73,8 +73,8 @@ impl Observable for UnloadedTransmissionError {
 }
 
 /// Secant stiffness: the force along the line of action divided by the displacement of the mesh
-/// along it from unloaded contact, N/m. Zero without load. On general axes the line of action is the
-/// common normal at the first contact ([`FirstContact`](calyx_model::pairs::FirstContact)).
+/// along it from unloaded contact, N/m. Zero without load. On general axes the line of action is
+/// the common normal at the first contact ([`FirstContact`](calyx_model::pairs::FirstContact)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SecantStiffness(pub PairId);
 

@@ -119,8 +119,8 @@ impl PatchFrame {
         self.translation_arm(side, cross(axis, minus(point, center)))
     }
 
-    /// Returns the direction in which a unit force on a surface with these slopes along x and y acts
-    /// out of the first body: its component along the normal is 1.
+    /// Returns the direction in which a unit force on a surface with these slopes along x and y
+    /// acts out of the first body: its component along the normal is 1.
     pub fn action(&self, slope: [f64; 2]) -> Vector {
         match slope == [0.0; 2] {
             true => self.normal,

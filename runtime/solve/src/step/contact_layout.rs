@@ -24,8 +24,8 @@ const STARTS: usize = 3;
 /// are linear in motions; the neglected term of a drift d is up to d² / 2 R, here a quarter of the
 /// rise of the gap's parabola to the end of the grid.
 pub(super) const MOST_SHIFT: f64 = 0.5;
-/// Motion, m or rad, below which the rigid-body limit on general axes needs no other position of its
-/// contacts: the neglected term is of the order of its square over the radius of a flank.
+/// Motion, m or rad, below which the rigid-body limit on general axes needs no other position of
+/// its contacts: the neglected term is of the order of its square over the radius of a flank.
 const TOUCHING_AT: f64 = 1e-8;
 /// Difference of successive relinearization positions, relative to half a grid's width, that counts
 /// as converged.
@@ -178,9 +178,9 @@ impl<S: ContactGeometry> Solver<'_, S> {
         meshes.into_iter().any(|mesh| mesh.first_contact.is_some())
     }
 
-    /// Repeats the limit of a vanishing load at the position that it finds until that is the position
-    /// of contact: gaps are linear in the motions, and the unloaded transmission error of flanks that
-    /// are not conjugate is a hundred times larger than its required accuracy.
+    /// Repeats the limit of a vanishing load at the position that it finds until that is the
+    /// position of contact: gaps are linear in the motions, and the unloaded transmission error of
+    /// flanks that are not conjugate is a hundred times larger than its required accuracy.
     fn touching(&self, time: f64, load: &[f64], mut laid: LaidOutContact) -> LaidOutContact {
         for _ in 0..STARTS {
             let LaidOutContact { step, .. } = &laid;

@@ -97,8 +97,8 @@ impl Ring {
         (SolidModel::new(mesh, material), surfaces.collect())
     }
 
-    /// Returns a sector in other coordinates and at other positions: `coordinates` changes `v` only,
-    /// `map` preserves the orientation and the symmetry about the z axis.
+    /// Returns a sector in other coordinates and at other positions: `coordinates` changes `v`
+    /// only, `map` preserves the orientation and the symmetry about the z axis.
     pub fn mapped_sector(
         &self,
         coordinates: fn([f64; 2]) -> [f64; 2],
