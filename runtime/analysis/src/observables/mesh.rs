@@ -6,6 +6,8 @@ use super::{Equilibrium, Needs, Observable, Quantity};
 use calyx_model::dof::Dof;
 use calyx_model::ids::{BodyId, PairId};
 use calyx_model::observed::Observed;
+use calyx_numerics::dense::Interruptible;
+use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
@@ -116,18 +118,13 @@ impl Observable for MeshStiffness {
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let Some((mesh, [first, second])) = at.mesh(self.0) else { return Observed::number(f64::NAN) };
         let (step, dofs) = (at.step, &at.system.dofs);
-        let (n, m) = (step.problem.cells(), dofs.len());
+        let m = dofs.len();
         let alone = at.is_alone(self.0);
         let active = if alone { step.active.clone() } else { at.active_cells(self.0) };
         if active.is_empty() || m == 0 {
             return Observed::number(0.0);
         }
-        let compliance = DMatrix::from_fn(active.len(), active.len(), |i, j| {
-            step.problem.compliance[active[i] * n + active[j]]
-        });
-        let arms = DMatrix::from_fn(active.len(), m, |i, k| step.problem.arms[active[i] * m + k]);
-        let Some(factor) = compliance.cholesky() else { return Observed::number(f64::NAN) };
-        let teeth = arms.transpose() * factor.solve(&arms);
+        let Some(teeth) = contact_stiffness(at, &active) else { return Observed::number(f64::NAN) };
         // Work of a unit force along the line of action on each DOF.
         let along = DVector::from_fn(m, |k, _| match dofs[k] {
             Dof { body, component: THETA_Z } if body == first.0 => mesh.base_radii[0],
@@ -149,6 +146,22 @@ impl Observable for MeshStiffness {
     fn pair_of(&self) -> Option<PairId> {
         Some(self.0)
     }
+}
+
+/// Returns the stiffness of the active cells about the DOFs, `C' A^-1 C`; `None` if their compliance
+/// is not positive definite, or if the interrupt ends the factorization, whose caller reports it.
+fn contact_stiffness(at: &Equilibrium<'_>, active: &[usize]) -> Option<DMatrix<f64>> {
+    let (problem, m) = (&at.step.problem, at.system.dofs.len());
+    let n = problem.cells();
+    let compliance =
+        Mat::from_fn(active.len(), active.len(), |i, j| problem.compliance[active[i] * n + active[j]]);
+    let arms = Mat::from_fn(active.len(), m, |i, k| problem.arms[active[i] * m + k]);
+    let checkpoint = || at.system.interrupt.check();
+    let dense = Interruptible(&checkpoint);
+    let factor = dense.cholesky(compliance).ok()??;
+    let solved = dense.solve_lower(factor.as_ref(), arms).ok()?;
+    let stiffness = dense.product(solved.transpose(), solved.as_ref()).ok()?;
+    Some(DMatrix::from_fn(m, m, |i, k| stiffness[(i, k)]))
 }
 
 impl Equilibrium<'_> {
