@@ -22,6 +22,8 @@ const STEPS: usize = 60;
 const DIFFERENCE: f64 = 1e-6;
 /// Step of a coordinate, relative to its range, at which an iteration ends.
 const SETTLED: f64 = 1e-13;
+/// The same while a start is searched: starts are compared only.
+const SETTLED_ROUGHLY: f64 = 1e-4;
 /// Part of its range by which a coordinate may be outside: rounding.
 const ROUNDING: f64 = 1e-9;
 /// Margin of the radial and axial range of the second flank in the search for near teeth, relative
@@ -109,10 +111,10 @@ impl<'a> Mate<'a> {
         Mate { surface, range, pushed: -outward.signum(), samples, reach }
     }
 
-    /// Returns the coordinates of the point with this radius and axial position; `None` if the
-    /// flank ends before.
-    fn partner(&self, target: [f64; 2], guess: Option<[f64; 2]>) -> Option<[f64; 2]> {
-        let distance = |at: &[f64; 2]| (at[0] - target[0]).hypot(at[1] - target[1]);
+    /// Returns the coordinates of the point with this radius and axial position, to a step relative
+    /// to the ranges; `None` if the flank ends before.
+    fn partner(&self, target: [f64; 2], guess: Option<[f64; 2]>, settled: f64) -> Option<[f64; 2]> {
+        let distance = |at: &[f64; 2]| (at[0] - target[0]).powi(2) + (at[1] - target[1]).powi(2);
         let mut place = match guess {
             Some(guess) => guess,
             None => {
@@ -127,7 +129,7 @@ impl<'a> Mate<'a> {
         for _ in 0..STEPS {
             let point = self.surface.at(place[0], place[1]);
             let [x, y, z] = point.position;
-            let radius = x.hypot(y);
+            let radius = (x * x + y * y).sqrt();
             let short = [target[0] - radius, target[1] - z];
             let radial = point.tangents.map(|[tx, ty, _]| (x * tx + y * ty) / radius);
             let axial = point.tangents.map(|[.., tz]| tz);
@@ -140,7 +142,7 @@ impl<'a> Mate<'a> {
             if !size.is_finite() {
                 return None;
             }
-            if size <= SETTLED || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
+            if size <= settled || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
                 let inside = |k: usize| {
                     let margin = ROUNDING * spans[k];
                     (self.range[k][0] - margin..=self.range[k][1] + margin).contains(&place[k])
@@ -163,11 +165,17 @@ impl<'a> Mate<'a> {
 
     /// Returns the rotation to a point of the first flank; `None` if this flank has no point with
     /// its radius and axial position, or faces the same way.
-    fn ray(&self, driver: &Driver<'_>, place: [f64; 2], guess: Option<[f64; 2]>) -> Option<Ray> {
+    fn ray(
+        &self,
+        driver: &Driver<'_>,
+        place: [f64; 2],
+        guess: Option<[f64; 2]>,
+        settled: f64,
+    ) -> Option<Ray> {
         let own = driver.surface.at(place[0], place[1]);
         let (point, normal) = (driver.pose.point(own.position), driver.pose.direction(own.normal));
         let [x, y, z] = point;
-        let mate = self.partner([x.hypot(y), z], guess)?;
+        let mate = self.partner([(x * x + y * y).sqrt(), z], guess, settled)?;
         let other = self.surface.at(mate[0], mate[1]);
         let [ox, oy, _] = other.position;
         // The angle between the two radii, to rounding also where it is small.
@@ -207,8 +215,13 @@ impl<'a> Mate<'a> {
             return None;
         }
         let mut best: Option<Ray> = None;
+        let mut neighbour = None;
         for place in grid(flank_range(driver.surface)) {
-            let Some(ray) = self.ray(driver, place, None) else { continue };
+            // The point of the neighbour is a close start, unless the grid begins a new line.
+            let near = neighbour.and_then(|mate| self.ray(driver, place, Some(mate), SETTLED_ROUGHLY));
+            let ray = near.or_else(|| self.ray(driver, place, None, SETTLED_ROUGHLY));
+            neighbour = ray.as_ref().map(|ray| ray.mate);
+            let Some(ray) = ray else { continue };
             let further = |best: &Ray| {
                 let rotation = nearest(ray.contact.rotation, best.contact.rotation, TAU);
                 self.pushed * (rotation - best.contact.rotation) > 0.0
@@ -217,12 +230,14 @@ impl<'a> Mate<'a> {
                 best = Some(ray);
             }
         }
-        Some(self.climb(driver, best?))
+        let best = best?;
+        let start = self.ray(driver, best.contact.place, Some(best.mate), SETTLED);
+        Some(self.climb(driver, start?))
     }
 
     /// Returns the contact near one at a neighbouring position.
     pub fn contact_near(&self, driver: &Driver<'_>, place: [f64; 2]) -> Option<FlankContact> {
-        let start = self.ray(driver, place, None)?;
+        let start = self.ray(driver, place, None, SETTLED)?;
         Some(self.climb(driver, start))
     }
 
@@ -244,7 +259,7 @@ impl<'a> Mate<'a> {
                 [inward, -inward].into_iter().find_map(|sense| {
                     let mut moved = place;
                     moved[k] += sense * DIFFERENCE * spans[k];
-                    let there = slope(&self.ray(driver, moved, Some(here.mate))?);
+                    let there = slope(&self.ray(driver, moved, Some(here.mate), SETTLED)?);
                     Some([0, 1].map(|l: usize| (there[l] - own[l]) / (sense * DIFFERENCE)))
                 })
             };
@@ -275,7 +290,7 @@ impl<'a> Mate<'a> {
                 if step[0].abs().max(step[1].abs()) <= SETTLED {
                     break;
                 }
-                let there = self.ray(driver, target, Some(here.mate));
+                let there = self.ray(driver, target, Some(here.mate), SETTLED);
                 let gained = |there: &Ray| {
                     let rotation = nearest(there.contact.rotation, here.contact.rotation, TAU);
                     pushed * (rotation - here.contact.rotation) >= -1e-15

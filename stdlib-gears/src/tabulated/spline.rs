@@ -16,6 +16,9 @@ pub struct Basis {
     degree: usize,
     nodes: Vec<f64>,
     knots: Vec<f64>,
+    /// Inverse lengths `1 / (knots[j + order] - knots[j])` of each order from 1 to the degree, with
+    /// `j` at the index `(order - 1) * knots.len() + j`; divisions would dominate an evaluation.
+    inverse_lengths: Vec<f64>,
 }
 
 /// Splines that are not zero at a point: index of the first, values, and first derivatives.
@@ -36,7 +39,12 @@ impl Basis {
         let mut knots = vec![nodes[0]; degree + 1];
         knots.extend((1..count - degree).map(|j| nodes[j..j + degree].iter().sum::<f64>() / degree as f64));
         knots.extend(vec![nodes[count - 1]; degree + 1]);
-        Self { degree, nodes, knots }
+        let length = |order: usize, j: usize| knots.get(j + order).map_or(0.0, |end| end - knots[j]);
+        let inverse_lengths = (1..=degree)
+            .flat_map(|order| (0..knots.len()).map(move |j| (order, j)))
+            .map(|(order, j)| length(order, j).recip())
+            .collect();
+        Self { degree, nodes, knots, inverse_lengths }
     }
 
     /// Nodes, ascending.
@@ -91,9 +99,10 @@ impl Basis {
         for order in 1..=degree {
             let mut carried = 0.0;
             let mut slope_carried = 0.0;
+            let inverse = &self.inverse_lengths[(order - 1) * knots.len()..];
             for r in 0..order {
                 let (right, left) = (knots[span + r + 1], knots[span + r + 1 - order]);
-                let share = values[r] / (right - left);
+                let share = values[r] * inverse[span + r + 1 - order];
                 values[r] = carried + (right - at) * share;
                 carried = (at - left) * share;
                 if order == degree {
