@@ -10,13 +10,15 @@ pub use token::{Comment, CommentKind, Kind, Token, Tokens, keywords};
 
 use crate::diagnostic::Diagnostic;
 use crate::span::{FileId, Span};
-use token::{CONTEXTUAL, KEYWORDS, SYMBOLS, Spelling};
+use token::{ByFirstByte, CONTEXTUAL_BY_BYTE, KEYWORDS_BY_BYTE, SYMBOLS, SYMBOLS_BY_BYTE, Spelling};
 
 pub fn lex(file: FileId, text: &str) -> Tokens {
     let mut lexer = Lexer {
         file,
         text,
         at: 0,
+        keywords: &KEYWORDS_BY_BYTE,
+        symbols: &SYMBOLS_BY_BYTE,
         out: Tokens::default(),
         open_strings: Vec::new(),
         doc: None,
@@ -31,13 +33,14 @@ pub fn lex(file: FileId, text: &str) -> Tokens {
 /// Marks contextual keywords: `param torque` is a declaration, but `param` in `param + 1` is a
 /// variable. Elsewhere, two names are never adjacent.
 fn mark_contextual_words(tokens: &mut [Token], text: &str) {
+    let contextual = &*CONTEXTUAL_BY_BYTE;
     for i in 0..tokens.len() {
         let token = tokens[i];
         if token.kind != Kind::Identifier {
             continue;
         }
         let word = &text[token.span.start as usize..token.span.end as usize];
-        let Some(kind) = spelled(CONTEXTUAL, word) else { continue };
+        let Some(kind) = spelled(contextual, word) else { continue };
         let next = tokens.get(i + 1).map(|t| t.kind);
         // In `param at Time = 0 s` and `param is none`, `param` is a variable. In `in unit was
         // length: Length`, `unit` is a parameter. In `record at was place {`, `record` is a
@@ -78,10 +81,8 @@ fn mark_contextual_words(tokens: &mut [Token], text: &str) {
 }
 
 /// Returns the kind of a word in a table.
-fn spelled(table: &[Spelling], word: &str) -> Option<Kind> {
-    // Few words begin with the same letter as a word of the table.
-    let first = word.as_bytes().first();
-    let found = table.iter().find(|(w, _, _)| w.as_bytes().first() == first && *w == word);
+fn spelled(table: &ByFirstByte, word: &str) -> Option<Kind> {
+    let found = table.of(word.as_bytes()).iter().find(|(w, _, _)| *w == word);
     found.map(|(_, kind, _)| *kind)
 }
 
@@ -95,6 +96,8 @@ struct Lexer<'a> {
     file: FileId,
     text: &'a str,
     at: usize,
+    keywords: &'static ByFirstByte,
+    symbols: &'static ByFirstByte,
     out: Tokens,
     /// The open strings, outermost first.
     open_strings: Vec<OpenString>,
@@ -294,16 +297,15 @@ impl Lexer<'_> {
         let rest = self.rest();
         let length = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
         let word = &rest[..length];
-        let kind = spelled(KEYWORDS, word).unwrap_or(Kind::Identifier);
+        let kind = spelled(self.keywords, word).unwrap_or(Kind::Identifier);
         self.at += length;
         self.push(kind, start);
     }
 
     fn symbol(&mut self, start: usize) {
         let rest = self.rest().as_bytes();
-        let begins =
-            |s: &&Spelling| s.0.as_bytes().first() == rest.first() && rest.starts_with(s.0.as_bytes());
-        if let Some(&(spelling, kind, _)) = SYMBOLS.iter().find(begins) {
+        let begins = |(spelling, _, _): &&Spelling| rest.starts_with(spelling.as_bytes());
+        if let Some(&(spelling, kind, _)) = self.symbols.of(rest).iter().find(begins) {
             self.at += spelling.len();
             self.push(kind, start);
             return;

@@ -10,9 +10,10 @@ use crate::lexer::{self, Tokens};
 use crate::parser;
 use crate::parser::chunks::{Chunk, PlacedChunk, pieces};
 use crate::span::FileId;
+use crate::threads;
 use crate::units::UnitSystem;
 use std::collections::BTreeSet;
-use std::ops::Deref;
+use std::ops::{Deref, Range};
 use std::sync::{Arc, Mutex, PoisonError};
 
 #[salsa::tracked(no_eq)]
@@ -44,29 +45,32 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
     let content = text.content(db);
     let mut kept = text.kept(db).0.lock().unwrap_or_else(PoisonError::into_inner);
     let pieces = pieces(content, tokens(db, text), |slice| Some(kept.get(slice)?.piece.clone()));
+    let slice = |range: &Range<usize>| content.get(range.clone()).unwrap_or_default();
+    let known = |placed: &PlacedChunk| {
+        let (written, known) = kept.get_key_value(slice(&placed.range))?;
+        Arc::ptr_eq(&known.piece, &placed.piece).then(|| (written.clone(), known.splits.clone()))
+    };
+    let mut found: Vec<Option<(Arc<str>, Arc<Vec<Split>>)>> = pieces.iter().map(known).collect();
+    let new: Vec<_> = pieces.iter().zip(&mut found).filter(|(_, found)| found.is_none()).collect();
+    let threads = threads::for_text(new.iter().map(|(placed, _)| placed.range.len()).sum());
+    threads::for_each(new, threads, |(placed, found)| {
+        let slice = slice(&placed.range);
+        let statements = placed.piece.statements.iter();
+        let splits = statements.map(|statement| item::split(statement.clone(), slice)).collect();
+        *found = Some((Arc::from(slice), Arc::new(splits)));
+    });
     let count = pieces.len();
     let mut next: HashMap<Arc<str>, KnownChunk> =
         HashMap::with_capacity_and_hasher(count, Default::default());
     let mut parts = Vec::with_capacity(count);
-    for PlacedChunk { range, piece } in pieces {
-        let start = range.start as u32;
-        let slice = content.get(range).unwrap_or_default();
-        let last = parts.len() + 1 == count;
-        // A text may contain equal pieces.
-        let again = || next.get_key_value(slice).map(|(written, known)| (written.clone(), known.clone()));
-        let known = kept.remove_entry(slice).or_else(again);
-        let (written, splits) = match known.filter(|(_, known)| Arc::ptr_eq(&known.piece, &piece)) {
-            Some((written, known)) => (written, known.splits),
-            None => {
-                let each = piece.statements.iter().map(|statement| item::split(statement.clone(), slice));
-                (Arc::from(slice), Arc::new(each.collect()))
-            }
-        };
+    for (PlacedChunk { range, piece }, (written, splits)) in
+        pieces.into_iter().zip(found.into_iter().flatten())
+    {
         // The last piece depends on the end of the file.
-        if !last {
+        if parts.len() + 1 < count {
             next.insert(written, KnownChunk { piece: piece.clone(), splits: splits.clone() });
         }
-        parts.push(Part { start, piece, splits });
+        parts.push(Part { start: range.start as u32, piece, splits });
     }
     *kept = next;
     Arc::new(parts)

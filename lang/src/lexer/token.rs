@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// The kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -265,6 +266,35 @@ pub(super) const SYMBOLS: &[Spelling] = &[
     ("|", Kind::Or, "`|`"),
     ("!", Kind::Not, "`!`"),
 ];
+
+/// Spellings by their first byte, each list in the order of its table.
+pub(super) struct ByFirstByte {
+    sorted: Vec<Spelling>,
+    /// Start of the spellings of each ASCII byte in `sorted`, and the end of the last ones.
+    starts: [usize; 129],
+}
+
+impl ByFirstByte {
+    fn new(table: &[Spelling]) -> Self {
+        let first = |spelling: &Spelling| usize::from(spelling.0.as_bytes()[0]);
+        let mut sorted = table.to_vec();
+        sorted.sort_by_key(first);
+        let starts = std::array::from_fn(|byte| sorted.partition_point(|spelling| first(spelling) < byte));
+        ByFirstByte { sorted, starts }
+    }
+
+    /// Returns the spellings with the first byte of a text.
+    pub(super) fn of(&self, text: &[u8]) -> &[Spelling] {
+        match text.first().map(|byte| usize::from(*byte)) {
+            Some(byte @ 0..128) => &self.sorted[self.starts[byte]..self.starts[byte + 1]],
+            _ => &[],
+        }
+    }
+}
+
+pub(super) static KEYWORDS_BY_BYTE: LazyLock<ByFirstByte> = LazyLock::new(|| ByFirstByte::new(KEYWORDS));
+pub(super) static CONTEXTUAL_BY_BYTE: LazyLock<ByFirstByte> = LazyLock::new(|| ByFirstByte::new(CONTEXTUAL));
+pub(super) static SYMBOLS_BY_BYTE: LazyLock<ByFirstByte> = LazyLock::new(|| ByFirstByte::new(SYMBOLS));
 
 /// Returns the reserved keywords, for completion and suggestions.
 pub fn keywords() -> impl Iterator<Item = &'static str> {
