@@ -52,7 +52,7 @@ const CODES: &[Explanation] = codes! {
     "E0131" "two numbers without an operator" "Write an operator or a comma between two numbers. Write a unit such as 1/min with `/` directly after the number: `100/min`."
     "W0125" "a quantity as a divisor" "A unit has a higher precedence than any operator, so `1/2 inch` is 1/(2 inch). Add parentheses to show the intended meaning."
     "E0201" "an unknown name" "The name is not declared, or not visible here. Variables are visible from their declaration to the end of the block, functions in their whole block, functions of modules as `module.name` after `import module;`."
-    "W0201" "an unused variable" "The variable is never read. Remove it, or start its name with `_` to keep it."
+    "W0201" "an unused variable" "The variable is never read. Remove it, or start its name with `_` to keep it. Variables that name a part of the model, such as a mesh, are not reported, nor are objects of libraries in a model without outputs."
     "E0202" "a name declared twice" "A block can declare a name only once. An inner block may declare it again. An assignment does not need `var`."
     "W0202" "unreachable statements" "No path of the program leads to this statement: on every path, a `return`, `break`, `continue` or `goto` precedes it."
     "E0203" "a reserved name" "`Time e1 e2 e3 pi inf nan TRUE FALSE` have a fixed meaning."

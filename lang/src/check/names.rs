@@ -8,6 +8,7 @@ mod captured;
 mod model_names;
 mod statements;
 mod test_functions;
+mod unused;
 mod uses;
 
 use super::ModuleData;
@@ -40,6 +41,8 @@ struct Resolver<'a> {
     file: FileId,
     /// True while the base of a member is resolved: the name before a dot.
     is_base: bool,
+    /// Variables that name objects of libraries.
+    created: Vec<VarId>,
 }
 
 /// Resolves all names. `modules[0]` is the model, `modules[1]` the prelude.
@@ -54,6 +57,7 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
         function: FuncId(0),
         file: FileId(0),
         is_base: false,
+        created: Vec::new(),
     };
     resolver.names.functions.push(FunctionInfo {
         decl: None,
@@ -83,24 +87,8 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
     for index in (0..modules.len()).rev() {
         resolver.module(index);
     }
-    let Resolver { mut names, .. } = resolver;
-    for variable in &names.variables {
-        if variable.reads == 0
-            && variable.span.file == FileId(0)
-            && matches!(variable.kind, VarKind::Value | VarKind::Symbolic)
-            && !variable.name.starts_with('_')
-        {
-            names.diagnostics.push(
-                Diagnostic::warning(
-                    "W0201",
-                    format!("`{}` is never used", variable.name),
-                    variable.span,
-                    "declared here",
-                )
-                .help("remove it, or start its name with `_` to keep it"),
-            );
-        }
-    }
+    let Resolver { mut names, created, .. } = resolver;
+    unused::report(&mut names, &created);
     names
 }
 

@@ -1,5 +1,6 @@
 //! Resolves the names in statements and declarations.
 
+use super::unused::Effect;
 use super::*;
 
 impl<'a> Resolver<'a> {
@@ -157,26 +158,12 @@ impl<'a> Resolver<'a> {
             }
             let symbolic = matches!(decl.init, Some((Bind::Symbolic, _)));
             let id = self.variable(&decl.name, if symbolic { VarKind::Symbolic } else { VarKind::Value });
-            // An instance adds params and outputs to the model, also if no expression uses it.
-            if decl.init.as_ref().is_some_and(|(_, value)| self.makes_instance(value)) {
-                self.names.variables[id.0 as usize].reads = 1;
+            match decl.init.as_ref().map_or(Effect::None, |(_, value)| self.effect(value)) {
+                // A part of the model, also if no expression uses it.
+                Effect::Adds => self.names.variables[id.0 as usize].reads = 1,
+                Effect::Creates => self.created.push(id),
+                Effect::None => {}
             }
-        }
-    }
-
-    fn makes_instance(&self, value: &Expr) -> bool {
-        match &value.kind {
-            ExprKind::Call { callee, .. } => {
-                let (ExprKind::Name(name) | ExprKind::Field { field: name, .. }) = &callee.kind else {
-                    return false;
-                };
-                matches!(self.names.uses.get(&name.span), Some(Resolution::Function(id))
-                    if self.names.functions[id.0 as usize].is_component())
-            }
-            ExprKind::Paren(inner) => self.makes_instance(inner),
-            ExprKind::List(elements) => elements.iter().any(|element| self.makes_instance(element)),
-            ExprKind::Comprehension(parts) => self.makes_instance(&parts.element),
-            _ => false,
         }
     }
 
