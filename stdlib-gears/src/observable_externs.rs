@@ -7,11 +7,11 @@ use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observables::{
     Coordinate, Displacement, DynamicFactor, FaceLoadFactor, HighestContact, LoadShare, LoadedFace,
-    LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression, MaxRootStress,
-    MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce, MeshStiffness, ModeClassification, ModeShare,
-    ModesRequest, NaturalFrequency, Observable, PairLoad, PairsInContact, PlanetSet, RootFaceLoadFactor,
-    Rotation, SecantStiffness, SlidingVelocity, SplineToothLoad, SupportForce, SupportMoment, ToothLoad,
-    TransmissionError, TransverseLoadFactor, UnloadedTransmissionError,
+    LocalQuantity, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
+    MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce, MeshStiffness,
+    ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad, PairsInContact,
+    PlanetSet, RootFaceLoadFactor, Rotation, SecantStiffness, SlidingVelocity, SplineToothLoad, SupportForce,
+    SupportMoment, ToothLoad, TransmissionError, TransverseLoadFactor, UnloadedTransmissionError,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -248,9 +248,26 @@ fn place(
         "max_root_compression" => Maximum::RootCompression,
         "max_contact_pressure" => Maximum::ContactPressure,
         "max_edge_pressure" => Maximum::EdgePressure,
+        "max_sliding_velocity" => Maximum::SlidingVelocity,
+        "max_friction_power_per_length" => Maximum::Lubricated(LocalQuantity::FrictionPower),
+        "max_flash_temperature" => Maximum::Lubricated(LocalQuantity::FlashTemperature),
+        "max_contact_temperature" => Maximum::Lubricated(LocalQuantity::ContactTemperature),
+        "min_film_thickness" => Maximum::Lubricated(LocalQuantity::FilmThickness),
+        "min_specific_film_thickness" => Maximum::Lubricated(LocalQuantity::SpecificFilmThickness),
         _ => Maximum::LineLoad,
     };
     let body = gear_body(context, body)?;
+    if matches!(maximum, Maximum::Lubricated(_)) {
+        let pairs = &host(context)?.scene.pairs;
+        if !pairs.iter().any(|pair| pair.bodies.contains(&body) && pair.lubrication.is_some()) {
+            return Err(refusal(
+                "E0932",
+                "of",
+                &format!("no mesh of the body has lubrication, so `{of}` has no location"),
+                "give `lubrication = gears.lubrication(\"ISO VG 220\", temperature = 80, roughness = 0.6 um)` to `gears.mesh`",
+            ));
+        }
+    }
     observe(context, MaximumLocation { body, maximum, coordinate })
 }
 

@@ -305,14 +305,14 @@ impl Contact<'_> {
         Some((pressure, self.location(side, cell)))
     }
 
-    /// Returns points at which the patch slides, with their locations on the first body: loaded
+    /// Returns points at which the patch slides, with their locations on the body of a side: loaded
     /// slices, or contact points of rigid surfaces.
-    pub(super) fn sliding_points(&self) -> Vec<([f64; 3], Option<Location>)> {
+    pub(super) fn sliding_points(&self, side: usize) -> Vec<([f64; 3], Option<Location>)> {
         if self.at.system.rigid {
-            return vec![(self.touching_point(), self.touching_location(0))];
+            return vec![(self.touching_point(), self.touching_location(side))];
         }
         let loaded = self.slices().into_iter().filter(|slice| slice.force > 0.0);
-        loaded.map(|Slice { point, locations: [first, _], .. }| (point, first)).collect()
+        loaded.map(|Slice { point, locations, .. }| (point, locations[side].clone())).collect()
     }
 
     /// Returns the locations of the loaded cells on the body of a side, with their pressures, Pa.

@@ -1,11 +1,14 @@
-//! Observables of the locations of maxima.
+//! Observables of the locations of maxima and minima.
 
-use super::{Contact, Equilibrium, MaxRootCompression, MaxRootStress, Needs, Observable, Quantity};
+use super::sliding::size;
+use super::{
+    Contact, Equilibrium, LocalQuantity, MaxRootCompression, MaxRootStress, Needs, Observable, Quantity,
+};
 use calyx_contact::zone::Zone;
 use calyx_model::ids::BodyId;
 use calyx_model::observed::{Location, Observed};
 
-/// Maximum over points of a body.
+/// Maximum over points of a body, or minimum of a film thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Maximum {
     /// Largest tension in its fillets, see [`MaxRootStress`].
@@ -18,6 +21,10 @@ pub enum Maximum {
     EdgePressure,
     /// Largest force per length of contact line.
     LineLoad,
+    /// Largest magnitude of the sliding velocity of its loaded flanks.
+    SlidingVelocity,
+    /// Extreme of a local quantity on its lubricated flanks.
+    Lubricated(LocalQuantity),
 }
 
 /// Coordinate of a location on a body.
@@ -58,7 +65,8 @@ impl Observable for MaximumLocation {
         match self.maximum {
             Maximum::RootStress => Needs::RootStress,
             Maximum::RootCompression => Needs::Stresses,
-            Maximum::ContactPressure | Maximum::EdgePressure | Maximum::LineLoad => Needs::Forces,
+            Maximum::SlidingVelocity => Needs::Motions,
+            _ => Needs::Forces,
         }
     }
 
@@ -98,8 +106,28 @@ impl Maximum {
             Maximum::ContactPressure => pressure(Zone::Flank),
             Maximum::EdgePressure => pressure(Zone::Edge),
             Maximum::LineLoad => largest(at.contacts_on(body).flat_map(lines)),
+            Maximum::SlidingVelocity => largest(at.contacts_on(body).flat_map(|(contact, side)| {
+                let points = contact.sliding_points(side).into_iter();
+                points.map(move |(point, location)| (size(contact.sliding(point)), location))
+            })),
+            Maximum::Lubricated(quantity) => {
+                let points = at.contacts_on(body).flat_map(|(contact, side)| local(&contact, side, quantity));
+                let better =
+                    |one: f64, other: f64| if quantity.is_least() { other < one } else { other > one };
+                points.reduce(|one, other| if better(one.0, other.0) { other } else { one })?.1
+            }
         }
     }
+}
+
+/// Returns a quantity of the loaded points of a lubricated contact, with their locations on the
+/// body of a side.
+fn local(contact: &Contact<'_>, side: usize, quantity: LocalQuantity) -> Vec<(f64, Option<Location>)> {
+    let Some(lubrication) = contact.lubrication() else { return Vec::new() };
+    let points = contact.rolling_contacts().into_iter();
+    points
+        .map(|(slice, rolling)| (quantity.at(lubrication, &rolling), slice.locations[side].clone()))
+        .collect()
 }
 
 fn largest(all: impl Iterator<Item = (f64, Option<Location>)>) -> Option<Location> {

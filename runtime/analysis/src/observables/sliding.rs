@@ -67,7 +67,7 @@ impl Observable for MaxSlidingVelocity {
 /// Returns the signed sliding velocity of the fastest loaded slice, and its location on the first
 /// body.
 fn fastest(contact: &Contact<'_>) -> Option<(f64, Option<Location>)> {
-    let sliding = contact.sliding_points().into_iter().map(|(point, place)| {
+    let sliding = contact.sliding_points(0).into_iter().map(|(point, place)| {
         let velocity = contact.sliding(point);
         let outward = contact.away_from_axis(0, point);
         // The contact moves outwards at the velocity at which the material of the flank moves

@@ -36,7 +36,7 @@ impl Observable for EntrainmentVelocity {
             Observed { value: 0.5 * (first + second).abs(), least: None, location }
         };
         let points = pairs_teeth(at, self.0, self.1)
-            .flat_map(|contact| contact.sliding_points().into_iter().map(move |point| (contact, point)));
+            .flat_map(|contact| contact.sliding_points(0).into_iter().map(move |point| (contact, point)));
         points.map(velocity).reduce(largest).unwrap_or(Observed::number(0.0))
     }
 
@@ -76,7 +76,7 @@ impl LocalQuantity {
         }
     }
 
-    fn is_least(self) -> bool {
+    pub(super) fn is_least(self) -> bool {
         matches!(self, LocalQuantity::FilmThickness | LocalQuantity::SpecificFilmThickness)
     }
 }
