@@ -6,6 +6,7 @@ use crate::blank::{GearBlank, RadialFit, Rim, SplineSupport, Tool};
 use crate::data_block::StatedData;
 use crate::error::{GeometryError, Refusal, Severity};
 use crate::externs::{entry, host, refusal};
+use crate::flank_tolerances::{Edition, FlankTolerances};
 use crate::helix::{Hand, Helix};
 use crate::host::{GearModel, ModelHost, keep};
 use crate::material_names;
@@ -137,7 +138,8 @@ calyx_abi::externs! {
         tip_alteration: Option<f64>, bore: Option<f64>, rim_thickness: Option<f64>,
         normal_thickness: Option<f64>, transverse_thickness: Option<f64>, span: Option<f64>,
         span_teeth: Option<f64>, over_balls: Option<f64>, ball: Option<f64>, upper_allowance: Option<f64>,
-        lower_allowance: Option<f64>, stated_at: String, thickness_limit: String,
+        lower_allowance: Option<f64>, stated_at: String, thickness_limit: String, accuracy_grade: Option<f64>,
+        accuracy_edition: String,
     ) -> Handle {
         let given = GearArguments {
             teeth,
@@ -158,6 +160,7 @@ calyx_abi::externs! {
                 limit: Limit::named(&thickness_limit),
             },
             tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
+            accuracy: accuracy_grade.map(|grade| (grade, Edition::named(&accuracy_edition))),
         };
         let stated = *entry(&host(context)?.racks, rack)?;
         cut_gear(context, &stated, given, |_, modules, helix| {
@@ -175,7 +178,8 @@ calyx_abi::externs! {
         tip_alteration: Option<f64>, outer_diameter: Option<f64>, rim_thickness: Option<f64>,
         normal_thickness: Option<f64>, transverse_thickness: Option<f64>, span: Option<f64>,
         span_teeth: Option<f64>, between_balls: Option<f64>, ball: Option<f64>, upper_allowance: Option<f64>,
-        lower_allowance: Option<f64>, stated_at: String, thickness_limit: String,
+        lower_allowance: Option<f64>, stated_at: String, thickness_limit: String, accuracy_grade: Option<f64>,
+        accuracy_edition: String,
     ) -> Handle {
         let given = GearArguments {
             teeth,
@@ -196,6 +200,7 @@ calyx_abi::externs! {
                 limit: Limit::named(&thickness_limit),
             },
             tip_edge_radius, modifications, pitch_errors, helix_angle, hand,
+            accuracy: accuracy_grade.map(|grade| (grade, Edition::named(&accuracy_edition))),
         };
         let host = host(context)?;
         let stated = *entry(&host.racks, rack)?;
@@ -309,6 +314,8 @@ struct GearArguments {
     pitch_errors: Vec<f64>,
     helix_angle: f64,
     hand: String,
+    /// Accuracy grade with the edition of ISO 1328-1.
+    accuracy: Option<(f64, Edition)>,
 }
 
 /// Generates a gear. `tool` returns its tool, and `true` if profile shift coefficients count normal
@@ -387,6 +394,9 @@ fn cut_gear(
     };
     // A stated shaper cutter replaces the rack.
     let by_rack = normal || matches!(tool, Tool::Rack(_));
+    let sizes = [proportions.reference_diameter, normal_module_of(&tool, &helix), given.face_width];
+    let tolerances = given.accuracy.map(|(grade, edition)| FlankTolerances::new(edition, grade, sizes));
+    let tolerances = tolerances.transpose().map_err(|error| report(host, error))?;
     let drawing = StatedData {
         rack: if by_rack { rack.name } else { Some("shaper cutter") },
         heights: by_rack.then_some([rack.addendum, rack.dedendum]),
@@ -396,6 +406,7 @@ fn cut_gear(
         thickness_limit: Some(given.thickness.limit.name()),
         span_teeth: given.thickness.span_teeth.map(|count| count as u32),
         ball: given.thickness.ball,
+        tolerances,
     };
     if cut.is_ok() {
         host.note(wrong_side.as_slice(), place);
@@ -408,6 +419,15 @@ fn cut_gear(
         gear
     });
     keep_gear(host, cut, (tool.module(), stated_module(&given.modules), far), place)
+}
+
+/// Normal module of a tool, m.
+fn normal_module_of(tool: &Tool, helix: &Helix) -> f64 {
+    match tool {
+        Tool::Rack(rack) if rack.plane == Plane::Normal => rack.module,
+        _ if helix.is_spur() => tool.module(),
+        _ => tool.module() * math::cos(helix.angle()),
+    }
 }
 
 /// Returns the diametral pitch that states the size of the teeth, 1/m, with its argument.

@@ -132,6 +132,7 @@ pub mod externs;
 pub mod files;
 pub mod fillet;
 pub mod flank;
+pub mod flank_tolerances;
 pub mod gauge_externs;
 pub mod gear;
 pub mod gear_surface;

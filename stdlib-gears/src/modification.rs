@@ -72,6 +72,9 @@ pub enum Modification {
     Twist(f64),
     /// Modification of one flank of every tooth.
     OneFlank(ToothFlank, Arc<Modification>),
+    /// Deviation of the made flank from its design. Analyses treat it as any modification; charts
+    /// compare it with the tolerances.
+    Unintended(Arc<Modification>),
 }
 
 /// Ends of the face.
@@ -228,7 +231,9 @@ impl Modification {
             Modification::ProfileCrown(depth) => profile(ProfilePart::Crown(*depth)),
             Modification::EndRelief(relief) => lead("end_relief", LeadPart::EndRelief(*relief)),
             Modification::Twist(twist) => lead("twist", LeadPart::Twist(*twist)),
-            Modification::OneFlank(_, modification) => modification.parts(),
+            Modification::OneFlank(_, modification) | Modification::Unintended(modification) => {
+                modification.parts()
+            }
             Modification::Topography(topography) => Parts {
                 profile: Some(ProfilePart::Deviation(topography.at_mid_face())),
                 lead: Some(("topography", LeadPart::Topography(topography.clone()))),
@@ -248,12 +253,28 @@ impl Modification {
         Modification::OneFlank(flank, Arc::new(self))
     }
 
+    /// Marks the modification as a deviation of the made flank from its design.
+    #[must_use]
+    pub fn unintended(self) -> Modification {
+        Modification::Unintended(Arc::new(self))
+    }
+
+    /// Returns whether the modification is a deviation from the design.
+    pub fn is_unintended(&self) -> bool {
+        match self {
+            Modification::Unintended(_) => true,
+            Modification::OneFlank(_, inner) => inner.is_unintended(),
+            _ => false,
+        }
+    }
+
     /// Returns whether the modification applies to a side of the teeth.
     pub(crate) fn applies_to(&self, side: Side, internal: bool) -> bool {
         match self {
             Modification::OneFlank(flank, inner) => {
                 flank.side(internal) == side && inner.applies_to(side, internal)
             }
+            Modification::Unintended(inner) => inner.applies_to(side, internal),
             _ => true,
         }
     }
@@ -265,7 +286,9 @@ impl Modification {
     pub(crate) fn check_face(&self, face_width: f64) -> Result<(), GeometryError> {
         match self {
             Modification::EndRelief(relief) => relief.check(face_width),
-            Modification::OneFlank(_, inner) => inner.check_face(face_width),
+            Modification::OneFlank(_, inner) | Modification::Unintended(inner) => {
+                inner.check_face(face_width)
+            }
             _ => Ok(()),
         }
     }

@@ -3,7 +3,7 @@
 
 use crate::deviation::Deviation;
 use crate::error::GeometryError;
-use crate::externs::{host, refusal};
+use crate::externs::{entry, host, refusal};
 use crate::host::keep;
 use crate::modification::{
     EndRelief, FaceEnds, Modification, ReliefShape, ReliefStart, TipRelief, ToothFlank, without_start,
@@ -91,6 +91,12 @@ calyx_abi::externs! {
             }
         };
         stored(context, Ok(deviation.into()), &flank)
+    }
+
+    Pure fn calyx_gears_as_deviation(context, modification: Handle) -> Handle {
+        let host = host(context)?;
+        let modification = entry(&host.modifications, modification)?.clone().unintended();
+        Ok(keep(&mut host.modifications, modification))
     }
 
     Pure fn calyx_gears_modification_amount(

@@ -62,7 +62,7 @@ pub(crate) struct SolidSector {
 
 impl GearPrototype {
     /// Three-dimensional flanks with these modifications, counter-clockwise and clockwise.
-    fn surfaces_with(
+    pub(crate) fn surfaces_with(
         &self,
         options: &StructureOptions,
         modifications: &[Modification],

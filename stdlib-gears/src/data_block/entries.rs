@@ -34,6 +34,8 @@ pub enum EntryKind {
     Number,
     /// Length.
     Length,
+    /// Tolerance of a flank, micrometres or microinches.
+    Tolerance,
     /// Diametral pitch.
     Pitch,
     /// Angle.
@@ -63,7 +65,7 @@ impl EntryKind {
     pub fn si(self) -> &'static str {
         match self {
             EntryKind::Text | EntryKind::Count | EntryKind::Number => "",
-            EntryKind::Length => "m",
+            EntryKind::Length | EntryKind::Tolerance => "m",
             EntryKind::Pitch => "1/m",
             EntryKind::Angle => "rad",
             EntryKind::Mass => "kg",
@@ -78,6 +80,8 @@ impl EntryKind {
         match self {
             EntryKind::Text | EntryKind::Count | EntryKind::Number => unit("", 1.0),
             EntryKind::Length => unit(length.name, length.metres),
+            EntryKind::Tolerance if metric => unit("um", 1e-6),
+            EntryKind::Tolerance => unit("uinch", 0.0254e-6),
             EntryKind::Pitch if metric => unit("1/mm", 1.0 / length.metres),
             EntryKind::Pitch => unit("1/inch", 1.0 / length.metres),
             EntryKind::Angle => unit("deg", std::f64::consts::PI / 180.0),
@@ -97,6 +101,8 @@ impl EntryKind {
         };
         let decimals = match self {
             EntryKind::Text | EntryKind::Count => 0,
+            EntryKind::Tolerance if length.name != "mm" => 0,
+            EntryKind::Tolerance => 1,
             EntryKind::Length if length.name != "mm" => 5,
             EntryKind::Mass | EntryKind::Inertia if number != 0.0 && number.is_finite() => {
                 (DIGITS - 1 - number.abs().log10().floor() as i32).clamp(0, 12) as usize
@@ -199,6 +205,16 @@ pub const GEAR_ENTRIES: &[Entry] = &[
     of("M_dKs", "dimension over balls, upper limit", EntryKind::Length),
     of("M_dKm", "dimension over balls, mean", EntryKind::Length),
     of("M_dKi", "dimension over balls, lower limit", EntryKind::Length),
+    first(named("accuracy_grade", "accuracy grade")),
+    of("f_pt", "single pitch tolerance", EntryKind::Tolerance),
+    of("F_p", "total cumulative pitch tolerance", EntryKind::Tolerance),
+    of("F_alpha", "total profile tolerance", EntryKind::Tolerance),
+    of("f_falpha", "profile form tolerance", EntryKind::Tolerance),
+    of("f_Halpha", "profile slope tolerance, plus and minus", EntryKind::Tolerance),
+    of("F_beta", "total helix tolerance", EntryKind::Tolerance),
+    of("f_fbeta", "helix form tolerance", EntryKind::Tolerance),
+    of("f_Hbeta", "helix slope tolerance, plus and minus", EntryKind::Tolerance),
+    of("F_r", "runout tolerance", EntryKind::Tolerance),
     first(of("b", "face width", EntryKind::Length)),
     named("material", "material"),
     keyed("mass", "m", "mass", EntryKind::Mass),

@@ -3,6 +3,7 @@
 use super::{Value, Values};
 use crate::derived_quantities::{PIN, of_gear};
 use crate::drawing_externs::{normal_module, profile_shift_of};
+use crate::flank_tolerances::FlankTolerances;
 use crate::gear::{Gear, ToothForm};
 use crate::host::LengthUnit;
 use crate::involute::{involute, roll_of_involute};
@@ -50,6 +51,9 @@ pub(super) fn values(gear: &GearPrototype, length: LengthUnit) -> Values {
     add_rack(&mut values, gear, module);
     add_thicknesses(&mut values, gear);
     separate_generated(&mut values, gear, module);
+    if let Some(tolerances) = gear.stated.tolerances {
+        add_tolerances(&mut values, &tolerances);
+    }
     if let Some(material) = gear.stated.material {
         values.insert("material", material.into());
     }
@@ -58,6 +62,25 @@ pub(super) fn values(gear: &GearPrototype, length: LengthUnit) -> Values {
         values.extend([("mass", Value::from(inertia.mass)), ("inertia", inertia.polar().into())]);
     }
     values
+}
+
+/// Adds the flank tolerances of the accuracy grade.
+fn add_tolerances(values: &mut Values, tolerances: &FlankTolerances) {
+    let [profile, profile_form, profile_slope] = tolerances.profile;
+    let [helix, helix_form, helix_slope] = tolerances.helix;
+    let grade = format!("{} ({})", tolerances.grade, tolerances.edition.standard());
+    values.insert("accuracy_grade", Value::Text(grade));
+    values.extend([
+        ("f_pt", Value::from(tolerances.f_pt)),
+        ("F_p", tolerances.total_pitch.into()),
+        ("F_alpha", profile.into()),
+        ("f_falpha", profile_form.into()),
+        ("f_Halpha", profile_slope.into()),
+        ("F_beta", helix.into()),
+        ("f_fbeta", helix_form.into()),
+        ("f_Hbeta", helix_slope.into()),
+        ("F_r", tolerances.runout.into()),
+    ]);
 }
 
 /// Converts a pressure angle from the transverse to the normal section at a helix angle, rad.

@@ -6,12 +6,15 @@
 //! tests compare both.
 
 mod entries;
+mod flanks;
 mod gear;
 mod mesh;
 mod text;
 
 pub use entries::{DisplayUnit, Entry, EntryKind, GEAR_ENTRIES, MEMBER_ENTRIES, MESH_ENTRIES, Value};
+pub use flanks::{Amount, Deviations, FlankCharts, FlankTraces, PointOfProfile, Trace};
 
+use crate::flank_tolerances::FlankTolerances;
 use crate::host::{LengthUnit, ModelHost};
 use crate::mesh_geometry::MeshGeometry;
 use crate::prototype::GearPrototype;
@@ -46,6 +49,8 @@ pub struct StatedData {
     pub span_teeth: Option<u32>,
     /// Diameter of the measuring balls, m.
     pub ball: Option<f64>,
+    /// Tolerances of the accuracy grade.
+    pub tolerances: Option<FlankTolerances>,
 }
 
 /// Gears and meshes of a model. Their data are computed on request.
@@ -173,6 +178,19 @@ impl DataBlock {
             values: gear::values(&mounted.gear, self.length_unit),
         };
         self.gears.iter().map(column).collect()
+    }
+
+    /// Computes the traces of modified flanks: one entry per gear, `None` without modifications.
+    pub fn flank_charts(&self) -> Vec<Option<FlankCharts>> {
+        let charts = |(column, mounted): (usize, &MountedGear)| {
+            let member = |mesh: &Meshing| {
+                let member = mesh.gears.iter().position(|gear| *gear == column)?;
+                Some((mesh.geometry, member))
+            };
+            let meshes: Vec<_> = self.meshes.iter().filter_map(member).collect();
+            FlankCharts::of(&mounted.gear, &meshes)
+        };
+        self.gears.iter().enumerate().map(charts).collect()
     }
 
     /// Computes the data of the meshes.

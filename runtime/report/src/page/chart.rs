@@ -14,7 +14,7 @@ pub const WIDE: (u32, u32) = (1640, 520);
 pub const NARROW: (u32, u32) = (640, 520);
 /// Size of a map.
 pub const TALL: (u32, u32) = (1640, 720);
-const FONT: i32 = 32;
+pub(super) const FONT: i32 = 32;
 /// Number of intervals into which a long curve is divided: the minimum and the maximum of each are
 /// drawn.
 const STRETCHES: usize = 800;
@@ -28,7 +28,7 @@ const DOTTED: usize = 24;
 const LEGEND: u32 = 250;
 
 /// Colours of curves; the style of the page refers to them.
-const COLOURS: [RGBColor; 6] = [
+pub(super) const COLOURS: [RGBColor; 6] = [
     RGBColor(31, 95, 168),
     RGBColor(196, 60, 46),
     RGBColor(38, 135, 86),
@@ -274,18 +274,18 @@ pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[MapCell]) -> Plot {
     Plot { svg, ..Plot::default() }
 }
 
-type Chart<'a, 'b> = ChartContext<
+pub(super) type Chart<'a, 'b> = ChartContext<
     'a,
     SVGBackend<'b>,
     Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>,
 >;
 
 /// Returns the magnitude on an axis below which a tick is a rounding error of zero.
-fn small(range: &Range<f64>) -> f64 {
+pub(super) fn small(range: &Range<f64>) -> f64 {
     1e-9 * (range.end - range.start)
 }
 
-fn mesh(chart: &mut Chart<'_, '_>, x: &Axis, y: &Axis, nought: [f64; 2]) -> Result<(), Error> {
+pub(super) fn mesh(chart: &mut Chart<'_, '_>, x: &Axis, y: &Axis, nought: [f64; 2]) -> Result<(), Error> {
     let at = |axis: usize, value: f64| tick(if value.abs() < nought[axis] { 0.0 } else { value });
     chart
         .configure_mesh()
@@ -302,10 +302,10 @@ fn mesh(chart: &mut Chart<'_, '_>, x: &Axis, y: &Axis, nought: [f64; 2]) -> Resu
     Ok(())
 }
 
-type Error = Box<dyn std::error::Error>;
+pub(super) type Error = Box<dyn std::error::Error>;
 
 /// Draws into a text. Errors mean that the data cannot be drawn, and yield an empty plot.
-fn drawn(
+pub(super) fn drawn(
     size: (u32, u32),
     draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Error>,
 ) -> String {
@@ -318,7 +318,7 @@ fn drawn(
 }
 
 /// Returns the range of values with a relative margin on both sides; never empty.
-fn span(values: impl Iterator<Item = f64>, more: f64) -> Option<Range<f64>> {
+pub(super) fn span(values: impl Iterator<Item = f64>, more: f64) -> Option<Range<f64>> {
     let (low, high) = ends(values.filter(|value| value.is_finite()));
     if low > high {
         return None;

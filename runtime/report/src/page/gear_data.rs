@@ -33,7 +33,7 @@ pub fn section(run: &Run) -> Markup {
     }
 }
 
-fn names(bodies: &Value) -> String {
+pub(super) fn names(bodies: &Value) -> String {
     let names = bodies.as_array().into_iter().flatten().filter_map(Value::as_str);
     names.collect::<Vec<_>>().join(", ")
 }
@@ -98,16 +98,22 @@ fn text(value: &Value) -> &str {
 }
 
 /// Shows a symbol with Greek letters and subscripts: `epsilon_alpha`.
-fn symbol(text: &str) -> Markup {
+pub(super) fn symbol(text: &str) -> Markup {
     html! { i {
         @for (index, term) in text.split(' ').enumerate() {
             @if index > 0 { " " }
             @match term.split_once('_') {
-                Some((letter, subscript)) => { (greek(letter)) sub { (subscript.split('_').map(greek).collect::<Vec<_>>().join(",")) } },
+                Some((letter, subscript)) => { (greek(letter)) sub { (subscript.split('_').map(subscript_of).collect::<Vec<_>>().join(",")) } },
                 None => (if term == "-" { "−" } else { greek(term) }),
             }
         }
     } }
+}
+
+/// Replaces the name of a Greek letter within a subscript: `Halpha`.
+fn subscript_of(text: &str) -> String {
+    let known = ["alpha", "beta", "gamma"].into_iter().find(|name| text.contains(name));
+    known.map_or_else(|| greek(text).to_owned(), |name| text.replace(name, greek(name)))
 }
 
 fn greek(name: &str) -> &str {

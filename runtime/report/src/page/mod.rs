@@ -11,7 +11,9 @@ mod chart;
 mod command_line;
 mod contact;
 mod fillets;
+mod flanks;
 mod gear_data;
+mod k_chart;
 mod read;
 mod units;
 
@@ -82,6 +84,7 @@ fn page(run: &Run) -> Markup {
         ("outputs", "Outputs", summary(run)),
         ("accuracy", "Error estimates", accuracy::section(run)),
         ("cycle", plots_heading(run), plots(run)),
+        ("flanks", "Flanks", flanks::section(run, units)),
         ("contact", "Contact", contact_section(run, units)),
         ("stress", "Root stress", stress_section(run, units)),
         ("signals", "Spectra", signals(run)),
