@@ -1,6 +1,8 @@
 //! Standard basic racks by name, and the generating rack as a model states it.
 
+use crate::error::GeometryError;
 use crate::rack::{Plane, Rack};
+use crate::roughing::RoughingTool;
 use calyx_abi::math;
 use std::f64::consts::FRAC_PI_4;
 
@@ -29,6 +31,8 @@ pub enum RackForm {
         pressure_angle: f64,
         /// Root fillet radius coefficient `rho_fP*`.
         fillet_radius: f64,
+        /// Roughing tool; without protuberance, the rack generates the flank too.
+        tool: RoughingTool,
     },
 }
 
@@ -70,7 +74,7 @@ impl StatedRack {
         let pressure_angle = PRESSURE_ANGLE.to_radians();
         let fillet_radius =
             if radius.is_nan() { full_fillet_radius(dedendum, pressure_angle) } else { radius };
-        let form = RackForm::Basic { pressure_angle, fillet_radius };
+        let form = RackForm::Basic { pressure_angle, fillet_radius, tool: RoughingTool::default() };
         Some(StatedRack { name: Some(name), addendum, dedendum, form })
     }
 
@@ -91,10 +95,13 @@ impl StatedRack {
     }
 
     /// Returns the rack for a normal module, m, which a rack with lengths does not need.
-    pub fn with_module(&self, normal_module: f64) -> Rack {
+    ///
+    /// # Errors
+    /// E0933: the roughing tool does not fit the rack.
+    pub fn with_module(&self, normal_module: f64) -> Result<Rack, GeometryError> {
         match self.form {
-            RackForm::Sized(rack) => rack,
-            RackForm::Basic { pressure_angle, fillet_radius } => Rack {
+            RackForm::Sized(rack) => Ok(rack),
+            RackForm::Basic { pressure_angle, fillet_radius, tool } => tool.shape(Rack {
                 module: normal_module,
                 pressure_angle,
                 tip_radius: fillet_radius * normal_module,
@@ -102,8 +109,31 @@ impl StatedRack {
                 tip_stretch: 1.0,
                 residual_undercut: 0.0,
                 protuberance_angle: 0.0,
-            },
+            }),
         }
+    }
+
+    /// Returns the rack of a gear that is roughed by a tool with protuberance and then ground. The
+    /// dedendum does not change.
+    ///
+    /// # Errors
+    /// E0933: the tool does not fit the rack. The height of the protuberance on a rack without
+    /// lengths is checked with its module.
+    pub fn roughed_by(self, tool: RoughingTool) -> Result<StatedRack, GeometryError> {
+        let form = match self.form {
+            RackForm::Sized(rack) => RackForm::Sized(tool.shape(rack)?),
+            RackForm::Basic { pressure_angle, fillet_radius, .. } => {
+                // Everything except the height can be checked without a module.
+                let form = RackForm::Basic {
+                    pressure_angle,
+                    fillet_radius,
+                    tool: RoughingTool { height: None, ..tool },
+                };
+                StatedRack { form, ..self }.with_module(1.0)?;
+                RackForm::Basic { pressure_angle, fillet_radius, tool }
+            }
+        };
+        Ok(StatedRack { form, ..self })
     }
 }
 

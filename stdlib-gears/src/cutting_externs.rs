@@ -54,6 +54,23 @@ calyx_abi::externs! {
         Ok(keep(&mut host(context)?.racks, rack))
     }
 
+    Pure fn calyx_gears_with_protuberance(
+        context, rack: Handle, protuberance: f64, protuberance_angle: Option<f64>,
+        protuberance_height: Option<f64>, grinding_allowance: Option<f64>,
+    ) -> Handle {
+        let (place, host) = (context.place, host(context)?);
+        let tool = RoughingTool {
+            protuberance: Some(protuberance),
+            angle: protuberance_angle,
+            height: protuberance_height,
+            allowance: grinding_allowance,
+            addendum: None,
+        };
+        let rack = entry(&host.racks, rack)?.roughed_by(tool);
+        let rack = rack.map_err(|error| host.runtime_error(&error, place))?;
+        Ok(keep(&mut host.racks, rack))
+    }
+
     Pure fn calyx_gears_named_material(context, name: String) -> Handle {
         let (name, material) = material_names::named(&name)
             .ok_or_else(|| unknown_name("material", &name, material_names::names()))?;

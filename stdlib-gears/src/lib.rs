@@ -163,7 +163,7 @@ mod protuberance;
 pub mod rack;
 mod relief;
 mod root_finding;
-mod roughing;
+pub mod roughing;
 pub mod sector_mesh;
 pub mod shaper;
 pub mod signal_externs;

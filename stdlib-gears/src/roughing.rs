@@ -11,8 +11,8 @@ const SAME_HEIGHT: f64 = 0.01;
 const SAME_DEDENDUM: f64 = 1e-4;
 
 /// Roughing tool as a model states it. Lengths in m, in the plane of the rack.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct RoughingTool {
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RoughingTool {
     /// Protuberance `pr_P0`: distance of the tangent to the tip rounding from the parallel flank.
     pub protuberance: Option<f64>,
     /// Pressure angle `alpha_prP0` of the protuberance's flank, rad.

@@ -149,7 +149,8 @@ pub(crate) fn sized_rack(
         }
     };
     match normal_module(own, statements, helix)? {
-        Some(module) => Ok(rack.with_module(module)),
+        // The statements of the tool are arguments of the rack.
+        Some(module) => rack.with_module(module).map_err(|error| GeometryError { argument: "rack", ..error }),
         None => Err(unknown_size(rack.name.unwrap_or_default())),
     }
 }

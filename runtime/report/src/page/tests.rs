@@ -426,3 +426,57 @@ fn gear_data_have_a_column_per_gear() {
     assert!(page.find("<h2>Gear data</h2>") < page.find("<h2>Outputs</h2>"), "{page}");
     assert!(!text(directory(&run_json()).path()).contains("Gear data"));
 }
+
+/// Flanks of a gear with deviations on the left flank, in the form of `run.json`.
+fn flanks() -> Value {
+    let trace =
+        |at: f64, flank: [f64; 3]| json!({ "at": at, "positions": [0.01, 0.02, 0.03], "flank": flank });
+    let mut slipped = trace(0.0, [0.0, 4e-6, -1e-6]);
+    slipped["design"] = json!([0.0, 0.0, -9e-6]);
+    slipped["deviations"] = json!({ "total": 8e-6, "form": 1e-6, "slope": 7.25e-6, "middle": 4e-6 });
+    let side = |profile: Value, amounts: Value| json!({ "amounts": amounts, "profiles": [profile], "helix": trace(0.05, [1e-6, 0.0, 1e-6]) });
+    let relief = |value: f64| json!({ "symbol": "C_alphaa", "name": "tip relief", "value": value, "deviation": false });
+    let point = |symbol: &str, name: &str, at: f64| json!({ "symbol": symbol, "name": name, "diameter": 0.05, "roll_length": at, "roll_angle": 0.5 });
+    let tolerance = json!({ "total": 12e-6, "form": 9.5e-6, "slope": 7.5e-6 });
+    json!({
+        "points": [point("d_Nf", "start of active profile (SAP)", 0.011), point("d_a", "tip circle", 0.03)],
+        "measuring_diameter": 0.05, "profile_range": [0.01, 0.02], "helix_range": [0.01, 0.03],
+        "tolerances": { "grade": 6, "standard": "ISO 1328-1:2013", "profile": tolerance, "helix": tolerance },
+        "left": side(slipped, json!([relief(9e-6)])),
+        "right": side(trace(0.0, [0.0, 0.0, -9e-6]), json!([relief(9e-6), { "symbol": "C_beta", "name": "lead crowning", "value": 3e-6 }])),
+    })
+}
+
+#[test]
+fn modified_flanks_have_k_charts() {
+    let mut run = run_json();
+    run["units"] = json!("mm_N_s");
+    run["gear_data"] =
+        json!({ "gears": [{ "bodies": ["pinion"], "data": {}, "flanks": flanks() }], "meshes": [] });
+    let page = text(directory(&run).path());
+    for said in [
+        "<h2>Flanks</h2>",
+        "C<sub>αa</sub>",
+        "<td>9</td><td>9</td>",
+        "<td>–</td><td>3</td>",
+        "f<sub>Hα</sub>",
+        "<td>7.5</td><td>7.3</td><td>0</td>",
+        "grade 6 of ISO 1328-1:2013",
+        "<span class=\"c2\">tolerance band</span>",
+        "left flanks",
+        "right flanks",
+        ">\nSAP\n<",
+        "<td>50.000</td><td>11.000</td><td>28.648</td>",
+    ] {
+        assert!(page.contains(said), "{said} is not in {page}");
+    }
+    // The band covers the evaluation range only, and is shifted to the middle of the deviations.
+    assert_eq!(page.matches("<polygon").count(), 4, "a band in each panel");
+    // Without a grade there are no bands, and plain gears have no section.
+    run["gear_data"]["gears"][0]["flanks"].as_object_mut().unwrap().remove("tolerances");
+    let page = text(directory(&run).path());
+    assert!(
+        page.contains("<h2>Flanks</h2>") && !page.contains("<polygon") && !page.contains("tolerance band")
+    );
+    assert!(!text(directory(&run_json()).path()).contains("<h2>Flanks</h2>"));
+}
