@@ -81,7 +81,7 @@ impl EntryKind {
             EntryKind::Text | EntryKind::Count | EntryKind::Number => unit("", 1.0),
             EntryKind::Length => unit(length.name, length.metres),
             EntryKind::Tolerance if metric => unit("um", 1e-6),
-            EntryKind::Tolerance => unit("uinch", 0.0254e-6),
+            EntryKind::Tolerance => unit("microinch", 0.0254e-6),
             EntryKind::Pitch if metric => unit("1/mm", 1.0 / length.metres),
             EntryKind::Pitch => unit("1/inch", 1.0 / length.metres),
             EntryKind::Angle => unit("deg", std::f64::consts::PI / 180.0),

@@ -100,12 +100,15 @@ fn mesh_section(mesh: &MeshColumns, length: LengthUnit) -> (String, Vec<Row>) {
 /// Rows of the entries that have a value in any column.
 fn rows_of(entries: &[Entry], columns: &[&Values], length: LengthUnit) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
+    let mut starts_group = false;
     for entry in entries {
-        if entry.starts_group && !rows.is_empty() {
-            rows.push(names([].into_iter()));
-        }
+        starts_group |= entry.starts_group;
         if columns.iter().all(|values| !values.contains_key(entry.key)) {
             continue;
+        }
+        // A group without values leaves no gap.
+        if std::mem::take(&mut starts_group) && !rows.is_empty() {
+            rows.push(names([].into_iter()));
         }
         let value = |values: &&Values| {
             values.get(entry.key).map_or_else(|| "-".to_owned(), |value| entry.kind.shown(value, length))
