@@ -12,7 +12,7 @@ use super::contact_line::{ContactLine, ends_along, relative_curvature};
 use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::transverse_approach::{SurfaceEnd, closest_across, limits};
+use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
 use crate::grid::{Edge, cell_bounds};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
 use calyx_numerics::error::EngineError;
@@ -37,12 +37,14 @@ pub struct Cell {
     /// Average separation of the undeformed surfaces along the normal of the frame, m; negative for
     /// overlap.
     pub gap: f64,
-    /// Point of action of the force, m: the nearest point of the contact line. The offset of the
-    /// cell from the contact line and the rotation of its own normal are neglected together; on
-    /// involutes they cancel, and on other conjugate flanks they do to first order.
+    /// Point of action of the force, m: with [`GridOptions::local_normals`] the middle between both
+    /// surfaces at the centre, otherwise the nearest point of the contact line. On involutes on
+    /// parallel axes, the offset of the cell from the contact line and the rotation of its own normal
+    /// cancel.
     pub point: Vector,
-    /// Slopes along x and y of the surface between both flanks there, for the direction of the
-    /// force ([`PatchFrame::action`]); zero without [`GridOptions::local_normals`].
+    /// Slopes along x and y of the surface between both flanks at the point of action, for the
+    /// direction of the force ([`PatchFrame::action`]); zero without
+    /// [`GridOptions::local_normals`].
     pub slope: [f64; 2],
     /// True if either surface is on its rounded edge here.
     pub edge: bool,
@@ -99,6 +101,15 @@ pub struct Grid {
     pub surface_ends: [bool; 2],
     /// Hertzian half-width of a line load of 1 N/m, m.
     pub unit_half_width: f64,
+}
+
+impl Grid {
+    /// Returns the least [`GridOptions::length`] of a grid that covers this one, m. If a surface ends
+    /// near the closest approach, it is nearly twice the length of the grid.
+    pub fn centred_length(&self) -> f64 {
+        let ends = self.slices.iter().flat_map(|slice| slice.y);
+        2.0 * ends.fold(0.0, |farthest: f64, y| farthest.max(y.abs()))
+    }
 }
 
 /// Smallest fraction of a slice's length for a cell cut by a side face; below it the neighbouring
@@ -329,7 +340,7 @@ impl Layer<'_> {
         }
         let column = (contact_line.at()[0] / self.pitch[0]).round();
         let center = column * self.pitch[0];
-        let (bounds, surface_ends) = self.bounds(center, y, places);
+        let (bounds, mut surface_ends) = self.bounds(center, y, places);
         let cut = self.is_cut(&bounds, y, places);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
@@ -338,6 +349,13 @@ impl Layer<'_> {
                 guess = found;
                 cells.push(cell);
             }
+        }
+        if self.local_normals
+            && let (Some([first, last]), Some([low, high])) = (ends_of(&cells), ends_of(&bounds))
+        {
+            // Cells are missing where an oblique side face ends a surface.
+            surface_ends[0] |= first.ends(0)[0] > low + 0.5 * first.size[0];
+            surface_ends[1] |= last.ends(0)[1] < high - 0.5 * last.size[0];
         }
         let edges = Some(self.edges_beside(y, contact_line.at()[0], places));
         Some(Laid { cells, surface_ends, edges, places })
@@ -485,10 +503,10 @@ impl Layer<'_> {
         let spans = [span(0), span(1)];
         let (point, slope) = match self.local_normals {
             true => {
-                let closest = closest_across(&self.height_fields, center[1], places)?;
-                let height = 0.5 * (closest.feet[0].height + closest.feet[1].height);
-                let point = self.frame.at([closest.at()[0], center[1]]);
-                (plus(point, scaled(self.frame.normal, height)), closest.common_slope())
+                let height = 0.5 * (feet[0].height + feet[1].height);
+                let point = plus(self.frame.at(center), scaled(self.frame.normal, height));
+                let end = closest_across(&self.height_fields, center[1], places)?.end;
+                (point, TransverseApproach { feet, end }.common_slope())
             }
             false => (self.frame.at([self.snapped(contact_line), center[1]]), [0.0; 2]),
         };
@@ -525,6 +543,11 @@ impl Layer<'_> {
     fn snapped(&self, x: f64) -> f64 {
         if x.abs() < 1e-9 * self.pitch[0] { 0.0 } else { x }
     }
+}
+
+/// Returns the first and the last of several values.
+fn ends_of<T: Copy>(values: &[T]) -> Option<[T; 2]> {
+    Some([*values.first()?, *values.last()?])
 }
 
 /// Gauss-Legendre rules on -1 .. 1: three points with weights of sum 1 across, exact for surfaces

@@ -113,11 +113,12 @@ pub(super) trait ContactGeometry {
     }
 
     /// Returns a better size for a grid whose size is not prescribed and is unsuitable. If `wide`
-    /// grids are acceptable, only a wider one.
+    /// grids are acceptable, only a wider one. `size` is that of an earlier correction.
     fn corrected_grid_size(
         &self,
         candidate: &Candidate<Self::Site>,
         grid: &Self::Grid,
+        size: Option<Self::Size>,
         forces: &[f64],
         wide: bool,
     ) -> Option<Self::Size>;

@@ -24,7 +24,10 @@ const WORTH_LOADING: f64 = 0.1;
 /// compliance, the compliance itself, and the factor of the active set.
 const MATRICES: u64 = 4;
 /// Maximum number of corrections of grid sizes at a position.
-const REGRIDS: usize = 3;
+const REGRIDS: usize = 6;
+/// Number of the last corrections, which only enlarge grids: pressures on a truncated grid are too
+/// high, and a correction that makes a grid smaller could truncate it.
+const GROWTHS: usize = 3;
 
 /// Coupling of modal coordinates, which are eliminated, to the cells of a contact problem.
 struct Modal {
@@ -68,7 +71,12 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
             let (problem, solution) = solved.map_err(|error| self.explain_on(candidates, &grids, &error))?;
             // Sizes that are not prescribed follow the forces of the patches.
-            let better = self.corrected_grid_sizes(candidates, &grids, &solution.forces);
+            let better = self.corrected_grid_sizes(
+                candidates,
+                (&grids[..], &sizes[..]),
+                &solution.forces,
+                rounds <= GROWTHS,
+            );
             if rounds == 0 || better.iter().all(Option::is_none) {
                 break (grids, drags, problem, modal, solution);
             }
@@ -188,15 +196,17 @@ impl<S: ContactGeometry> Solver<'_, S> {
     fn corrected_grid_sizes(
         &self,
         candidates: &[&Candidate<S::Site>],
-        grids: &[S::Grid],
+        (grids, sizes): (&[S::Grid], &[Option<S::Size>]),
         forces: &[f64],
+        grow_only: bool,
     ) -> Vec<Option<S::Size>> {
+        let wide = self.under.in_time || grow_only;
         let mut rest = forces;
-        let laid = candidates.iter().zip(grids);
-        laid.map(|(candidate, grid)| {
+        let laid = candidates.iter().zip(grids).zip(sizes);
+        laid.map(|((candidate, grid), &size)| {
             let (own, others) = rest.split_at(self.space.count(grid));
             rest = others;
-            self.space.corrected_grid_size(candidate, grid, own, self.under.in_time)
+            self.space.corrected_grid_size(candidate, grid, size, own, wide)
         })
         .collect()
     }

@@ -200,6 +200,7 @@ impl ContactGeometry for Plane<'_> {
         &self,
         candidate: &Candidate<Site>,
         grid: &Grid,
+        _size: Option<f64>,
         forces: &[f64],
         wide: bool,
     ) -> Option<f64> {

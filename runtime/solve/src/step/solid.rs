@@ -21,6 +21,9 @@ use calyx_structure::surface::Surface;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+/// Largest factor by which a correction enlarges a grid on general axes.
+const MOST_GROWTH: f64 = 2.0;
+
 pub(super) struct Solid<'a> {
     pub(super) system: &'a System<'a>,
     pub(super) bodies: &'a SolidBodies,
@@ -214,6 +217,7 @@ impl ContactGeometry for Solid<'_> {
         &self,
         candidate: &Candidate<Site>,
         grid: &Grid,
+        size: Option<[Option<f64>; 2]>,
         forces: &[f64],
         wide: bool,
     ) -> Option<[Option<f64>; 2]> {
@@ -225,13 +229,24 @@ impl ContactGeometry for Solid<'_> {
             // Several teeth share the load, and a point contact shrinks with it in both directions.
             asked = fitting_size(grid, &pressures);
         }
+        let general = has_local_normals(self.pair(candidate));
+        let present = [grid.extent[0], if general { grid.centred_length() } else { grid.extent[1] }];
+        if general {
+            // An extrapolation from the pressure next to an edge is no estimate of the size.
+            asked = [0, 1].map(|k: usize| asked[k].map(|size| size.min(MOST_GROWTH * present[k])));
+        }
         let [width, length] = asked;
         let width = width.filter(|_| self.pair(candidate).grid.width.is_none());
         if width.is_none() && length.is_none() {
             return None;
         }
-        let [own_width, own_length] = grid.extent;
-        Some([Some(width.unwrap_or(own_width)), Some(length.unwrap_or(own_length))])
+        // A length is centred at the closest approach. The grid of a surface that ends near it, as in
+        // contact along the whole face, would lose its other half.
+        let length = length.or(match general {
+            true => size.and_then(|[_, length]| length),
+            false => Some(present[1]),
+        });
+        Some([Some(width.unwrap_or(present[0])), length])
     }
 
     fn assess_width(&self, grid: &Grid, forces: &[f64]) -> WidthReport {
