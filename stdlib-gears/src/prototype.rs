@@ -19,7 +19,9 @@ use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::{Material, Plane};
 use calyx_runtime::profile::Profile;
-use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks};
+use calyx_runtime::scene::{
+    BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks, ToothMeridian,
+};
 use calyx_runtime::spline_contact::SplineContact;
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
@@ -538,6 +540,11 @@ impl Prototype for GearPrototype {
         let surfaces = self.surfaces(&StructureOptions::default()).ok()?;
         let surfaces = surfaces.map(|surface| surface as Arc<dyn Surface>);
         Some(ToothFlanks { teeth: self.gear.teeth(), surfaces })
+    }
+
+    fn tooth_meridian(&self) -> Option<ToothMeridian> {
+        let [half, root] = [0.5 * self.face_width, self.form().root_radius];
+        Some(ToothMeridian { along: [1.0, 0.0], root: vec![[-half, root], [half, root]] })
     }
 
     fn pitch_error(&self, tooth: u32) -> f64 {

@@ -6,7 +6,7 @@ pub use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions, Template}
 pub use calyx_model::ids::{BearingId, BodyId, ObservableId, PairId};
 pub use calyx_model::mechanism::Mechanism;
 pub use calyx_model::pairs::{CharacteristicPoint, FirstContact, GearMesh, GridOptions, SurfacePair};
-pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks};
+pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks, ToothMeridian};
 
 use crate::observables::{ModesRequest, Observable};
 use calyx_model::target::{Examined, Target};

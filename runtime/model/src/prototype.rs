@@ -206,6 +206,12 @@ pub trait Prototype: Any + Send + Sync {
         None
     }
 
+    /// Returns the pitch cone and the root of equal teeth in the meridian plane, to draw a tooth on
+    /// its projection plane; `None` for a body without such teeth.
+    fn tooth_meridian(&self) -> Option<ToothMeridian> {
+        None
+    }
+
     /// Returns the pitch deviation of a tooth as an angle, rad, counter-clockwise.
     fn pitch_error(&self, _tooth: u32) -> f64 {
         0.0
@@ -238,6 +244,17 @@ pub struct ToothFlanks {
     /// Counter-clockwise and clockwise flank of tooth 0 in the coordinates of the body, whose teeth
     /// are arranged about the z axis. Tooth `k` is rotated by `2 pi k / teeth`.
     pub surfaces: [Arc<dyn Surface>; 2],
+}
+
+/// Pitch cone and root of equal teeth in the meridian plane, whose coordinates are the axial position
+/// and the radius, m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToothMeridian {
+    /// Unit vector along the pitch cone, towards the larger radius (the heel). Axial for a cylinder.
+    pub along: [f64; 2],
+    /// Points of the root at equal distances along the face, in the order of the surface coordinate
+    /// `v`.
+    pub root: Vec<[f64; 2]>,
 }
 
 /// Returns the error for bodies that have only a plane model.

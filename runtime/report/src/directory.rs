@@ -1,6 +1,7 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`. Each position is on disk before
 //! the next one starts.
 
+use crate::contact_pattern::ContactPattern;
 use crate::field_tables::{self, FieldTables};
 use crate::former_keys::{self, ResultFile};
 use crate::journal::{FoundJournal, Journal};
@@ -118,6 +119,7 @@ pub struct Record {
     table: StepTable,
     tables: FieldTables,
     stresses: StressRange,
+    pattern: ContactPattern,
     pictures: Option<VtuFiles>,
     journal: Journal,
 }
@@ -134,6 +136,7 @@ impl Record {
             table: StepTable::create(directory, outputs)?,
             tables: FieldTables::create(directory, details.tables)?,
             stresses: StressRange::create(directory)?,
+            pattern: ContactPattern::create(directory)?,
             pictures: details.pictures.then(|| VtuFiles::begin(directory, Vec::new())).transpose()?,
             journal: Journal::create(directory, head)?,
         })
@@ -150,14 +153,15 @@ impl Record {
             0 => FieldTables::create(directory, details.tables)?,
             solved => FieldTables::resume(directory, solved, details.tables)?,
         };
-        let stresses = StressRange::resume(directory)?;
+        let (stresses, pattern) = (StressRange::resume(directory)?, ContactPattern::resume(directory)?);
         let times = found.solved.iter().map(|solved| solved.row.position.time).collect();
         let pictures = details.pictures.then(|| VtuFiles::begin(directory, times)).transpose()?;
         let mut table = StepTable::create(directory, outputs)?;
         for (index, solved) in found.solved.iter().enumerate() {
             table.write(index, &solved.row)?;
         }
-        Ok(Record { table, tables, stresses, pictures, journal: Journal::resume(directory, found)? })
+        let journal = Journal::resume(directory, found)?;
+        Ok(Record { table, tables, stresses, pattern, pictures, journal })
     }
 
     pub fn write(
@@ -170,6 +174,7 @@ impl Record {
         if let Some(fields) = fields {
             self.tables.write(index, &solved.row, outputs, fields)?;
             self.stresses.add(fields)?;
+            self.pattern.add(index, fields)?;
             if let Some(pictures) = &mut self.pictures {
                 pictures.write(index, solved.row.position.time, fields)?;
             }

@@ -154,7 +154,12 @@ fn patch(step: usize, contact: &ContactField) -> [String; 6] {
 
 /// Returns the entry of the column [`FLANK`].
 fn flank(contact: &ContactField) -> String {
-    if contact.back { COAST.into() } else { DRIVE.into() }
+    flank_name(contact.back).into()
+}
+
+/// Returns the name of the coast flanks (`back`) or of the drive flanks.
+pub(crate) fn flank_name(back: bool) -> &'static str {
+    if back { COAST } else { DRIVE }
 }
 
 /// Returns the columns of [`STATE`]; a quantity that the point lacks is empty.

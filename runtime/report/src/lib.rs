@@ -4,8 +4,10 @@
 //! This crate does not run models. It writes results into the directory that a run has locked, and
 //! reads them from there: [`page`] and [`tradeoff`] depend on the files of a run alone.
 
+pub mod contact_pattern;
 pub mod directory;
 pub mod field_tables;
+pub mod flank_tables;
 pub mod former_keys;
 pub mod journal;
 pub mod modes_table;

@@ -131,6 +131,8 @@ mod tests {
             corners: [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
             locations: [place(), place()],
             pressure: 0.1 + 0.2,
+            edge: false,
+            flank_corners: None,
         };
         let stress = |s: usize, z: usize| FilletStress {
             point: [s as f64, 0.0, z as f64],
@@ -144,6 +146,7 @@ mod tests {
             contacts: vec![ContactField {
                 bodies: ["pinion".into(), "gear".into()],
                 teeth: [2, 5],
+                surfaces: [0, 0],
                 back: false,
                 cells: vec![cell],
                 slices: Vec::new(),

@@ -20,10 +20,11 @@ pub mod engine;
 pub mod error;
 #[cfg(feature = "command")]
 pub mod executable;
+#[cfg(feature = "command")]
+mod flank_tables;
 mod former_names;
 #[cfg(feature = "command")]
 pub mod former_options;
-#[cfg(feature = "command")]
 mod gear_data;
 #[cfg(feature = "command")]
 pub mod help;

@@ -1,6 +1,7 @@
 //! Results of a run.
 
 use crate::error::Error;
+use crate::flank_tables::MeshedFlanks;
 use crate::names::{Names, Output, OutputName};
 use crate::program::Program;
 use crate::stepping::{Step, factor};
@@ -9,6 +10,7 @@ use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::units::from_si;
 use calyx_gears::data_block::DataBlock;
 use calyx_gears::host::{Finding, ModelHost};
+use calyx_report::flank_tables::FlankTables;
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, Observed, OutputSummary, Solved, StepRow, Timing};
@@ -28,6 +30,7 @@ pub struct Results {
     findings: Vec<Finding>,
     signals: Vec<Signal>,
     gear_data: DataBlock,
+    flanks: Option<MeshedFlanks>,
     time: Duration,
 }
 
@@ -63,15 +66,16 @@ impl Results {
         (calculated, time): (Option<Solved>, Duration),
     ) -> Results {
         let (mut analysis, mut findings, mut signals) = (None, Vec::new(), Vec::new());
-        let mut gear_data = DataBlock::default();
+        let (mut gear_data, mut flanks) = (DataBlock::default(), None);
         if let Some(host) = context.host::<ModelHost>() {
             gear_data = DataBlock::of(host);
+            flanks = Some(MeshedFlanks::of(host));
             analysis = host.result.take();
             findings = std::mem::take(&mut host.findings);
             signals = std::mem::take(&mut host.signals);
         }
         let calculated = calculated.map(|solved| Calculated::new(solved.row));
-        Results { program, shape, params, analysis, calculated, findings, signals, gear_data, time }
+        Results { program, shape, params, analysis, calculated, findings, signals, gear_data, flanks, time }
     }
 
     pub fn description(&self) -> &ModelDescription {
@@ -169,6 +173,11 @@ impl Results {
     /// Returns the signals in the frequency domain that the model requests, in SI.
     pub fn signals(&self) -> &[Signal] {
         &self.signals
+    }
+
+    /// Computes the tables of the flanks of meshes on general axes.
+    pub(crate) fn flank_tables(&self) -> FlankTables {
+        self.flanks.as_ref().map(MeshedFlanks::tables).unwrap_or_default()
     }
 
     /// Returns the data of the gears and meshes of the model, as in the data block of a drawing.

@@ -18,7 +18,10 @@ use calyx_report::directory::{
     write_unfinished,
 };
 use calyx_report::journal::FoundJournal;
-use calyx_report::{field_tables, journal, modes_table, page, signals, stress_range, summary_table, vtu};
+use calyx_report::{
+    contact_pattern, field_tables, flank_tables, journal, modes_table, page, signals, stress_range,
+    summary_table, vtu,
+};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
 use calyx_runtime::results::Solved;
@@ -204,6 +207,8 @@ fn begin(directory: &RunDirectory, details: Details) -> io::Result<()> {
     directory.claim_all(["run.json", "run.json.part", "timing.json", "timing.json.part", "steps.csv"])?;
     directory.claim_all(["journal.jsonl"].iter().chain(&page::FILES))?;
     directory.claim_all([stress_range::NAME, "root_stress_range.csv.part"])?;
+    directory.claim_all(contact_pattern::FILES)?;
+    directory.claim_all(flank_tables::FILES)?;
     let asked_for = if details.tables { &field_tables::NAMES[..] } else { &[field_tables::LINE_LOAD] };
     directory.claim_all(asked_for)
 }
@@ -230,6 +235,7 @@ fn write_results(
         directory.claim(modes_table::NAME)?;
         modes_table::write(path, modes)?;
     }
+    results.flank_tables().write(path)?;
     directory.claim_all(signals::files(results.signals()))?;
     signals::write(path, description, results.signals())?;
     let listed = signals::list(description, results.signals());

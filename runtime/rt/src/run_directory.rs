@@ -120,7 +120,7 @@ impl Kind {
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-const FILES_OF_A_RUN: [&str; 16] = [
+const FILES_OF_A_RUN: [&str; 26] = [
     "run.json",
     "journal.jsonl",
     "run.json.part",
@@ -134,6 +134,16 @@ const FILES_OF_A_RUN: [&str; 16] = [
     "places.csv",
     "root_stress_range.csv",
     "root_stress_range.csv.part",
+    "contact_pattern.csv",
+    "contact_pattern.csv.part",
+    "contact_path.csv",
+    "contact_path.csv.part",
+    "tooth_flanks.csv",
+    "tooth_flanks.csv.part",
+    "unloaded_contact.csv",
+    "unloaded_contact.csv.part",
+    "ease_off.csv",
+    "ease_off.csv.part",
     "modes.csv",
     REPORT,
     "report.html.part",

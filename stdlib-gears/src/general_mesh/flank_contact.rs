@@ -69,10 +69,22 @@ struct Ray {
     contact: FlankContact,
     slope: [f64; 2],
     mate: [f64; 2],
+    arm: f64,
+}
+
+/// Rotation of the second body to a point of the first flank.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PointRay {
+    /// Rotation, rad; up to whole revolutions.
+    pub rotation: f64,
+    /// Surface coordinates on the second flank.
+    pub mate: [f64; 2],
+    /// Arm of the normal of the second flank about its axis, m.
+    pub arm: f64,
 }
 
 /// Returns the ranges of the coordinates of a flank, without its rounded edge.
-fn flank_range(surface: &dyn Surface) -> [[f64; 2]; 2] {
+pub(super) fn flank_range(surface: &dyn Surface) -> [[f64; 2]; 2] {
     let [[first, last], v] = surface.range();
     [[first, surface.edge_from().map_or(last, |edge| edge.min(last))], v]
 }
@@ -189,7 +201,14 @@ impl<'a> Mate<'a> {
         let sum = [0, 1, 2].map(|k: usize| normal[k] + turned[k]);
         let inside = length(sum) < PARALLEL;
         let contact = FlankContact { rotation, place, point, normal, inside };
-        (facing && slope[0].is_finite() && slope[1].is_finite()).then_some(Ray { contact, slope, mate })
+        (facing && slope[0].is_finite() && slope[1].is_finite()).then_some(Ray { contact, slope, mate, arm })
+    }
+
+    /// Returns the rotation to a point of the first flank, near a guess on this flank; `None` if
+    /// this flank ends before, or faces the same way.
+    pub fn ray_at(&self, driver: &Driver<'_>, place: [f64; 2], guess: Option<[f64; 2]>) -> Option<PointRay> {
+        let Ray { contact, mate, arm, .. } = self.ray(driver, place, guess)?;
+        Some(PointRay { rotation: contact.rotation, mate, arm })
     }
 
     /// Returns whether a flank may have points in the radial and axial range of this one.

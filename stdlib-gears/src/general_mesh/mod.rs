@@ -8,6 +8,8 @@
 
 mod checks;
 mod flank_contact;
+pub mod tooth_chart;
+pub mod topography;
 
 use self::checks::{check_axes, check_speeds, no_contact, trace_angle};
 use self::flank_contact::{Driver, FlankContact, Mate, arm_about_z, nearest, seen_from};

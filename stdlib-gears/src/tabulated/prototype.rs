@@ -19,7 +19,9 @@ use calyx_runtime::fe::solid::{SolidElementPoint, SolidMesh, SolidModel};
 use calyx_runtime::inertia::Inertia;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::material::Material;
-use calyx_runtime::scene::{BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks};
+use calyx_runtime::scene::{
+    BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks, ToothMeridian,
+};
 use calyx_runtime::structure::solid::{ElasticSolid, HalfSpaceBody, SolidStructure, SolidSurfaceSource};
 use calyx_runtime::structure::{
     BoreSupport, MeshedBody, RingSource, Structure, StructureSize, VisualizationMesh,
@@ -29,6 +31,8 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, OnceLock};
 
 const FLANKS: usize = 2;
+/// Parts of the root's curve in [`Prototype::tooth_meridian`].
+const ROOT_PARTS: usize = 16;
 
 /// Input data of a gear with tabulated teeth.
 #[derive(Clone, Debug)]
@@ -393,6 +397,17 @@ impl Prototype for TabulatedGear {
         let surfaces = self.surfaces(&StructureOptions::default()).ok()?;
         let surfaces = surfaces.map(|surface| surface as Arc<dyn Surface>);
         Some(ToothFlanks { teeth: self.teeth(), surfaces })
+    }
+
+    fn tooth_meridian(&self) -> Option<ToothMeridian> {
+        let tooth = &self.tooth;
+        let [from, to] = tooth.face;
+        let root = (0..=ROOT_PARTS).map(|k| {
+            let v = from + (to - from) * k as f64 / ROOT_PARTS as f64;
+            let [x, y, z] = tooth.placed(v, tooth.fillet_at(0, tooth.fillet_length(0), v).position).position;
+            [z, x.hypot(y)]
+        });
+        Some(ToothMeridian { along: tooth.cones.along(), root: root.collect() })
     }
 
     fn needs_solid_model(&self) -> bool {

@@ -55,6 +55,11 @@ impl SectionCones {
         Self { sine, cosine: cosine.max(0.0), sense }
     }
 
+    /// Unit vector along the pitch cone from its apex: axial and radial component.
+    pub fn along(&self) -> [f64; 2] {
+        [self.sense * self.cosine, self.sine]
+    }
+
     /// Coordinates of a point.
     pub fn meridian(&self, [x, y, z]: [f64; 3]) -> Meridian {
         let radius = x.hypot(y);

@@ -2,6 +2,7 @@
 //! contact lines, stresses along fillets.
 
 use super::deformed::{BodyField, MeshedBodies};
+use super::flank_cells::FlankCorners;
 use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice};
 use calyx_model::ids::BodyId;
@@ -30,6 +31,8 @@ pub struct ContactField {
     pub bodies: [String; 2],
     /// Tooth of each body.
     pub teeth: [u32; 2],
+    /// Surface of each body, as in [`calyx_structure::Chart::surface`].
+    pub surfaces: [u32; 2],
     /// True for coast flanks.
     pub back: bool,
     /// All cells, including those without load.
@@ -72,6 +75,11 @@ pub struct PressedCell {
     pub locations: [Location; 2],
     /// Pressure, Pa.
     pub pressure: f64,
+    /// True if either surface is on its rounded edge here.
+    pub edge: bool,
+    /// Corners on both flanks, in the order of `corners`; `None` without pressure and for meshes on
+    /// parallel axes.
+    pub flank_corners: Option<[FlankCorners; 2]>,
 }
 
 /// Stresses on one fillet of a tooth.
@@ -167,7 +175,13 @@ impl Contact<'_> {
         let pressures = self.patch.pressures();
         let cell = |(index, (corners, pressure)): (usize, ([[f64; 3]; 4], f64))| {
             let (first, second) = (self.location(0, index)?, self.location(1, index)?);
-            Some(PressedCell { corners, locations: [first, second], pressure })
+            let on_edge = match &self.patch.grid {
+                ContactGrid::Plane { .. } => false,
+                ContactGrid::Solid(grid) => grid.cells[index].edge,
+            };
+            let on_flanks = if pressure > 0.0 { self.flank_corners(index, &corners) } else { None };
+            let locations = [first, second];
+            Some(PressedCell { corners, locations, pressure, edge: on_edge, flank_corners: on_flanks })
         };
         let (slices, contacts): (Vec<Slice>, Vec<_>) = self.rolling_states().into_iter().unzip();
         let state = |contact: RollingContact| {
@@ -182,6 +196,7 @@ impl Contact<'_> {
         ContactField {
             bodies: self.bodies().map(name),
             teeth: self.teeth(),
+            surfaces: self.patch.surfaces,
             back: self.at.system.scene.pairs[self.patch.pair].front.is_some(),
             cells: corners.into_iter().zip(pressures).enumerate().filter_map(cell).collect(),
             slices,

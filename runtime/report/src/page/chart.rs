@@ -25,7 +25,7 @@ const LETTER: i32 = 20;
 /// Curves with at most this many points show each point.
 const DOTTED: usize = 24;
 /// Width of the legend of a map.
-const LEGEND: u32 = 250;
+pub(super) const LEGEND: u32 = 250;
 
 /// Colours of curves; the style of the page refers to them.
 pub(super) const COLOURS: [RGBColor; 6] = [
@@ -367,11 +367,11 @@ fn merged(pieces: &[MapCell], largest: f64) -> Vec<MapCell> {
 }
 
 /// Number of colours of maps.
-const SHADES: usize = 40;
+pub(super) const SHADES: usize = 40;
 
 /// Returns a colour of the scale from pale over red to dark, for `part` from 0 to 1. Lightness is
 /// monotonic.
-fn shade(part: f64) -> RGBColor {
+pub(super) fn shade(part: f64) -> RGBColor {
     const STOPS: [[f64; 3]; 5] = [
         [235.0, 240.0, 248.0],
         [250.0, 214.0, 130.0],

@@ -14,6 +14,7 @@ mod fillets;
 mod flanks;
 mod gear_data;
 mod k_chart;
+mod projection;
 mod read;
 mod units;
 
@@ -85,6 +86,7 @@ fn page(run: &Run) -> Markup {
         ("accuracy", "Error estimates", accuracy::section(run)),
         ("cycle", plots_heading(run), plots(run)),
         ("flanks", "Flanks", flanks::section(run, units)),
+        ("tooth-contact", "Tooth contact", projection::section(run, units)),
         ("contact", "Contact", contact_section(run, units)),
         ("stress", "Root stress", stress_section(run, units)),
         ("signals", "Spectra", signals(run)),
@@ -368,7 +370,11 @@ fn plot(output: &Output, x: &Axis<'_>, places: &[f64], marks: &[(f64, String)]) 
 }
 
 fn contact_section(run: &Run, units: Units) -> Markup {
-    let (meshes, left_out) = contact::meshes(&run.contact, units);
+    // Meshes on general axes have their own section.
+    let drawn = projection::bodies(run);
+    let elsewhere = |row: &read::Loaded| drawn.contains(&[row.first_body.clone(), row.second_body.clone()]);
+    let rows: Vec<read::Loaded> = run.contact.iter().filter(|row| !elsewhere(row)).cloned().collect();
+    let (meshes, left_out) = contact::meshes(&rows, units);
     if meshes.is_empty() {
         return PreEscaped(String::new());
     }

@@ -2,8 +2,10 @@
 //! stopped, in progress or killed.
 
 use super::units::{self, Unit, Units};
+use crate::contact_pattern::{self, PathPoint, PressurePoint};
 use crate::directory::{SIGNALS, read_run};
 use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
+use crate::flank_tables::FlankTables;
 use crate::former_keys::{self, ResultFile};
 use crate::stress_range::{self, StressExtremes};
 use crate::{journal, modes_table};
@@ -37,6 +39,11 @@ pub struct Run {
     pub positions: Vec<Position>,
     pub outputs: Vec<Output>,
     pub contact: Vec<Loaded>,
+    /// Loaded contact of gears on general axes.
+    pub contact_pattern: Vec<PressurePoint>,
+    pub contact_path: Vec<PathPoint>,
+    /// Flanks, unloaded contact and ease-off of gears on general axes.
+    pub flanks: FlankTables,
     pub stresses: Vec<StressExtremes>,
     pub pictures: Vec<Picture>,
     /// Table of modes with its header.
@@ -252,6 +259,9 @@ impl Run {
             positions,
             outputs,
             contact: contact(&directory.join(LINE_LOAD))?,
+            contact_pattern: contact_pattern::read_pattern(directory)?,
+            contact_path: contact_pattern::read_path(directory)?,
+            flanks: FlankTables::read(directory)?,
             stresses: stress_range::read(directory)?,
             pictures: pictures(directory, &head)?,
             modes: table(&directory.join(modes_table::NAME))?,
