@@ -21,4 +21,5 @@ mod report;
 mod rust_scene;
 mod same_scene;
 mod theory;
+mod tooth_contact;
 mod tribology;

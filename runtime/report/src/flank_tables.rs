@@ -91,7 +91,7 @@ pub struct EaseOffRow {
     pub second_along_profile: f64,
     /// Normal distance from the surface conjugate to the second flank, m.
     pub ease_off: f64,
-    /// Normal distance from the second flank where the point is nearest to the conjugate surface, m.
+    /// Smallest normal distance from the second flank while the unloaded pair rotates, m.
     pub gap: f64,
 }
 

@@ -58,8 +58,8 @@ pub struct EaseOffPoint {
     /// Normal distance from the surface conjugate to the second flank, m; zero at the point nearest
     /// to it.
     pub ease_off: f64,
-    /// Normal distance from the second flank at the position at which the point is nearest to the
-    /// conjugate surface, m.
+    /// Smallest normal distance from the second flank while the unloaded pair rotates, m; infinite
+    /// far from the path of contact.
     pub gap: f64,
 }
 
@@ -255,13 +255,31 @@ impl Search<'_> {
         }
         let largest = points.iter().map(|(.., one)| one.lead).fold(f64::NEG_INFINITY, f64::max);
         let point = |(index, place, one): ([usize; 2], [f64; 2], Conjugate)| {
-            let carried = self.carried(path, one.rotation).unwrap_or(one.lead);
             let places = [self.pair.fractions(0, place), self.pair.fractions(1, one.mate)];
             let ease_off = (largest - one.lead) * one.arm.abs();
-            let gap = (carried - one.lead).max(0.0) * one.arm.abs();
+            let gap = self.smallest_gap(path, place, &one);
             (index, EaseOffPoint { places, ease_off, gap })
         };
         points.into_iter().map(point).collect()
+    }
+
+    /// Smallest normal distance of a point from the second flank over the positions near that of its
+    /// greatest lead, m.
+    fn smallest_gap(&self, path: &[UnloadedContact], place: [f64; 2], at: &Conjugate) -> f64 {
+        let step = self.pair.bodies.pitches[0] / STEPS as f64;
+        let gap =
+            |one: &Conjugate| Some(((self.carried(path, one.rotation)? - one.lead) * one.arm.abs()).max(0.0));
+        let mut smallest = gap(at).unwrap_or(f64::INFINITY);
+        for sense in [-1.0, 1.0] {
+            let mut guess = at.mate;
+            for k in 1..=STEPS / 2 {
+                let rotation = at.rotation + sense * k as f64 * step;
+                let Some(one) = self.lead_of(place, rotation, Some(guess)) else { break };
+                guess = one.mate;
+                smallest = smallest.min(gap(&one).unwrap_or(f64::INFINITY));
+            }
+        }
+        smallest
     }
 
     /// Lead of a point at a rotation; `None` if the second flank ends before.

@@ -11,8 +11,9 @@ use plotters::prelude::*;
 /// Width of the labels of the vertical axis, and height of those of the horizontal one.
 const LABELS: [u32; 2] = [148, 88];
 const MARGIN: u32 = 8;
-/// Room for the names of the boundaries, as parts of the length of the tooth.
-const ROOM: [f64; 2] = [0.09, 0.045];
+/// Room for the names of the boundaries, as parts of the length of the tooth: at
+/// its ends, below and above it.
+const ROOM: [f64; 3] = [0.09, 0.045, 0.085];
 /// Limits of the height of a picture.
 const HEIGHTS: [u32; 2] = [380, 1100];
 /// Colours of the path, of the marks on edges, and of the boundary of a contact pattern.
@@ -39,8 +40,8 @@ pub struct Picture<'a> {
     pub contours: Option<(&'a Field, Vec<f64>)>,
     /// Boundary of a contact pattern: field and level.
     pub boundary: Option<(&'a Field, f64)>,
-    /// Lines of the path of contact, with a mark at each point if `marked`.
-    pub paths: Vec<Vec<[f64; 2]>>,
+    /// Lines of the path of contact with their colours, with a mark at each point if `marked`.
+    pub paths: Vec<(usize, Vec<[f64; 2]>)>,
     pub marked: bool,
     pub length: Unit,
     /// Colours and names of the legend.
@@ -73,7 +74,7 @@ impl Picture<'_> {
         let x = ends(&mut outline.iter().map(|point| point.0));
         let y = ends(&mut outline.iter().map(|point| point.1));
         let room = ROOM.map(|part| part * (x[1] - x[0]));
-        let (x, y) = ([x[0] - room[0], x[1] + room[0]], [y[0] - room[1], y[1] + room[1]]);
+        let (x, y) = ([x[0] - room[0], x[1] + room[0]], [y[0] - room[1], y[1] + room[2]]);
         let width = (TALL.0 - LEGEND - LABELS[0] - 2 * MARGIN) as f64;
         let drawn = (y[1] - y[0]) / (x[1] - x[0]) * width;
         let height = (drawn as u32 + LABELS[1] + 2 * MARGIN).clamp(HEIGHTS[0], HEIGHTS[1]);
@@ -145,8 +146,8 @@ impl Picture<'_> {
             let style = crate::page::chart::COLOURS[PATTERN].stroke_width(6);
             chart.draw_series(pieces(field, *level, style))?;
         }
-        let colour = crate::page::chart::COLOURS[PATH];
-        for path in &self.paths {
+        for (colour, path) in &self.paths {
+            let colour = crate::page::chart::COLOURS[*colour];
             let points = self.points(path);
             chart.draw_series([PathElement::new(points.clone(), colour.stroke_width(5))])?;
             if self.marked {
@@ -169,14 +170,16 @@ impl Picture<'_> {
             let mut pieces = contour(field, *level);
             // The highest points first.
             pieces.sort_by(|a, b| b[0][1].total_cmp(&a[0][1]));
-            let places = pieces.iter().map(|[a, b]| {
+            // The ends of a line are at the boundary of the field.
+            let places = pieces.iter().skip(pieces.len() / 8).map(|[a, b]| {
                 let middle = [0, 1].map(|k: usize| 0.5 * (a[k] + b[k]));
                 (self.at(middle), chart.backend_coord(&self.at(middle)))
             });
             let free = |at: &(i32, i32)| {
                 taken.iter().all(|other| (other.0 - at.0).abs() > 90 || (other.1 - at.1).abs() > 40)
             };
-            let inside = |at: &(i32, i32)| at.0 > LABELS[0] as i32 + 140;
+            let right = (TALL.0 - LEGEND) as i32 - 160;
+            let inside = |at: &(i32, i32)| (LABELS[0] as i32 + 160..right).contains(&at.0);
             let found = places.into_iter().find(|(_, pixel)| free(pixel) && inside(pixel));
             let Some((place, pixel)) = found else { continue };
             taken.push(pixel);
@@ -214,6 +217,11 @@ impl Picture<'_> {
             ("tip", tip, (0, -12), Pos::new(HPos::Center, VPos::Bottom)),
             ("root", root, (0, 12), Pos::new(HPos::Center, VPos::Top)),
         ];
+        let title = format!("{}: {}", tooth.body, tooth.describe());
+        let corner = Pos::new(HPos::Left, VPos::Top);
+        let style = ("sans-serif", FONT).into_font().color(&BLACK).pos(corner);
+        let (x, y) = (chart.x_range().start, chart.y_range().end);
+        chart.draw_series([EmptyElement::at((x, y)) + Text::new(title, (14, 6), style)])?;
         for (name, at, shift, pos) in names {
             let style = ("sans-serif", FONT).into_font().color(&BLACK).pos(pos);
             let text = EmptyElement::at(self.at(at)) + Text::new(name.to_owned(), shift, style);

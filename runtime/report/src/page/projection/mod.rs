@@ -22,10 +22,12 @@ const MARKING: f64 = 6.35e-6;
 /// Number of contour lines.
 const CONTOURS: usize = 8;
 /// Parts into which a cell of the ease-off is divided along either coordinate for its colours.
-const PARTS: usize = 4;
+const PARTS: usize = 2;
 /// Part of a point of a pattern by which its drawing overlaps its neighbours, so that no gaps are
 /// visible.
 const OVERLAP: f64 = 0.12;
+/// Relative difference of equal pressures.
+const ROUNDING: f64 = 1e-9;
 /// Number of flanks with pictures.
 const SHOWN: usize = 8;
 
@@ -42,6 +44,8 @@ struct Mesh<'a> {
     ease_off: Vec<&'a EaseOffRow>,
     path: Vec<&'a PathPoint>,
     pattern: [Vec<&'a PressurePoint>; 2],
+    /// Largest pressure more than one half-width away from edges, Pa.
+    largest: f64,
 }
 
 impl<'a> Mesh<'a> {
@@ -59,11 +63,13 @@ impl<'a> Mesh<'a> {
             points.filter(mine).collect()
         };
         let is = |a: &str, b: &str, c: &str| [a, b, c] == [first, second, flank];
+        let loaded = run.contact.iter().filter(|row| is(&row.first_body, &row.second_body, &row.flank));
         Mesh {
             unloaded: unloaded.filter(|row| is(&row.first_body, &row.second_body, &row.flank)).collect(),
             ease_off: ease_off.filter(|row| is(&row.first_body, &row.second_body, &row.flank)).collect(),
             path: path.filter(|row| is(&row.first_body, &row.second_body, &row.flank)).collect(),
             pattern: teeth.map(on),
+            largest: loaded.map(|row| row.pressure).fold(0.0, f64::max),
             teeth,
         }
     }
@@ -93,14 +99,15 @@ fn article(mesh: &Mesh<'_>, run: &Run, units: Units) -> Markup {
     let largest = |of: fn(&PressurePoint) -> f64| {
         mesh.pattern.iter().flatten().map(|point| of(point)).fold(0.0, f64::max)
     };
-    let (pressure, on_edges) = (largest(|point| point.pressure), largest(|point| point.edge_pressure));
+    let on_edges = largest(|point| point.pressure.max(point.edge_pressure));
+    let pressure = mesh.largest;
     let stress = |value: f64| format!("{} {}", number(units.stress.of(value)), units.stress.name);
     html! {
         article {
             h3 { (first.body) ", " (first.describe()) ", and " (second.body) ", " (second.describe()) }
             @if pressure > 0.0 || on_edges > 0.0 {
                 p { "Largest pressure away from edges: " b { (stress(pressure)) } "."
-                    @if on_edges > 0.0 { " On rounded edges: " (stress(on_edges)) "." }
+                    @if on_edges > pressure { " On edges and within one half-width of them: " (stress(on_edges)) "." }
                 }
                 @for side in 0..2 { (loaded(mesh, side, units)) }
             }
@@ -122,16 +129,20 @@ fn loaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
         };
         [at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0)]
     };
-    let pressed = points.iter().filter(|point| point.pressure > 0.0);
-    let patches: Vec<Patch> = pressed
-        .map(|point| Patch { corners: quadrilateral(point), value: units.stress.of(point.pressure) })
-        .collect();
-    let largest = patches.iter().map(|patch| patch.value).fold(0.0, f64::max);
-    let on_edges: Vec<_> =
-        points.iter().filter(|point| point.edge_pressure > 0.0).map(|point| quadrilateral(point)).collect();
+    // Pressures next to edges would hide those of the flank.
+    let is_edge = |point: &&&PressurePoint| {
+        point.edge_pressure > 0.0 || point.pressure > (1.0 + ROUNDING) * mesh.largest
+    };
+    let patch = |point: &&PressurePoint| Patch {
+        corners: quadrilateral(point),
+        value: units.stress.of(point.pressure),
+    };
+    let patches: Vec<Patch> = points.iter().filter(|point| !is_edge(point)).map(patch).collect();
+    let on_edges: Vec<_> = points.iter().filter(is_edge).map(|point| quadrilateral(point)).collect();
+    let largest = units.stress.of(mesh.largest);
     let mut legend = vec![(PATH, "centre of pressure of a tooth pair at each position".to_owned())];
     if !on_edges.is_empty() {
-        legend.push((EDGE, "contact of an edge".to_owned()));
+        legend.push((EDGE, "contact of an edge: higher pressures".to_owned()));
     }
     let picture = Picture {
         tooth,
@@ -140,7 +151,7 @@ fn loaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
         scale: (largest, Axis { what: "pressure", unit: units.stress.name }),
         contours: None,
         boundary: None,
-        paths: loaded_paths(mesh, side),
+        paths: loaded_paths(mesh, side).into_iter().map(|path| (PATH, path)).collect(),
         marked: true,
         length: units.length,
         legend,
@@ -194,30 +205,31 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
         let rows = mesh.ease_off.iter().map(|row| row.row).max().map_or(0, |last| last + 1);
         let mut field = vec![vec![None; rows]; columns];
         for row in &mesh.ease_off {
-            let node = Node { at: tooth.position(place(row)), value: units.film.of(of(row)) };
-            field[row.column][row.row] = Some(node);
+            let value = 1e6 * of(row);
+            let node = Node { at: tooth.position(place(row)), value };
+            field[row.column][row.row] = value.is_finite().then_some(node);
         }
         field
     };
     let (ease_off, gap) = (field(|row| row.ease_off), field(|row| row.gap));
     let largest = ease_off.iter().flatten().flatten().map(|node| node.value).fold(0.0, f64::max);
     let patches = patches(&ease_off);
-    let marking = units.film.of(MARKING);
-    let legend = vec![
+    let marking = 1e6 * MARKING;
+    let mut legend = vec![
         (PATH, "path of contact without load".to_owned()),
-        (
-            PATTERN,
-            format!("contact pattern with a marking compound of {} {}", number(marking), units.film.name),
-        ),
+        (PATTERN, format!("contact pattern with a marking compound of {} um", number(marking))),
     ];
+    if mesh.unloaded.iter().any(|row| row.touches && row.edge) {
+        legend.push((EDGE, "contact of an edge".to_owned()));
+    }
     let picture = Picture {
         tooth,
         patches,
         on_edges: Vec::new(),
-        scale: (largest, Axis { what: "ease-off", unit: units.film.name }),
+        scale: (largest, Axis { what: "ease-off", unit: "um" }),
         contours: Some((&ease_off, levels(largest, CONTOURS))),
         boundary: Some((&gap, marking)),
-        paths: vec![unloaded_path(mesh, side)],
+        paths: unloaded_paths(mesh, side),
         marked: false,
         length: units.length,
         legend,
@@ -232,14 +244,25 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
     figure(&picture.plot(), &caption)
 }
 
-/// Returns the path of contact of one tooth pair while it touches.
-fn unloaded_path(mesh: &Mesh<'_>, side: usize) -> Vec<[f64; 2]> {
-    let touching = mesh.unloaded.iter().filter(|row| row.touches);
-    let place = |row: &&&UnloadedRow| match side {
-        0 => [row.first_along_face, row.first_along_profile],
-        _ => [row.second_along_face, row.second_along_profile],
+/// Returns the path of contact of one tooth pair while it touches, in another colour where an edge
+/// touches.
+fn unloaded_paths(mesh: &Mesh<'_>, side: usize) -> Vec<(usize, Vec<[f64; 2]>)> {
+    let touching: Vec<&UnloadedRow> = mesh.unloaded.iter().copied().filter(|row| row.touches).collect();
+    let place = |row: &&UnloadedRow| {
+        mesh.teeth[side].position(match side {
+            0 => [row.first_along_face, row.first_along_profile],
+            _ => [row.second_along_face, row.second_along_profile],
+        })
     };
-    touching.map(|row| mesh.teeth[side].position(place(&row))).collect()
+    let mut paths: Vec<(usize, Vec<[f64; 2]>)> = Vec::new();
+    for part in touching.chunk_by(|a, b| a.edge == b.edge) {
+        let mut line: Vec<[f64; 2]> = part.iter().map(place).collect();
+        // Parts follow each other without a gap.
+        let before = paths.last().and_then(|(_, line)| line.last()).copied();
+        line.splice(0..0, before);
+        paths.push((if part[0].edge { EDGE } else { PATH }, line));
+    }
+    paths
 }
 
 /// Divides the cells of a field into patches with interpolated values.
@@ -292,8 +315,10 @@ fn transmission_error(mesh: &Mesh<'_>) -> Plot {
     let limit = high + 1.5 * (high - low).max(1e-9);
     let shifted = |pair: i32, all: bool| -> Vec<(f64, f64)> {
         let rows = mesh.unloaded.iter().filter(|row| all || row.touches);
-        let rows = rows.filter(|row| error(row) <= limit);
-        rows.map(|row| ((row.rotation + f64::from(pair) * period).to_degrees(), error(row))).collect()
+        let at = |row: &UnloadedRow| row.rotation + f64::from(pair) * period;
+        let shown = first.rotation - 0.5 * period..last.rotation + 0.5 * period;
+        let rows = rows.filter(|row| error(row) <= limit && shown.contains(&at(row)));
+        rows.map(|row| (at(row).to_degrees(), error(row))).collect()
     };
     let mut all: Vec<Curve> = (-1..=1)
         .map(|pair| Curve {

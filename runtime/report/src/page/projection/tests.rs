@@ -1,6 +1,6 @@
 use super::*;
 use crate::flank_tables::{FlankRow, FlankTables, ON_EDGE, ON_FLANK, ON_ROOT};
-use crate::page::read::{End, Position};
+use crate::page::read::{End, Loaded, Position};
 
 const LENGTH: f64 = 0.025;
 const HEIGHT: f64 = 0.008;
@@ -33,6 +33,33 @@ fn flank(body: &str, mate: &str, surface: u32, shape: &str, reversed: bool) -> V
     let nodes = (0..=8).flat_map(|column| (0..=6).map(move |row| (column, row)));
     let nodes = nodes.map(|(column, index)| row(if index == 6 { ON_EDGE } else { ON_FLANK }, column, index));
     nodes.chain((0..=8).map(|column| row(ON_ROOT, column, 0))).collect()
+}
+
+/// Contact line with the largest pressure away from edges.
+fn loaded() -> Loaded {
+    Loaded {
+        step: 0,
+        first_body: "pinion".into(),
+        first_tooth: 0,
+        second_body: "gear".into(),
+        second_tooth: 0,
+        flank: "drive".into(),
+        side: String::new(),
+        first_radius: 0.03,
+        first_roll_angle: None,
+        second_radius: 0.07,
+        second_roll_angle: None,
+        axial: Some(-0.05),
+        length: 1e-3,
+        force: 100.0,
+        line_load: 1e5,
+        pressure: 1.5e9,
+        edge_pressure: 2.5e9,
+        sliding_velocity: None,
+        friction_power: None,
+        flash_temperature: None,
+        film_thickness: None,
+    }
 }
 
 /// A run with a spot of pressure, a path and an ease-off; `left` has the mirror image.
@@ -114,7 +141,7 @@ fn run(left: bool) -> Run {
         timing: None,
         positions: (0..4).map(position).collect(),
         outputs: Vec::new(),
-        contact: Vec::new(),
+        contact: vec![loaded()],
         contact_pattern: pattern.into_iter().flatten().collect(),
         contact_path: path.collect(),
         flanks: FlankTables { flanks, unloaded: unloaded.collect(), ease_off: ease_off.collect() },
@@ -164,7 +191,7 @@ fn every_tooth_has_its_boundaries_flanks_and_scales() {
     for text in ["pinion, concave flank (drive)", "gear, convex flank (drive)", "2500 MPa", "1500 MPa"] {
         assert!(page.contains(text), "{text}");
     }
-    assert_eq!(page.matches("contact of an edge").count(), 2);
+    assert_eq!(page.matches("contact of an edge: higher").count(), 2);
     // A flank that is not curved has the name of its side.
     let mut straight = run;
     straight.flanks.flanks.iter_mut().for_each(|row| row.shape = "straight".into());
