@@ -1,6 +1,7 @@
 //! Tests of elaboration, one module per subject. They are one program: it is linked once, and its
 //! tests run in parallel.
 
+mod bevel_settings;
 mod bindings;
 mod elaboration;
 mod geometry;
