@@ -1,5 +1,6 @@
-//! Compares the spiral bevel pair of `examples/spiral_bevel.cx` with published stresses and with
-//! the equilibrium of its forces.
+//! Compares the spiral bevel pair of `examples/spiral_bevel.cx` with published stresses, with the
+//! equilibrium of its forces and with rigid teeth, and straight bevel pairs of small cone angles with
+//! the spur pair of their mean section.
 
 use calyx::rt::{ParamAssignment, RunOptions, run};
 use calyx::{Engine, Module, Override, check_file};
@@ -7,6 +8,7 @@ use calyx_runtime::estimate::Estimates;
 use calyx_tests::root;
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Published largest principal stress in the pinion's fillets, psi: Vijayakar, Abad and Gunda
 /// (2003), table 6.4, edge radius 0.045 inch, finest mesh.
@@ -15,12 +17,11 @@ const PSI: f64 = 6894.757;
 /// The published model does not state all data (place of the tooth thickness, contact of edges).
 const STRESS_TOLERANCE: f64 = 0.08;
 
-/// Returns the columns of a run at "medium" with two positions, in SI units.
-fn columns() -> BTreeMap<String, Vec<f64>> {
-    let checked = check_file(&root().join("examples/spiral_bevel.cx")).expect("examples can be read");
-    let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
+/// Runs a model in three dimensions and returns the columns of its table, in SI units.
+fn columns(model: &Path, given: &[(&str, &str)]) -> BTreeMap<String, Vec<f64>> {
+    let checked = check_file(model).expect("the model can be read");
+    let module = Module::from_checked(&Engine::default(), checked).expect("the model compiles");
     let directory = tempfile::tempdir().expect("a directory");
-    let given = [("fidelity", "medium"), ("steps", "2")];
     let options = RunOptions {
         directory: directory.path().into(),
         given: given.iter().map(|(name, value)| ParamAssignment::text(*name, *value)).collect(),
@@ -29,7 +30,12 @@ fn columns() -> BTreeMap<String, Vec<f64>> {
         ..RunOptions::default()
     };
     run(module.as_program(), &options).unwrap_or_else(|error| panic!("{error:?}"));
-    let text = fs::read_to_string(directory.path().join("steps.csv")).expect("a table of positions");
+    let read = |file: &str| fs::read_to_string(directory.path().join(file)).expect("a file of the results");
+    if given.iter().all(|(name, _)| *name != "pinion_torque") {
+        let record = read("run.json");
+        assert!(!record.contains("the contact grid of"), "the default grid does not suit: {record}");
+    }
+    let text = read("steps.csv");
     let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
     let names = lines.next().expect("a header");
     let rows: Vec<Vec<String>> = lines.collect();
@@ -37,9 +43,13 @@ fn columns() -> BTreeMap<String, Vec<f64>> {
     names.iter().enumerate().map(|(index, name)| (name.clone(), column(index))).collect()
 }
 
+fn example(name: &str) -> PathBuf {
+    root().join("examples").join(name)
+}
+
 #[test]
 fn the_pinion_has_its_published_root_stress_and_forces_are_in_equilibrium() {
-    let columns = columns();
+    let columns = columns(&example("spiral_bevel.cx"), &[("fidelity", "medium"), ("steps", "2")]);
     let stress = columns["max_root_stress_pinion"].iter().copied().fold(0.0, f64::max) / PSI;
     assert!((stress / PUBLISHED_STRESS - 1.0).abs() < STRESS_TOLERANCE, "{stress} psi");
     // Both bodies are held by their bearings alone, apart from the torque.
@@ -60,4 +70,60 @@ fn the_pinion_has_its_published_root_stress_and_forces_are_in_equilibrium() {
     }
     assert!(columns["load_share"].iter().all(|share| (0.0..=1.0).contains(share)));
     assert!(columns["transmission_error"].iter().all(|lag| *lag > 0.0), "the gear lags");
+}
+
+/// Without load, elastic teeth touch like rigid ones: their transmission error tends to that of rigid
+/// teeth, within 1 % of its peak to peak value at a ten-thousandth of the torque.
+#[test]
+fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
+    let model = example("spiral_bevel.cx");
+    let error = |given: &[(&str, &str)]| {
+        let given = [given, &[("steps", "3")]].concat();
+        columns(&model, &given).remove("transmission_error").expect("an output")
+    };
+    let rigid = error(&[("fidelity", "rigid")]);
+    let spread = |values: &[f64]| {
+        let [low, high] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of).expect("values"));
+        high - low
+    };
+    let deviation = |torque: &str| {
+        let loaded = error(&[("fidelity", "medium"), ("pinion_torque", torque)]);
+        let off = loaded.iter().zip(&rigid).map(|(loaded, rigid)| (loaded - rigid).abs());
+        off.fold(0.0, f64::max) / spread(&rigid)
+    };
+    let [light, lightest] = ["26 lbf*inch", "0.26 lbf*inch"].map(deviation);
+    assert!(lightest < 0.01, "{lightest}");
+    assert!(lightest < 0.2 * light, "{light} {lightest}");
+}
+
+/// A pair of straight bevel gears with small cone angles has the transmission error and the root
+/// stresses of the spur pair of its mean section within 1 %. The contact pressure is that of the end
+/// where the teeth are smaller, so that its difference is proportional to the angles.
+#[test]
+fn a_bevel_pair_of_small_cone_angles_is_a_spur_pair() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let model = directory.path().join("pair.cx");
+    fs::write(&model, include_str!("bevel_pair/cone_limit.cx")).expect("a file");
+    let pair = |angle: &str| columns(&model, &[("shaft_angle", angle)]);
+    let spur = pair("0 deg");
+    // The cycle of the spur pair also has its characteristic points.
+    let value = |columns: &BTreeMap<String, Vec<f64>>, output: &str, cycle: f64| {
+        let at = columns["cycle"].iter().position(|at| (at - cycle).abs() < 1e-4);
+        columns[output][at.unwrap_or_else(|| panic!("no position {cycle}: {:?}", columns["cycle"]))]
+    };
+    let [wide, narrow] = ["16 deg", "4 deg"].map(|angle| {
+        let bevel = pair(angle);
+        let outputs =
+            ["transmission_error", "max_root_stress_pinion", "max_root_stress_gear", "max_contact_pressure"];
+        outputs.map(|output| {
+            let off = (0..8).map(|index| {
+                let cycle = 0.125 * f64::from(index);
+                (value(&bevel, output, cycle) / value(&spur, output, cycle) - 1.0).abs()
+            });
+            off.fold(0.0, f64::max)
+        })
+    });
+    assert!(narrow[..3].iter().all(|off| *off < 0.01), "{narrow:?}");
+    let ratio = wide[3] / narrow[3];
+    assert!((3.0..5.0).contains(&ratio) && narrow[3] < 0.03, "{wide:?} {narrow:?}");
 }
