@@ -383,6 +383,13 @@ pub struct Function {
     pub span: Span,
 }
 
+impl Function {
+    /// Returns `true` if it is lowered once for each list of types with which it is used.
+    pub fn is_generic(&self) -> bool {
+        !self.scheme.types.is_empty() || !self.scheme.dims.is_empty()
+    }
+}
+
 #[derive(Clone, Debug)]
 pub struct SymbolicBody {
     pub def: DefId,

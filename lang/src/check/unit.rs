@@ -8,14 +8,14 @@ use super::interface::Interface;
 use super::lower::{self, Closure};
 use super::name_resolution::NameTable;
 use super::schemes::ShownScheme;
-use super::tree::{FuncId, RecordId, VarId};
+use super::tree::{FuncId, Function, RecordId, StmtKind, VarId};
 use super::typed::Typed;
 use super::{ModuleData, has_errors, names};
 use crate::diagnostic::Diagnostic;
 use crate::hashed::{HashMap, HashSet};
 use crate::span::Span;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Function of the library that creates a handle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,8 +60,13 @@ pub struct Unit {
     pub records: Vec<RecordKey>,
     /// Diagnostics of names, types and dimensions. Locations refer to the excerpt.
     pub diagnostics: Vec<Diagnostic>,
-    /// Control-flow diagnostics, only of functions without type errors.
-    pub flow: Vec<Diagnostic>,
+    /// Control-flow diagnostics of generic functions without type errors.
+    generic_flow: Vec<Diagnostic>,
+    /// Control-flow diagnostics of the other functions. They are computed on demand: a program
+    /// without errors also finds them when it lowers these functions.
+    plain_flow: OnceLock<Vec<Diagnostic>>,
+    /// The functions without type errors, with their texts; `None` if the unit has no errors.
+    sound: Option<Vec<(FuncId, Span)>>,
     /// Types of variables, params and outputs, as displayed.
     pub types: BTreeMap<String, String>,
     /// Schemes of the functions checked in this unit, as displayed.
@@ -173,34 +178,60 @@ pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit
         closures,
         records,
         diagnostics,
-        flow: Vec::new(),
+        generic_flow: Vec::new(),
+        plain_flow: OnceLock::new(),
+        sound,
         types,
         schemes,
         meanings: meanings.with_uses(uses),
     };
-    unit.flow = match sound {
-        None => {
-            let mut all: Vec<FuncId> = unit.typed.functions.keys().copied().collect();
-            all.sort();
-            lower::flow(&unit, &all)
-        }
-        Some(sound) => flow_of_sound(&unit, &sound),
-    };
+    unit.generic_flow = unit.flow_of(|function| function.is_generic());
     (unit, interfaces)
 }
 
-/// Returns the control-flow diagnostics of well-typed functions, even if the unit has errors
-/// elsewhere.
-fn flow_of_sound(unit: &Unit, sound: &[(FuncId, Span)]) -> Vec<Diagnostic> {
-    let functions: Vec<FuncId> = sound.iter().map(|(id, _)| *id).collect();
-    let mut found = lower::flow(unit, &functions);
-    found.retain(|d| {
-        let at = d.primary.span;
-        let of_flow = ["E02", "W02", "E03"].iter().any(|group| d.code.starts_with(group));
-        let within = |text: &Span| at.file == text.file && at.start >= text.start && at.end <= text.end;
-        of_flow && sound.iter().any(|(_, text)| within(text))
-    });
-    found
+impl Unit {
+    /// Returns the control-flow diagnostics of the functions without type errors.
+    pub fn flow(&self) -> impl Iterator<Item = &Diagnostic> {
+        let plain = self.plain_flow.get_or_init(|| self.flow_of(|function| !function.is_generic()));
+        self.generic_flow.iter().chain(plain)
+    }
+
+    /// Returns the control-flow diagnostics without those of functions that are found when they are
+    /// lowered; `is_lowered` returns `true` for these functions.
+    pub fn flow_besides(&self, is_lowered: impl Fn(FuncId) -> bool) -> impl Iterator<Item = &Diagnostic> {
+        let mut plain = self.typed.functions.iter().filter(|(_, function)| !function.is_generic());
+        let covered = plain.all(|(id, function)| !self.has_flow(*id, function) || is_lowered(*id));
+        let plain = if covered { None } else { Some(self.flow()) };
+        let generic = if covered { self.generic_flow.as_slice() } else { &[] };
+        generic.iter().chain(plain.into_iter().flatten())
+    }
+
+    /// Returns `true` for a function with a control flow: not for functions with only a header, not
+    /// for symbolic functions, and not for a top level that only declares.
+    fn has_flow(&self, id: FuncId, function: &Function) -> bool {
+        let declares = || function.body.iter().all(|statement| matches!(statement.kind, StmtKind::Nothing));
+        !self.foreign.contains_key(&id) && function.definition.is_none() && (id != FuncId(0) || !declares())
+    }
+
+    /// Returns the control-flow diagnostics of some functions, of well-typed ones if the unit has
+    /// errors.
+    fn flow_of(&self, wanted: impl Fn(&Function) -> bool) -> Vec<Diagnostic> {
+        let wanted =
+            |(id, function): &(&FuncId, &Function)| self.has_flow(**id, function) && wanted(function);
+        let mut functions: Vec<FuncId> =
+            self.typed.functions.iter().filter(wanted).map(|(id, _)| *id).collect();
+        functions.sort();
+        let Some(sound) = &self.sound else { return lower::flow(self, &functions) };
+        functions.retain(|id| sound.iter().any(|(sound, _)| sound == id));
+        let mut found = lower::flow(self, &functions);
+        found.retain(|d| {
+            let at = d.primary.span;
+            let of_flow = ["E02", "W02", "E03"].iter().any(|group| d.code.starts_with(group));
+            let within = |text: &Span| at.file == text.file && at.start >= text.start && at.end <= text.end;
+            of_flow && sound.iter().any(|(_, text)| within(text))
+        });
+        found
+    }
 }
 
 /// Returns `true` if a function uses one of the given variables of the enclosing top level, as a

@@ -162,30 +162,37 @@ pub(super) fn checked(db: &dyn salsa::Database, model: Text, library: Library) -
         }
     }
     let linked = Linked::new(kept, &starts);
-    let placed = |of: &dyn Fn(&Unit) -> &[Diagnostic]| -> Vec<Diagnostic> {
-        let each = linked.units().iter().enumerate().flat_map(|(index, unit)| {
-            let places = linked.places(index);
-            let found = of(unit).iter();
-            found
-                .map(|found| places.map_or_else(|| found.clone(), |p| p.diagnostic(found)))
-                .collect::<Vec<_>>()
-        });
-        each.collect()
+    let placed = |index: usize, found: &mut dyn Iterator<Item = &Diagnostic>| -> Vec<Diagnostic> {
+        let places = linked.places(index);
+        found.map(|found| places.map_or_else(|| found.clone(), |p| p.diagnostic(found))).collect()
     };
-    diagnostics.extend(placed(&|unit| &unit.diagnostics));
+    let units = || linked.units().iter().enumerate();
+    diagnostics.extend(units().flat_map(|(index, unit)| placed(index, &mut unit.diagnostics.iter())));
     let mut program = None;
     let sources = files
         .iter()
         .map(|file| SourceFile { name: file.name(db).to_string(), text: file.content(db).clone() });
     let sources: Vec<SourceFile> = sources.collect();
     if diagnostics.iter().all(|d| !d.code.starts_with("E01")) {
-        diagnostics.extend(placed(&|unit| &unit.flow));
-        if !has_errors(&diagnostics) {
-            let facts = facts(db, model);
-            let about = Model { system: facts.system, doc: facts.doc.clone() };
-            let (lowered, mut found) = lower(&linked, about, sources.clone());
-            diagnostics.append(&mut found);
-            program = (!has_errors(&diagnostics)).then_some(lowered);
+        let facts = facts(db, model);
+        let about = Model { system: facts.system, doc: facts.doc.clone() };
+        let lowered = (!has_errors(&diagnostics)).then(|| lower(&linked, about, sources.clone()));
+        match lowered {
+            Some(lowered) if !has_errors(&lowered.diagnostics) => {
+                diagnostics.extend(units().flat_map(|(index, unit)| {
+                    let is_lowered = |function| lowered.functions.contains(&(index, function));
+                    placed(index, &mut unit.flow_besides(is_lowered))
+                }));
+                diagnostics.extend(lowered.diagnostics);
+                program = (!has_errors(&diagnostics)).then_some(lowered.program);
+            }
+            // An error in the control flow comes first: it may cause errors of lowering.
+            lowered => {
+                diagnostics.extend(units().flat_map(|(index, unit)| placed(index, &mut unit.flow())));
+                if !has_errors(&diagnostics) {
+                    diagnostics.extend(lowered.into_iter().flat_map(|lowered| lowered.diagnostics));
+                }
+            }
         }
     }
     diagnostics.sort_by_key(|d| (d.primary.span.file, d.primary.span.start, d.primary.span.end));

@@ -97,8 +97,17 @@ pub struct Model {
     pub doc: String,
 }
 
-/// Returns the typed program and the diagnostics that only lowering finds.
-pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Program, Vec<Diagnostic>) {
+/// The result of lowering.
+pub struct Lowered {
+    pub program: Program,
+    pub diagnostics: Vec<Diagnostic>,
+    /// The lowered functions by unit, without those that were lowered for given types or given
+    /// functions. The diagnostics include those of their control flow.
+    pub functions: HashSet<(usize, FuncId)>,
+}
+
+/// Lowers a program.
+pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> Lowered {
     let mut lowering = Lowering::new(linked);
     lowering.declared_system = model.system;
     lowering.system = model.system.unwrap_or_default();
@@ -127,7 +136,9 @@ pub fn lower(linked: &Linked<'_>, model: Model, files: Vec<SourceFile>) -> (Prog
     if let Some(main) = lowering.program.functions.get_mut(main.0 as usize) {
         main.span = Span::new(FileId(0), 0, text);
     }
-    (lowering.program, lowering.diagnostics)
+    let functions = lowering.instances.into_keys().filter(|(.., passed)| passed.is_empty());
+    let functions = functions.map(|(unit, function, ..)| (unit, function)).collect();
+    Lowered { program: lowering.program, diagnostics: lowering.diagnostics, functions }
 }
 
 /// Returns the closures of the functions of a unit.
