@@ -93,6 +93,10 @@ struct Named {
     params: BTreeSet<u32>,
     /// Functions that are inlined into the expression.
     functions: BTreeSet<FuncId>,
+    /// `true` if the guesses of solutions do not count: a solution, and therefore its derivative,
+    /// does not depend on the guess. At another value of a param, the guess selects one of several
+    /// solutions.
+    without_guesses: bool,
 }
 
 /// The function and the statements that contain the current position.
@@ -352,7 +356,7 @@ impl Dependence {
     /// another value of the symbol.
     pub fn asked(&mut self, question: Question, by: Sym, expr: &Expr, defs: &[Def], span: Span) {
         let Sym::Param(param) = by else { return };
-        let named = Named::of(expr, defs);
+        let named = Named::of(expr, question == Question::Derivative, defs);
         self.asked.push(DependenceQuery { question, param, named, span });
     }
 
@@ -391,7 +395,7 @@ impl Dependence {
         let why = |asked: &DependenceQuery| {
             let param = asked.param;
             let named = asked.named.with_functions(functions, defs);
-            let (values, names) = through_graphs(&named.captured, defs, graphs);
+            let (values, names) = through_graphs(&named, defs, graphs);
             let mut values = values.into_iter().map(Node::Variable);
             let hidden = values.find(|value| self.depends(*value, param, false));
             let hidden = hidden.map(|node| match node {
@@ -424,8 +428,8 @@ type Seen = HashSet<(DefId, Vec<u32>)>;
 const MOST_REPLACED: usize = 2;
 
 impl Named {
-    fn of(e: &Expr, defs: &[Def]) -> Named {
-        let mut named = Named::default();
+    fn of(e: &Expr, without_guesses: bool, defs: &[Def]) -> Named {
+        let mut named = Named { without_guesses, ..Named::default() };
         named.collect(e, defs, &[], &mut HashSet::default());
         named
     }
@@ -465,7 +469,11 @@ impl Named {
             }
             _ => {}
         }
-        e.children().into_iter().for_each(|child| self.collect(child, defs, replaced, seen));
+        let mut parts = e.children();
+        if self.without_guesses && is_solution(e) {
+            parts.remove(0);
+        }
+        parts.into_iter().for_each(|child| self.collect(child, defs, replaced, seen));
     }
 
     /// Adds the params that the named functions use. A function with only a header in the excerpt
@@ -476,7 +484,8 @@ impl Named {
         let mut pending: Vec<FuncId> = self.functions.iter().copied().collect();
         while let Some(id) = pending.pop() {
             let Some(function) = functions.get(&id).filter(|_| seen.insert(id)) else { continue };
-            let (mut inner, mut met) = (Named::default(), Seen::default());
+            let mut inner = Named { without_guesses: self.without_guesses, ..Named::default() };
+            let mut met = Seen::default();
             if let Some(body) = &function.definition {
                 inner.collect(&defs[body.def.0 as usize].expr, defs, &[], &mut met);
             }
@@ -496,19 +505,19 @@ impl Named {
 /// Returns the values captured by an expression and, transitively, by the expressions that it
 /// captures, together with the names of the latter.
 fn through_graphs(
-    captured: &BTreeSet<VarId>,
+    named: &Named,
     defs: &[Def],
     graphs: &RuntimeDefinitions,
 ) -> (BTreeSet<VarId>, BTreeSet<VarId>) {
     let (mut values, mut seen, mut met) = (BTreeSet::new(), Seen::default(), BTreeSet::new());
-    let mut pending: Vec<VarId> = captured.iter().copied().collect();
+    let mut pending: Vec<VarId> = named.captured.iter().copied().collect();
     while let Some(id) = pending.pop() {
         let Some(name) = graphs.captured.get(&id) else {
             values.insert(id);
             continue;
         };
         if met.insert(*name) {
-            let mut found = Named::default();
+            let mut found = Named { without_guesses: named.without_guesses, ..Named::default() };
             for def in graphs.bound.get(name).into_iter().flatten() {
                 found.collect(&defs[def.0 as usize].expr, defs, &[], &mut seen);
             }
@@ -516,6 +525,15 @@ fn through_graphs(
         }
     }
     (values, met)
+}
+
+/// Returns `true` for a solution of an equation or a minimum. Its first operand is the guess.
+fn is_solution(e: &Expr) -> bool {
+    match &e.kind {
+        Kind::Call(call) | Kind::SymbolicCall(call) => call.search.is_some() && !call.arguments.is_empty(),
+        Kind::Applied(applied) => applied.search.is_some() && !applied.arguments.is_empty(),
+        _ => false,
+    }
 }
 
 fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
