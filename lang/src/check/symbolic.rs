@@ -346,7 +346,9 @@ impl<'a> Checker<'a> {
                 if self.compares_values(op, &a) {
                     // Strings and arrays never depend on time, so their comparison is a captured
                     // truth value.
-                    return self.capture(Expr { kind: Kind::Binary(op, a, b), ty, span }, to);
+                    let [a, b] = [a, b].map(|e| self.text_value(*e));
+                    let kind = Kind::Binary(op, Box::new(a), Box::new(b));
+                    return self.capture(Expr { kind, ty, span }, to);
                 }
                 Kind::Binary(op, self.split_box(a, to), self.split_box(b, to))
             }
@@ -422,10 +424,14 @@ impl<'a> Checker<'a> {
         inner
     }
 
-    /// Splits an element of a tuple or record. No expression can use a text in it.
+    /// Splits an element of a tuple or record. A literal text in it is kept for its value.
     fn split_field(&mut self, e: Expr, to: &mut Builder) -> Expr {
-        match self.store.shallow(&e.ty) {
-            Type::String => Expr { kind: Kind::Text(String::new()), ..e },
+        match (&e.kind, self.store.shallow(&e.ty)) {
+            // No argument of a symbolic function can use it.
+            (Kind::Text(_), _) => e,
+            (_, Type::String | Type::Enum(_)) if to.function.is_some() => {
+                Expr { kind: Kind::Text(String::new()), ..e }
+            }
             _ => self.split(e, to),
         }
     }

@@ -374,12 +374,48 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// Converts a text of a `:=` record to its value: that with which the record was bound.
+    pub(super) fn text_value(&self, e: Expr) -> Expr {
+        if let Some(bound) = self.bound_part(&e) {
+            return bound;
+        }
+        let kind = match e.kind {
+            Kind::Def(def) => Kind::Eval(def, None),
+            Kind::TupleElement(base, at) => Kind::TupleElement(Box::new(self.text_value(*base)), at),
+            Kind::Field(base, name) => Kind::Field(Box::new(self.text_value(*base)), name),
+            kind => kind,
+        };
+        Expr { kind, ..e }
+    }
+
+    /// Returns the literal or the captured value that is bound as a part of a `:=` record; `None` if
+    /// the part is another expression.
+    fn bound_part(&self, e: &Expr) -> Option<Expr> {
+        match &e.kind {
+            Kind::Text(_) | Kind::Var(_) => Some(e.clone()),
+            Kind::TupleElement(base, at) => {
+                let mut base = &**base;
+                while let Kind::Def(def) = base.kind {
+                    base = &self.defs[def.0 as usize].expr;
+                }
+                match &base.kind {
+                    Kind::Tuple(all) => self.bound_part(all.get(*at)?),
+                    _ => {
+                        let base = Box::new(self.bound_part(base)?);
+                        Some(Expr { kind: Kind::TupleElement(base, *at), ..e.clone() })
+                    }
+                }
+            }
+            _ => None,
+        }
+    }
+
     fn is_brackets_of_values(&self, ty: &Type) -> bool {
         match self.store.known(ty) {
             // The expression itself.
             Type::Symbolic(inner) => self.is_brackets_of_values(inner),
-            // No expression can use a text of a record.
-            Type::String => true,
+            // No expression can use a text or a choice of a record.
+            Type::String | Type::Enum(_) => true,
             Type::Array(element) => self.is_brackets_of_values(element),
             Type::Tuple(parts) => parts.iter().all(|part| self.is_brackets_of_values(part)),
             Type::Record(id) => self

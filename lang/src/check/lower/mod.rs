@@ -15,6 +15,7 @@ mod jumps;
 mod linked;
 mod observables;
 mod outputs;
+mod record_texts;
 mod relocation;
 mod sequence;
 mod sites;

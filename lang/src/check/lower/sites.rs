@@ -152,7 +152,6 @@ impl Body<'_, '_> {
             Kind::Time => make(SymKind::Time, Repr::Number),
             Kind::Param(id) => make(SymKind::Param(self.lowering.param_number(*id)), self.repr(&e.ty)),
             Kind::Def(def) => self.shared(*def, span, captures),
-            Kind::Var(id) => self.symbolic_variable(*id, &e.ty, span, captures),
             Kind::Eval(def, None) if captures.plain => self.plain_evaluation(*def, e, captures),
             Kind::Call(call) if captures.plain && call.copy_back.is_empty() && call.demands.is_empty() => {
                 self.symbolic_node(&Expr { kind: Kind::SymbolicCall(call.clone()), ..e.clone() }, captures)
@@ -170,14 +169,21 @@ impl Body<'_, '_> {
             },
             Kind::Spline(parts) => self.symbolic_spline(parts, span, captures),
             Kind::Block(bindings, result) => self.symbolic_block(bindings, result, captures),
-            Kind::Field(base, name) => self.symbolic_field(base, name, span, captures),
             // The text of a record, which no expression can use.
             Kind::Text(_) => make(SymKind::Number(f64::NAN), Repr::Number),
+            Kind::Var(id) if self.is_captured_text(*id, captures) => {
+                make(SymKind::Number(f64::NAN), Repr::Number)
+            }
+            Kind::Var(id) => self.symbolic_variable(*id, &e.ty, span, captures),
             Kind::Array(all) | Kind::Tuple(all) => {
                 let all: Vec<_> = all.iter().map(|a| self.symbolic(a, captures)).collect();
                 let repr = Repr::Tuple(all.iter().map(|a| a.repr.clone()).collect());
                 make(SymKind::Brackets(all), repr)
             }
+            Kind::TupleElement(..) | Kind::Field(..) if self.repr(&e.ty) == Repr::String => {
+                make(SymKind::Number(f64::NAN), Repr::Number)
+            }
+            Kind::Field(base, name) => self.symbolic_field(base, name, span, captures),
             Kind::TupleElement(base, at) => {
                 let base = self.symbolic(base, captures);
                 self.element(base, *at, span)
@@ -195,6 +201,11 @@ impl Body<'_, '_> {
             }
             Kind::Unary(op, a) => self.symbolic_unary(*op, a, span, captures),
             Kind::Binary(op, a, b) => {
+                let compares = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
+                if compares && matches!(self.repr(&a.ty), Repr::String | Repr::Tuple(_) | Repr::Array(_)) {
+                    captures.outside = true;
+                    return make(SymKind::Bool(false), Repr::Bool);
+                }
                 let (a, b) = (self.symbolic(a, captures), self.symbolic(b, captures));
                 symbolic_binary(*op, a, b, span)
             }
@@ -249,6 +260,16 @@ impl Body<'_, '_> {
             captures.locals.insert(*hidden, captures.shared.len() as u32 - 1);
         }
         self.shared(def, e.span, captures)
+    }
+
+    /// Returns `true` for a captured text of a record, which no expression can use.
+    fn is_captured_text(&mut self, id: VarId, captures: &Captures) -> bool {
+        let is_known = captures.arguments.contains_key(&id) || captures.locals.contains_key(&id);
+        if captures.plain || is_known {
+            return false;
+        }
+        let local = self.local(id);
+        self.local_repr(local) == Repr::String
     }
 
     /// Returns an argument of the symbolic function, a local of its block, or a captured variable.

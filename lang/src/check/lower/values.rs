@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::elementwise::{absent, declaration};
+use super::record_texts::{as_numbers, has_text};
 use crate::ast::{BinaryOp, UnaryOp};
 use crate::check::expr::component;
 use crate::check::tree::{DefId, Expr, Kind, PassedFunction, Standard, Stmt, Style, TextPart};
@@ -170,8 +171,19 @@ impl Body<'_, '_> {
         ir::Expr { kind: ExprKind::Index(Box::new(base), Box::new(index)), repr, span }
     }
 
+    /// Lowers a record or tuple of which a part of the type `ty` is used.
+    fn whole_of(&mut self, base: &Expr, ty: &Type) -> ir::Expr {
+        match &base.kind {
+            Kind::Eval(def, time) if !has_text(&self.repr(ty)) => {
+                let repr = as_numbers(&self.repr(&base.ty));
+                self.evaluated_numbers(*def, time.as_deref(), repr, base.span)
+            }
+            _ => self.value(base),
+        }
+    }
+
     fn tuple_element(&mut self, base: &Expr, at: usize, ty: &Type, span: Span) -> ir::Expr {
-        let base = self.value(base);
+        let base = self.whole_of(base, ty);
         let repr = match &base.repr {
             Repr::Tuple(parts) => parts.get(at).cloned().unwrap_or(Repr::Number),
             _ => self.repr(ty),
@@ -181,6 +193,13 @@ impl Body<'_, '_> {
 
     /// Lowers the evaluation of a definition at a time, by default 0.
     fn evaluation(&mut self, def: DefId, time: Option<&Expr>, ty: &Type, span: Span) -> ir::Expr {
+        let repr = self.repr(ty);
+        let numbers = self.evaluated_numbers(def, time, as_numbers(&repr), span);
+        if has_text(&repr) { self.with_texts(def, numbers, repr) } else { numbers }
+    }
+
+    /// Lowers the evaluation of a definition; its texts are not evaluated.
+    fn evaluated_numbers(&mut self, def: DefId, time: Option<&Expr>, repr: Repr, span: Span) -> ir::Expr {
         let make = |kind, repr| ir::Expr { kind, repr, span };
         let checker = self.lowering.checker;
         for (argument, demand) in &checker.defs[def.0 as usize].checks {
@@ -201,7 +220,6 @@ impl Body<'_, '_> {
             }
             None => make(ExprKind::Number(0.0), Repr::Number),
         };
-        let repr = self.repr(ty);
         make(ExprKind::EvalSymbolic { value: Box::new(value), time: Box::new(time) }, repr)
     }
 
@@ -292,7 +310,10 @@ impl Body<'_, '_> {
     fn field_value(&mut self, base: &Expr, name: &str, span: Span) -> ir::Expr {
         let make = |kind, repr| ir::Expr { kind, repr, span };
         let field = self.field_of(&base.ty, name);
-        let base = self.value(base);
+        let base = match &field {
+            Some((_, part)) => self.whole_of(base, part),
+            None => self.value(base),
+        };
         match (field, component(name)) {
             (Some((at, part)), _) => make(ExprKind::TupleElement(Box::new(base), at), self.repr(&part)),
             (None, Some(op)) => make(ExprKind::Op(op, vec![base]), Repr::Number),
