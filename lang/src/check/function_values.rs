@@ -341,13 +341,42 @@ impl<'a> Checker<'a> {
             };
             let value = match function {
                 Some(id) => self.function_parameter(id, written.span),
+                None if self.names.spline_points.contains(&variable) => self.captured_spline(written),
                 None => self.expr(written),
             };
+            self.compute_with(id, &value);
             let name = format!("`{}`", self.variable(variable).name);
             self.expect(ty, &value, &name, None);
             values.push(value);
         }
         values
+    }
+
+    /// Requests that an anonymous function computes values like an ordinary function, because it
+    /// captures an array or a text: no symbolic expression has them as parts.
+    fn compute_with(&mut self, id: FuncId, captured: &Expr) {
+        let info = &self.names.functions[id.0 as usize];
+        if let Some(decl) = info.decl.filter(|_| !self.symbolic && info.computed.is_none())
+            && (matches!(self.store.known(&captured.ty), Type::String)
+                || self.has_array(&captured.ty)
+                // Captured by the function around it, too.
+                || self.given.computed.values().any(|place| *place == captured.span))
+        {
+            self.requested.computed.insert(decl.name.span, captured.span);
+        }
+    }
+
+    /// Returns `true` if a value is known to contain an array.
+    fn has_array(&self, ty: &Type) -> bool {
+        match self.store.known(ty) {
+            Type::Array(_) => true,
+            Type::Tuple(parts) => parts.iter().any(|part| self.has_array(part)),
+            Type::Record(id) => {
+                let fields = self.store.record(*id).into_iter().flat_map(|record| &record.fields);
+                fields.into_iter().any(|(_, ty)| self.has_array(ty))
+            }
+            _ => false,
+        }
     }
 
     /// Returns a parameter that is a function as an argument.

@@ -86,11 +86,10 @@ pub struct Checker<'a> {
     pub(super) declaring_param: bool,
     /// Calls that may instantiate a component.
     pub(super) instance_sites: HashSet<Span>,
-    /// Variables and functions, by the location of their name, that have observables although they
-    /// start with numbers.
-    pub(super) given_observables: HashSet<Span>,
-    /// Further ones, which this check has found.
-    pub requested_observables: HashSet<Span>,
+    /// What an earlier check of the same program has requested.
+    pub(super) given: Requests,
+    /// Further requests, which this check has found.
+    pub requested: Requests,
     /// Parameters of components that the default or range of a param uses.
     pub(super) static_parameters: HashSet<VarId>,
     /// Enclosing `switch` statements, innermost last: the value and the cases so far.
@@ -155,15 +154,36 @@ pub struct Checker<'a> {
     reported: HashSet<(String, Span, String)>,
 }
 
+/// What a check must know in advance. If it finds requests, the program is checked again with them.
+#[derive(Clone, Debug, Default)]
+pub struct Requests {
+    /// Variables and functions, by the location of their name, that have observables although they
+    /// start with numbers.
+    pub(super) observables: HashSet<Span>,
+    /// Anonymous functions, by the location of their name, that compute values because they capture
+    /// arrays or texts, and the location of such a value.
+    pub(super) computed: HashMap<Span, Span>,
+}
+
+impl Requests {
+    pub fn is_empty(&self) -> bool {
+        self.observables.is_empty() && self.computed.is_empty()
+    }
+
+    /// Adds further requests.
+    pub fn extend(&mut self, others: Requests) {
+        self.observables.extend(others.observables);
+        self.computed.extend(others.computed);
+    }
+}
+
 impl<'a> Checker<'a> {
-    /// Creates a checker. `given_observables` are those that an earlier check of the same program
-    /// has requested.
-    pub fn new(
-        modules: &'a [ModuleData],
-        names: Names<'a>,
-        layout: &'a Layout,
-        given_observables: HashSet<Span>,
-    ) -> Self {
+    /// Creates a checker. `given` is what an earlier check of the same program has requested.
+    pub fn new(modules: &'a [ModuleData], mut names: Names<'a>, layout: &'a Layout, given: Requests) -> Self {
+        for info in &mut names.functions {
+            let captured = info.decl.and_then(|decl| given.computed.get(&decl.name.span));
+            info.computed = info.computed.or(captured.copied());
+        }
         let groups = recursive_groups(&names.functions);
         let components = (0..).map(FuncId).zip(&names.functions).filter(|(_, info)| info.is_component());
         let components = components.map(|(id, _)| id).collect();
@@ -202,8 +222,8 @@ impl<'a> Checker<'a> {
             fixed_members: HashMap::default(),
             declaring_param: false,
             instance_sites: HashSet::default(),
-            given_observables,
-            requested_observables: HashSet::default(),
+            given,
+            requested: Requests::default(),
             static_parameters: HashSet::default(),
             switches: Vec::new(),
             handlers: 0,

@@ -23,6 +23,8 @@ use crate::span::{FileId, Span};
 use crate::units::Unit;
 use std::collections::BTreeSet;
 
+pub(super) use captured::points_span;
+
 #[derive(Default)]
 struct Scope {
     names: HashMap<String, (Resolution, Span)>,

@@ -104,13 +104,13 @@ impl Checker<'_> {
             ty => matches!(ty, Type::Observable(_)),
         };
         let wanted = number(&self.store.shallow(ty)) && observable(&self.store.shallow(&value.ty));
-        wanted && self.requested_observables.insert(declared)
+        wanted && self.requested.observables.insert(declared)
     }
 
     /// Returns the type of a variable or function that has an observable although it starts as a
     /// number.
     pub(super) fn requested_type(&mut self, declared: Span, value: &Type) -> Option<Type> {
-        if !self.given_observables.contains(&declared) {
+        if !self.given.observables.contains(&declared) {
             return None;
         }
         let observable = Type::Observable(self.store.fresh_dim());

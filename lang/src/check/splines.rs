@@ -5,6 +5,7 @@
 
 use super::constant;
 use super::infer::Checker;
+use super::names::points_span;
 use super::tree::*;
 use super::types::{Store, Type};
 use crate::ast;
@@ -18,27 +19,70 @@ impl<'a> Checker<'a> {
             return Expr::error(span);
         };
         let (across, along) = (self.fresh_number(), self.fresh_number());
-        let [xs, ys] = [(xs, &across, "xs"), (ys, &along, "ys")].map(|(written, ty, name)| {
-            let points = self.as_value(|c| c.whole(written));
-            self.expect(&Type::array(ty.clone()), &points, &format!("`{name}`"), None);
-            points
-        });
+        let abscissas = xs.span;
+        let points = match self.captured_points(points_span(xs, ys), &across, &along) {
+            Some(table) => Err(table),
+            None => Ok(self.points([xs, ys], &across, &along)),
+        };
         let x = self.as_symbolic(|c| c.expr(x));
-        let cause = Some((xs.span, "the spline has these abscissas".to_string()));
+        let cause = Some((abscissas, "the spline has these abscissas".to_string()));
         self.expect(&across, &x, "the argument of the spline", cause);
-        let is_constant = has_constant_points(&xs) && has_constant_points(&ys);
-        let kind = match is_constant {
-            true => Kind::Spline(Box::new([xs, ys, x])),
-            false => {
-                let place = Span { end: ys.span.end, ..xs.span };
-                let table = Kind::Standard(Standard::SplineTable, vec![xs, ys]);
-                let table = Expr { kind: table, ty: Type::number(), span: place };
-                Kind::Op(Op::Spline, vec![table, x])
+        let kind = match points {
+            Ok([xs, ys]) if has_constant_points(&xs) && has_constant_points(&ys) => {
+                Kind::Spline(Box::new([xs, ys, x]))
             }
+            Ok(points) => Kind::Op(Op::Spline, vec![table_of(points), x]),
+            Err(table) => Kind::Op(Op::Spline, vec![table, x]),
         };
         let spline = Expr { kind, ty: along, span };
         if self.symbolic { spline } else { self.evaluate_now(spline, "spline") }
     }
+
+    /// Checks the points of a spline, whose abscissas and ordinates have these types.
+    fn points(&mut self, [xs, ys]: [&'a ast::Expr; 2], across: &Type, along: &Type) -> [Expr; 2] {
+        [(xs, across, "xs"), (ys, along, "ys")].map(|(written, ty, name)| {
+            let points = self.as_value(|c| c.whole(written));
+            self.expect(&Type::array(ty.clone()), &points, &format!("`{name}`"), None);
+            points
+        })
+    }
+
+    /// Returns the table of a spline whose points the current anonymous function captures.
+    fn captured_points(&mut self, points: Span, across: &Type, along: &Type) -> Option<Expr> {
+        let id = *self.names.captured.get(&(self.function, points))?;
+        let ty = Type::Tuple(vec![across.clone(), along.clone()]);
+        let captured = Expr { kind: Kind::Var(id), ty: self.variable_type(id), span: points };
+        self.expect(&ty, &captured, "the points of the spline", None);
+        Some(Expr { kind: Kind::TupleElement(Box::new(captured), 0), ty: Type::number(), span: points })
+    }
+
+    /// Checks the points of a spline that an anonymous function captures. Their value is the number
+    /// of their table; its type has the dimensions of the abscissas and of the ordinates.
+    pub(super) fn captured_spline(&mut self, spline: &'a ast::Expr) -> Expr {
+        let ast::ExprKind::Call { arguments, .. } = &spline.kind else { return Expr::error(spline.span) };
+        let Some([xs, ys, _]) = self.plain("spline", arguments, spline.span, ["xs", "ys", "x"]) else {
+            return Expr::error(spline.span);
+        };
+        let span = points_span(xs, ys);
+        let (across, along) = (self.fresh_number(), self.fresh_number());
+        let ty = Type::Tuple(vec![across.clone(), along.clone()]);
+        // The anonymous function may be inside another one, which captures the points first.
+        if let Some(&id) = self.names.captured.get(&(self.function, span)) {
+            let captured = Expr { kind: Kind::Var(id), ty: self.variable_type(id), span };
+            self.expect(&ty, &captured, "the points of the spline", None);
+            return captured;
+        }
+        let table = Expr { ty: across.clone(), ..table_of(self.points([xs, ys], &across, &along)) };
+        let zero = Expr { kind: Kind::Number(0.0), ty: along, span };
+        Expr { kind: Kind::Tuple(vec![table, zero]), ty, span }
+    }
+}
+
+/// Returns the number of the table of computed points.
+fn table_of([xs, ys]: [Expr; 2]) -> Expr {
+    let span = Span { end: ys.span.end, ..xs.span };
+    let kind = Kind::Standard(Standard::SplineTable, vec![xs, ys]);
+    Expr { kind, ty: Type::number(), span }
 }
 
 /// Returns `true` for brackets of constant numbers, and for invalid points, which are reported.

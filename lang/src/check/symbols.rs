@@ -163,6 +163,8 @@ pub struct Names<'a> {
     pub uses: HashMap<Span, Resolution>,
     /// The parameters for captured expressions, by anonymous function and location.
     pub captured: HashMap<(FuncId, Span), VarId>,
+    /// Those of them that stand for the points of a spline. The captured expression is the spline.
+    pub spline_points: HashSet<VarId>,
     /// Names that are assigned to.
     pub written: HashSet<Span>,
     /// Variables that a statement assigns, wholly or in part.

@@ -3,7 +3,7 @@
 //! A unit is checked in an excerpt of the program. The result refers to other code only by item.
 
 use super::excerpt::{Excerpt, ItemId, Layout, Part, RecordKey};
-use super::infer::Checker;
+use super::infer::{Checker, Requests};
 use super::interface::Interface;
 use super::lower::{self, Closure};
 use super::name_resolution::NameTable;
@@ -12,7 +12,7 @@ use super::tree::{FuncId, Function, RecordId, StmtKind, VarId};
 use super::typed::Typed;
 use super::{ModuleData, has_errors, names};
 use crate::diagnostic::Diagnostic;
-use crate::hashed::{HashMap, HashSet};
+use crate::hashed::HashMap;
 use crate::span::Span;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, OnceLock};
@@ -84,7 +84,8 @@ pub struct Context<'c> {
 }
 
 /// Limit of the repetitions of a check. A repetition is needed if a variable that starts as a
-/// number later receives an observable; few programs need more than one.
+/// number later receives an observable, or if an anonymous function captures an array; few programs
+/// need more than one.
 const MOST_REPETITIONS: usize = 8;
 
 /// A check of the names and types of an excerpt.
@@ -97,13 +98,8 @@ struct CheckedNames<'m> {
 }
 
 impl<'m> CheckedNames<'m> {
-    /// Checks the modules of an excerpt. The variables declared at `observables` have observables.
-    fn of(
-        modules: &'m [ModuleData],
-        layout: &'m Layout,
-        context: &Context<'m>,
-        observables: &HashSet<Span>,
-    ) -> Self {
+    /// Checks the modules of an excerpt. Earlier checks requested what is `given`.
+    fn of(modules: &'m [ModuleData], layout: &'m Layout, context: &Context<'m>, given: &Requests) -> Self {
         let mut names = names::resolve(modules, context.surroundings);
         let diagnostics = std::mem::take(&mut names.diagnostics);
         let (mut functions, mut foreign) = (HashMap::default(), HashMap::default());
@@ -120,7 +116,7 @@ impl<'m> CheckedNames<'m> {
                 }
             }
         }
-        let mut checker = Checker::new(modules, names, layout, observables.clone());
+        let mut checker = Checker::new(modules, names, layout, given.clone());
         checker.handles.extend(context.handles.iter().cloned());
         for (&id, item) in &foreign {
             if let Some(interface) = context.interfaces.get(item) {
@@ -136,14 +132,14 @@ impl<'m> CheckedNames<'m> {
 /// depend on the uses of the functions.
 pub fn check(excerpt: Excerpt, group: &[ItemId], context: &Context<'_>) -> (Unit, Option<Vec<Interface>>) {
     let Excerpt { modules, layout } = excerpt;
-    let mut observables = HashSet::default();
-    let mut checked = CheckedNames::of(&modules, &layout, context, &observables);
+    let mut given = Requests::default();
+    let mut checked = CheckedNames::of(&modules, &layout, context, &given);
     for _ in 0..MOST_REPETITIONS {
-        if checked.checker.requested_observables.is_empty() {
+        if checked.checker.requested.is_empty() {
             break;
         }
-        observables.extend(checked.checker.requested_observables.drain());
-        checked = CheckedNames::of(&modules, &layout, context, &observables);
+        given.extend(std::mem::take(&mut checked.checker.requested));
+        checked = CheckedNames::of(&modules, &layout, context, &given);
     }
     let CheckedNames { mut checker, mut diagnostics, functions, foreign } = checked;
     diagnostics.append(&mut checker.diagnostics);

@@ -29,6 +29,13 @@ impl<'a> Resolver<'a> {
         self.captured(body, id, &mut found);
         let mut variables: HashMap<VarId, VarId> = HashMap::default();
         for value in found {
+            if let Some(points) = self.captured_points(value, id) {
+                let hidden = self.captured_parameter(value, id);
+                self.names.functions[id.0 as usize].captured.push((value, hidden));
+                self.names.captured.insert((id, points), hidden);
+                self.names.spline_points.insert(hidden);
+                continue;
+            }
             let outer = match &value.kind {
                 ExprKind::Name(name) => match self.names.uses.get(&name.span) {
                     Some(Resolution::Var(outer)) => Some(*outer),
@@ -72,7 +79,13 @@ impl<'a> Resolver<'a> {
         }
         let before = found.len();
         let mut parts = Vec::new();
-        Node::Expression(e).children(&mut |child| parts.push(child));
+        match self.captured_points(e, function).and_then(|_| spline_arguments(e)) {
+            Some([_, _, x]) => {
+                found.push(e);
+                parts.push(Node::Expression(x));
+            }
+            None => Node::Expression(e).children(&mut |child| parts.push(child)),
+        }
         while let Some(part) = parts.pop() {
             match part {
                 Node::Expression(part) => self.captured(part, function, found),
@@ -105,6 +118,19 @@ impl<'a> Resolver<'a> {
             );
             self.report(diagnostic);
         }
+    }
+
+    /// Returns the location of the points of a spline if they use variables around the anonymous
+    /// function `function` and none of its own, unlike the argument of the spline.
+    fn captured_points(&self, e: &Expr, function: FuncId) -> Option<Span> {
+        let ExprKind::Call { callee, .. } = &e.kind else { return None };
+        let ExprKind::Name(name) = &callee.kind else { return None };
+        let builtin = self.names.uses.get(&name.span);
+        let [xs, ys, x] = spline_arguments(e)
+            .filter(|_| matches!(builtin, Some(Resolution::Builtin(Builtin::Spline))))?
+            .map(|argument| (argument, self.used(Node::Expression(argument), function)));
+        let captured = (xs.1.outer || ys.1.outer) && !xs.1.own && !ys.1.own && x.1.own;
+        captured.then(|| points_span(xs.0, ys.0))
     }
 
     /// Returns the symbols of a derivative, of a gradient, or of `e at symbol = value`.
@@ -178,6 +204,26 @@ impl<'a> Resolver<'a> {
         }
         at.is_some()
     }
+}
+
+/// Returns the arguments of a call of `spline`, in the order of its parameters.
+fn spline_arguments(e: &Expr) -> Option<[&Expr; 3]> {
+    let ExprKind::Call { arguments, .. } = &e.kind else { return None };
+    let mut found = [None; 3];
+    for (at, argument) in arguments.iter().enumerate() {
+        let at = match &argument.name {
+            Some((name, _)) => ["xs", "ys", "x"].iter().position(|parameter| *parameter == name.name)?,
+            None => at,
+        };
+        *found.get_mut(at).filter(|_| !argument.spread)? = Some(&argument.value);
+    }
+    let [xs, ys, x] = found;
+    Some([xs?, ys?, x?])
+}
+
+/// Returns the location of the points of a spline. It contains a comma, so no expression has it.
+pub(in crate::check) fn points_span(xs: &Expr, ys: &Expr) -> Span {
+    Span { start: xs.span.start.min(ys.span.start), end: xs.span.end.max(ys.span.end), ..xs.span }
 }
 
 /// Returns `true` if an expression may be evaluated where the anonymous function is passed. The
