@@ -40,6 +40,9 @@ struct KnownChunk {
     splits: Arc<Vec<Split>>,
 }
 
+/// The text of a piece and its items.
+type SplitText = (Arc<str>, Arc<Vec<Split>>);
+
 #[salsa::tracked(no_eq)]
 pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
     let content = text.content(db);
@@ -50,7 +53,7 @@ pub(super) fn parts(db: &dyn salsa::Database, text: Text) -> Arc<Vec<Part>> {
         let (written, known) = kept.get_key_value(slice(&placed.range))?;
         Arc::ptr_eq(&known.piece, &placed.piece).then(|| (written.clone(), known.splits.clone()))
     };
-    let mut found: Vec<Option<(Arc<str>, Arc<Vec<Split>>)>> = pieces.iter().map(known).collect();
+    let mut found: Vec<Option<SplitText>> = pieces.iter().map(known).collect();
     let new: Vec<_> = pieces.iter().zip(&mut found).filter(|(_, found)| found.is_none()).collect();
     let threads = threads::for_text(new.iter().map(|(placed, _)| placed.range.len()).sum());
     threads::for_each(new, threads, |(placed, found)| {
