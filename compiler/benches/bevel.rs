@@ -80,7 +80,8 @@ fn repetition(module: &Module, param: &str, counts: [u32; 2]) -> f64 {
 }
 
 fn main() {
-    let row = |what: &str, time: f64, ratio: String| println!("{what:<58} {:>12.4} ms {ratio:>14}", 1e3 * time);
+    let row =
+        |what: &str, time: f64, ratio: String| println!("{what:<58} {:>12.4} ms {ratio:>14}", 1e3 * time);
     let engine = Engine::default();
     let checked = check_text("flank.cx", FLANK);
     let flank = Module::from_checked(&engine, checked).expect("the model compiles");

@@ -194,8 +194,8 @@ fn rounded(value: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Rows of the tables of ISO 1328-1:1995 for d from 50 to 125 mm, m from 2 to 3.5 mm and b from 20
-    /// to 40 mm, grade 6.
+    /// Rows of the tables of ISO 1328-1:1995 for d from 50 to 125 mm, m from 2 to 3.5 mm and b from
+    /// 20 to 40 mm, grade 6.
     #[test]
     fn grade_6_of_1995_has_the_values_of_its_tables() {
         let found = FlankTolerances::new(Edition::Of1995, 6.0, [0.088, 0.003, 0.030]).unwrap();

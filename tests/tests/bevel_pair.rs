@@ -1,6 +1,6 @@
 //! Compares the spiral bevel pair of `examples/spiral_bevel.cx` with published stresses, with the
-//! equilibrium of its forces and with rigid teeth, and straight bevel pairs of small cone angles with
-//! the spur pair of their mean section.
+//! equilibrium of its forces and with rigid teeth, and straight bevel pairs of small cone angles
+//! with the spur pair of their mean section.
 
 use calyx::rt::{ParamAssignment, RunOptions, run};
 use calyx::{Engine, Module, Override, check_file};
@@ -72,8 +72,8 @@ fn the_pinion_has_its_published_root_stress_and_forces_are_in_equilibrium() {
     assert!(columns["transmission_error"].iter().all(|lag| *lag > 0.0), "the gear lags");
 }
 
-/// Without load, elastic teeth touch like rigid ones: their transmission error tends to that of rigid
-/// teeth, within 1 % of its peak to peak value at a ten-thousandth of the torque.
+/// Without load, elastic teeth touch like rigid ones: their transmission error tends to that of
+/// rigid teeth, within 1 % of its peak to peak value at a ten-thousandth of the torque.
 #[test]
 fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
     let model = example("spiral_bevel.cx");
@@ -97,8 +97,8 @@ fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
 }
 
 /// A pair of straight bevel gears with small cone angles has the transmission error and the root
-/// stresses of the spur pair of its mean section within 1 %. The contact pressure is that of the end
-/// where the teeth are smaller, so that its difference is proportional to the angles.
+/// stresses of the spur pair of its mean section within 1 %. The contact pressure is that of the
+/// end where the teeth are smaller, so that its difference is proportional to the angles.
 #[test]
 fn a_bevel_pair_of_small_cone_angles_is_a_spur_pair() {
     let directory = tempfile::tempdir().expect("a directory");

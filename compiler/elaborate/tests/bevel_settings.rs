@@ -70,8 +70,8 @@ const BLANK: [(&str, &str); 8] = [
     ("root_apex", "mm"),
 ];
 
-/// Valid gears: name, process, hand, and all values that are not zero. A value without `concave_` or
-/// `convex_` is that of both flanks.
+/// Valid gears: name, process, hand, and all values that are not zero. A value without `concave_`
+/// or `convex_` is that of both flanks.
 const VALID: [(&str, &str, &str, &str); 6] = [
     (
         "spiral pinion",

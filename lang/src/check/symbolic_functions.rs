@@ -388,8 +388,8 @@ impl<'a> Checker<'a> {
         Expr { kind, ..e }
     }
 
-    /// Returns the literal or the captured value that is bound as a part of a `:=` record; `None` if
-    /// the part is another expression.
+    /// Returns the literal or the captured value that is bound as a part of a `:=` record; `None`
+    /// if the part is another expression.
     fn bound_part(&self, e: &Expr) -> Option<Expr> {
         match &e.kind {
             Kind::Text(_) | Kind::Var(_) => Some(e.clone()),

@@ -246,11 +246,12 @@ pub struct ToothFlanks {
     pub surfaces: [Arc<dyn Surface>; 2],
 }
 
-/// Pitch cone and root of equal teeth in the meridian plane, whose coordinates are the axial position
-/// and the radius, m.
+/// Pitch cone and root of equal teeth in the meridian plane, whose coordinates are the axial
+/// position and the radius, m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToothMeridian {
-    /// Unit vector along the pitch cone, towards the larger radius (the heel). Axial for a cylinder.
+    /// Unit vector along the pitch cone, towards the larger radius (the heel). Axial for a
+    /// cylinder.
     pub along: [f64; 2],
     /// Points of the root at equal distances along the face, in the order of the surface coordinate
     /// `v`.

@@ -1,10 +1,10 @@
 //! Loaded contact patterns of gears on general axes: the largest pressure at each point of a flank
 //! over a run, and the path of contact, the centre of pressure of each tooth pair at each position.
 //!
-//! Points of a flank have the coordinates of its surface, as fractions: `along_face` from one end of
-//! the face to the other, `along_profile` from the fillet over the rounded tip edge. All teeth of a
-//! gear have the same shape and share one pattern. [`crate::flank_tables`] has the positions of
-//! these points on the gear.
+//! Points of a flank have the coordinates of its surface, as fractions: `along_face` from one end
+//! of the face to the other, `along_profile` from the fillet over the rounded tip edge. All teeth
+//! of a gear have the same shape and share one pattern. [`crate::flank_tables`] has the positions
+//! of these points on the gear.
 //!
 //! The complete tables are on disk before the journal records a position. A resumed run starts with
 //! them, and may add a position a second time, which does not change them.
@@ -199,8 +199,8 @@ fn middle(corners: &FlankCorners) -> [f64; 2] {
     [0, 1].map(|k: usize| corners.iter().map(|corner| corner[k]).sum::<f64>() / 4.0)
 }
 
-/// Returns the centre of a point of the pattern, by row and column, as fractions of the ranges along
-/// the face and along the profile.
+/// Returns the centre of a point of the pattern, by row and column, as fractions of the ranges
+/// along the face and along the profile.
 pub fn centre((row, column): (usize, usize)) -> [f64; 2] {
     [(column as f64 + 0.5) / COLUMNS as f64, (row as f64 + 0.5) / ROWS as f64]
 }

@@ -4,13 +4,13 @@
 //! The *lead* of a point of the first flank at a position is the rotation of the second gear that
 //! would bring its flank into contact there, relative to the rotation by the ratio of the teeth, in
 //! the sense in which the flank is pushed. Where the lead is greatest over the flank, the flanks
-//! touch. Where the lead of a point is greatest over the positions, the point meets the surface that
-//! is conjugate to the second flank. Its difference from the greatest lead of all points, times the
-//! arm of the normal, is the ease-off: the normal distance of the flank from that surface
+//! touch. Where the lead of a point is greatest over the positions, the point meets the surface
+//! that is conjugate to the second flank. Its difference from the greatest lead of all points,
+//! times the arm of the normal, is the ease-off: the normal distance of the flank from that surface
 //! (Stadtfeld; Litvin and Fuentes, *Gear Geometry and Applied Theory*, 2004, chapter 9).
 //!
-//! Points have the coordinates of their surface as fractions of its range: along the face, and along
-//! the profile from the fillet over the rounded tip edge.
+//! Points have the coordinates of their surface as fractions of its range: along the face, and
+//! along the profile from the fillet over the rounded tip edge.
 
 use super::Bodies;
 use super::flank_contact::{Driver, FlankContact, Mate, flank_range, nearest};
@@ -263,8 +263,8 @@ impl Search<'_> {
         points.into_iter().map(point).collect()
     }
 
-    /// Smallest normal distance of a point from the second flank over the positions near that of its
-    /// greatest lead, m.
+    /// Smallest normal distance of a point from the second flank over the positions near that of
+    /// its greatest lead, m.
     fn smallest_gap(&self, path: &[UnloadedContact], place: [f64; 2], at: &Conjugate) -> f64 {
         let step = self.pair.bodies.pitches[0] / STEPS as f64;
         let gap =

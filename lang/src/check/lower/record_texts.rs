@@ -31,8 +31,8 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Returns the value of `e`, whose evaluated numbers are known; `None` if a text in it depends on
-    /// more than the binding.
+    /// Returns the value of `e`, whose evaluated numbers are known; `None` if a text in it depends
+    /// on more than the binding.
     fn filled(&mut self, e: &Expr, of: &Def, numbers: ir::Expr, repr: &Repr) -> Option<ir::Expr> {
         if !has_text(repr) {
             return Some(numbers);

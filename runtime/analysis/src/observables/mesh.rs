@@ -148,8 +148,9 @@ impl Observable for MeshStiffness {
     }
 }
 
-/// Returns the stiffness of the active cells about the DOFs, `C' A^-1 C`; `None` if their compliance
-/// is not positive definite, or if the interrupt ends the factorization, whose caller reports it.
+/// Returns the stiffness of the active cells about the DOFs, `C' A^-1 C`; `None` if their
+/// compliance is not positive definite, or if the interrupt ends the factorization, whose caller
+/// reports it.
 fn contact_stiffness(at: &Equilibrium<'_>, active: &[usize]) -> Option<DMatrix<f64>> {
     let (problem, m) = (&at.step.problem, at.system.dofs.len());
     let n = problem.cells();

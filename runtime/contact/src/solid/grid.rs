@@ -39,8 +39,8 @@ pub struct Cell {
     pub gap: f64,
     /// Point of action of the force, m: with [`GridOptions::local_normals`] the middle between both
     /// surfaces at the centre, otherwise the nearest point of the contact line. On involutes on
-    /// parallel axes, the offset of the cell from the contact line and the rotation of its own normal
-    /// cancel.
+    /// parallel axes, the offset of the cell from the contact line and the rotation of its own
+    /// normal cancel.
     pub point: Vector,
     /// Slopes along x and y of the surface between both flanks at the point of action, for the
     /// direction of the force ([`PatchFrame::action`]); zero without
@@ -104,8 +104,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Returns the least [`GridOptions::length`] of a grid that covers this one, m. If a surface ends
-    /// near the closest approach, it is nearly twice the length of the grid.
+    /// Returns the least [`GridOptions::length`] of a grid that covers this one, m. If a surface
+    /// ends near the closest approach, it is nearly twice the length of the grid.
     pub fn centred_length(&self) -> f64 {
         let ends = self.slices.iter().flat_map(|slice| slice.y);
         2.0 * ends.fold(0.0, |farthest: f64, y| farthest.max(y.abs()))

@@ -240,8 +240,8 @@ impl ContactGeometry for Solid<'_> {
         if width.is_none() && length.is_none() {
             return None;
         }
-        // A length is centred at the closest approach. The grid of a surface that ends near it, as in
-        // contact along the whole face, would lose its other half.
+        // A length is centred at the closest approach. The grid of a surface that ends near it, as
+        // in contact along the whole face, would lose its other half.
         let length = length.or(match general {
             true => size.and_then(|[_, length]| length),
             false => Some(present[1]),

@@ -164,8 +164,8 @@ fn loaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
     figure(&picture.plot(), &caption)
 }
 
-/// Returns the paths of the centres of pressure, in the order of the profile: one tooth pair follows
-/// another over the same path.
+/// Returns the paths of the centres of pressure, in the order of the profile: one tooth pair
+/// follows another over the same path.
 fn loaded_paths(mesh: &Mesh<'_>, side: usize) -> Vec<Vec<[f64; 2]>> {
     let place = |point: &PathPoint| match side {
         0 => [point.first_along_face, point.first_along_profile],

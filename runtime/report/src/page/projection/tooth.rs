@@ -71,7 +71,8 @@ impl Tooth {
     }
 
     /// Returns the position of a point of the flank from its fractions along the face and along the
-    /// profile: distance along the pitch cone and height, m. Points beyond the flank are on its ends.
+    /// profile: distance along the pitch cone and height, m. Points beyond the flank are on its
+    /// ends.
     pub fn position(&self, place: [f64; 2]) -> [f64; 2] {
         let counts = [self.nodes.len() - 1, self.nodes[0].len() - 1];
         let [(i, x), (j, y)] = [0, 1].map(|k: usize| {
