@@ -412,8 +412,7 @@ fn cut_gear(
     // A stated shaper cutter replaces the rack.
     let by_rack = normal || matches!(tool, Tool::Rack(_));
     let sizes = [proportions.reference_diameter, normal_module_of(&tool, &helix), given.face_width];
-    let tolerances = given.accuracy.map(|(grade, edition)| FlankTolerances::new(edition, grade, sizes));
-    let tolerances = tolerances.transpose().map_err(|error| report(host, error))?;
+    let tolerances = tolerances_of(given.accuracy, sizes).map_err(|error| report(host, error))?;
     let drawing = StatedData {
         rack: if by_rack { rack.name } else { Some("shaper cutter") },
         heights: by_rack.then_some([rack.addendum, rack.dedendum]),
@@ -436,6 +435,14 @@ fn cut_gear(
         gear
     });
     keep_gear(host, cut, (tool.module(), stated_module(&given.modules), far), place)
+}
+
+/// Tolerances of an accuracy grade for the reference diameter, normal module and face width, m.
+fn tolerances_of(
+    accuracy: Option<(f64, Edition)>,
+    sizes: [f64; 3],
+) -> Result<Option<FlankTolerances>, GeometryError> {
+    accuracy.map(|(grade, edition)| FlankTolerances::new(edition, grade, sizes)).transpose()
 }
 
 /// Normal module of a tool, m.
