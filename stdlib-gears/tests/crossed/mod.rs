@@ -124,6 +124,51 @@ fn the_work_at_both_shafts_is_equal() {
     assert!(error.abs() < 2e-5, "{error:e}");
 }
 
+/// State of the pair at a position.
+struct State {
+    /// Torque on the second gear over that of the ratio of the teeth, minus 1.
+    torque_excess: f64,
+    /// Strain energy of the contact problem, J.
+    energy: f64,
+    /// Transmission error, rad.
+    transmission_error: f64,
+}
+
+/// The powers of both shafts differ by the rate of the strain energy: with the angle `a` of the first
+/// gear, the ratio `i` of the teeth, the transmission error `e` and the energy `U`, the torques obey
+/// `T2 / (i T1) = 1 + i de/da - dU/(T1 da)`. The error is that of the neglected slopes across a patch,
+/// of second order in its half-width, so that it decreases with the power 2/3 of the torque.
+#[test]
+fn powers_and_strain_energy_are_balanced() {
+    for (torque, bound) in [(2.0, 6e-6), (0.1, 1e-6)] {
+        let options = Options { torque, ..Options::default() };
+        let (scene, mesh) = options.scene();
+        let system = built(&scene, MEDIUM, StructureOptions::default());
+        let ratio = f64::from(TEETH[1]) / f64::from(TEETH[0]);
+        let state = |part: f64| {
+            let step = system.solve(mesh.start + part * mesh.period).expect("it can be solved");
+            let [.., x, y, z] = system.contact_force(&step, SECOND);
+            let transferred = -dot([x, y, z], options.second_axis());
+            let forces: Vec<f64> = step.patches.iter().flat_map(|patch| patch.forces.clone()).collect();
+            let rows = step.problem.compliance.chunks(forces.len());
+            let deflection = |row: &[f64]| row.iter().zip(&forces).map(|(c, force)| c * force).sum::<f64>();
+            State {
+                torque_excess: transferred / (torque * ratio) - 1.0,
+                energy: rows.zip(&forces).map(|(row, force)| 0.5 * force * deflection(row)).sum(),
+                transmission_error: system.value(&step, &TransmissionError(MESH)).value,
+            }
+        };
+        for (part, step) in [(0.15, 0.01), (0.5, 0.01)] {
+            let [before, middle, after] = [part - step, part, part + step].map(state);
+            let angle = 2.0 * step * std::f64::consts::TAU / f64::from(TEETH[0]);
+            let lag = ratio * (after.transmission_error - before.transmission_error) / angle;
+            let stored = (after.energy - before.energy) / (torque * angle);
+            let error = middle.torque_excess - lag + stored;
+            assert!(error.abs() < bound, "{torque} N m at {part}: {error:e}");
+        }
+    }
+}
+
 #[test]
 fn the_pressure_is_hertz_s() {
     for helix in [[0.9, 0.67], [0.3, 0.25]] {
