@@ -62,6 +62,9 @@ pub struct UnloadedRow {
     pub second_body: String,
     /// `drive` or `coast`.
     pub flank: String,
+    /// Pitch angle of the first gear, rad: other tooth pairs are in the same contact this angle later
+    /// or earlier.
+    pub pitch: f64,
     /// Rotation of the first gear in its drive sense from time 0, rad.
     pub rotation: f64,
     /// Rotation by which the second gear lags, rad, if this tooth pair alone is in contact.

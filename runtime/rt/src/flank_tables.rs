@@ -85,6 +85,7 @@ fn unloaded_rows(pair: &FlankPair, topography: &Topography) -> Vec<UnloadedRow> 
             first_body: pair.names[0].clone(),
             second_body: pair.names[1].clone(),
             flank: flank_name(pair),
+            pitch: topography.pitch,
             rotation: contact.rotation,
             transmission_error: contact.transmission_error,
             touches: contact.touches,

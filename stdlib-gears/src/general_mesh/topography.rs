@@ -27,10 +27,15 @@ const BEYOND: f64 = 1.25;
 /// other flank may end slightly before.
 const INSET: f64 = 0.005;
 /// Numbers of points of an ease-off along the face and along the profile.
-pub const EASE_OFF_POINTS: [usize; 2] = [33, 25];
+pub const EASE_OFF_POINTS: [usize; 2] = [25, 17];
 /// Pitches on both sides of the first contact among which the conjugate position of a point is
 /// searched, and steps per pitch of the search.
 const SEARCH: [f64; 2] = [2.5, 8.0];
+/// Leads that differ by less are equal: conjugate pairs touch together, rad.
+const TOGETHER: f64 = 1e-9;
+/// Positions on both sides of the conjugate one at which the gap is evaluated, and their distance in
+/// steps of the path.
+const GAPS: [usize; 2] = [6, 2];
 /// Neighbouring tooth pairs that are compared.
 const NEIGHBOURS: i32 = 4;
 
@@ -66,6 +71,8 @@ pub struct EaseOffPoint {
 /// Ease-off and unloaded contact of one pair of flanks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topography {
+    /// Pitch angle of the first gear, rad.
+    pub pitch: f64,
     /// Path of contact of one tooth pair.
     pub path: Vec<UnloadedContact>,
     /// Points of the ease-off with their column along the face and row along the profile. Points
@@ -151,7 +158,7 @@ impl FlankPair {
         let ends = self.bodies.path(self.surfaces, self.phases[0], sense, &touching).ends;
         let path = search.path(ends.unwrap_or([-0.5 * pitch, 0.5 * pitch]), &touching.contact);
         let ease_off = search.ease_off(&path);
-        Some(Topography { path, ease_off })
+        Some(Topography { pitch, path, ease_off })
     }
 
     /// Coordinates of a point on the surface of a side, as fractions.
@@ -185,7 +192,7 @@ impl Search<'_> {
         let low = (begin / step - beyond).floor() as i32;
         let high = (end / step + beyond).ceil() as i32;
         let mut found: Vec<(i32, UnloadedContact)> = Vec::new();
-        let middle = (0.5 * (low + high) as f64) as i32;
+        let middle = (low + high) / 2;
         let range: [Vec<i32>; 2] = [(middle..=high).collect(), (low..middle).rev().collect()];
         for steps in range {
             let mut place = start.place;
@@ -212,7 +219,7 @@ impl Search<'_> {
             contact.touches = others.all(|pair| {
                 errors
                     .get(&(*k + pair * STEPS as i32))
-                    .is_none_or(|other| *other >= contact.transmission_error)
+                    .is_none_or(|other| *other >= contact.transmission_error - TOGETHER)
             });
         }
         found.into_iter().map(|(_, contact)| contact).collect()
@@ -266,13 +273,14 @@ impl Search<'_> {
     /// Smallest normal distance of a point from the second flank over the positions near that of
     /// its greatest lead, m.
     fn smallest_gap(&self, path: &[UnloadedContact], place: [f64; 2], at: &Conjugate) -> f64 {
-        let step = self.pair.bodies.pitches[0] / STEPS as f64;
+        let [count, steps] = GAPS;
+        let step = self.pair.bodies.pitches[0] * steps as f64 / STEPS as f64;
         let gap =
             |one: &Conjugate| Some(((self.carried(path, one.rotation)? - one.lead) * one.arm.abs()).max(0.0));
         let mut smallest = gap(at).unwrap_or(f64::INFINITY);
         for sense in [-1.0, 1.0] {
             let mut guess = at.mate;
-            for k in 1..=STEPS / 2 {
+            for k in 1..=count {
                 let rotation = at.rotation + sense * k as f64 * step;
                 let Some(one) = self.lead_of(place, rotation, Some(guess)) else { break };
                 guess = one.mate;

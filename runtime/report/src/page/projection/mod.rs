@@ -22,7 +22,7 @@ const MARKING: f64 = 6.35e-6;
 /// Number of contour lines.
 const CONTOURS: usize = 8;
 /// Parts into which a cell of the ease-off is divided along either coordinate for its colours.
-const PARTS: usize = 2;
+const PARTS: usize = 3;
 /// Part of a point of a pattern by which its drawing overlaps its neighbours, so that no gaps are
 /// visible.
 const OVERLAP: f64 = 0.12;
@@ -300,12 +300,7 @@ fn transmission_error(mesh: &Mesh<'_>) -> Plot {
     let microradians = |row: &UnloadedRow| 1e6 * row.transmission_error;
     let touching: Vec<&&UnloadedRow> = mesh.unloaded.iter().filter(|row| row.touches).collect();
     let (Some(first), Some(last)) = (touching.first(), touching.last()) else { return Plot::default() };
-    let pitch = last.rotation - first.rotation;
-    let steps = touching.len();
-    if steps < 2 {
-        return Plot::default();
-    }
-    let period = pitch * steps as f64 / (steps - 1) as f64;
+    let period = first.pitch;
     let error = |row: &&UnloadedRow| microradians(row);
     let (low, high) = touching
         .iter()
@@ -328,7 +323,8 @@ fn transmission_error(mesh: &Mesh<'_>) -> Plot {
             off: None,
         })
         .collect();
-    let together: Vec<(f64, f64)> = (-1..=1).flat_map(|pair| shifted(pair, false)).collect();
+    let mut together: Vec<(f64, f64)> = (-1..=1).flat_map(|pair| shifted(pair, false)).collect();
+    together.sort_by(|a, b| a.0.total_cmp(&b.0));
     all.push(Curve { name: "pair that touches".into(), colour: 1, points: together, off: None });
     let x = Axis { what: "rotation of the first gear", unit: "deg" };
     curves(TALL, &x, &Axis { what: "transmission error", unit: "urad" }, &all, &[])

@@ -120,6 +120,7 @@ fn run(left: bool) -> Run {
         first_body: "pinion".into(),
         second_body: "gear".into(),
         flank: "drive".into(),
+        pitch: 0.26,
         rotation: 0.02 * f64::from(k),
         transmission_error: 1e-6 * f64::from(k * k),
         touches: k.abs() <= 6,
