@@ -19,6 +19,8 @@ use tooth::Tooth;
 
 /// Layer thickness of a marking compound, m: the usual 6.35 um (0.25 thousandths of an inch).
 const MARKING: f64 = 6.35e-6;
+/// Ease-off below which flanks are conjugate, um: the accuracy of their interpolation.
+const CONJUGATE: f64 = 0.1;
 /// Number of contour lines.
 const CONTOURS: usize = 8;
 /// Parts into which a cell of the ease-off is divided along either coordinate for its colours.
@@ -213,6 +215,8 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
     };
     let (ease_off, gap) = (field(|row| row.ease_off), field(|row| row.gap));
     let largest = ease_off.iter().flatten().flatten().map(|node| node.value).fold(0.0, f64::max);
+    // The rest is rounding. The path of a contact line is not unique.
+    let is_conjugate = largest < CONJUGATE;
     let patches = patches(&ease_off);
     let marking = 1e6 * MARKING;
     let mut legend = vec![
@@ -222,25 +226,31 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
     if mesh.unloaded.iter().any(|row| row.touches && row.edge) {
         legend.push((EDGE, "contact of an edge".to_owned()));
     }
+    if is_conjugate {
+        legend.clear();
+    }
     let picture = Picture {
         tooth,
         patches,
         on_edges: Vec::new(),
-        scale: (largest, Axis { what: "ease-off", unit: "um" }),
-        contours: Some((&ease_off, levels(largest, CONTOURS))),
+        scale: (largest.max(CONJUGATE), Axis { what: "ease-off", unit: "um" }),
+        contours: (!is_conjugate).then(|| (&ease_off, levels(largest, CONTOURS))),
         boundary: Some((&gap, marking)),
-        paths: unloaded_paths(mesh, side),
+        paths: if is_conjugate { Vec::new() } else { unloaded_paths(mesh, side) },
         marked: false,
         length: units.length,
         legend,
     };
-    let caption = format!(
+    let mut caption = format!(
         "Ease-off and contact without load on the {} of {}. The ease-off is the normal distance of the flank of {} from the surface that is conjugate to the flank of {}.",
         tooth.describe(),
         tooth.body,
         mesh.teeth[0].body,
         mesh.teeth[1].body
     );
+    if is_conjugate {
+        caption += " These flanks are conjugate: without load they touch along lines, everywhere on the coloured area.";
+    }
     figure(&picture.plot(), &caption)
 }
 

@@ -240,6 +240,18 @@ fn left_and_right_hands_have_the_same_pictures() {
     }
 }
 
+/// Contour lines and paths of rounding errors are not drawn.
+#[test]
+fn conjugate_flanks_have_a_plain_picture() {
+    let mut run = run(false);
+    run.flanks.ease_off.iter_mut().for_each(|row| (row.ease_off, row.gap) = (1e-6 * row.ease_off, 0.0));
+    let page = text(&run);
+    // The caption is also the text for screen readers.
+    assert_eq!(page.matches("These flanks are conjugate").count(), 4);
+    assert!(!page.contains("path of contact without load"));
+    assert!(page.contains("ease-off [um]"));
+}
+
 #[test]
 fn runs_of_parallel_axes_have_no_section() {
     let mut run = run(false);
