@@ -62,8 +62,8 @@ pub struct UnloadedRow {
     pub second_body: String,
     /// `drive` or `coast`.
     pub flank: String,
-    /// Pitch angle of the first gear, rad: other tooth pairs are in the same contact this angle later
-    /// or earlier.
+    /// Pitch angle of the first gear, rad: other tooth pairs are in the same contact this angle
+    /// later or earlier.
     pub pitch: f64,
     /// Rotation of the first gear in its drive sense from time 0, rad.
     pub rotation: f64,

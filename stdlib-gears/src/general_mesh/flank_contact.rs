@@ -207,7 +207,7 @@ impl<'a> Mate<'a> {
     /// Returns the rotation to a point of the first flank, near a guess on this flank; `None` if
     /// this flank ends before, or faces the same way.
     pub fn ray_at(&self, driver: &Driver<'_>, place: [f64; 2], guess: Option<[f64; 2]>) -> Option<PointRay> {
-        let Ray { contact, mate, arm, .. } = self.ray(driver, place, guess)?;
+        let Ray { contact, mate, arm, .. } = self.ray(driver, place, guess, SETTLED)?;
         Some(PointRay { rotation: contact.rotation, mate, arm })
     }
 

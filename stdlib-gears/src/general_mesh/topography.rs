@@ -33,8 +33,8 @@ pub const EASE_OFF_POINTS: [usize; 2] = [25, 17];
 const SEARCH: [f64; 2] = [2.5, 8.0];
 /// Leads that differ by less are equal: conjugate pairs touch together, rad.
 const TOGETHER: f64 = 1e-9;
-/// Positions on both sides of the conjugate one at which the gap is evaluated, and their distance in
-/// steps of the path.
+/// Positions on both sides of the conjugate one at which the gap is evaluated, and their distance
+/// in steps of the path.
 const GAPS: [usize; 2] = [6, 2];
 /// Neighbouring tooth pairs that are compared.
 const NEIGHBOURS: i32 = 4;

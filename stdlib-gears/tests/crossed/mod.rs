@@ -134,10 +134,11 @@ struct State {
     transmission_error: f64,
 }
 
-/// The powers of both shafts differ by the rate of the strain energy: with the angle `a` of the first
-/// gear, the ratio `i` of the teeth, the transmission error `e` and the energy `U`, the torques obey
-/// `T2 / (i T1) = 1 + i de/da - dU/(T1 da)`. The error is that of the neglected slopes across a patch,
-/// of second order in its half-width, so that it decreases with the power 2/3 of the torque.
+/// The powers of both shafts differ by the rate of the strain energy: with the angle `a` of the
+/// first gear, the ratio `i` of the teeth, the transmission error `e` and the energy `U`, the
+/// torques obey `T2 / (i T1) = 1 + i de/da - dU/(T1 da)`. The error is that of the neglected slopes
+/// across a patch, of second order in its half-width, so that it decreases with the power 2/3 of
+/// the torque.
 #[test]
 fn powers_and_strain_energy_are_balanced() {
     for (torque, bound) in [(2.0, 6e-6), (0.1, 1e-6)] {

@@ -12,7 +12,7 @@ use super::contact_line::{ContactLine, ends_along, relative_curvature};
 use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
+use super::transverse_approach::{SurfaceEnd, closest_across, limits};
 use crate::grid::{Edge, cell_bounds};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
 use calyx_numerics::error::EngineError;
@@ -37,14 +37,12 @@ pub struct Cell {
     /// Average separation of the undeformed surfaces along the normal of the frame, m; negative for
     /// overlap.
     pub gap: f64,
-    /// Point of action of the force, m: with [`GridOptions::local_normals`] the middle between both
-    /// surfaces at the centre, otherwise the nearest point of the contact line. On involutes on
-    /// parallel axes, the offset of the cell from the contact line and the rotation of its own
-    /// normal cancel.
+    /// Point of action of the force, m: the nearest point of the contact line. The offset of the
+    /// cell from the contact line and the rotation of its own normal are neglected together; on
+    /// involutes they cancel, and on other conjugate flanks they do to first order.
     pub point: Vector,
-    /// Slopes along x and y of the surface between both flanks at the point of action, for the
-    /// direction of the force ([`PatchFrame::action`]); zero without
-    /// [`GridOptions::local_normals`].
+    /// Slopes along x and y of the surface between both flanks there, for the direction of the
+    /// force ([`PatchFrame::action`]); zero without [`GridOptions::local_normals`].
     pub slope: [f64; 2],
     /// True if either surface is on its rounded edge here.
     pub edge: bool,
@@ -503,10 +501,10 @@ impl Layer<'_> {
         let spans = [span(0), span(1)];
         let (point, slope) = match self.local_normals {
             true => {
-                let height = 0.5 * (feet[0].height + feet[1].height);
-                let point = plus(self.frame.at(center), scaled(self.frame.normal, height));
-                let end = closest_across(&self.height_fields, center[1], places)?.end;
-                (point, TransverseApproach { feet, end }.common_slope())
+                let closest = closest_across(&self.height_fields, center[1], places)?;
+                let height = 0.5 * (closest.feet[0].height + closest.feet[1].height);
+                let point = self.frame.at([closest.at()[0], center[1]]);
+                (plus(point, scaled(self.frame.normal, height)), closest.common_slope())
             }
             false => (self.frame.at([self.snapped(contact_line), center[1]]), [0.0; 2]),
         };
