@@ -185,7 +185,7 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
         width = farthest.map(|farthest| (2.0 * MARGIN * farthest).min(0.5 * grid.extent[0]));
     }
     report.recommended[0] = width;
-    let along = judge(&lengths(grid), &peaks, grid.surface_ends, grid.centred_length());
+    let along = judge(&lengths(grid), &peaks, grid.surface_ends, grid.correctable_length());
     report.truncated[1] = along.truncated;
     report.under_resolved[1] = along.under_resolved;
     if along.truncated || along.under_resolved {
@@ -216,7 +216,7 @@ pub fn fitting_size(grid: &Grid, pressures: &[f64]) -> [Option<f64>; 2] {
     [0, 1].map(|k: usize| {
         // The outermost loaded cells are loaded on a part of them only.
         let fitting = 2.0 * MARGIN * (reach[k] - 0.5 * cell[k]);
-        let present = [grid.extent[0], grid.centred_length()][k];
+        let present = [grid.extent[0], grid.correctable_length()][k];
         (fitting > 0.0 && fitting < LEAST_LOADED_PART * MARGIN * present).then_some(fitting)
     })
 }

@@ -24,9 +24,9 @@ const WORTH_LOADING: f64 = 0.1;
 /// compliance, the compliance itself, and the factor of the active set.
 const MATRICES: u64 = 4;
 /// Maximum number of corrections of grid sizes at a position.
-const REGRIDS: usize = 6;
-/// Number of the last corrections, which only enlarge grids: pressures on a truncated grid are too
-/// high, and a correction that makes a grid smaller could truncate it.
+const REGRIDS: usize = 3;
+/// Maximum number of further corrections on general axes, which only enlarge grids: pressures on a
+/// truncated grid are too high, and a correction that makes a grid smaller could truncate it.
 const GROWTHS: usize = 3;
 
 /// Coupling of modal coordinates, which are eliminated, to the cells of a contact problem.
@@ -56,7 +56,9 @@ impl<S: ContactGeometry> Solver<'_, S> {
         }
         let mut sizes = vec![None; candidates.len()];
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
-        let mut rounds = REGRIDS;
+        let may_grow = candidates.iter().any(|candidate| self.space.may_grow(candidate));
+        let growths = if may_grow { GROWTHS } else { 0 };
+        let mut rounds = REGRIDS + growths;
         let (grids, drags, mut problem, modal, solution) = loop {
             let grids = candidates
                 .iter()
@@ -75,7 +77,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 candidates,
                 (&grids[..], &sizes[..]),
                 &solution.forces,
-                rounds <= GROWTHS,
+                rounds <= growths,
             );
             if rounds == 0 || better.iter().all(Option::is_none) {
                 break (grids, drags, problem, modal, solution);
@@ -206,6 +208,9 @@ impl<S: ContactGeometry> Solver<'_, S> {
         laid.map(|((candidate, grid), &size)| {
             let (own, others) = rest.split_at(self.space.count(grid));
             rest = others;
+            if grow_only && !self.space.may_grow(candidate) {
+                return None;
+            }
             self.space.corrected_grid_size(candidate, grid, size, own, wide)
         })
         .collect()

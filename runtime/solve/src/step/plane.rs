@@ -196,6 +196,10 @@ impl ContactGeometry for Plane<'_> {
         Ok(growth)
     }
 
+    fn may_grow(&self, _: &Candidate<Site>) -> bool {
+        false
+    }
+
     fn corrected_grid_size(
         &self,
         candidate: &Candidate<Site>,

@@ -213,6 +213,10 @@ impl ContactGeometry for Solid<'_> {
         first_guess(problem, &grids.iter().collect::<Vec<_>>(), &self.system.interrupt)
     }
 
+    fn may_grow(&self, candidate: &Candidate<Site>) -> bool {
+        has_local_normals(self.pair(candidate))
+    }
+
     fn corrected_grid_size(
         &self,
         candidate: &Candidate<Site>,
@@ -230,7 +234,7 @@ impl ContactGeometry for Solid<'_> {
             asked = fitting_size(grid, &pressures);
         }
         let general = has_local_normals(self.pair(candidate));
-        let present = [grid.extent[0], if general { grid.centred_length() } else { grid.extent[1] }];
+        let present = [grid.extent[0], grid.correctable_length()];
         if general {
             // An extrapolation from the pressure next to an edge is no estimate of the size.
             asked = [0, 1].map(|k: usize| asked[k].map(|size| size.min(MOST_GROWTH * present[k])));
@@ -272,6 +276,7 @@ impl ContactGeometry for Solid<'_> {
             half_counts: [0; 2],
             surface_ends: [false; 2],
             unit_half_width: 0.0,
+            local_normals: has_local_normals(self.pair(candidate)),
         };
         let (grid, forces) = laid.unwrap_or_else(|| (empty(), Vec::new()));
         ContactPatch {
