@@ -22,8 +22,6 @@ const STEPS: usize = 60;
 const DIFFERENCE: f64 = 1e-6;
 /// Step of a coordinate, relative to its range, at which an iteration ends.
 const SETTLED: f64 = 1e-13;
-/// The same while a start is searched: starts are compared only.
-const SETTLED_ROUGHLY: f64 = 1e-4;
 /// Part of its range by which a coordinate may be outside: rounding.
 const ROUNDING: f64 = 1e-9;
 /// Margin of the radial and axial range of the second flank in the search for near teeth, relative
@@ -123,10 +121,10 @@ impl<'a> Mate<'a> {
         Mate { surface, range, pushed: -outward.signum(), samples, reach }
     }
 
-    /// Returns the coordinates of the point with this radius and axial position, to a step relative
-    /// to the ranges; `None` if the flank ends before.
-    fn partner(&self, target: [f64; 2], guess: Option<[f64; 2]>, settled: f64) -> Option<[f64; 2]> {
-        let distance = |at: &[f64; 2]| (at[0] - target[0]).powi(2) + (at[1] - target[1]).powi(2);
+    /// Returns the coordinates of the point with this radius and axial position; `None` if the
+    /// flank ends before.
+    fn partner(&self, target: [f64; 2], guess: Option<[f64; 2]>) -> Option<[f64; 2]> {
+        let distance = |at: &[f64; 2]| (at[0] - target[0]).hypot(at[1] - target[1]);
         let mut place = match guess {
             Some(guess) => guess,
             None => {
@@ -141,7 +139,7 @@ impl<'a> Mate<'a> {
         for _ in 0..STEPS {
             let point = self.surface.at(place[0], place[1]);
             let [x, y, z] = point.position;
-            let radius = (x * x + y * y).sqrt();
+            let radius = x.hypot(y);
             let short = [target[0] - radius, target[1] - z];
             let radial = point.tangents.map(|[tx, ty, _]| (x * tx + y * ty) / radius);
             let axial = point.tangents.map(|[.., tz]| tz);
@@ -154,7 +152,7 @@ impl<'a> Mate<'a> {
             if !size.is_finite() {
                 return None;
             }
-            if size <= settled || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
+            if size <= SETTLED || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
                 let inside = |k: usize| {
                     let margin = ROUNDING * spans[k];
                     (self.range[k][0] - margin..=self.range[k][1] + margin).contains(&place[k])
@@ -177,17 +175,11 @@ impl<'a> Mate<'a> {
 
     /// Returns the rotation to a point of the first flank; `None` if this flank has no point with
     /// its radius and axial position, or faces the same way.
-    fn ray(
-        &self,
-        driver: &Driver<'_>,
-        place: [f64; 2],
-        guess: Option<[f64; 2]>,
-        settled: f64,
-    ) -> Option<Ray> {
+    fn ray(&self, driver: &Driver<'_>, place: [f64; 2], guess: Option<[f64; 2]>) -> Option<Ray> {
         let own = driver.surface.at(place[0], place[1]);
         let (point, normal) = (driver.pose.point(own.position), driver.pose.direction(own.normal));
         let [x, y, z] = point;
-        let mate = self.partner([(x * x + y * y).sqrt(), z], guess, settled)?;
+        let mate = self.partner([x.hypot(y), z], guess)?;
         let other = self.surface.at(mate[0], mate[1]);
         let [ox, oy, _] = other.position;
         // The angle between the two radii, to rounding also where it is small.
@@ -207,7 +199,7 @@ impl<'a> Mate<'a> {
     /// Returns the rotation to a point of the first flank, near a guess on this flank; `None` if
     /// this flank ends before, or faces the same way.
     pub fn ray_at(&self, driver: &Driver<'_>, place: [f64; 2], guess: Option<[f64; 2]>) -> Option<PointRay> {
-        let Ray { contact, mate, arm, .. } = self.ray(driver, place, guess, SETTLED)?;
+        let Ray { contact, mate, arm, .. } = self.ray(driver, place, guess)?;
         Some(PointRay { rotation: contact.rotation, mate, arm })
     }
 
@@ -234,13 +226,8 @@ impl<'a> Mate<'a> {
             return None;
         }
         let mut best: Option<Ray> = None;
-        let mut neighbour = None;
         for place in grid(flank_range(driver.surface)) {
-            // The point of the neighbour is a close start, unless the grid begins a new line.
-            let near = neighbour.and_then(|mate| self.ray(driver, place, Some(mate), SETTLED_ROUGHLY));
-            let ray = near.or_else(|| self.ray(driver, place, None, SETTLED_ROUGHLY));
-            neighbour = ray.as_ref().map(|ray| ray.mate);
-            let Some(ray) = ray else { continue };
+            let Some(ray) = self.ray(driver, place, None) else { continue };
             let further = |best: &Ray| {
                 let rotation = nearest(ray.contact.rotation, best.contact.rotation, TAU);
                 self.pushed * (rotation - best.contact.rotation) > 0.0
@@ -249,14 +236,12 @@ impl<'a> Mate<'a> {
                 best = Some(ray);
             }
         }
-        let best = best?;
-        let start = self.ray(driver, best.contact.place, Some(best.mate), SETTLED);
-        Some(self.climb(driver, start?))
+        Some(self.climb(driver, best?))
     }
 
     /// Returns the contact near one at a neighbouring position.
     pub fn contact_near(&self, driver: &Driver<'_>, place: [f64; 2]) -> Option<FlankContact> {
-        let start = self.ray(driver, place, None, SETTLED)?;
+        let start = self.ray(driver, place, None)?;
         Some(self.climb(driver, start))
     }
 
@@ -278,7 +263,7 @@ impl<'a> Mate<'a> {
                 [inward, -inward].into_iter().find_map(|sense| {
                     let mut moved = place;
                     moved[k] += sense * DIFFERENCE * spans[k];
-                    let there = slope(&self.ray(driver, moved, Some(here.mate), SETTLED)?);
+                    let there = slope(&self.ray(driver, moved, Some(here.mate))?);
                     Some([0, 1].map(|l: usize| (there[l] - own[l]) / (sense * DIFFERENCE)))
                 })
             };
@@ -309,7 +294,7 @@ impl<'a> Mate<'a> {
                 if step[0].abs().max(step[1].abs()) <= SETTLED {
                     break;
                 }
-                let there = self.ray(driver, target, Some(here.mate), SETTLED);
+                let there = self.ray(driver, target, Some(here.mate));
                 let gained = |there: &Ray| {
                     let rotation = nearest(there.contact.rotation, here.contact.rotation, TAU);
                     pushed * (rotation - here.contact.rotation) >= -1e-15

@@ -127,17 +127,11 @@ impl Bodies {
     fn path(&self, surfaces: [usize; 2], angle: f64, sense: f64, start: &ToothContact) -> Path {
         let mate = Mate::new(self.flanks[1].surfaces[surfaces[1]].as_ref());
         let surface = self.flanks[0].surfaces[surfaces[0]].as_ref();
-        let driver =
-            |rolled: f64| Driver { surface, pose: self.tooth_pose(start.tooth, angle + sense * rolled) };
-        let touches_near = |rolled: f64, place: [f64; 2]| -> Option<[f64; 2]> {
-            let near = mate.contact_near(&driver(rolled), place).filter(|contact| contact.inside);
-            near.map(|contact| contact.place)
-        };
         let touches = |rolled: f64, place: [f64; 2]| -> Option<[f64; 2]> {
-            touches_near(rolled, place).or_else(|| {
-                let anywhere = mate.contact(&driver(rolled)).filter(|contact| contact.inside);
-                anywhere.map(|contact| contact.place)
-            })
+            let driver = Driver { surface, pose: self.tooth_pose(start.tooth, angle + sense * rolled) };
+            let near = mate.contact_near(&driver, place).filter(|contact| contact.inside);
+            let found = near.or_else(|| mate.contact(&driver).filter(|contact| contact.inside));
+            found.map(|contact| contact.place)
         };
         let step = self.pitches[0] / STEPS_PER_PITCH;
         let most = (PITCHES * STEPS_PER_PITCH) as i32;
@@ -155,8 +149,7 @@ impl Bodies {
                     let mut outside = next;
                     for _ in 0..BISECTIONS {
                         let middle = 0.5 * (inside + outside);
-                        // So close to the last contact the path is continuous.
-                        match touches_near(middle, place) {
+                        match touches(middle, place) {
                             Some(there) => (inside, place) = (middle, there),
                             None => outside = middle,
                         }
