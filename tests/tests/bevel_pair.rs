@@ -9,6 +9,7 @@ use calyx_tests::root;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 /// Published largest principal stress in the pinion's fillets, psi: Vijayakar, Abad and Gunda
 /// (2003), table 6.4, edge radius 0.045 inch, finest mesh.
@@ -17,16 +18,20 @@ const PSI: f64 = 6894.757;
 /// The published model does not state all data (place of the tooth thickness, contact of edges).
 const STRESS_TOLERANCE: f64 = 0.08;
 
+/// Runs of the same gears share their structures.
+static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
+
 /// Runs a model in three dimensions and returns the columns of its table, in SI units.
 fn columns(model: &Path, given: &[(&str, &str)]) -> BTreeMap<String, Vec<f64>> {
     let checked = check_file(model).expect("the model can be read");
-    let module = Module::from_checked(&Engine::default(), checked).expect("the model compiles");
+    let module = Module::from_checked(&ENGINE, checked).expect("the model compiles");
     let directory = tempfile::tempdir().expect("a directory");
     let options = RunOptions {
         directory: directory.path().into(),
         given: given.iter().map(|(name, value)| ParamAssignment::text(*name, *value)).collect(),
         quiet: true,
         overrides: Override { error_estimates: Some(Estimates::None), ..Override::default() },
+        engine: ENGINE.clone(),
         ..RunOptions::default()
     };
     run(module.as_program(), &options).unwrap_or_else(|error| panic!("{error:?}"));
@@ -73,7 +78,8 @@ fn the_pinion_has_its_published_root_stress_and_forces_are_in_equilibrium() {
 }
 
 /// Without load, elastic teeth touch like rigid ones: their transmission error tends to that of
-/// rigid teeth, within 1 % of its peak to peak value at a ten-thousandth of the torque.
+/// rigid teeth, within 1 % of its peak to peak value at a hundred-thousandth of the torque. The
+/// deviation is that of Hertzian contact, proportional to the power 2/3 of the torque.
 #[test]
 fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
     let model = example("spiral_bevel.cx");
@@ -91,9 +97,9 @@ fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
         let off = loaded.iter().zip(&rigid).map(|(loaded, rigid)| (loaded - rigid).abs());
         off.fold(0.0, f64::max) / spread(&rigid)
     };
-    let [light, lightest] = ["26 lbf*inch", "0.26 lbf*inch"].map(deviation);
+    let [light, lightest] = ["0.26 lbf*inch", "0.026 lbf*inch"].map(deviation);
     assert!(lightest < 0.01, "{lightest}");
-    assert!(lightest < 0.2 * light, "{light} {lightest}");
+    assert!((0.2..0.3).contains(&(lightest / light)), "{light} {lightest}");
 }
 
 /// A pair of straight bevel gears with small cone angles has the transmission error and the root
