@@ -96,7 +96,7 @@ fn main() {
 
     for (fidelity, steps) in [("rigid", 11), ("medium", 11), ("finest", 11)] {
         let engine = Engine::default();
-        let module = Module::from_file(&engine, &example()).expect("the example compiles");
+        let module = Module::from_file(&engine, example()).expect("the example compiles");
         let cycle = || {
             let mut instance = module.instantiate();
             instance.set("fidelity", fidelity).expect("a level");
