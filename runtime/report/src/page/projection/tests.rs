@@ -235,7 +235,7 @@ fn left_and_right_hands_have_the_same_pictures() {
     for (drawing, (one, other)) in right.iter().zip(&left).enumerate() {
         assert!(!one.is_empty());
         // Contour lines cross the halves of their cells in the other direction.
-        let patterns = drawing < 2 || drawing > 3;
+        let patterns = !(2..=3).contains(&drawing);
         assert!(!patterns || one == other, "{drawing}");
     }
 }
