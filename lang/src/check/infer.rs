@@ -86,7 +86,7 @@ pub struct Checker<'a> {
     pub(super) declaring_param: bool,
     /// Calls that may instantiate a component.
     pub(super) instance_sites: HashSet<Span>,
-    /// What an earlier check of the same program has requested.
+    /// Requests of an earlier check of the same program.
     pub(super) given: Requests,
     /// Further requests, which this check has found.
     pub requested: Requests,
@@ -154,7 +154,7 @@ pub struct Checker<'a> {
     reported: HashSet<(String, Span, String)>,
 }
 
-/// What a check must know in advance. If it finds requests, the program is checked again with them.
+/// Facts that a check needs in advance. If it finds requests, the program is checked again with them.
 #[derive(Clone, Debug, Default)]
 pub struct Requests {
     /// Variables and functions, by the location of their name, that have observables although they
@@ -178,7 +178,7 @@ impl Requests {
 }
 
 impl<'a> Checker<'a> {
-    /// Creates a checker. `given` is what an earlier check of the same program has requested.
+    /// Creates a checker. `given` are the requests of an earlier check of the same program.
     pub fn new(modules: &'a [ModuleData], mut names: Names<'a>, layout: &'a Layout, given: Requests) -> Self {
         for info in &mut names.functions {
             let captured = info.decl.and_then(|decl| given.computed.get(&decl.name.span));
