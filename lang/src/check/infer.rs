@@ -154,7 +154,7 @@ pub struct Checker<'a> {
     reported: HashSet<(String, Span, String)>,
 }
 
-/// Facts that a check needs in advance. If it finds requests, the program is checked again with them.
+/// Facts that a check needs in advance. If it finds requests, the program is checked again.
 #[derive(Clone, Debug, Default)]
 pub struct Requests {
     /// Variables and functions, by the location of their name, that have observables although they
