@@ -45,6 +45,7 @@ pub fn describe(program: &Program, abi: Fingerprint) -> ModelDescription {
                 unit: unit(&output.unit),
                 si: output.si.clone(),
                 is_array: output.is_array,
+                choices: output.choices.clone(),
             })
             .collect(),
         declared_outputs: Vec::new(),

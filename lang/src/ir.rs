@@ -124,6 +124,8 @@ pub struct Output {
     /// Display unit in the model's unit system; `si` is the name of the coherent SI unit.
     pub unit: DisplayUnit,
     pub si: String,
+    /// Choices of an enumeration that the values number from 0; empty for other numbers.
+    pub choices: Vec<String>,
     pub span: Span,
 }
 

@@ -2,6 +2,7 @@
 //! of each output.
 
 use crate::shown::rounded;
+use calyx_report::choices::{described, ordered};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::io;
@@ -51,6 +52,9 @@ struct Display {
     max: Option<f64>,
     mean: Option<f64>,
     peak_to_peak: Option<f64>,
+    /// Number of positions by choice, for an output that numbers the choices of an enumeration.
+    #[serde(default)]
+    positions: BTreeMap<String, usize>,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -97,7 +101,11 @@ impl OutputSummary {
     /// Returns the summary on one line: `2.31 .. 2.44 inch, mean 2.4, peak to peak 0.13`. A
     /// constant output is shown as one value.
     pub fn line(&self) -> String {
-        let Display { unit, min, max, mean, peak_to_peak } = &self.display;
+        let Display { unit, min, max, mean, peak_to_peak, positions } = &self.display;
+        if !positions.is_empty() {
+            let counts: Vec<_> = positions.iter().map(|(name, count)| (name.clone(), *count)).collect();
+            return described(&ordered(counts));
+        }
         if self.number(*min) == self.number(*max) {
             return self.mean();
         }

@@ -26,9 +26,14 @@ pub(super) fn header(name: &str, description: &ModelDescription) -> String {
     text += &enumeration(name, "param", params);
     text.push('\n');
     let outputs = description.outputs.iter().map(|output| {
-        let unit = if output.unit.name.is_empty() { "A pure number." } else { "In " };
-        let unit =
-            if output.unit.name.is_empty() { unit.into() } else { format!("{unit}{}.", output.unit.name) };
+        let choices = output.choices.iter().enumerate().map(|(index, choice)| format!("{index} {choice}"));
+        let unit = match output.unit.name.as_str() {
+            _ if !output.choices.is_empty() => {
+                format!("The number of a choice: {}.", choices.collect::<Vec<_>>().join(", "))
+            }
+            "" => "A pure number.".into(),
+            unit => format!("In {unit}."),
+        };
         (&*output.name, joined(&output.doc, &unit))
     });
     text += &comment("The model's outputs, as calyx_output and calyx_summarize take them.", "");
@@ -123,6 +128,7 @@ mod tests {
             unit: UnitDescription { name: "N".into(), factor: 1.0, ..UnitDescription::default() },
             si: "N".into(),
             is_array: false,
+            choices: Vec::new(),
         };
         let outputs = vec![output("é"), output("è")];
         let text = header("m", &ModelDescription { outputs, ..ModelDescription::default() });

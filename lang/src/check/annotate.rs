@@ -223,7 +223,9 @@ impl<'a> Checker<'a> {
                 {
                     if let (Some(unit), Some(result)) = (unit, &decl.result) {
                         let ty = self.annotation(result, true);
-                        self.output_unit(&ty, result.span, unit);
+                        if self.stated_choices(&ty, result.span, unit).is_none() {
+                            self.output_unit(&ty, result.span, unit);
+                        }
                     }
                     if let Some(purity) = purity
                         && !["pure", "scene", "effect"].contains(&purity.name.as_str())

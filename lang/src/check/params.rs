@@ -258,14 +258,29 @@ impl<'a> Checker<'a> {
         (value, unit): (&'a ast::Expr, Option<&'a ast::Expr>),
         member: Option<VarId>,
     ) -> u32 {
+        let choices = match unit {
+            Some(stated) => self.stated_choices(&ty, value.span, stated),
+            None => self.usual_choices(value),
+        };
         let unit = match unit {
+            _ if choices.is_some() => None,
             Some(unit) => self.output_unit(&ty, value.span, unit),
             None => self.usual_unit(&ty, value),
         };
+        let choices = choices.unwrap_or_default();
         let info = self.names.outputs.get(id as usize);
         let doc = info.and_then(|info| info.doc).unwrap_or_default().to_string();
         let owner = info.map_or(FuncId(0), |info| info.owner);
-        self.outputs.push(Output { name: name.name.clone(), doc, ty, unit, owner, member, span: name.span });
+        self.outputs.push(Output {
+            name: name.name.clone(),
+            doc,
+            ty,
+            unit,
+            choices,
+            owner,
+            member,
+            span: name.span,
+        });
         self.outputs.len() as u32 - 1
     }
 

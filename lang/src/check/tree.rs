@@ -430,6 +430,8 @@ pub struct Output {
     pub ty: Type,
     /// The stated unit; `None` for that of the model's unit system.
     pub unit: Option<DisplayUnit>,
+    /// Choices that the values number from 0; empty for other numbers.
+    pub choices: Vec<String>,
     /// The component that declares it, or the top level.
     pub owner: FuncId,
     /// The variable with its observable, which is a member of the component's instances, or with

@@ -309,7 +309,7 @@ impl<'a> Checker<'a> {
     pub(super) fn output_unit(&mut self, ty: &Type, value: Span, e: &'a ast::Expr) -> Option<DisplayUnit> {
         let (unit, dimension) = self.stated_unit(e, |span| {
             Diagnostic::error("E0925", "after `in` an output states a unit", span, "not a product of units")
-                .help("write units joined by `*` and `/`: `in N*m`; a range belongs to a param")
+                .help("write units joined by `*` and `/`, as in `in N*m`, or an enumeration; a range belongs to a param")
         })?;
         let dim = match self.store.shallow(ty) {
             Type::Number(dim) | Type::Observable(dim) => dim,

@@ -150,6 +150,15 @@ pub struct OutputDescription {
     /// True for an array, whose elements are outputs of a run: `name[0]`.
     #[serde(default)]
     pub is_array: bool,
+    /// Choices of an enumeration that the values number from 0; empty for other numbers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub choices: Vec<String>,
+}
+
+/// Returns the choice that the value of an output numbers; `None` if it numbers none.
+pub fn choice_of(choices: &[String], value: f64) -> Option<&str> {
+    let index = (value >= 0.0 && value.fract() == 0.0).then_some(value as usize)?;
+    choices.get(index).map(String::as_str)
 }
 
 impl ModelDescription {

@@ -1,6 +1,7 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`. Each position is on disk before
 //! the next one starts.
 
+use crate::choices::counts;
 use crate::contact_pattern::ContactPattern;
 use crate::field_tables::{self, FieldTables};
 use crate::former_keys::{self, ResultFile};
@@ -256,12 +257,19 @@ fn subject(description: &ModelDescription, params: &[ParamValue], overrides: &Ov
     head
 }
 
+/// Key of the names of the choices that the values of an output number from 0.
+pub(crate) const CHOICES: &str = "choices";
+
 /// Key of the table columns in `run.json` of an unfinished run.
 const COLUMNS: &str = "columns";
 
 fn column_json(output: &OutputDescription) -> Value {
     let display = json!({ "unit": output.unit.name, "factor": output.unit.factor });
-    json!({ "doc": output.doc, "unit": output.si, "display": display })
+    let mut column = json!({ "doc": output.doc, "unit": output.si, "display": display });
+    if !output.choices.is_empty() {
+        column[CHOICES] = json!(output.choices);
+    }
+    column
 }
 
 /// Outputs of a finished run: the positions of an analysis, or the only row of a calculation.
@@ -294,8 +302,13 @@ pub fn write_run(
         let position = |summary: &OutputSummary| {
             Some(&outputs.rows.get(summary.at_max)?.position).filter(|_| result.is_some())
         };
-        let json = summaries
-            .map(|(output, summary)| (output.name.clone(), output_json(output, summary, position(summary))));
+        let json = summaries.enumerate().map(|(index, (output, summary))| {
+            let mut json = output_json(output, summary, position(summary));
+            if !output.choices.is_empty() {
+                add_choices(&mut json, &output.choices, outputs.rows, index);
+            }
+            (output.name.clone(), json)
+        });
         run["positions"] = json!(outputs.rows.len());
         run["outputs"] = json!(json.collect::<Map<_, _>>());
     }
@@ -395,6 +408,15 @@ fn output_json(output: &OutputDescription, summary: &OutputSummary, position: Op
         all["error_estimate"] = error_json(error, summary);
     }
     all
+}
+
+/// Adds the names of the choices of an output, in the order of their numbers, and the number of
+/// positions by choice.
+fn add_choices(json: &mut Value, choices: &[String], rows: &[StepRow], index: usize) {
+    let values = rows.iter().filter_map(|row| row.outputs.get(index)).map(|at| at.value);
+    let positions = counts(choices, values).into_iter().map(|(choice, count)| (choice, json!(count)));
+    json["display"]["positions"] = json!(positions.collect::<Map<_, _>>());
+    json[CHOICES] = json!(choices);
 }
 
 /// Returns the result of the tolerance search and its earlier trials.

@@ -1,6 +1,7 @@
 //! Summary table after a run.
 
-use calyx_abi::description::ModelDescription;
+use crate::choices::{counts, described};
+use calyx_abi::description::{ModelDescription, choice_of};
 use calyx_abi::units::{from_si, shortest};
 use calyx_runtime::estimate::Part;
 use calyx_runtime::results::{AnalysisResult, Location, OutputSummary, StepRow};
@@ -20,7 +21,12 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     let without_level = without_level(result);
     let error_head = if without_level.is_some() { "error*" } else { "error" };
     let mut rows = vec![with_error(head.into(), error_head.into())];
-    for (output, summary) in description.outputs.iter().zip(&result.summaries) {
+    for (index, (output, summary)) in description.outputs.iter().zip(&result.summaries).enumerate() {
+        if !output.choices.is_empty() {
+            let values = result.rows.iter().filter_map(|row| row.outputs.get(index)).map(|at| at.value);
+            rows.push(with_error(of_choices(&output.name, &counts(&output.choices, values)), String::new()));
+            continue;
+        }
         let shown = |si: f64| number(from_si(si, output.unit.factor));
         let cells = vec![
             output.name.clone(),
@@ -41,6 +47,15 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
     without_level.unwrap_or_default() + &align(&rows) + &search.unwrap_or_default()
 }
 
+/// Formats the line of an output that numbers choices: the most frequent choice in place of the
+/// mean, and all choices if there are several.
+fn of_choices(name: &str, counts: &[(String, usize)]) -> Vec<String> {
+    let most = counts.first().map_or_else(String::new, |(choice, _)| choice.clone());
+    let several = if counts.len() > 1 { described(counts) } else { String::new() };
+    let none = String::new;
+    vec![name.to_owned(), none(), none(), most, none(), none(), several]
+}
+
 /// Variation of an output, relative to its largest magnitude, up to which it is rounding noise.
 const ROUNDING: f64 = 1e-12;
 
@@ -56,7 +71,10 @@ pub fn values(description: &ModelDescription, rows: &[StepRow]) -> String {
     let Some(row) = rows.first() else { return String::new() };
     let mut lines = vec![["output", "unit", "value", ""].map(String::from).to_vec()];
     for (output, observed) in description.outputs.iter().zip(&row.outputs) {
-        let value = number(from_si(observed.value, output.unit.factor));
+        let value = match choice_of(&output.choices, observed.value) {
+            Some(choice) => choice.to_owned(),
+            None => number(from_si(observed.value, output.unit.factor)),
+        };
         lines.push(vec![output.name.clone(), output.unit.name.clone(), value, String::new()]);
     }
     align(&lines)
@@ -159,7 +177,18 @@ fn align(rows: &[Vec<String>]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::variation;
+    use super::{of_choices, variation};
+
+    #[test]
+    fn choices_have_names_in_place_of_statistics() {
+        let counts = |all: &[(&str, usize)]| -> Vec<(String, usize)> {
+            all.iter().map(|(name, count)| ((*name).to_owned(), *count)).collect()
+        };
+        let one = of_choices("kind", &counts(&[("planet", 3)]));
+        assert_eq!(one, ["kind", "", "", "planet", "", "", ""]);
+        let several = of_choices("kind", &counts(&[("planet", 3), ("mixed", 1)]));
+        assert_eq!(several, ["kind", "", "", "planet", "", "", "planet at 3 positions, mixed at 1"]);
+    }
 
     #[test]
     fn rounding_noise_of_a_constant_is_no_variation() {

@@ -109,7 +109,11 @@ fn default(param: &ParamDescription) -> String {
 }
 
 fn unit(output: &OutputDescription) -> String {
-    if output.unit.name.is_empty() { "number".into() } else { output.unit.name.clone() }
+    match output.unit.name.as_str() {
+        _ if !output.choices.is_empty() => "choice".into(),
+        "" => "number".into(),
+        unit => unit.into(),
+    }
 }
 
 /// Returns the width of the terminal in columns, as `clap` determines it.

@@ -237,6 +237,7 @@ impl<'c> Lowering<'c> {
                 .or_else(|| of_output(dimension, self.system))
                 .unwrap_or_else(|| checker.store.vocabulary.unit_of(self.system, dimension)),
             si: checker.store.vocabulary.unit_of(UnitSystem::Si, dimension).name,
+            choices: output.choices.clone(),
             span: self.places().map_or(output.span, |places| places.span(output.span)),
         });
         match self.around {

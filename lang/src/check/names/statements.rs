@@ -24,7 +24,7 @@ impl<'a> Resolver<'a> {
             StmtKind::Param(decl) => self.param(decl, statement.doc.as_deref(), top),
             StmtKind::Output { name, value, unit } => {
                 self.output(name, value, statement.doc.as_deref(), top);
-                unit.iter().for_each(|unit| self.unit_product(unit));
+                unit.iter().for_each(|unit| self.output_unit(unit));
             }
             StmtKind::Var(decls) => self.variables(decls),
             StmtKind::Assign { place, bind, value } => {
@@ -227,7 +227,7 @@ impl<'a> Resolver<'a> {
         }
         decl.result.iter().for_each(|result| self.type_expr(result));
         if let FunctionBody::Extern { unit: Some(unit), .. } = &decl.body {
-            self.unit_product(unit);
+            self.output_unit(unit);
         }
         for parameter in &decl.parameters {
             parameter.annotation.iter().for_each(|annotation| self.type_expr(annotation));

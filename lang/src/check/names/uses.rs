@@ -114,6 +114,19 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// Resolves what follows `in` of an output: a product of units, or an enumeration.
+    pub(super) fn output_unit(&mut self, e: &'a Expr) {
+        let is_enum = |name: &Ident| {
+            let found = self.scopes.iter().rev().find_map(|scope| scope.names.get(&name.name));
+            matches!(found, Some((Resolution::Enum(_), _)))
+        };
+        match &e.kind {
+            ExprKind::Name(name) if is_enum(name) => self.expr(e),
+            ExprKind::Field { .. } => self.expr(e),
+            _ => self.unit_product(e),
+        }
+    }
+
     pub(super) fn outer(&mut self, id: VarId) {
         if self.names.variables[id.0 as usize].owner != self.function {
             self.names.functions[self.function.0 as usize].outer.insert(id);

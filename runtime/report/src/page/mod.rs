@@ -266,6 +266,10 @@ fn summary(run: &Run) -> Markup {
                     th scope="row" { code { (output.name) } }
                     td.word { (output.unit) }
                     td.word colspan=(if estimated { "7" } else { "5" }) { "no value" }
+                } } @else if let Some(choices) = output.shown_choices() { tr {
+                    th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
+                    td {}
+                    td.word colspan=(if estimated { "7" } else { "5" }) { (choices) }
                 } } @else { tr {
                     th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
                     td.word { (output.unit) }
@@ -296,7 +300,7 @@ fn values(run: &Run) -> Markup {
             tbody { @for output in &run.outputs { tr {
                 th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
                 td.word { (output.unit) }
-                td.main { (number(output.statistics.max)) }
+                td.main { (output.shown_choices().unwrap_or_else(|| number(output.statistics.max))) }
             } } }
         }
     }
@@ -323,7 +327,23 @@ fn plots(run: &Run) -> Markup {
     let banded = run.outputs.iter().any(|output| output.error.is_some());
     html! {
         @if banded { p.note { "The band is the estimated error: that of the minimum at the minimum, that of the maximum at the maximum, and interpolated in between." } }
-        @for output in run.outputs.iter().filter(|output| output.has_values()) { (plot(output, &x, &places, &marks)) }
+        @for output in run.outputs.iter().filter(|output| output.has_values()) {
+            @match output.shown_choices() {
+                Some(choices) => (choice_article(output, &choices)),
+                None => (plot(output, &x, &places, &marks)),
+            }
+        }
+    }
+}
+
+/// Shows an output whose values are the choices of an enumeration, which have no curve.
+fn choice_article(output: &Output, choices: &str) -> Markup {
+    html! {
+        article.output id={ "output-" (output.name) } {
+            h3 { code { (output.name) } }
+            @for paragraph in paragraphs(&output.doc) { p { (prose(&paragraph)) } }
+            p { b { (choices) } @if !choices.contains(" at ") && output.values.len() > 1 { " at all positions." } }
+        }
     }
 }
 

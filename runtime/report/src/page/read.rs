@@ -2,8 +2,9 @@
 //! stopped, in progress or killed.
 
 use super::units::{self, Unit, Units};
+use crate::choices;
 use crate::contact_pattern::{self, PathPoint, PressurePoint};
-use crate::directory::{SIGNALS, read_run};
+use crate::directory::{CHOICES, SIGNALS, read_run};
 use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
 use crate::flank_tables::FlankTables;
 use crate::former_keys::{self, ResultFile};
@@ -73,6 +74,8 @@ pub struct Output {
     pub name: String,
     pub doc: String,
     pub unit: String,
+    /// Choices that the values number from 0; empty for other numbers.
+    pub choices: Vec<String>,
     /// Values by position.
     pub values: Vec<f64>,
     pub statistics: Statistics,
@@ -215,6 +218,12 @@ impl Output {
         self.values.iter().any(|value| value.is_finite())
     }
 
+    /// Returns the choices by position as text; `None` for an output that numbers no choices.
+    pub fn shown_choices(&self) -> Option<String> {
+        let values = self.values.iter().copied();
+        (!self.choices.is_empty()).then(|| choices::described(&choices::counts(&self.choices, values)))
+    }
+
     /// Returns the error of the value of largest magnitude.
     pub fn of_largest(&self, errors: &Statistics) -> f64 {
         let Statistics { min, max, .. } = self.statistics;
@@ -321,6 +330,7 @@ fn output(head: &Value, name: String, values: Vec<f64>, clock: Unit) -> Output {
     Output {
         doc: text(&said["doc"]),
         unit: text(&said["display"]["unit"]),
+        choices: said[CHOICES].as_array().into_iter().flatten().map(text).collect(),
         statistics: Statistics::of(said, factor).unwrap_or_else(|| Statistics::of_values(&values)),
         place: place(&said["max_at"], Units::of_system(head["units"].as_str().unwrap_or_default()), clock),
         harmonics: harmonics.filter_map(harmonic).collect(),
