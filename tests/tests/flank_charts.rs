@@ -258,3 +258,48 @@ fn locations_of_extremes_are_those_of_their_outputs() {
         assert!(cell("radius") > 0.03);
     }
 }
+
+/// An idler with two different mates.
+const IDLER: &str = r#"
+import gears;
+units mm_N_s;
+function blank(in teeth, in modifications) {
+    return gears.external(teeth = teeth, module = 3 mm, face_width = 20 mm, modifications = modifications);
+}
+var gear = blank(30, [gears.lead_crown(5 um)]), speed = 100 rpm;
+var driver = gears.body("driver", blank(20, []), free = ["theta_z"], moment = 10 N*m * e3,
+    frame := Rotate(speed * 30 / 20 * Time, e3));
+var idler = gears.body("idler", gear, free = ["theta_z"],
+    frame := Rotate(-speed * Time, e3) * Translate(75 mm * e1));
+var driven = gears.body("driven", blank(60, []),
+    frame := Rotate(speed * 30 / 60 * Time, e3) * Translate(210 mm * e1));
+var input = gears.mesh(driver, idler), output_mesh = gears.mesh(idler, driven);
+output ratio := gears.contact_ratio(input);
+analyze("quasi_static", over = gears.mesh_cycle(input, 2), fidelity = "rigid");
+"#;
+
+#[test]
+fn each_mesh_of_a_gear_has_its_active_profile() {
+    let data = run_json(IDLER)["gear_data"].clone();
+    let gears = data["gears"].as_array().expect("gears");
+    let idler = gears.iter().find(|gear| gear["flanks"].is_object()).expect("the modified gear");
+    let points = idler["flanks"]["points"].as_array().expect("points");
+    let mut starts = Vec::new();
+    for (mate, mesh, member) in [("driver", 0, 1), ("driven", 1, 0)] {
+        for symbol in ["d_Nf", "d_Na"] {
+            let found: Vec<_> =
+                points.iter().filter(|point| point["symbol"] == symbol && point["mate"] == mate).collect();
+            assert_eq!(found.len(), 1, "{symbol} with {mate}: {points:#?}");
+            let expected = number(&data["meshes"][mesh]["members"][member][symbol]["value"]);
+            assert!((number(&found[0]["diameter"]) - expected).abs() < 1e-12, "{symbol} with {mate}");
+            if symbol == "d_Nf" {
+                starts.push(number(&found[0]["roll_length"]));
+            }
+        }
+    }
+    // The tip of the larger mate reaches less far towards the base circle, or the fillet ends both.
+    assert!(starts[0] != starts[1], "{starts:?}");
+    let range = numbers(&idler["flanks"]["profile_range"]);
+    assert_eq!(range[0], starts[0].min(starts[1]), "the evaluation range begins at the lower SAP");
+    assert!(points.iter().all(|point| point["symbol"] != "d_a" || point.get("mate").is_none()));
+}

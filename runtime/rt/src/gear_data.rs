@@ -66,13 +66,17 @@ fn data(entries: &[Entry], values: &Values, length: LengthUnit) -> Value {
 /// left out where it equals the flank.
 fn flanks(charts: &FlankCharts) -> Value {
     let points = charts.points.iter().map(|point| {
-        json!({
+        let mut object = json!({
             "symbol": point.symbol,
             "name": point.name,
             "diameter": point.diameter,
             "roll_length": point.roll_length,
             "roll_angle": point.roll_angle,
-        })
+        });
+        if let Some(mate) = &point.mate {
+            object["mate"] = json!(mate);
+        }
+        object
     });
     let side = |index: usize| {
         let flank = &charts.flanks[index];

@@ -38,7 +38,7 @@ pub struct FlankCharts {
 }
 
 /// Characteristic point of a profile.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PointOfProfile {
     /// Symbol of the diameter (ISO 21771).
     pub symbol: &'static str,
@@ -50,6 +50,17 @@ pub struct PointOfProfile {
     pub roll_length: f64,
     /// Roll angle, rad.
     pub roll_angle: f64,
+    /// Name of the mate for the ends of the active profile of a gear with several meshes.
+    pub mate: Option<String>,
+}
+
+/// Mesh of a gear.
+pub(super) struct MeshOfGear<'m> {
+    pub geometry: MeshGeometry,
+    /// Index of the gear in the mesh.
+    pub member: usize,
+    /// Name of the body that carries the mate.
+    pub mate: &'m str,
 }
 
 /// Traces of the left or of the right flanks.
@@ -107,8 +118,8 @@ pub struct Deviations {
 
 impl FlankCharts {
     /// Returns the traces of a gear with modified flanks; `None` without modifications. `meshes`
-    /// are the meshes of the gear with its index in each.
-    pub(super) fn of(gear: &GearPrototype, meshes: &[(MeshGeometry, usize)]) -> Option<FlankCharts> {
+    /// are the meshes of the gear.
+    pub(super) fn of(gear: &GearPrototype, meshes: &[MeshOfGear<'_>]) -> Option<FlankCharts> {
         if gear.modifications.is_empty() {
             return None;
         }
@@ -150,7 +161,7 @@ struct Ranges {
 }
 
 impl Ranges {
-    fn of(gear: &GearPrototype, meshes: &[(MeshGeometry, usize)], surface: &GearSurface) -> Ranges {
+    fn of(gear: &GearPrototype, meshes: &[MeshOfGear<'_>], surface: &GearSurface) -> Ranges {
         let form = gear.form();
         let base = form.base_radius;
         let point = |symbol, name, roll: f64| PointOfProfile {
@@ -159,39 +170,46 @@ impl Ranges {
             diameter: 2.0 * base * (1.0 + roll * roll).sqrt(),
             roll_length: base * roll.abs(),
             roll_angle: roll.abs(),
+            mate: None,
         };
         let root = point("d_Ff", "root form circle", form.form_roll);
         let tip_form = point("d_Fa", "tip form circle", surface.tip_form_roll());
         let tip = point("d_a", "tip circle", form.tip_roll);
-        let mut points = vec![root];
-        let mut start = root;
-        // The first mesh determines the active profile, as that of a drawing.
-        if let Some((mesh, member)) = meshes.first() {
-            let path = mesh.first_roll;
+        let from_root = |point: &PointOfProfile| (point.roll_length - root.roll_length).abs();
+        let mut active_ends = Vec::new();
+        for MeshOfGear { geometry, member, mate } in meshes {
+            let path = geometry.first_roll;
             let [near_root, near_tip] = match member {
                 0 => [path.start_of_active_profile, path.end_of_active_profile],
                 _ => [path.end_of_active_profile, path.start_of_active_profile]
-                    .map(|roll| mesh.second_roll(roll)),
+                    .map(|roll| geometry.second_roll(roll)),
             };
-            start = point("d_Nf", "start of active profile (SAP)", near_root);
-            points.extend([start, point("d_Na", "end of active profile (EAP)", near_tip)]);
+            // With a single mesh, the mate needs no name.
+            let mate = (meshes.len() > 1).then(|| (*mate).to_owned());
+            let start = point("d_Nf", "start of active profile (SAP)", near_root);
+            let end = point("d_Na", "end of active profile (EAP)", near_tip);
+            active_ends.extend([start, end].map(|point| PointOfProfile { mate: mate.clone(), ..point }));
         }
-        points.extend([tip_form, tip]);
-        let from_root = |point: &PointOfProfile| (point.roll_length - root.roll_length).abs();
+        // The active profiles of all meshes are evaluated.
+        let start = active_ends.iter().min_by(|one, other| from_root(one).total_cmp(&from_root(other)));
+        let start = start.unwrap_or(&root).roll_length;
+        let mut points = vec![root.clone()];
+        points.append(&mut active_ends);
+        points.extend([tip_form.clone(), tip.clone()]);
         points.sort_by(|one, other| from_root(one).total_cmp(&from_root(other)));
         let edition = gear.stated.tolerances.map_or(Edition::Of2013, |tolerances| tolerances.edition);
-        let active = tip_form.roll_length - start.roll_length;
-        let stop = start.roll_length + edition.profile_share() * active;
+        let active = tip_form.roll_length - start;
+        let stop = start + edition.profile_share() * active;
         let margin = (FACE_END * gear.face_width).min(crate::drawing_externs::normal_module(gear));
         let half = 0.5 * gear.face_width;
         // The reference circle, unless it is outside of the involute.
-        let ends = [root, tip_form].map(|point| point.diameter);
+        let ends = [root.diameter, tip_form.diameter];
         let measuring_diameter = (2.0 * form.pitch_radius).clamp(ends[0].min(ends[1]), ends[0].max(ends[1]));
         Ranges {
             points,
             measuring_diameter,
             involute: ascending([root.roll_length, tip.roll_length]),
-            profile: ascending([start.roll_length, stop]),
+            profile: ascending([start, stop]),
             helix: [margin - half, half - margin],
             active,
         }

@@ -76,6 +76,15 @@ struct Meshing {
     bodies: Vec<[String; 2]>,
 }
 
+impl Meshing {
+    /// Returns the mesh as one of the gear in a column; `None` if the gear does not take part.
+    fn of_gear(&self, column: usize) -> Option<flanks::MeshOfGear<'_>> {
+        let member = self.gears.iter().position(|gear| *gear == column)?;
+        let mate = self.bodies.first().map_or("", |bodies| &bodies[1 - member]);
+        Some(flanks::MeshOfGear { geometry: self.geometry, member, mate })
+    }
+}
+
 /// Data of a gear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearColumn {
@@ -183,11 +192,7 @@ impl DataBlock {
     /// Computes the traces of modified flanks: one entry per gear, `None` without modifications.
     pub fn flank_charts(&self) -> Vec<Option<FlankCharts>> {
         let charts = |(column, mounted): (usize, &MountedGear)| {
-            let member = |mesh: &Meshing| {
-                let member = mesh.gears.iter().position(|gear| *gear == column)?;
-                Some((mesh.geometry, member))
-            };
-            let meshes: Vec<_> = self.meshes.iter().filter_map(member).collect();
+            let meshes: Vec<_> = self.meshes.iter().filter_map(|mesh| mesh.of_gear(column)).collect();
             FlankCharts::of(&mounted.gear, &meshes)
         };
         self.gears.iter().enumerate().map(charts).collect()

@@ -134,7 +134,11 @@ fn profile_chart(flanks: &Value, units: Units) -> Plot {
                 "d_a" => "d_a",
                 _ => return None,
             };
-            Some((units.length.of(value(&point["roll_length"])), name.to_owned()))
+            let name = match point["mate"].as_str() {
+                Some(mate) => format!("{name} ({mate})"),
+                None => name.to_owned(),
+            };
+            Some((units.length.of(value(&point["roll_length"])), name))
         })
         .collect();
     let mut marks = marks;
@@ -209,7 +213,10 @@ fn points(flanks: &Value, units: Units) -> Markup {
                 th.value { "roll angle [deg]" }
             } }
             tbody { @for point in points { tr {
-                th scope="row" { (text(&point["name"])) }
+                th scope="row" {
+                    (text(&point["name"]))
+                    @if let Some(mate) = point["mate"].as_str() { ", mesh with " (mate) }
+                }
                 td.word { (symbol(text(&point["symbol"]))) }
                 td { (shown(&point["diameter"], units.length)) }
                 td { (shown(&point["roll_length"], units.length)) }

@@ -480,3 +480,31 @@ fn modified_flanks_have_k_charts() {
     );
     assert!(!text(directory(&run_json()).path()).contains("<h2>Flanks</h2>"));
 }
+
+#[test]
+fn ends_of_the_active_profile_name_the_mate() {
+    let mut run = run_json();
+    let mut traces = flanks();
+    traces["points"][0]["mate"] = json!("sun");
+    run["gear_data"] =
+        json!({ "gears": [{ "bodies": ["planet"], "data": {}, "flanks": traces }], "meshes": [] });
+    let page = text(directory(&run).path());
+    assert!(page.contains("SAP (sun)") && page.contains("(SAP), mesh with sun"), "{page}");
+}
+
+#[test]
+fn choices_are_shown_by_name() {
+    let mut run = run_json();
+    run["outputs"]["te"]["choices"] = json!(["mixed", "rotational", "translational", "planet"]);
+    run["outputs"]["te"]["display"]["factor"] = json!(1.0);
+    run["outputs"]["te"]["display"]["unit"] = json!("");
+    let at = directory(&run);
+    let table =
+        "step,time,cycle,roll_angle,point,te\n0,0,0,0.2,SAP,0\n1,0.1,0.3,0.3,,2\n2,0.2,0.6,0.4,LPSTC,2\n";
+    fs::write(at.path().join("steps.csv"), table).unwrap();
+    let page = text(at.path());
+    assert!(page.contains("translational at 2 positions, mixed at 1"), "{page}");
+    assert!(!page.contains("te: 0 to 2"), "there is no curve over choices");
+    fs::write(at.path().join("steps.csv"), table.replace(",0\n", ",2\n")).unwrap();
+    assert!(text(at.path()).contains("<b>translational</b> at all positions."));
+}
