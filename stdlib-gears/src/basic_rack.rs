@@ -113,6 +113,16 @@ impl StatedRack {
         }
     }
 
+    /// Returns true if a protuberance of the roughing tool cuts below the finished flank.
+    pub fn has_protuberance(&self) -> bool {
+        match self.form {
+            RackForm::Sized(rack) => rack.residual_undercut > 0.0,
+            RackForm::Basic { tool, .. } => {
+                tool.protuberance.is_some_and(|depth| depth > tool.allowance.unwrap_or(0.0))
+            }
+        }
+    }
+
     /// Returns the rack of a gear that is roughed by a tool with protuberance and then ground. The
     /// dedendum does not change.
     ///

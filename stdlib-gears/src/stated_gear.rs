@@ -177,7 +177,7 @@ const DEFAULT_CUTTER_RADIUS: f64 = 0.2;
 /// an addendum of the rack's dedendum and a tip radius of 0.2 normal modules.
 ///
 /// # Errors
-/// E0910 to E0912; E0624 for a gear of too few teeth.
+/// E0910 to E0912; E0624 for a gear of too few teeth. E0933: the rack has a protuberance.
 pub(crate) fn sized_shaper(
     shaper: Option<Shaper>,
     rack: &StatedRack,
@@ -186,6 +186,16 @@ pub(crate) fn sized_shaper(
     helix: &Helix,
 ) -> Result<Shaper, GeometryError> {
     let cosine = if helix.is_spur() { 1.0 } else { math::cos(helix.angle()) };
+    if rack.has_protuberance() {
+        return Err(GeometryError::error(
+            "E0933",
+            "rack",
+            sentence![
+                "the rack has a protuberance, which the shaper cutter of an internal gear does not have: the protuberance would be ignored"
+            ],
+            sentence!["give a rack without protuberance; shaper cutters with protuberance are not supported"],
+        ));
+    }
     if let Some(shaper) = shaper {
         normal_module(Some(("shaper", shaper.module * cosine)), statements, helix)?;
         return Ok(shaper);
