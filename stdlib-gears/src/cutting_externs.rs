@@ -19,6 +19,7 @@ use crate::shaper::Shaper;
 use crate::stated_gear::{
     BlankStatements, ModuleStatement, Proportions, TipStatements, check_sides, sized_rack, sized_shaper,
 };
+use crate::stated_geometry::{Resolved, StatedGeometry};
 use crate::stated_thickness::{Limit, ThicknessStatements};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError, math};
@@ -351,7 +352,8 @@ fn cut_gear(
     let proportions = Proportions::of(&tool, rack, teeth, &helix, normal);
     // Ratio of the module of the tool to the module that shift coefficients count.
     let per_module = if normal && !helix.is_spur() { math::cos(helix.angle()) } else { 1.0 };
-    given.thickness.profile_shift = given.thickness.profile_shift.map(|shift| shift * per_module);
+    let stated_shift = given.thickness.profile_shift;
+    given.thickness.profile_shift = stated_shift.map(|shift| shift * per_module);
     let derived_root = given.root_diameter.is_none().then_some(proportions.dedendum);
     let found = given.thickness.resolve(&tool, teeth, &helix, derived_root);
     let found = found.map_err(|error| report(host, error))?;
@@ -398,43 +400,62 @@ fn cut_gear(
         ("tooth_thickness", given.thickness.stated()),
         ("rim", far),
     ];
-    let blame = |error: GeometryError| {
-        let other = stated.iter().find(|(argument, _)| *argument == error.argument);
-        GeometryError { argument: other.and_then(|(_, stated)| *stated).unwrap_or(error.argument), ..error }
-    };
     let cut = match exchanged {
         Some(error) => Err(Refusal::Geometry(vec![error])),
-        None => blank.cut().map_err(|refusal| match refusal {
-            Refusal::Geometry(errors) => Refusal::Geometry(errors.into_iter().map(blame).collect()),
-            other => other,
-        }),
+        None => blank.cut().map_err(|refusal| blamed(refusal, &stated)),
     };
+    let stated_shift = stated_shift.filter(|_| given.thickness.stated() == Some("profile_shift"));
+    let geometry = StatedGeometry::of(&Resolved {
+        tool: &tool,
+        rack,
+        helix: &helix,
+        proportions: &proportions,
+        modules: &given.modules,
+        normal,
+        shift: stated_shift.unwrap_or(shift),
+        tip: (tip_diameter, given.tip.states_diameter()),
+        tip_alteration: given.tip.alteration,
+        root: (root_diameter, given.root_diameter.is_some()),
+    });
+    let sizes = [proportions.reference_diameter, geometry.normal_module, given.face_width];
+    let tolerances = tolerances_of(given.accuracy, sizes).map_err(|error| report(host, error))?;
     // A stated shaper cutter replaces the rack.
     let by_rack = normal || matches!(tool, Tool::Rack(_));
-    let sizes = [proportions.reference_diameter, normal_module_of(&tool, &helix), given.face_width];
-    let tolerances = tolerances_of(given.accuracy, sizes).map_err(|error| report(host, error))?;
     let drawing = StatedData {
         rack: if by_rack { rack.name } else { Some("shaper cutter") },
         heights: by_rack.then_some([rack.addendum, rack.dedendum]),
         material: material_name,
         allowance: found.allowance,
-        allowances: given.thickness.allowances,
-        thickness_limit: Some(given.thickness.limit.name()),
-        span_teeth: given.thickness.span_teeth.map(|count| count as u32),
-        ball: given.thickness.ball,
         tolerances,
+        geometry,
+        ..given.thickness.drawing()
     };
     if cut.is_ok() {
         host.note(wrong_side.as_slice(), place);
     }
-    let cut = cut.map(|mut gear| {
-        // Nothing else refers to the gear yet.
-        if let Some(gear) = Arc::get_mut(&mut gear) {
-            gear.stated = drawing;
-        }
-        gear
-    });
+    let cut = cut.map(|gear| described(gear, drawing));
     keep_gear(host, cut, (tool.module(), stated_module(&given.modules), far), place)
+}
+
+/// Returns a new gear with the data of its drawing.
+fn described(mut gear: Arc<GearPrototype>, drawing: StatedData) -> Arc<GearPrototype> {
+    // Nothing else refers to the gear yet.
+    if let Some(gear) = Arc::get_mut(&mut gear) {
+        gear.stated = drawing;
+    }
+    gear
+}
+
+/// Assigns errors of the tooth form to the arguments that state the data in question.
+fn blamed(refusal: Refusal, stated: &[(&'static str, Option<&'static str>)]) -> Refusal {
+    let blame = |error: GeometryError| {
+        let other = stated.iter().find(|(argument, _)| *argument == error.argument);
+        GeometryError { argument: other.and_then(|(_, stated)| *stated).unwrap_or(error.argument), ..error }
+    };
+    match refusal {
+        Refusal::Geometry(errors) => Refusal::Geometry(errors.into_iter().map(blame).collect()),
+        other => other,
+    }
 }
 
 /// Tolerances of an accuracy grade for the reference diameter, normal module and face width, m.
@@ -443,15 +464,6 @@ fn tolerances_of(
     sizes: [f64; 3],
 ) -> Result<Option<FlankTolerances>, GeometryError> {
     accuracy.map(|(grade, edition)| FlankTolerances::new(edition, grade, sizes)).transpose()
-}
-
-/// Normal module of a tool, m.
-fn normal_module_of(tool: &Tool, helix: &Helix) -> f64 {
-    match tool {
-        Tool::Rack(rack) if rack.plane == Plane::Normal => rack.module,
-        _ if helix.is_spur() => tool.module(),
-        _ => tool.module() * math::cos(helix.angle()),
-    }
 }
 
 /// Returns the diametral pitch that states the size of the teeth, 1/m, with its argument.

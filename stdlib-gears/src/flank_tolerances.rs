@@ -27,6 +27,14 @@ impl Edition {
         if year == "1995" { Edition::Of1995 } else { Edition::Of2013 }
     }
 
+    /// Year of the edition.
+    pub fn year(self) -> f64 {
+        match self {
+            Edition::Of1995 => 1995.0,
+            Edition::Of2013 => 2013.0,
+        }
+    }
+
     /// Name of the standard.
     pub fn standard(self) -> &'static str {
         match self {

@@ -170,6 +170,7 @@ pub mod signal_externs;
 mod size;
 pub mod solid_prototype;
 mod stated_gear;
+pub mod stated_geometry;
 mod stated_thickness;
 mod stress_recovery;
 pub mod table_splines;

@@ -74,6 +74,7 @@ const TABLES: &[&[Extern]] = &[
     crate::modification_externs::EXTERNS,
     crate::observable_externs::EXTERNS,
     crate::signal_externs::EXTERNS,
+    crate::stated_geometry::EXTERNS,
     crate::tables::EXTERNS,
     crate::tabulated_externs::EXTERNS,
     crate::web::disc::EXTERNS,

@@ -1,9 +1,11 @@
 //! Geometry of unloaded meshes for programs: the Rust side of the mesh geometry in `gears.cx`.
 
 use crate::externs::{defect, entry, host, refusal};
+use crate::host::ModelHost;
 use crate::mesh_geometry::MeshGeometry;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::scene::BodyId;
 
 calyx_abi::externs! {
     Pure fn calyx_gears_contact_ratio(context, mesh: Handle) -> f64 {
@@ -33,6 +35,28 @@ calyx_abi::externs! {
         let [first, second] = [&host.gear_on("mesh", bodies[0])?.gear, &host.gear_on("mesh", bodies[1])?.gear];
         Ok(if root_of == "first" { geometry.clearance(first, second) } else { geometry.clearance(second, first) })
     }
+
+    Pure fn calyx_gears_working_center_distance(context, mesh: Handle) -> f64 {
+        Ok(geometry(context, mesh)?.center_distance)
+    }
+
+    Pure fn calyx_gears_gear_of(context, body: Handle) -> Handle {
+        let body = crate::externs::body(context, "body", body)?;
+        gear_handle(host(context)?, "body", body)
+    }
+
+    Pure fn calyx_gears_gear_in(context, mesh: Handle, member: String) -> Handle {
+        let host = host(context)?;
+        let body = entry(&host.scene.pairs, mesh)?.bodies[usize::from(member == "second")];
+        gear_handle(host, "mesh", body)
+    }
+}
+
+/// Handle of the gear of a body.
+fn gear_handle(host: &ModelHost, argument: &str, body: BodyId) -> Result<Handle, RuntimeError> {
+    host.gear_model_on(argument, body)?;
+    let gear = host.body_gears.get(body.0).copied().flatten();
+    gear.map(|gear| Handle(gear as u64)).ok_or_else(|| defect("the gear of a body is unknown"))
 }
 
 /// Checks that a mesh is one of involute gears on parallel axes, on which the involute geometry and

@@ -74,7 +74,7 @@ impl ModuleStatement {
     }
 
     /// Normal module, m.
-    fn normal(&self, helix: &Helix) -> Result<f64, GeometryError> {
+    pub fn normal(&self, helix: &Helix) -> Result<f64, GeometryError> {
         let cosine = math::cos(helix.angle());
         match self.section {
             _ if helix.is_spur() => Ok(self.module),
@@ -278,6 +278,11 @@ impl TipStatements {
             .map(|_| name)
             .or(self.tip_diameter.map(|_| "tip_diameter"))
             .or(self.alteration.map(|_| "tip_alteration"))
+    }
+
+    /// Returns true if a diameter is stated, and not only the tip alteration.
+    pub fn states_diameter(&self) -> bool {
+        self.diameter.1.or(self.tip_diameter).is_some()
     }
 
     /// Returns the tip diameter of a gear with a nominal profile shift coefficient.

@@ -8,6 +8,7 @@ mod checks;
 
 use self::checks::reversed_allowances;
 use crate::blank::{Thickness, Tool};
+use crate::data_block::StatedData;
 use crate::error::{GeometryError, sentence};
 use crate::helix::Helix;
 use crate::involute::{involute, involute_of_roll, radius_at_roll, roll_at_radius, roll_of_involute};
@@ -223,6 +224,17 @@ impl ThicknessStatements {
             (over_balls, dimension.is_some()),
         ];
         stated.into_iter().find(|(_, stated)| *stated).map(|(argument, _)| argument)
+    }
+
+    /// Returns the allowances and the measurement of the data block.
+    pub fn drawing(&self) -> StatedData {
+        StatedData {
+            allowances: self.allowances,
+            thickness_limit: Some(self.limit.name()),
+            span_teeth: self.span_teeth.map(|count| count as u32),
+            ball: self.ball,
+            ..StatedData::default()
+        }
     }
 
     /// Returns the tooth thickness. `dedendum` is the dedendum coefficient of the tool if the root

@@ -84,7 +84,7 @@ fn add_tolerances(values: &mut Values, tolerances: &FlankTolerances) {
 }
 
 /// Converts a pressure angle from the transverse to the normal section at a helix angle, rad.
-pub(super) fn normal_angle(transverse: f64, helix: f64) -> f64 {
+pub(crate) fn normal_angle(transverse: f64, helix: f64) -> f64 {
     // atan(tan(x)) can differ from x in the last digit.
     if helix == 0.0 { transverse } else { math::atan(math::tan(transverse) * math::cos(helix)) }
 }

@@ -14,10 +14,13 @@ mod text;
 pub use entries::{DisplayUnit, Entry, EntryKind, GEAR_ENTRIES, MEMBER_ENTRIES, MESH_ENTRIES, Value};
 pub use flanks::{Amount, Deviations, FlankCharts, FlankTraces, PointOfProfile, Trace};
 
+pub(crate) use gear::normal_angle;
+
 use crate::flank_tolerances::FlankTolerances;
 use crate::host::{LengthUnit, ModelHost};
 use crate::mesh_geometry::MeshGeometry;
 use crate::prototype::GearPrototype;
+use crate::stated_geometry::StatedGeometry;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
@@ -51,6 +54,8 @@ pub struct StatedData {
     pub ball: Option<f64>,
     /// Tolerances of the accuracy grade.
     pub tolerances: Option<FlankTolerances>,
+    /// Geometry as stated, for ratings.
+    pub geometry: StatedGeometry,
 }
 
 /// Gears and meshes of a model. Their data are computed on request.
