@@ -424,4 +424,6 @@ impl Prototype for TabulatedGear {
 }
 
 #[cfg(test)]
+mod several_teeth;
+#[cfg(test)]
 mod tests;
