@@ -227,7 +227,7 @@ impl Row {
                     output: output.clone(),
                     statistic,
                     estimate: of(&error.total) / scale,
-                    true_error: off.abs() / scale,
+                    true_error: off / scale,
                     parts: parts.collect(),
                 });
             }
@@ -245,6 +245,7 @@ pub(super) struct Measured {
     pub(super) output: String,
     pub(super) statistic: &'static str,
     estimate: f64,
+    /// Positive if the value is too large.
     true_error: f64,
     parts: Vec<(&'static str, f64)>,
 }
@@ -253,14 +254,14 @@ impl Measured {
     /// Ratio of the estimate to the true error. Both are taken as no less than [`FLOOR`], so two
     /// errors below it agree.
     pub(super) fn effectivity(&self) -> f64 {
-        (self.estimate + FLOOR) / (self.true_error + FLOOR)
+        (self.estimate + FLOOR) / (self.true_error.abs() + FLOOR)
     }
 
     pub(super) fn line(&self) -> String {
         let parts: Vec<String> =
             self.parts.iter().map(|(part, error)| format!("{part} {:.2} %", 100.0 * error)).collect();
         format!(
-            "{:<12} {:<10} {:<13} {:8.3} {:8.3} {:8.2}   {}",
+            "{:<12} {:<10} {:<13} {:8.3} {:+8.3} {:8.2}   {}",
             self.case,
             self.output,
             self.statistic,
