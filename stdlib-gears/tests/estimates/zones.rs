@@ -1,5 +1,6 @@
 //! Convergence of the largest contact pressures of the flank zone and the edge zone under
-//! refinement of the contact grid, where a contact line ends at a tip edge.
+//! refinement of the contact grid, where a contact line ends at a tip edge, and the extent of the
+//! grid there.
 
 use super::suite::Row;
 use super::*;
@@ -84,4 +85,28 @@ fn the_estimate_covers_the_change_on_a_finer_grid() {
         let of_pressure = all.iter().filter(|one| one.output == "pressure" && one.statistic == "max");
         assert!(of_pressure.map(suite::Measured::effectivity).all(|ratio| ratio > 0.5));
     }
+}
+
+/// A contact line that ends at a tip edge has its closest approach there. A grid that is made wider
+/// must still cover all of it: at this position it covered half, and the transmission error was
+/// larger by 5 %.
+#[test]
+fn a_wider_grid_covers_a_contact_line_that_ends_at_a_tip_edge() {
+    let row = Row::of("wider no analytic 19 31 5 25 20 0 0 33 6 0 875 no 1 3 6 5 8 1 3 6 5 8");
+    let transmission_error = |cells: [usize; 2]| {
+        let (mut scene, cycle, outputs) = row.scene();
+        (scene.pairs[0].grid.half_cells, scene.pairs[0].grid.half_slices) = (Some(cells[0]), cells[1]);
+        let positions: Vec<Position> =
+            mesh_cycle(&cycle, 8).into_iter().filter(|position| position.cycle == 0.875).collect();
+        let options = AnalysisOptions {
+            fidelity: Fidelity::Analytic,
+            resources: resources(),
+            ..AnalysisOptions::default()
+        };
+        let outputs = &outputs[..1];
+        quasi_static(&scene, &positions, outputs, &options, &mut ()).expect("it runs").summaries[0].max
+    };
+    let [coarse, fine] = [[3, 3], [6, 5]].map(transmission_error);
+    println!("{coarse} {fine}");
+    assert!((coarse / fine - 1.0).abs() < 0.005, "{coarse} {fine}");
 }

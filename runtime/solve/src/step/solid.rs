@@ -244,12 +244,10 @@ impl ContactGeometry for Solid<'_> {
         if width.is_none() && length.is_none() {
             return None;
         }
-        // A length is centred at the closest approach. The grid of a surface that ends near it, as
-        // in contact along the whole face, would lose its other half.
-        let length = length.or(match general {
-            true => size.and_then(|[_, length]| length),
-            false => Some(present[1]),
-        });
+        // A length is centred at the closest approach, so the present one is not prescribed. The
+        // grid of a surface that ends near the closest approach, as in contact along the whole face
+        // or up to a tip, would lose its other half.
+        let length = length.or(size.and_then(|[_, length]| length));
         Some([Some(width.unwrap_or(present[0])), length])
     }
 
