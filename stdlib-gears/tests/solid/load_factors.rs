@@ -39,8 +39,11 @@ fn means<const N: usize>(options: &Options, positions: usize, observables: [&dyn
 
 /// Without modifications and misalignment, K_Hbeta of spur teeth is 1 to the accuracy of the
 /// contact grid. On helical teeth, where the side faces cut the contact lines, it has an end effect
-/// and is
-/// 1.009, 1.017 and 1.020.
+/// and is 1.010, 1.013 and 1.020.
+///
+/// K_Halpha is 1 where one pair carries all of the load at some position. Otherwise the load is not
+/// uniform along contact lines that end at tips and side faces, so that the pair with the longest
+/// line carries less than its share of the length. The value is that of any contact grid.
 #[test]
 fn perfect_pairs_have_a_face_load_factor_of_one_apart_from_end_effects() {
     for (helix_angle, end_effect) in [(0.0, 1e-3), (0.1, 0.012), (0.2, 0.02), (0.35, 0.025)] {
@@ -52,12 +55,15 @@ fn perfect_pairs_have_a_face_load_factor_of_one_apart_from_end_effects() {
             &DynamicFactor(MESH),
         ];
         let [face, root, transverse, dynamic] = means(&aligned, 1, observables);
-        println!("{helix_angle}: {face} {root} {transverse} {dynamic}");
+        let finer = Options { half_cells: [12, 16], ..pair(helix_angle, NEARLY_ALIGNED) };
+        let [on_finer_grid] = means(&finer, 1, [&TransverseLoadFactor(MESH)]);
+        println!("{helix_angle}: {face} {root} {transverse} ({on_finer_grid}) {dynamic}");
         assert!(face >= 1.0 - 1e-9 && face < 1.0 + end_effect, "{helix_angle}: {face}");
         assert!((root - face.powf(16.0 / 21.0)).abs() < 1e-12, "{root} {face}");
-        // One pair carries all of the load of a spur gear for a part of the cycle.
-        let expected = if helix_angle == 0.0 { 1e-9 } else { 0.02 };
-        assert!((transverse - 1.0).abs() < expected, "{helix_angle}: {transverse}");
+        assert!((transverse - on_finer_grid).abs() < 0.005, "{helix_angle}: {transverse} {on_finer_grid}");
+        // One pair carries all of the load of spur and slightly helical teeth for a part of the cycle.
+        let bounds = if helix_angle < 0.2 { 1.0 - 1e-9..1.0 + 1e-9 } else { 0.9..1.0 };
+        assert!(bounds.contains(&transverse), "{helix_angle}: {transverse}");
         // The force of a static equilibrium.
         assert!((dynamic - 1.0).abs() < 1e-9, "{helix_angle}: {dynamic}");
     }
