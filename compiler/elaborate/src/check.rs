@@ -39,6 +39,8 @@ pub struct Checked {
     pub blocks: u64,
     /// Number of gears that the model makes.
     pub gears: usize,
+    /// Number of its meshes on axes that are not parallel, or of gears that are not involute gears.
+    pub general_meshes: usize,
     /// Data of the gears and meshes, as in the data block of a drawing.
     pub gear_data: DataBlock,
     /// Parts of the program that further elaborations need; `None` without a program.
@@ -142,6 +144,7 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         blocks: 0,
         gear_data: DataBlock::default(),
         gears: 0,
+        general_meshes: 0,
         lowered: None,
     };
     // No other code has access to this switch, so the elaboration cannot be cancelled.
@@ -157,6 +160,7 @@ fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Ch
         result.blocks = elaboration.blocks;
         result.gear_data = elaboration.gear_data;
         result.gears = elaboration.geometry.gears.len();
+        result.general_meshes = elaboration.geometry.general_meshes;
         if !elaboration.runnable {
             result.program = None;
         }
@@ -204,6 +208,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Checked {
         blocks: 0,
         gear_data: DataBlock::default(),
         gears: 0,
+        general_meshes: 0,
         lowered: None,
     }
 }

@@ -16,6 +16,8 @@ pub struct Geometry {
     /// Gears, in order of first execution.
     pub gears: Vec<CreatedAt<GearGeometry>>,
     pub meshes: Vec<CreatedAt<MeshGeometry>>,
+    /// Number of meshes on axes that are not parallel, or of gears that are not involute gears.
+    pub general_meshes: usize,
 }
 
 /// The gears or meshes created by one call, which may run many times.
@@ -78,7 +80,9 @@ impl Geometry {
 
     /// Collects what the program created before it ended, whether it succeeded or not.
     pub(crate) fn of(host: &ModelHost) -> Geometry {
-        let mut geometry = Geometry::default();
+        let meshes = host.scene.pairs.iter().filter_map(|pair| pair.mesh.as_ref());
+        let general_meshes = meshes.filter(|mesh| mesh.first_contact.is_some()).count();
+        let mut geometry = Geometry { general_meshes, ..Geometry::default() };
         // For each gear of the host: its call and its index within the call, if it is stored.
         let mut kept = Vec::with_capacity(host.gears.len());
         for (gear, made_at) in host.gears.iter().zip(&host.gear_places) {

@@ -30,6 +30,10 @@ const MOST_GEARS_BY_DEFAULT: u64 = 12;
 /// Number of basic blocks that take about as long as a gear.
 const BLOCKS_OF_A_GEAR: u64 = 50_000;
 
+/// Number of gears that take about as long as a mesh on general axes, whose first contact is
+/// searched on both flanks.
+const GEARS_OF_A_GENERAL_MESH: u64 = 12;
+
 /// The code of an assertion of the model: it refuses a value on purpose.
 const ASSERTION: &str = "E0705";
 
@@ -139,7 +143,8 @@ pub fn check_ranges(checked: &Checked, extent: Extent, cancel: &Cancel) -> Resul
 
 /// Returns the number of models that a check builds without being asked for ranges.
 fn affordable(checked: &Checked) -> usize {
-    let cost = checked.gears as u64 + checked.blocks / BLOCKS_OF_A_GEAR;
+    let meshes = checked.general_meshes as u64 * GEARS_OF_A_GENERAL_MESH;
+    let cost = checked.gears as u64 + meshes + checked.blocks / BLOCKS_OF_A_GEAR;
     match cost {
         0 => MOST_MODELS_BY_DEFAULT,
         _ => MOST_MODELS_BY_DEFAULT.min((MOST_GEARS_BY_DEFAULT / cost) as usize),
