@@ -20,6 +20,9 @@ const PARALLEL: f64 = 1e-6;
 const STEPS: usize = 60;
 /// Step of finite differences, relative to the range of a coordinate.
 const DIFFERENCE: f64 = 1e-6;
+/// Least increase of the rotation beyond an end of a flank, rad per range of the coordinate, at
+/// which the contact is at this end.
+const OUTWARDS: f64 = 1e-6;
 /// Step of a coordinate, relative to its range, at which an iteration ends.
 const SETTLED: f64 = 1e-13;
 /// Part of its range by which a coordinate may be outside: rounding.
@@ -41,6 +44,8 @@ pub(super) struct FlankContact {
     pub normal: [f64; 3],
     /// True if the normals are parallel, so that neither flank ends.
     pub inside: bool,
+    /// True if the rotation has an extreme here because a flank of the first body ends.
+    pub at_end: bool,
 }
 
 /// Flank of the second body about its axis, the z axis of its coordinates.
@@ -121,18 +126,19 @@ impl<'a> Mate<'a> {
         Mate { surface, range, pushed: -outward.signum(), samples, reach }
     }
 
+    /// Returns the coordinates of the sample next to a radius and axial position.
+    fn nearest_sample(&self, target: [f64; 2]) -> Option<[f64; 2]> {
+        let distance = |at: &[f64; 2]| (at[0] - target[0]).powi(2) + (at[1] - target[1]).powi(2);
+        let distances = self.samples.iter().map(|(place, at)| (*place, distance(at)));
+        distances.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(place, _)| place)
+    }
+
     /// Returns the coordinates of the point with this radius and axial position; `None` if the
     /// flank ends before.
     fn partner(&self, target: [f64; 2], guess: Option<[f64; 2]>) -> Option<[f64; 2]> {
-        let distance = |at: &[f64; 2]| (at[0] - target[0]).hypot(at[1] - target[1]);
         let mut place = match guess {
             Some(guess) => guess,
-            None => {
-                let near = |a: &&([f64; 2], [f64; 2]), b: &&([f64; 2], [f64; 2])| {
-                    distance(&a.1).total_cmp(&distance(&b.1))
-                };
-                self.samples.iter().min_by(near)?.0
-            }
+            None => self.nearest_sample(target)?,
         };
         let spans = self.range.map(|[low, high]| high - low);
         let mut previous = f64::INFINITY;
@@ -192,7 +198,7 @@ impl<'a> Mate<'a> {
         let slope = own.tangents.map(|tangent| dot(turned, driver.pose.direction(tangent)) / arm);
         let sum = [0, 1, 2].map(|k: usize| normal[k] + turned[k]);
         let inside = length(sum) < PARALLEL;
-        let contact = FlankContact { rotation, place, point, normal, inside };
+        let contact = FlankContact { rotation, place, point, normal, inside, at_end: false };
         (facing && slope[0].is_finite() && slope[1].is_finite()).then_some(Ray { contact, slope, mate, arm })
     }
 
@@ -226,8 +232,14 @@ impl<'a> Mate<'a> {
             return None;
         }
         let mut best: Option<Ray> = None;
+        let mut neighbour = None;
         for place in grid(flank_range(driver.surface)) {
-            let Some(ray) = self.ray(driver, place, None) else { continue };
+            let near = neighbour.and_then(|mate| self.ray(driver, place, Some(mate)));
+            let Some(ray) = near.or_else(|| self.ray(driver, place, None)) else {
+                neighbour = None;
+                continue;
+            };
+            neighbour = Some(ray.mate);
             let further = |best: &Ray| {
                 let rotation = nearest(ray.contact.rotation, best.contact.rotation, TAU);
                 self.pushed * (rotation - best.contact.rotation) > 0.0
@@ -309,7 +321,16 @@ impl<'a> Mate<'a> {
             here = there;
             damping = (damping * 0.05).max(1e-14);
         }
-        here.contact
+        let (place, own) = (here.contact.place, slope(&here));
+        // Whether the rotation grows beyond an end (1), does not change (0), or neither.
+        let grows = [0, 1].map(|k: usize| match () {
+            () if place[k] <= range[k][0] && own[k] < -OUTWARDS => Some(1),
+            () if place[k] >= range[k][1] && own[k] > OUTWARDS => Some(1),
+            () if own[k].abs() <= OUTWARDS => Some(0),
+            () => None,
+        });
+        let at_end = matches!(grows, [Some(1), Some(_)] | [Some(_), Some(1)]);
+        FlankContact { at_end, ..here.contact }
     }
 }
 

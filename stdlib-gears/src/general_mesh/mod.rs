@@ -129,9 +129,9 @@ impl Bodies {
         let surface = self.flanks[0].surfaces[surfaces[0]].as_ref();
         let touches = |rolled: f64, place: [f64; 2]| -> Option<[f64; 2]> {
             let driver = Driver { surface, pose: self.tooth_pose(start.tooth, angle + sense * rolled) };
-            let near = mate.contact_near(&driver, place).filter(|contact| contact.inside);
-            let found = near.or_else(|| mate.contact(&driver).filter(|contact| contact.inside));
-            found.map(|contact| contact.place)
+            let found = mate.contact_near(&driver, place).filter(|contact| contact.inside || contact.at_end);
+            let found = found.or_else(|| mate.contact(&driver))?;
+            found.inside.then_some(found.place)
         };
         let step = self.pitches[0] / STEPS_PER_PITCH;
         let most = (PITCHES * STEPS_PER_PITCH) as i32;
