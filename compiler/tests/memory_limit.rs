@@ -16,7 +16,7 @@ const ENDLESS: [(&str, &str); 8] = [
     ),
     (
         "text of an array",
-        "var a = [0.1]; while (TRUE) { for (var i = 0; i < 1000; i = i + 1) push(a, 0.1); var s = \"{a}\"; }",
+        "var a = [0.1]; while (TRUE) { for (var i = 0; i < 20000; i = i + 1) push(a, 0.1); var s = \"{a}\"; }",
     ),
     ("an array that grows", "var a = [0]; while (TRUE) { push(a, 1); }"),
     (
