@@ -71,6 +71,8 @@ fn repr(ty: &TypeExpr) -> Repr {
             "Observable" => Repr::Handle,
             other => panic!("what is {other}(...)?"),
         },
+        // A handle of another module.
+        TypeKind::Member(..) => Repr::Handle,
         // Combined dimensions.
         _ => Repr::Number,
     }

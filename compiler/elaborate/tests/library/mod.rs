@@ -180,9 +180,9 @@ fn sample_of(ty: &str) -> Option<String> {
         "Material" => "steel",
         "Modification" => "gears.profile_slope(deviation = 5 um)",
         "Rim" => "rim",
-        "Gear" => "pinion_gear",
+        "Gear" | "gears.Gear" => "pinion_gear",
         "Body" => "pinion",
-        "Mesh" => "mesh",
+        "Mesh" | "gears.Mesh" => "mesh",
         "Gauge" => "gauge",
         "Lubrication" => "lubrication",
         "Bearing" => "bearing",
@@ -392,9 +392,12 @@ var planet_member = gears.lumped_member(1 kg, 1e-3 kg*m^2, 20 mm);
 var modes = gears.lumped_planetary(member, member, member, planet_member, 1e8 N/m, 1e8 N/m, 1e8 N/m, 20 deg, 20 deg);
 "#;
 
-/// The scene of functions of `iso21771`, which need no bodies.
+/// The scene of functions of `iso21771`.
 const GEAR_DATA: &str = r#"
+import gears;
 import iso21771;
+var pinion_gear = gears.external(24, normal_module = 3 mm, face_width = 30 mm);
+var mesh = gears.pair(pinion_gear, pinion_gear, center_distance = 72 mm, torque = 10 N*m, speed = 1000 rpm).mesh;
 function same(in x) { return x; }
 var gear_data = iso21771.gear_data(24, 30 mm, normal_module = 3 mm);
 var pair_data = iso21771.pair_data(gear_data, gear_data);
