@@ -322,7 +322,7 @@ impl<'a> Mate<'a> {
             damping = (damping * 0.05).max(1e-14);
         }
         let (place, own) = (here.contact.place, slope(&here));
-        // Whether the rotation grows beyond an end (1), does not change (0), or neither.
+        // 1 if the rotation grows beyond an end, and 0 if it does not change.
         let grows = [0, 1].map(|k: usize| match () {
             () if place[k] <= range[k][0] && own[k] < -OUTWARDS => Some(1),
             () if place[k] >= range[k][1] && own[k] > OUTWARDS => Some(1),

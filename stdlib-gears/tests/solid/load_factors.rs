@@ -58,7 +58,8 @@ fn perfect_pairs_have_a_face_load_factor_of_one_apart_from_end_effects() {
         println!("{helix_angle}: {face} {root} {transverse} {dynamic}");
         assert!(face >= 1.0 - 1e-9 && face < 1.0 + end_effect, "{helix_angle}: {face}");
         assert!((root - face.powf(16.0 / 21.0)).abs() < 1e-12, "{root} {face}");
-        // One pair carries all of the load of spur and slightly helical teeth for a part of the cycle.
+        // One pair of spur or slightly helical teeth carries all of the load for a part of the
+        // cycle.
         if helix_angle < 0.2 {
             assert!((transverse - 1.0).abs() < 1e-9, "{helix_angle}: {transverse}");
         } else {

@@ -4,8 +4,8 @@
 //! Elements of a tooth do not resolve the Hertzian patch, so the deflection at the contact is
 //! averaged with a smooth weight over a part of the flank around it. By reciprocity it is the mean
 //! displacement of the loaded cells under a smooth pressure, which the mesh resolves. The body's
-//! displacement is the sum of its smooth part and that of the half-space with its images in the side
-//! faces, which is integrated here.
+//! displacement is the sum of its smooth part and that of the half-space with its images in the
+//! side faces, which is integrated here.
 
 use super::*;
 use crate::assembly::{MeshOptions, add_body};
