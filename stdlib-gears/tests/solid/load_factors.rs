@@ -39,11 +39,11 @@ fn means<const N: usize>(options: &Options, positions: usize, observables: [&dyn
 
 /// Without modifications and misalignment, K_Hbeta of spur teeth is 1 to the accuracy of the
 /// contact grid. On helical teeth, where the side faces cut the contact lines, it has an end effect
-/// and is 1.010, 1.013 and 1.020.
+/// and is 1.010 and 1.013 at 0.1 and 0.2 rad.
 ///
-/// K_Halpha is 1 where one pair carries all of the load at some position. Otherwise the load is not
-/// uniform along contact lines that end at tips and side faces, so that the pair with the longest
-/// line carries less than its share of the length. The value is that of any contact grid.
+/// K_Halpha is 1 where one pair carries all of the load at some position. Where two pairs always
+/// share it, the share of a pair is not exactly that of the length of its contact line; the factor
+/// is below 1 and does not depend on the contact grid.
 #[test]
 fn perfect_pairs_have_a_face_load_factor_of_one_apart_from_end_effects() {
     for (helix_angle, end_effect) in [(0.0, 1e-3), (0.1, 0.012), (0.2, 0.02), (0.35, 0.025)] {
