@@ -2,7 +2,9 @@
 //! of each output.
 
 use crate::shown::rounded;
+use calyx_abi::units::from_si;
 use calyx_report::choices::{described, ordered};
+use calyx_report::summary_table::without_rounding;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::io;
@@ -47,6 +49,9 @@ pub struct OutputSummary {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 struct Display {
     unit: String,
+    /// Value of the unit in SI.
+    #[serde(default)]
+    factor: f64,
     // JSON represents infinity as null.
     min: Option<f64>,
     max: Option<f64>,
@@ -59,6 +64,9 @@ struct Display {
 
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 struct ErrorEstimate {
+    /// Magnitude in SI up to which a value is a rounding error.
+    #[serde(default)]
+    rounding: f64,
     /// Estimated error relative to the largest magnitude; null if the magnitude is zero or rounding
     /// noise.
     #[serde(default)]
@@ -101,7 +109,7 @@ impl OutputSummary {
     /// Returns the summary on one line: `2.31 .. 2.44 inch, mean 2.4, peak to peak 0.13`. A
     /// constant output is shown as one value.
     pub fn line(&self) -> String {
-        let Display { unit, min, max, mean, peak_to_peak, positions } = &self.display;
+        let Display { unit, min, max, mean, peak_to_peak, positions, .. } = &self.display;
         if !positions.is_empty() {
             let counts: Vec<_> = positions.iter().map(|(name, count)| (name.clone(), *count)).collect();
             return described(&ordered(counts));
@@ -140,6 +148,13 @@ impl OutputSummary {
     }
 
     fn number(&self, value: Option<f64>) -> String {
+        let largest = [self.display.min, self.display.max]
+            .into_iter()
+            .flatten()
+            .fold(0.0, |most: f64, own| most.max(own.abs()));
+        let rounding =
+            self.error_estimate.as_ref().map_or(0.0, |error| from_si(error.rounding, self.display.factor));
+        let value = value.map(|value| without_rounding(value, largest, rounding));
         // Two-dimensional models are accurate to at most four digits.
         value.map_or_else(
             || "inf".into(),

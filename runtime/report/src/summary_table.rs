@@ -27,7 +27,9 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
             rows.push(with_error(of_choices(&output.name, &counts(&output.choices, values)), String::new()));
             continue;
         }
-        let shown = |si: f64| number(from_si(si, output.unit.factor));
+        let rounding = summary.error.as_ref().map_or(0.0, |error| error.rounding);
+        let largest = summary.min.abs().max(summary.max.abs());
+        let shown = |si: f64| number(from_si(without_rounding(si, largest, rounding), output.unit.factor));
         let cells = vec![
             output.name.clone(),
             output.unit.name.clone(),
@@ -64,6 +66,12 @@ const ROUNDING: f64 = 1e-12;
 pub(crate) fn variation(extremes: [f64; 2], peak_to_peak: f64) -> f64 {
     let [smallest, largest] = extremes.map(f64::abs);
     if peak_to_peak <= ROUNDING * smallest.max(largest) { 0.0 } else { peak_to_peak }
+}
+
+/// Returns a value, or 0 if it is the residue of a sum whose terms cancel: below the known rounding
+/// error of its output, or below [`ROUNDING`] relative to the output's largest magnitude.
+pub fn without_rounding(value: f64, largest: f64, rounding: f64) -> f64 {
+    if value.abs() <= rounding.max(ROUNDING * largest) { 0.0 } else { value }
 }
 
 /// Formats one line per output of a model without an analysis, which has one row.
@@ -177,7 +185,7 @@ fn align(rows: &[Vec<String>]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{of_choices, variation};
+    use super::{of_choices, variation, without_rounding};
 
     #[test]
     fn choices_have_names_in_place_of_statistics() {
@@ -197,5 +205,14 @@ mod tests {
         assert_eq!(variation([1.0, 1.0 + 1e-9], 1e-9), 1e-9);
         assert_eq!(variation([-1e-20, 1e-20], 2e-20), 2e-20);
         assert!(variation([f64::NAN; 2], f64::NAN).is_nan());
+    }
+    #[test]
+    fn residues_of_sums_are_zero() {
+        assert_eq!(without_rounding(1.9e-16, 2.2e-6, 2.2e-13), 0.0);
+        assert_eq!(without_rounding(-1.5e-14, 1.5e-14, 1e-13), 0.0);
+        assert_eq!(without_rounding(1.5e-14, 1.5e-14, 0.0), 1.5e-14);
+        assert_eq!(without_rounding(1e-13, 1.0, 0.0), 0.0);
+        assert!(without_rounding(f64::NAN, f64::NAN, 0.0).is_nan());
+        assert_eq!(without_rounding(f64::INFINITY, f64::INFINITY, 0.0), f64::INFINITY);
     }
 }

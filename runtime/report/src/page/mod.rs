@@ -19,7 +19,7 @@ mod read;
 mod units;
 
 use crate::directory::REPORT;
-use crate::summary_table::variation;
+use crate::summary_table::{variation, without_rounding};
 use calyx_abi::units::shortest;
 use chart::{Axis, Curve, NARROW, Plot, WIDE};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -262,6 +262,8 @@ fn summary(run: &Run) -> Markup {
             } }
             tbody { @for output in &run.outputs {
                 @let of = output.statistics;
+                @let rounding = output.error.as_ref().map_or(0.0, |error| error.rounding);
+                @let value = |value| number(without_rounding(value, of.magnitude(), rounding));
                 @if !output.has_values() { tr.faint {
                     th scope="row" { code { (output.name) } }
                     td.word { (output.unit) }
@@ -273,14 +275,14 @@ fn summary(run: &Run) -> Markup {
                 } } @else { tr {
                     th scope="row" { a href={ "#output-" (output.name) } { code { (output.name) } } }
                     td.word { (output.unit) }
-                    td { (number(of.min)) }
-                    td { @match of.mean { Some(mean) => (number(mean)), None => "–" } }
-                    td.main { (number(of.max)) }
+                    td { (value(of.min)) }
+                    td { @match of.mean { Some(mean) => (value(mean)), None => "–" } }
+                    td.main { (value(of.max)) }
                     @if estimated { @match &output.error {
                         Some(of) => { td { (accuracy::of_largest(output, of)) } td { (part_of_value(of)) } },
                         None => { td { "–" } td {} },
                     } }
-                    td { (number(variation([of.min, of.max], of.peak_to_peak))) }
+                    td { (value(variation([of.min, of.max], of.peak_to_peak))) }
                     td.word { (output.place) }
                 } }
             } }

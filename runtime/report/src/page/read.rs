@@ -130,6 +130,8 @@ pub struct Estimate {
     pub relative: f64,
     /// True if values and errors are rounding errors only.
     pub is_rounding: bool,
+    /// Magnitude up to which a value is a rounding error.
+    pub rounding: f64,
     /// Errors by source.
     pub parts: Vec<(String, Statistics)>,
     /// Errors that were not estimated, with the reason; empty for runs that do not report them.
@@ -149,6 +151,7 @@ impl Estimate {
             total: Statistics::of(json, factor)?,
             relative: json["relative"].as_f64().unwrap_or(f64::NAN),
             is_rounding: json["is_rounding"].as_bool().unwrap_or(false),
+            rounding: from_si(json["rounding"].as_f64().unwrap_or(0.0), factor),
             parts: parts
                 .filter_map(|(name, part)| Some((name.clone(), Statistics::of(part, factor)?)))
                 .collect(),
