@@ -19,6 +19,9 @@ pub(super) struct Free<'a> {
     pub start: u32,
 }
 
+/// The help for a number without a unit below this one, in place of a length, names metres too.
+const LEAST_LENGTH: f64 = 0.1;
+
 /// Number of parameters of the given quantity above which the help names one of them only: the
 /// last one before the parameter, since alternatives are declared next to each other.
 const MOST_ALTERNATIVES: usize = 2;
@@ -106,7 +109,13 @@ impl Checker<'_> {
                 of(wanted)
             ),
             (false, Some(number)) => {
-                format!("`{name}` takes {}, such as `{}`", of(wanted), written(&number.to_string(), unit))
+                let metres = wanted.known_name() == Some("Length") && unit == "mm";
+                let or = if metres && number.abs() < LEAST_LENGTH {
+                    format!(" or `{}`", written(&number.to_string(), "m"))
+                } else {
+                    String::new()
+                };
+                format!("`{name}` takes {}, such as `{}`{or}", of(wanted), written(&number.to_string(), unit))
             }
             (false, None) => String::new(),
         };

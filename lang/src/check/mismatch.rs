@@ -210,7 +210,8 @@ impl Checker<'_> {
         };
         let total = in_bases(e).unwrap_or_else(|| self.store.show(&e.ty));
         if parts.len() < 2 || parts.len() > 8 {
-            return self.text(e.span).chars().take(40).chain(" = ".chars()).collect::<String>() + &total;
+            let text: String = self.text(e.span).chars().take(40).collect();
+            return if total == "1" { format!("{text} has no unit") } else { format!("{text} = {total}") };
         }
         let mut text = String::new();
         for (index, (factor, above)) in parts.iter().enumerate() {
