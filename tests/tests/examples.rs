@@ -23,7 +23,7 @@ const PICTURED: [&str; 3] = ["helical_pair", "internal_pair", "planetary"];
 
 /// Examples whose only diagnostic is a warning about unloaded contact, which is a property of the
 /// pair: flanks with the mismatch of the published settings, or strongly crowned ones.
-const WARNED: [(&str, &str); 3] = [("face_hobbed", "W0861"), ("hypoid", "W0860"), ("spiral_bevel", "W0861")];
+const WARNED: [(&str, &str); 3] = [("face_hobbed", "W0861"), ("hypoid", "W0861"), ("spiral_bevel", "W0861")];
 
 fn warnings(name: &str) -> impl Iterator<Item = &'static str> {
     WARNED.iter().filter(move |(example, _)| *example == name).map(|(_, code)| *code)
