@@ -28,7 +28,7 @@ impl<'a> Checker<'a> {
                     high: None,
                     choices: Vec::new(),
                     unit: None,
-                    whole: is_whole(&info.decl.default),
+                    whole: takes_whole_numbers(info.decl),
                     owner,
                     span,
                 },
@@ -101,7 +101,7 @@ impl<'a> Checker<'a> {
             name: name.clone(),
             doc: doc.unwrap_or_default().to_string(),
             ty,
-            whole: is_whole(&decl.default),
+            whole: takes_whole_numbers(decl),
             default,
             low,
             high,
@@ -348,6 +348,26 @@ pub(super) fn listed(e: &ast::Expr) -> Option<&[ast::Expr]> {
         ExprKind::List(elements) => Some(elements),
         ExprKind::Paren(inner) => listed(inner),
         _ => None,
+    }
+}
+
+/// Returns `true` if a param takes whole numbers only: its default and the limits of its range are
+/// written as integers.
+fn takes_whole_numbers(decl: &ast::ParamDecl) -> bool {
+    let limits_are_whole = match &decl.domain {
+        Some(Domain::Range { low, high, .. }) => low.iter().chain(high).all(is_integer_or_constant),
+        _ => true,
+    };
+    is_whole(&decl.default) && limits_are_whole
+}
+
+/// Returns `true` unless a limit is written as a fraction.
+fn is_integer_or_constant(limit: &ast::Expr) -> bool {
+    match &limit.kind {
+        ExprKind::Number(_) => is_whole(limit),
+        ExprKind::Unary { operand, .. } => is_integer_or_constant(operand),
+        ExprKind::Paren(inner) => is_integer_or_constant(inner),
+        _ => true,
     }
 }
 
