@@ -137,7 +137,7 @@ impl OutputSummary {
     /// Returns the estimated error of the value of largest magnitude, and whether it excludes the
     /// error of the fidelity level itself; `None` if it is unknown.
     pub fn error(&self) -> Option<String> {
-        let ErrorEstimate { relative, includes_level } = self.error_estimate.as_ref()?;
+        let ErrorEstimate { relative, includes_level, .. } = self.error_estimate.as_ref()?;
         let percent = format!("{:.1e}", 100.0 * (*relative)?).parse().map_or_else(|_| "?".into(), rounded);
         Some(match includes_level {
             true => format!("estimated error {percent} %"),
