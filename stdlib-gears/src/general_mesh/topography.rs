@@ -214,12 +214,16 @@ impl Search<'_> {
         found.sort_by_key(|(k, _)| *k);
         let errors: std::collections::BTreeMap<i32, f64> =
             found.iter().map(|(k, contact)| (*k, contact.transmission_error)).collect();
+        // A contact that was not found between two others lies between them.
+        let error = |k: i32| {
+            let between = || Some(0.5 * (errors.get(&(k - 1))? + errors.get(&(k + 1))?));
+            errors.get(&k).copied().or_else(between)
+        };
         for (k, contact) in &mut found {
             let mut others = (-NEIGHBOURS..=NEIGHBOURS).filter(|pair| *pair != 0);
             contact.touches = others.all(|pair| {
-                errors
-                    .get(&(*k + pair * STEPS as i32))
-                    .is_none_or(|other| *other >= contact.transmission_error - TOGETHER)
+                error(*k + pair * STEPS as i32)
+                    .is_none_or(|other| other >= contact.transmission_error - TOGETHER)
             });
         }
         found.into_iter().map(|(_, contact)| contact).collect()

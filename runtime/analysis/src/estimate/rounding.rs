@@ -9,10 +9,13 @@
 use crate::observables::Quantity;
 use crate::scene::Scene;
 use calyx_model::observed::{Observed, OutputRequest};
+use calyx_model::pairs::SurfacePair;
 
 /// Relative accuracy of positions and angles: some hundreds of operations lie between a frame and
 /// the solution.
 const OF_PLACES: f64 = 1e3 * f64::EPSILON;
+/// The same for gears on general axes, whose flanks are interpolated.
+const OF_INTERPOLATED_PLACES: f64 = 2e-9;
 /// Fraction of the loads to which forces balance where structures distribute them: the accuracy of
 /// a flank's position relative to its deflection.
 const OF_LOADS: f64 = 1e-10;
@@ -20,6 +23,8 @@ const OF_LOADS: f64 = 1e-10;
 /// Scales of a scene, SI.
 #[derive(Clone, Copy, Debug)]
 struct Sizes {
+    /// Relative accuracy of positions and angles.
+    places: f64,
     /// Largest outer radius of a body.
     length: f64,
     force: f64,
@@ -29,7 +34,10 @@ struct Sizes {
 impl Sizes {
     fn of(scene: &Scene, time: f64) -> Sizes {
         let norm = |vector: [f64; 3]| vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-        let mut sizes = Sizes { length: 0.0, force: 0.0, moment: 0.0 };
+        let general =
+            |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.first_contact.is_some());
+        let places = if scene.pairs.iter().any(general) { OF_INTERPOLATED_PLACES } else { OF_PLACES };
+        let mut sizes = Sizes { places, length: 0.0, force: 0.0, moment: 0.0 };
         for body in &scene.bodies {
             let [.., x, y, z] = body.motion.frame(time);
             let radius = body.prototype.enclosing_radius();
@@ -47,8 +55,8 @@ impl Sizes {
     /// Returns the magnitude up to which a quantity may consist of rounding.
     fn rounding(&self, quantity: Quantity) -> f64 {
         match quantity.unit {
-            "m" => OF_PLACES * self.length,
-            "rad" => OF_PLACES,
+            "m" => self.places * self.length,
+            "rad" => self.places,
             "N" => OF_LOADS * self.force,
             "N*m" => OF_LOADS * self.moment,
             _ => 0.0,

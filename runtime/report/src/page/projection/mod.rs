@@ -21,6 +21,12 @@ use tooth::Tooth;
 const MARKING: f64 = 6.35e-6;
 /// Ease-off below which flanks are conjugate, um: the accuracy of their interpolation.
 const CONJUGATE: f64 = 0.1;
+/// Variation of a transmission error below which it is that of conjugate flanks, urad: the accuracy
+/// of their interpolation.
+const NO_ERROR: f64 = 0.01;
+/// Largest move of a point of contact from one rotation to the next along face or profile, as a
+/// part of either. A longer one leads to another place of contact.
+const LONGEST_MOVE: f64 = 0.2;
 /// Number of contour lines.
 const CONTOURS: usize = 8;
 /// Parts into which a cell of the ease-off is divided along either coordinate for its colours.
@@ -258,18 +264,31 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
 /// touches.
 fn unloaded_paths(mesh: &Mesh<'_>, side: usize) -> Vec<(usize, Vec<[f64; 2]>)> {
     let touching: Vec<&UnloadedRow> = mesh.unloaded.iter().copied().filter(|row| row.touches).collect();
-    let place = |row: &&UnloadedRow| {
-        mesh.teeth[side].position(match side {
-            0 => [row.first_along_face, row.first_along_profile],
-            _ => [row.second_along_face, row.second_along_profile],
-        })
+    let step = touching
+        .windows(2)
+        .map(|two| two[1].rotation - two[0].rotation)
+        .filter(|step| *step > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    let fractions = |row: &UnloadedRow| match side {
+        0 => [row.first_along_face, row.first_along_profile],
+        _ => [row.second_along_face, row.second_along_profile],
+    };
+    let place = |row: &&UnloadedRow| mesh.teeth[side].position(fractions(row));
+    // Where another pair touches in between, or the contact moves to another edge, the path ends.
+    let follows = |a: &UnloadedRow, b: &UnloadedRow| {
+        let (from, to) = (fractions(a), fractions(b));
+        let moves = (0..2).map(|k: usize| (to[k] - from[k]).abs()).fold(0.0, f64::max);
+        b.rotation - a.rotation < 1.5 * step && moves < LONGEST_MOVE
     };
     let mut paths: Vec<(usize, Vec<[f64; 2]>)> = Vec::new();
-    for part in touching.chunk_by(|a, b| a.edge == b.edge) {
+    let mut last: Option<&UnloadedRow> = None;
+    for part in touching.chunk_by(|a, b| a.edge == b.edge && follows(a, b)) {
         let mut line: Vec<[f64; 2]> = part.iter().map(place).collect();
-        // Parts follow each other without a gap.
-        let before = paths.last().and_then(|(_, line)| line.last()).copied();
+        // A part begins where the one before ends.
+        let joined = last.filter(|last| follows(last, part[0])).and(paths.last());
+        let before = joined.and_then(|(_, line)| line.last()).copied();
         line.splice(0..0, before);
+        last = part.last().copied();
         paths.push((if part[0].edge { EDGE } else { PATH }, line));
     }
     paths
@@ -311,11 +330,19 @@ fn transmission_error(mesh: &Mesh<'_>) -> Plot {
     let touching: Vec<&&UnloadedRow> = mesh.unloaded.iter().filter(|row| row.touches).collect();
     let (Some(first), Some(last)) = (touching.first(), touching.last()) else { return Plot::default() };
     let period = first.pitch;
+    let step = touching
+        .windows(2)
+        .map(|two| (two[1].rotation - two[0].rotation).to_degrees())
+        .filter(|step| *step > 0.0)
+        .fold(f64::INFINITY, f64::min);
     let error = |row: &&UnloadedRow| microradians(row);
     let (low, high) = touching
         .iter()
         .map(|row| microradians(row))
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    if high - low < NO_ERROR {
+        return Plot::default();
+    }
     // Pairs far from contact would flatten the curve of the pair that touches.
     let limit = high + 1.5 * (high - low).max(1e-9);
     let shifted = |pair: i32, all: bool| -> Vec<(f64, f64)> {
@@ -334,7 +361,9 @@ fn transmission_error(mesh: &Mesh<'_>) -> Plot {
         })
         .collect();
     let mut together: Vec<(f64, f64)> = (-1..=1).flat_map(|pair| shifted(pair, false)).collect();
-    together.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // Where two pairs touch, both have the same error but for the accuracy of their contacts.
+    together.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    together.dedup_by(|next, kept| next.0 - kept.0 < 0.5 * step);
     all.push(Curve { name: "pair that touches".into(), colour: 1, points: together, off: None });
     let x = Axis { what: "rotation of the first gear", unit: "deg" };
     curves(TALL, &x, &Axis { what: "transmission error", unit: "urad" }, &all, &[])
