@@ -23,11 +23,16 @@ const LEAST_CONTACT_RATIO: f64 = 1.0;
 /// # Errors
 /// E0710: a frame is NaN or infinite.
 pub(crate) fn is_general(scene: &Scene, ids: [BodyId; 2]) -> Result<bool, EngineError> {
-    if ids.iter().any(|id| gear_of(scene, *id).is_none()) {
+    if has_tabulated_teeth(scene, ids) {
         return Ok(true);
     }
     let [first, second] = [axis(scene, ids[0])?, axis(scene, ids[1])?];
     Ok(length(cross(first, second)).atan2(dot(first, second)) > LARGEST_MISALIGNMENT)
+}
+
+/// Returns whether one of two bodies is no involute gear.
+pub(super) fn has_tabulated_teeth(scene: &Scene, ids: [BodyId; 2]) -> bool {
+    ids.iter().any(|id| gear_of(scene, *id).is_none())
 }
 
 fn motion(scene: &Scene, id: BodyId) -> &dyn Motion {
@@ -205,12 +210,18 @@ pub(super) fn unfit_loop(angle: f64) -> GeometryError {
 }
 
 /// Warning about flanks that touch at edges only.
-pub(super) fn edge_contact() -> GeometryError {
+pub(super) fn edge_contact(tabulated: bool) -> GeometryError {
+    let help = match tabulated {
+        true => sentence![
+            "check the frames and the helix or spiral angles: contact of the flanks is usual. Or the flanks are hollow: see the ease-off in the report"
+        ],
+        false => sentence!["check the frames and the helix or spiral angles: contact of the flanks is usual"],
+    };
     GeometryError::warning(
         "W0860",
         "second",
         sentence!["without load these gears touch at edges of their teeth only"],
-        sentence!["check the frames and the helix or spiral angles: contact of the flanks is usual"],
+        help,
     )
 }
 
@@ -229,7 +240,13 @@ pub(super) fn low_contact_ratio(ratio: f64) -> Option<GeometryError> {
 }
 
 /// Warning about teeth that fill the spaces.
-pub(super) fn no_backlash(overlap: f64) -> GeometryError {
+pub(super) fn no_backlash(overlap: f64, tabulated: bool) -> GeometryError {
+    let help = match tabulated {
+        true => sentence![
+            "reduce the tooth thickness of a gear (`thickness` of `bevel_gear.gear`), or check the frames and the alignment"
+        ],
+        false => sentence!["reduce `tooth_thickness`, or place the axes farther apart"],
+    };
     GeometryError::warning(
         "W0862",
         "second",
@@ -237,6 +254,6 @@ pub(super) fn no_backlash(overlap: f64) -> GeometryError {
             "the gears have no backlash: their coast flanks overlap by ", length overlap,
             ". Contact is searched on the driving flanks only"
         ],
-        sentence!["reduce `tooth_thickness`, or place the axes farther apart"],
+        help,
     )
 }

@@ -197,6 +197,7 @@ pub fn general_mesh(
     };
     let mut touching = needed(phases[0])?;
     let mut warnings = Vec::new();
+    let tabulated = checks::has_tabulated_teeth(scene, ids);
     let off = |touching: &ToothContact, phase: f64| nearest(touching.contact.rotation - phase, 0.0, pitch);
     let mut left = 0.0;
     match may_rotate(scene, ids) {
@@ -222,7 +223,7 @@ pub fn general_mesh(
     let (mesh, contact_ratio) = cycle.mesh(surfaces, sense, &touching);
     warnings.extend(contact_ratio.and_then(checks::low_contact_ratio));
     if contact_ratio.is_none() {
-        warnings.push(checks::edge_contact());
+        warnings.push(checks::edge_contact(tabulated));
     }
     let coast_surfaces = surfaces.map(|surface| 1 - surface);
     let coast = bodies.first_contact(coast_surfaces, phases[0]);
@@ -234,7 +235,7 @@ pub fn general_mesh(
     if !options.coast_side_contact
         && let Some(overlap) = backlash.filter(|backlash| *backlash < -ROUNDING_OF_DATA * pitch)
     {
-        warnings.push(checks::no_backlash(-overlap * mesh.base_radii[1]));
+        warnings.push(checks::no_backlash(-overlap * mesh.base_radii[1], tabulated));
     }
     let back = coast
         .filter(|_| options.coast_side_contact)
