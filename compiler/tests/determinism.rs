@@ -136,7 +136,7 @@ fn check_kills(text: &str, arguments: &[&str]) {
     let expected = results(&whole);
     let mut long = started.elapsed();
     let mut kills = 0;
-    for seed in [1, 20, 300] {
+    for seed in [1, 20] {
         let mut random = Random(seed);
         let out = directory.path().join(seed.to_string());
         // The first seed starts without a cache, and is killed while structures are being written
@@ -165,7 +165,7 @@ fn check_kills(text: &str, arguments: &[&str]) {
         // Later runs with this cache take less time.
         long = long.min(2 * again.elapsed().max(Duration::from_millis(50)));
     }
-    assert!(kills > 3, "{kills} kills");
+    assert!(kills > 2, "{kills} kills");
 }
 
 #[test]

@@ -175,7 +175,6 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     assert_eq!(expected.len() as u64, 3 + 5 + 1 + 3 * count + 3, "{:?}", expected.keys());
     let moments = [
         (Way::CalyxRun, 0),
-        (Way::CalyxRun, 1),
         (Way::CalyxRun, count / 2),
         (Way::Executable, 2),
         (Way::Executable, count),

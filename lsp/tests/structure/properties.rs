@@ -284,13 +284,13 @@ fn without_last_commas(words: Vec<String>) -> Vec<String> {
 fn typing_keeps_the_meaning() {
     for_all(|source, random| {
         let mut places: Vec<usize> = source.text.match_indices([';', '}']).map(|(at, _)| at + 1).collect();
-        for _ in 0..15.min(places.len()) {
+        for _ in 0..8.min(places.len()) {
             let offset = places.swap_remove(random.below(places.len()));
             let character = source.text[..offset].chars().next_back().unwrap();
             let changes = typed(source, offset as u32, character);
             assert_same_meaning(source.text, &changed(source.text, &changes));
         }
-        for _ in 0..15 {
+        for _ in 0..8 {
             let at = place(source, random) as usize;
             let mut broken = source.text.to_string();
             broken.insert(at, '\n');

@@ -68,6 +68,7 @@ fn of_cubic_elements() {
 }
 
 #[test]
+#[ignore = "takes half a minute: .ci/full runs it"]
 fn of_helical_teeth() {
     assert_median(&of_angles());
 }
