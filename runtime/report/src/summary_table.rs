@@ -71,7 +71,8 @@ pub(crate) fn variation(extremes: [f64; 2], peak_to_peak: f64) -> f64 {
 /// Returns a value, or 0 if it is the residue of a sum whose terms cancel: below the known rounding
 /// error of its output, or below [`ROUNDING`] relative to the output's largest magnitude.
 pub fn without_rounding(value: f64, largest: f64, rounding: f64) -> f64 {
-    if value.abs() <= rounding.max(ROUNDING * largest) { 0.0 } else { value }
+    let noise = if largest.is_finite() { rounding.max(ROUNDING * largest) } else { rounding };
+    if value.abs() <= noise { 0.0 } else { value }
 }
 
 /// Formats one line per output of a model without an analysis, which has one row.
@@ -214,5 +215,6 @@ mod tests {
         assert_eq!(without_rounding(1e-13, 1.0, 0.0), 0.0);
         assert!(without_rounding(f64::NAN, f64::NAN, 0.0).is_nan());
         assert_eq!(without_rounding(f64::INFINITY, f64::INFINITY, 0.0), f64::INFINITY);
+        assert_eq!(without_rounding(1.0, f64::INFINITY, 0.0), 1.0);
     }
 }
