@@ -40,6 +40,7 @@ fn crowned_flanks_press_as_independent_models_say() {
 /// With Poisson's ratio zero nothing bulges at the side faces, and every section of an unmodified
 /// spur pair is in plane strain.
 #[test]
+#[ignore = "takes half a minute: .ci/full runs it"]
 fn without_transverse_contraction_a_solid_spur_pair_equals_the_plane_one() {
     let pair = Pair { poissons_ratio: 0.0, ..PLAIN };
     let rolls = [AT_LOWEST, 20.0, AT_HIGHEST];

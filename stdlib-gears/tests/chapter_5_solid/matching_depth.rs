@@ -12,6 +12,7 @@ fn largest(values: &[Values], value: impl Fn(&Values) -> f64) -> f64 {
 }
 
 #[test]
+#[ignore = "takes half a minute: .ci/full runs it"]
 fn matching_depth_hardly_matters_in_solid_models() {
     let at = |matching_depth: f64| {
         PLAIN.solve("medium", StructureOptions { matching_depth, ..StructureOptions::default() }, &ROLLS)
