@@ -274,7 +274,7 @@ fn unloaded_paths(mesh: &Mesh<'_>, side: usize) -> Vec<(usize, Vec<[f64; 2]>)> {
         _ => [row.second_along_face, row.second_along_profile],
     };
     let place = |row: &&UnloadedRow| mesh.teeth[side].position(fractions(row));
-    // Where another pair touches in between, or the contact moves to another edge, the path ends.
+    // The path ends where another pair touches in between, or the contact moves to another edge.
     let follows = |a: &UnloadedRow, b: &UnloadedRow| {
         let (from, to) = (fractions(a), fractions(b));
         let moves = (0..2).map(|k: usize| (to[k] - from[k]).abs()).fold(0.0, f64::max);
@@ -361,7 +361,7 @@ fn transmission_error(mesh: &Mesh<'_>) -> Plot {
         })
         .collect();
     let mut together: Vec<(f64, f64)> = (-1..=1).flat_map(|pair| shifted(pair, false)).collect();
-    // Where two pairs touch, both have the same error but for the accuracy of their contacts.
+    // Two pairs that touch have the same error but for the accuracy of their contacts.
     together.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     together.dedup_by(|next, kept| next.0 - kept.0 < 0.5 * step);
     all.push(Curve { name: "pair that touches".into(), colour: 1, points: together, off: None });
