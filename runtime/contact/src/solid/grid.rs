@@ -365,9 +365,7 @@ impl Layer<'_> {
                 cells.push(cell);
             }
         }
-        if self.local_normals
-            && let (Some([first, last]), Some([low, high])) = (ends_of(&cells), ends_of(&bounds))
-        {
+        if let (Some([first, last]), Some([low, high])) = (ends_of(&cells), ends_of(&bounds)) {
             // Cells are missing where an oblique side face ends a surface.
             surface_ends[0] |= first.ends(0)[0] > low + 0.5 * first.size[0];
             surface_ends[1] |= last.ends(0)[1] < high - 0.5 * last.size[0];
