@@ -25,7 +25,7 @@ fn value(system: &System<'_>, step: &StepResult, observable: &dyn Observable) ->
 }
 
 /// Axial position of the resultant load, m from the middle of the face.
-fn centroid(system: &System<'_>, step: &StepResult) -> f64 {
+pub fn centroid(system: &System<'_>, step: &StepResult) -> f64 {
     let at = Equilibrium::new(system, step);
     let (mut force, mut moment) = (0.0, 0.0);
     for slice in at.contacts(MESH).flat_map(|contact| contact.slices()) {

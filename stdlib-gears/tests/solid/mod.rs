@@ -5,6 +5,7 @@ mod bearings;
 mod both_sides;
 mod elastic;
 mod helical;
+mod hollow;
 mod ladder;
 mod load_factors;
 mod misaligned;

@@ -6,6 +6,7 @@ use crate::common::built;
 use calyx_gears::assembly::{MeshOptions, Misalignment, add_body, mesh};
 use calyx_gears::blank::{GearBlank, Rim};
 use calyx_gears::helix::{Hand, Helix};
+use calyx_gears::modification::Modification;
 use calyx_gears::prototype::GearPrototype;
 use calyx_gears::rack::Rack;
 use calyx_runtime::contact::solid::Pose;
@@ -106,6 +107,8 @@ pub struct Options {
     pub eccentricity: [f64; 2],
     /// Relative increase of the centre distance over the standard one.
     pub apart: f64,
+    /// Modification of the first gear's flanks.
+    pub modification: Option<Modification>,
 }
 
 impl Options {
@@ -123,6 +126,7 @@ impl Options {
             place: Pose::IDENTITY,
             eccentricity: [0.0; 2],
             apart: 1e-3,
+            modification: None,
         }
     }
 
@@ -133,13 +137,17 @@ impl Options {
     pub fn scene(&self) -> (Scene, GearMesh) {
         let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.2 * MODULE).expect("a rack");
         let other = Helix::new(self.helix.angle(), self.helix.hand().mirrored()).expect("a helix");
-        let gear = |teeth: u32, helix| {
+        let gear = |teeth: u32, helix, modification: &Option<Modification>| {
             let blank = GearBlank { helix, ..GearBlank::standard(teeth, rack) };
+            let blank = match modification {
+                Some(modification) => blank.modified(modification.clone()),
+                None => blank,
+            };
             let root = 0.5 * blank.root_diameter;
             let rim = Rim::new(2.0 * (root - 0.5 * MODULE), 2.0 * (root - 2.0 * MODULE)).expect("a rim");
             blank.face_width(self.face_width).rim(rim).cut().expect("a gear")
         };
-        let gears = [gear(TEETH[0], self.helix), gear(TEETH[1], other)];
+        let gears = [gear(TEETH[0], self.helix, &self.modification), gear(TEETH[1], other, &None)];
         let distance = 0.5 * MODULE * f64::from(TEETH[0] + TEETH[1]) * (1.0 + self.apart);
         let speeds = [TAU, -TAU * f64::from(TEETH[0]) / f64::from(TEETH[1])];
         let motion = |member: usize| {

@@ -123,7 +123,7 @@ pub(super) trait ContactGeometry {
         candidate: &Candidate<Self::Site>,
         grid: &Self::Grid,
         size: Option<Self::Size>,
-        forces: &[f64],
+        loaded: &LoadedCells,
         wide: bool,
     ) -> Option<Self::Size>;
 
@@ -142,6 +142,16 @@ pub(super) trait ContactGeometry {
 
     /// Creates the patch for the results, without a grid if there is no pressure.
     fn patch(&self, candidate: &Candidate<Self::Site>, laid: Option<(Self::Grid, Vec<f64>)>) -> ContactPatch;
+}
+
+/// Cells of a patch in the solution of its contact problem.
+pub(super) struct LoadedCells<'a> {
+    /// Forces, in the unit of loads.
+    pub(super) forces: &'a [f64],
+    /// Gaps, m.
+    pub(super) gaps: &'a [f64],
+    /// Rigid motion by DOF.
+    pub(super) motion: &'a [f64],
 }
 
 /// Assessment of the width of a grid.

@@ -1,13 +1,13 @@
 //! Contact problem at one position of the bodies: creates grids, corrects their sizes and solves
 //! for the cell forces.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells};
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
 use super::relinearization::ContactReference;
 use super::{ContactPatch, StepResult};
 use crate::restraint_check;
 use calyx_contact::friction::solve_with_friction;
-use calyx_contact::problem::{ContactError, ContactProblem};
+use calyx_contact::problem::{ContactError, ContactProblem, Solution};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
 use calyx_model::ids::BodyId;
 use calyx_numerics::error::EngineError;
@@ -73,12 +73,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
             let (problem, solution) = solved.map_err(|error| self.explain_on(candidates, &grids, &error))?;
             // Sizes that are not prescribed follow the forces of the patches.
-            let better = self.corrected_grid_sizes(
-                candidates,
-                (&grids[..], &sizes[..]),
-                &solution.forces,
-                rounds <= growths,
-            );
+            let better =
+                self.corrected_grid_sizes(candidates, (&grids[..], &sizes[..]), &solution, rounds <= growths);
             if rounds == 0 || better.iter().all(Option::is_none) {
                 break (grids, drags, problem, modal, solution);
             }
@@ -199,19 +195,24 @@ impl<S: ContactGeometry> Solver<'_, S> {
         &self,
         candidates: &[&Candidate<S::Site>],
         (grids, sizes): (&[S::Grid], &[Option<S::Size>]),
-        forces: &[f64],
+        solution: &Solution,
         grow_only: bool,
     ) -> Vec<Option<S::Size>> {
         let wide = self.under.in_time || grow_only;
-        let mut rest = forces;
+        let mut end = 0;
         let laid = candidates.iter().zip(grids).zip(sizes);
         laid.map(|((candidate, grid), &size)| {
-            let (own, others) = rest.split_at(self.space.count(grid));
-            rest = others;
+            let own = end..end + self.space.count(grid);
+            end = own.end;
             if grow_only && !self.space.may_grow(candidate) {
                 return None;
             }
-            self.space.corrected_grid_size(candidate, grid, size, own, wide)
+            let loaded = LoadedCells {
+                forces: &solution.forces[own.clone()],
+                gaps: &solution.gaps[own],
+                motion: &solution.motion,
+            };
+            self.space.corrected_grid_size(candidate, grid, size, &loaded, wide)
         })
         .collect()
     }

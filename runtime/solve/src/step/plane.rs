@@ -1,7 +1,7 @@
 //! Plane implementation of a position: closest approach of profiles, grids along their common
 //! tangent.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, WidthReport};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, WidthReport};
 use super::friction::Action;
 use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
@@ -205,10 +205,10 @@ impl ContactGeometry for Plane<'_> {
         candidate: &Candidate<Site>,
         grid: &Grid,
         _size: Option<f64>,
-        forces: &[f64],
+        loaded: &LoadedCells,
         wide: bool,
     ) -> Option<f64> {
-        let report = assess(grid, &pressures(&grid.cells, forces));
+        let report = assess(grid, &pressures(&grid.cells, loaded.forces));
         let asked = self.pair(candidate).grid.width.is_none() && !(wide && report.under_resolved);
         report.recommended_width.filter(|_| asked)
     }

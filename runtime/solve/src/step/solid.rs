@@ -1,15 +1,16 @@
 //! Three-dimensional implementation of a position: contact lines of surfaces, grids on their common
 //! tangent plane.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, WidthReport};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, WidthReport};
 use super::friction::Action;
 use super::patch::solid_arm;
 use super::{ContactGrid, ContactPatch};
 use crate::system::{SolidBodies, System};
+use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance,
-    contact_modulus, find_contact_line, first_guess, fitting_size, grid_width, pressures,
+    self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, Slice, assess, build_grid,
+    compliance, contact_modulus, find_contact_line, first_guess, fitting_size, grid_width, pressures,
 };
 use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
@@ -222,10 +223,10 @@ impl ContactGeometry for Solid<'_> {
         candidate: &Candidate<Site>,
         grid: &Grid,
         size: Option<[Option<f64>; 2]>,
-        forces: &[f64],
+        loaded: &LoadedCells,
         wide: bool,
     ) -> Option<[Option<f64>; 2]> {
-        let pressures = pressures(&grid.cells, forces);
+        let pressures = pressures(&grid.cells, loaded.forces);
         let report = assess(grid, &pressures);
         let asked = |k: usize| report.recommended[k].filter(|_| !(wide && report.under_resolved[k]));
         let mut asked = [asked(0), asked(1)];
@@ -240,6 +241,11 @@ impl ContactGeometry for Solid<'_> {
             asked = [0, 1].map(|k: usize| asked[k].map(|size| size.min(MOST_GROWTH * present[k])));
         }
         let [width, length] = asked;
+        // A contact beyond a gap does not appear as pressure at the end of the grid.
+        let length = match self.length_to_separate_contact(candidate, grid, loaded) {
+            Some(needed) => Some(length.map_or(needed, |length| length.max(needed))),
+            None => length,
+        };
         let width = width.filter(|_| self.pair(candidate).grid.width.is_none());
         if width.is_none() && length.is_none() {
             return None;
@@ -289,6 +295,43 @@ impl ContactGeometry for Solid<'_> {
 }
 
 impl Solid<'_> {
+    /// Returns the length of a grid that covers all points of the contact line at which the
+    /// surfaces overlap beyond its ends, m; `None` without such a point.
+    ///
+    /// Bodies deflect least where they carry no load, so a point that overlaps after the deflection
+    /// at the end of the grid does carry load.
+    fn length_to_separate_contact(
+        &self,
+        candidate: &Candidate<Site>,
+        grid: &Grid,
+        loaded: &LoadedCells,
+    ) -> Option<f64> {
+        if grid.surface_ends == [true; 2] {
+            return None;
+        }
+        let (first, last) = (grid.slices.first()?, grid.slices.last()?);
+        let arms = self.arms(candidate, grid);
+        let dofs = loaded.motion.len();
+        let deflection = |slice: &Slice| {
+            let nearest = slice.cells.clone().min_by(|&i, &j| loaded.gaps[i].total_cmp(&loaded.gaps[j]))?;
+            let own = arms[nearest * dofs..(nearest + 1) * dofs].iter().zip(loaded.motion);
+            let rigid: f64 = own.map(|(arm, motion)| arm * motion).sum();
+            Some(loaded.gaps[nearest] - grid.cells[nearest].gap - rigid)
+        };
+        let [below, above] = [deflection(first)?, deflection(last)?];
+        let points = candidate.site.contact_line.points.iter().map(|point| point.at[1]);
+        let overlapping = points.zip(&candidate.others).filter(|(y, approach)| {
+            let deflection = match (*y < first.y[0], *y > last.y[1]) {
+                (true, _) => below,
+                (_, true) => above,
+                _ => return false,
+            };
+            approach.gap_growth(loaded.motion) + deflection < 0.0
+        });
+        let farthest = overlapping.map(|(y, _)| y.abs()).fold(0.0, f64::max);
+        (farthest > 0.0).then_some(2.0 * MARGIN * farthest)
+    }
+
     fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
         &self.system.scene.pairs[candidate.teeth.0]
     }
@@ -400,7 +443,7 @@ const STRIPS: usize = 4;
 const SAMPLES: [usize; 2] = [3, 5];
 /// Margin of boxes beyond their samples, relative to the profile's length, for bulges between
 /// samples and for gaps.
-const MARGIN: f64 = 0.25;
+const BOX_MARGIN: f64 = 0.25;
 
 /// Samples of a surface in its body's coordinates, in strips, for a quick search for near teeth.
 struct Shape {
@@ -436,7 +479,7 @@ impl Shape {
                     *end = [end[0].min(x), end[1].max(x)];
                 }
             }
-            let margin = MARGIN * self.across;
+            let margin = BOX_MARGIN * self.across;
             Box3(ends.map(|[low, high]| [low - margin, high + margin]))
         };
         self.strips.iter().map(around).collect()
