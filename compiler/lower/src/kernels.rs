@@ -17,8 +17,6 @@ mod definitions;
 mod functions;
 mod motion;
 mod parts;
-#[cfg(test)]
-mod tests;
 mod value;
 
 pub use definitions::{

@@ -3,9 +3,11 @@
 
 mod derivatives;
 mod frames;
+mod graph;
 mod implicit;
 mod long_chain;
 mod planet;
 mod schedules;
 mod simplification;
 mod support;
+mod trace;

@@ -338,6 +338,3 @@ impl RevolutionModel {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

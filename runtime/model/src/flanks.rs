@@ -59,6 +59,3 @@ pub fn add_flanks(
     springs.add_walls(&gaps, on_dofs, &contact.compliance(between));
     Ok(())
 }
-
-#[cfg(test)]
-mod tests;

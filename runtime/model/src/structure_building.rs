@@ -223,6 +223,3 @@ impl Resources {
         modes.map(|modes| prototype.shape_modes(modes, options)).transpose()
     }
 }
-
-#[cfg(test)]
-mod tests;

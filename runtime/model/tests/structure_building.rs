@@ -1,10 +1,10 @@
 //! Tests of cached body modes.
 
-use crate::disc::{Disc, Facing, Platen};
-use crate::fidelity::StructureOptions;
-use crate::prototype::Prototype;
-use crate::resources::Resources;
 use calyx_fe::material::Material;
+use calyx_model::disc::{Disc, Facing, Platen};
+use calyx_model::fidelity::StructureOptions;
+use calyx_model::prototype::Prototype;
+use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::{OperatorCache, Store};

@@ -1,10 +1,10 @@
 //! Tests of spline teeth under a rigid ring, against analytical equilibrium and bisection.
 
-use super::*;
-use crate::spline_contact::SENSES;
 use calyx_contact::active_set::solve;
 use calyx_contact::interior_point;
 use calyx_contact::problem::{ContactProblem, Solution};
+use calyx_model::bearing::Springs;
+use calyx_model::spline_contact::{SENSES, SplineContact};
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::SplineTeeth;
 use calyx_structure::tests::bodies::STEEL;

@@ -1,10 +1,12 @@
 //! Tests of bodies of revolution against closed forms: rigid-body motions, uniform strain, rings
 //! after Lamé and Michell.
 
-use super::*;
-use crate::{Constraints, Solver};
+use calyx_fe::material::Material;
+use calyx_fe::{Constraints, ElementOrder, RevolutionModel, Section, Solver, Station};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
+use faer::sparse::SparseColMat;
+use std::f64::consts::TAU;
 
 const STEEL: Material = Material::STEEL;
 

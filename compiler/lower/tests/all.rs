@@ -1,0 +1,3 @@
+//! Tests of the lowering, one module per subject. They are one program, which is linked once.
+
+mod kernels;
