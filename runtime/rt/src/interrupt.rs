@@ -31,16 +31,3 @@ extern "C" fn interrupted(_signal: libc::c_int) {
         unsafe { libc::signal(signal, libc::SIG_DFL) };
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_interrupt_sets_the_flag() {
-        let flag = flag();
-        // SAFETY: a signal to this thread, whose handler is the one above.
-        unsafe { libc::raise(libc::SIGTERM) };
-        assert!(flag.is_cancelled());
-    }
-}

@@ -6,7 +6,7 @@
 //! memory, and executables linked from object files.
 
 // The macros of the standard library panic if a pipe is closed; those of `console` do not.
-#![cfg_attr(not(test), deny(clippy::print_stdout, clippy::print_stderr))]
+#![deny(clippy::print_stdout, clippy::print_stderr)]
 
 pub mod adapted;
 pub mod budget;

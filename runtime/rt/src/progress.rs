@@ -147,7 +147,7 @@ impl CampaignProgress {
 
 /// Estimates the remaining time from the predicted durations, when the first `done` runs have taken
 /// `elapsed`, s.
-fn seconds_left(predicted: &[f64], done: usize, elapsed: f64) -> f64 {
+pub fn seconds_left(predicted: &[f64], done: usize, elapsed: f64) -> f64 {
     let (before, after) = predicted.split_at(done.min(predicted.len()));
     let (before, after): (f64, f64) = (before.iter().sum(), after.iter().sum());
     // The first moments of a run are too short to correct the prediction.
@@ -156,7 +156,7 @@ fn seconds_left(predicted: &[f64], done: usize, elapsed: f64) -> f64 {
 }
 
 /// Formats a JSON line; the remaining time is extrapolated from the elapsed one.
-fn line(stage: &str, done: usize, total: Option<usize>, elapsed: Option<Duration>) -> serde_json::Value {
+pub fn line(stage: &str, done: usize, total: Option<usize>, elapsed: Option<Duration>) -> serde_json::Value {
     let left = elapsed.zip(total).filter(|_| done > 0);
     let left =
         left.map(|(elapsed, total)| elapsed.as_secs_f64() / done as f64 * total.saturating_sub(done) as f64);
@@ -165,28 +165,4 @@ fn line(stage: &str, done: usize, total: Option<usize>, elapsed: Option<Duration
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_left_follows_what_was_predicted_and_what_it_took() {
-        assert_eq!(seconds_left(&[1.0, 2.0, 3.0], 0, 0.0), 6.0);
-        assert_eq!(seconds_left(&[1.0, 2.0, 3.0], 2, 6.0), 6.0);
-        assert_eq!(seconds_left(&[1.0, 2.0, 3.0], 3, 6.0), 0.0);
-    }
-
-    #[test]
-    fn lines_say_what_is_left() {
-        assert_eq!(
-            line("structures", 0, None, None).to_string(),
-            r#"{"stage":"structures","done":0,"total":null,"seconds_left":null}"#
-        );
-        assert_eq!(
-            line("positions", 3, Some(9), Some(Duration::from_secs(6))).to_string(),
-            r#"{"stage":"positions","done":3,"total":9,"seconds_left":12.0}"#
-        );
-    }
 }

@@ -22,6 +22,7 @@ mod error;
 mod owner;
 
 pub use error::DirectoryError;
+pub use owner::utc;
 
 /// File name of the marker.
 pub const MARKER: &str = ".calyx-run";
@@ -517,6 +518,3 @@ fn ignore_missing(removed: io::Result<()>) -> io::Result<()> {
         _ => Ok(()),
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,6 +1,19 @@
-use super::*;
+//! Tests of the ownership of a results directory: files of the user stay, one process writes.
+
+use calyx_rt::run_directory::{DirectoryError, Kind, MARKER, RunDirectory, utc};
 use serde_json::json;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
 use tempfile::TempDir;
+
+/// First line of the marker of a run directory.
+const HEADER: &str = "Calyx run directory, format 1. A run replaces only the files listed here.\n";
+
+/// Returns the last part of a path.
+fn name(path: &Path) -> &str {
+    path.file_name().unwrap().to_str().unwrap()
+}
 
 fn lock(directory: &Path) -> Result<RunDirectory, DirectoryError> {
     RunDirectory::lock(directory, Kind::Run, false)
@@ -18,10 +31,18 @@ fn write(directory: &Path, name: &str) {
     fs::write(directory.join(name), name).unwrap();
 }
 
+/// Returns the names of the entries of a directory, sorted.
+fn names_in(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(directory).unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
 /// Lists the files in a directory and its folders, without the marker.
 fn files(directory: &Path) -> Vec<String> {
     let mut all = Vec::new();
-    for name in names_in(directory).unwrap() {
+    for name in names_in(directory) {
         let path = directory.join(&name);
         if path.is_dir() {
             all.extend(files(&path).into_iter().map(|below| format!("{name}/{below}")));
@@ -49,7 +70,7 @@ fn a_directory_with_files_of_the_user_is_refused_and_unchanged() {
         let Err(error) = lock(folder.path()) else { panic!("{own:?} was accepted as a run directory") };
         assert!(matches!(error, DirectoryError::Foreign { .. }), "{error}");
         assert!(error.help().contains("--force"), "{}", error.help());
-        assert_eq!(names_in(folder.path()).unwrap().len(), own.len());
+        assert_eq!(names_in(folder.path()).len(), own.len());
         own.iter().for_each(|name| assert_eq!(fs::read_to_string(folder.path().join(name)).unwrap(), *name));
     }
     // The message lists as many files as fit on a line.
@@ -112,9 +133,17 @@ fn files_outside_the_directory_stay_unchanged() {
     assert_eq!(files(folder.path()), ["signals/target", "signals/te_spectrum.csv"]);
     drop(locked);
     // A marker that lists files elsewhere.
-    let text = format!("{}{FILE}../{}/target\n{FILE}/etc/passwd\n", Kind::Run.header(), "x");
+    let [listed, absolute] = [folder.path(), outside.path()].map(|path| path.join("target"));
+    fs::write(&listed, "target").unwrap();
+    let text = format!(
+        "{HEADER}file ../{0}/target\nfile {1}\nfile target\n",
+        name(outside.path()),
+        absolute.display()
+    );
     fs::write(folder.path().join(MARKER), text).unwrap();
-    assert!(lock(folder.path()).unwrap().marker().owned.is_empty());
+    lock(folder.path()).unwrap().clear().unwrap();
+    assert!(listed.exists() && absolute.exists());
+    fs::remove_file(&listed).unwrap();
     // A marker that is a symbolic link.
     fs::remove_file(folder.path().join(MARKER)).unwrap();
     std::os::unix::fs::symlink(outside.path().join("target"), folder.path().join(MARKER)).unwrap();
@@ -170,7 +199,7 @@ fn threads_exclude_each_other_from_a_directory() {
     });
     assert!(entered.into_inner() > 0);
     // If another thread locked the directory before its removal, it remains, empty.
-    assert!(!directory.exists() || names_in(&directory).unwrap().is_empty());
+    assert!(!directory.exists() || names_in(&directory).is_empty());
 }
 
 #[test]
@@ -178,11 +207,12 @@ fn a_truncated_marker_lists_its_complete_lines() {
     let folder = tempfile::tempdir().unwrap();
     run(folder.path(), &["run.json", "steps.csv"]);
     let whole = fs::read(folder.path().join(MARKER)).unwrap();
-    let header = Kind::Run.header().len();
+    assert!(whole.starts_with(HEADER.as_bytes()));
+    let header = HEADER.len();
     for length in header..=whole.len() {
         fs::write(folder.path().join(MARKER), &whole[..length]).unwrap();
         let text = String::from_utf8(whole[..length].to_vec()).unwrap();
-        let listed = |name: &str| text.contains(&format!("{FILE}{name}\n"));
+        let listed = |name: &str| text.contains(&format!("file {name}\n"));
         match lock(folder.path()) {
             Ok(_) => assert!(listed("run.json") && listed("steps.csv"), "{text}"),
             Err(error) => assert!(!listed("run.json") || !listed("steps.csv"), "{error}"),
@@ -229,4 +259,18 @@ fn kinds_of_directories_are_distinct() {
     run(folder.path(), &["run.json"]);
     let other = RunDirectory::lock(folder.path(), Kind::Tradeoff, false).unwrap_err();
     assert!(matches!(other, DirectoryError::Foreign { .. }), "{other}");
+}
+
+#[test]
+fn times_have_dates() {
+    let table = [
+        (0, "1970-01-01 00:00:00 UTC"),
+        (951_782_399, "2000-02-28 23:59:59 UTC"),
+        (951_782_400, "2000-02-29 00:00:00 UTC"),
+        (1_795_324_833, "2026-11-22 05:20:33 UTC"),
+        (4_107_542_400, "2100-03-01 00:00:00 UTC"),
+    ];
+    for (seconds, date) in table {
+        assert_eq!(utc(seconds), date);
+    }
 }
