@@ -45,20 +45,3 @@ impl Printed {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_last_lines_are_kept() {
-        let printed = Printed::default();
-        printed.push("first");
-        assert_eq!(printed.lines(), ["first"]);
-        let line = "x".repeat(999);
-        (0..64).for_each(|_| printed.push(&line));
-        let lines = printed.lines();
-        assert_eq!((lines.len(), lines[0].as_str()), (65, "... (1 line before)"));
-        assert!(lines[1..].iter().all(|kept| *kept == line));
-    }
-}

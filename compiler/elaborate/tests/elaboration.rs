@@ -53,6 +53,15 @@ fn a_loop_without_end_is_found() {
 }
 
 #[test]
+fn the_last_printed_lines_are_kept() {
+    assert_eq!(elaborated("print(\"first\");").printed, ["first"]);
+    let line = "x".repeat(999);
+    let lines = elaborated(&format!("print(\"first\"); for (i in 0 .. 64) print(\"{line}\");")).printed;
+    assert_eq!((lines.len(), lines[0].as_str()), (65, "... (1 line before)"));
+    assert!(lines[1..].iter().all(|kept| *kept == line));
+}
+
+#[test]
 fn params_from_outside_are_used_or_refused() {
     let program = program("param n = 3 in 1 .. 5; assert(n < 4);");
     let given = |text: &str| [ParamAssignment::text("n", text)];
