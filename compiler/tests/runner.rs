@@ -65,7 +65,9 @@ impl Way {
         } else {
             command.env_clear();
         }
-        command.args(["--out", "results"]).args(arguments).env("CALYX_CACHE", "off").current_dir(directory);
+        // All runs need the same structures, and a run with cached structures writes the same bytes.
+        let cache = folder.path().join("cache");
+        command.args(["--out", "results"]).args(arguments).env("CALYX_CACHE", cache).current_dir(directory);
         command
     }
 }
@@ -83,9 +85,11 @@ fn kill_after(command: &mut Command, positions: u64) {
     end_after(command, positions, "-KILL");
 }
 
-/// Starts a run and sends it a signal when it reports a number of solved positions.
+/// Starts a run and sends it a signal when it reports a number of solved positions. Without cached
+/// structures, the run takes long enough to be ended.
 fn end_after(command: &mut Command, positions: u64, signal: &str) {
-    let mut run = command.args(["--progress", "json"]).stderr(Stdio::piped()).spawn().expect("it starts");
+    command.args(["--progress", "json"]).env("CALYX_CACHE", "off").stderr(Stdio::piped());
+    let mut run = command.spawn().expect("it starts");
     let mut lines = BufReader::new(run.stderr.take().expect("piped")).lines();
     let reached = lines.any(|line| {
         let progress: Value = serde_json::from_str(&line.expect("text")).unwrap_or_default();
