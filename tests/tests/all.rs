@@ -7,6 +7,7 @@ mod data_block;
 mod derived_quantities;
 mod docs;
 mod examples;
+mod face_gear;
 mod flank_charts;
 mod former_names;
 mod gear_data;
