@@ -58,8 +58,10 @@ enum DocumentedItem {
     Renamed(String),
 }
 
+/// Returns the item with the longest listed name that `name` contains, the first of several.
 fn listed(doc: &str, name: &str) -> Option<DocumentedItem> {
     let mut make: Option<fn(String) -> DocumentedItem> = None;
+    let (mut found, mut most_words) = (None, 0);
     let mut lines = doc.lines().map(str::trim).peekable();
     while let Some(line) = lines.next() {
         match line {
@@ -74,13 +76,15 @@ fn listed(doc: &str, name: &str) -> Option<DocumentedItem> {
                     item.push_str(more);
                 }
                 let Some((text, names)) = item.rsplit_once(" (") else { continue };
-                if names.split('`').skip(1).step_by(2).any(|listed| has_words(name, listed)) {
-                    return Some(make(text.to_owned()));
+                let contained = names.split('`').skip(1).step_by(2).filter(|listed| has_words(name, listed));
+                let count = contained.map(|listed| words(listed).len()).max().unwrap_or(0);
+                if count > most_words {
+                    (found, most_words) = (Some(make(text.to_owned())), count);
                 }
             }
         }
     }
-    None
+    found
 }
 
 fn words(name: &str) -> Vec<String> {
@@ -139,7 +143,7 @@ fn related(name: &str, declared: &[String]) -> Vec<String> {
 mod tests {
     const DOC: &str = "Gears.\n\nNot available yet:\n- bevel gears (`bevel`, `hypoid`)\n- scuffing (`flash_temperature`)\n\n\
                        Under another name:\n- `external` makes external gears (`pinion`,\n  `wheel`)\n- `internal` makes\n\
-                         internal gears (`ring`)\n";
+                         internal gears (`ring`)\n- `worm` makes worm wheels (`worm_wheel`)\n";
 
     #[test]
     fn concepts_that_the_documentation_lists_are_recognised() {
@@ -153,6 +157,8 @@ mod tests {
         assert_eq!(help("pinion"), "`external` makes external gears");
         // Items may continue on the next line.
         assert_eq!(help("wheel"), "`external` makes external gears");
+        // A longer name precedes a part of it.
+        assert_eq!(help("worm_wheel"), "`worm` makes worm wheels");
         assert_eq!(help("ring"), "`internal` makes internal gears");
         assert_eq!(help("tooth_root_stress"), "it has names like it: `max_root_stress`, `gauge_stress`");
         assert!(help("zebra").contains("`calyx doc gears`"));
