@@ -140,6 +140,11 @@ calyx_abi::externs! {
     Scene fn calyx_std_output(context, name: String, value: SymbolicNumber) -> () {
         let params = context.params.clone().into();
         let (place, host) = (context.place, host(context)?);
+        if host.asked.is_some() {
+            return Err(RuntimeError::new("E0980",
+                format!("the output `{name}` is declared after the analysis, whose results would not contain it"),
+                "declare it before `analyze`"));
+        }
         host.outputs.push(OutputRequest { name, value: value.0, params });
         host.output_places.push(place);
         Ok(())
