@@ -90,7 +90,6 @@ impl Quantity {
 /// Returns the quantities of a gear.
 pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
     let form = prototype.form();
-    let [flank, _] = prototype.flanks();
     let ToothForm { module, internal, .. } = form;
     let tip = if internal { "tip (minor) diameter" } else { "tip (outside) diameter" };
     let external = prototype.gear.external();
@@ -115,9 +114,7 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
         Quantity::length("reference (pitch) diameter", "d", 2.0 * form.pitch_radius),
         Quantity::length("base diameter", "d_b", 2.0 * form.base_radius),
         Quantity::length(tip, "d_a", 2.0 * form.tip_radius),
-        Quantity::length("tip form diameter", "d_Fa", 2.0 * form.radius_at_roll(flank.edge_roll()))
-            .note("the rounded tip edge begins")
-            .further(),
+        tip_form_diameter(&form).further(),
         Quantity::length("root diameter", "d_f", 2.0 * form.root_radius),
         Quantity::length("root form diameter", "d_Ff", 2.0 * form.form_radius).note(form_note),
         Quantity::angle("roll angle at the root form diameter", "xi_Ff", form.form_roll.abs()).further(),
@@ -141,6 +138,15 @@ pub fn of_gear(prototype: &GearPrototype) -> Vec<Quantity> {
         }
     }
     all
+}
+
+/// Tip form diameter. A tip edge whose radius is not stated belongs to the contact analysis only.
+fn tip_form_diameter(form: &ToothForm) -> Quantity {
+    let (diameter, note) = match form.tip_form_roll == form.tip_roll {
+        true => (2.0 * form.tip_radius, "the tip circle: no `tip_edge_radius` is stated"),
+        false => (2.0 * form.radius_at_roll(form.tip_form_roll), "the rounded tip edge begins"),
+    };
+    Quantity::length("tip form diameter", "d_Fa", diameter).note(note)
 }
 
 /// Quantities of the helix; none for spur teeth.

@@ -62,6 +62,10 @@ pub struct ExternalGear {
     pub half_base_angle: f64,
     /// Roll angle at the tip circle.
     pub tip_roll: f64,
+    /// Roll angle at the tip form circle `d_Fa` (ISO 21771), where the involute ends: at the tip
+    /// edge whose radius is stated, otherwise at the tip circle. The default tip edge belongs to
+    /// the contact analysis and not to the geometry of a drawing.
+    pub tip_form_roll: f64,
     /// Form radius: start of the involute, where it is tangent to the fillet or, with undercut,
     /// intersects it.
     pub form_radius: f64,
@@ -125,6 +129,10 @@ impl ExternalGear {
             base_pitch: rack.pitch() * cosine,
             half_base_angle: 0.5 * tooth_thickness / pitch_radius + involute(rack.pressure_angle),
             tip_roll: roll_at_radius(base_radius, outer_radius),
+            tip_form_roll: match tip_edge_radius {
+                Some(edge) => roll_at_tip_edge(base_radius, outer_radius, edge),
+                None => roll_at_radius(base_radius, outer_radius),
+            },
             form_radius: base_radius.hypot(tangent),
             form_roll: tangent / base_radius,
             undercut: tangent < 0.0,
@@ -394,10 +402,7 @@ impl ExternalGear {
     fn check_tip_edge(&self, tip_thickness: f64) -> Option<GeometryError> {
         let edge = self.tip_edge_radius;
         let centre_radius = self.outer_radius - edge;
-        // The inward offset of the involute is the involute of the same base circle, rotated.
-        let end_roll = (edge
-            + (centre_radius * centre_radius - self.base_radius * self.base_radius).max(0.0).sqrt())
-            / self.base_radius;
+        let end_roll = roll_at_tip_edge(self.base_radius, self.outer_radius, edge);
         let centre_angle = self.half_base_angle - end_roll + math::atan(end_roll - edge / self.base_radius);
         let fits =
             edge > 0.0 && centre_radius > self.form_radius && end_roll > self.form_roll && centre_angle > 0.0;
@@ -414,6 +419,13 @@ impl ExternalGear {
             )
         })
     }
+}
+
+/// Roll angle at which the arc of a tip edge with this radius (m) continues the involute.
+fn roll_at_tip_edge(base_radius: f64, outer_radius: f64, edge: f64) -> f64 {
+    let centre_radius = outer_radius - edge;
+    // The inward offset of the involute is the involute of the same base circle, rotated.
+    (edge + (centre_radius * centre_radius - base_radius * base_radius).max(0.0).sqrt()) / base_radius
 }
 
 /// Checks the data before any computation.

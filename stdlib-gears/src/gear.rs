@@ -44,6 +44,9 @@ pub struct ToothForm {
     pub form_roll: f64,
     /// Roll angle at the tip circle, negative on an internal gear.
     pub tip_roll: f64,
+    /// Roll angle at the tip form circle, negative on an internal gear: at a stated tip edge,
+    /// otherwise at the tip circle.
+    pub tip_form_roll: f64,
     /// Radius of the rounded tip edge.
     pub tip_edge_radius: f64,
 }
@@ -102,6 +105,7 @@ impl From<&ExternalGear> for ToothForm {
             form_radius: gear.form_radius,
             form_roll: gear.form_roll,
             tip_roll: gear.tip_roll,
+            tip_form_roll: gear.tip_form_roll,
             tip_edge_radius: gear.tip_edge_radius,
         }
     }
@@ -124,6 +128,7 @@ impl From<&InternalGear> for ToothForm {
             form_radius: gear.form_radius,
             form_roll: -gear.form_roll,
             tip_roll: -gear.tip_roll,
+            tip_form_roll: -gear.tip_form_roll,
             tip_edge_radius: gear.tip_edge_radius,
         }
     }

@@ -154,11 +154,6 @@ impl GearSurface {
 }
 
 impl GearSurface {
-    /// Roll angle at which the rounded tip edge of the flank without modifications begins, rad.
-    pub fn tip_form_roll(&self) -> f64 {
-        self.plain.edge_roll()
-    }
-
     /// Material removed from the involute helicoid at a roll angle (signed as in
     /// [`crate::gear::ToothForm`]) and a distance from mid-face (m), m: the sum of all
     /// modifications of the flank.

@@ -58,6 +58,9 @@ pub struct InternalGear {
     pub half_base_angle_of_space: f64,
     /// Roll angle at the minor circle, the smallest one.
     pub tip_roll: f64,
+    /// Roll angle at the tip form circle `d_Fa` (ISO 21771), where the involute ends: at the tip
+    /// edge whose radius is stated, otherwise at the minor circle.
+    pub tip_form_roll: f64,
     /// Form radius, at which the involute meets the fillet.
     pub form_radius: f64,
     /// Roll angle at the form circle, the largest one.
@@ -138,6 +141,10 @@ impl InternalGear {
             base_pitch: shaper.pitch() * math::cos(shaper.pressure_angle),
             half_base_angle_of_space,
             tip_roll: roll_at_radius(base_radius, minor_radius),
+            tip_form_roll: match tip_edge_radius {
+                Some(edge) => roll_at_tip_edge(base_radius, minor_radius, edge),
+                None => roll_at_radius(base_radius, minor_radius),
+            },
             form_radius: base_radius.hypot(tangent),
             form_roll: tangent / base_radius,
             cutting_distance,
@@ -289,13 +296,9 @@ impl InternalGear {
     /// Checks that the rounded tip edge leaves part of the involute and part of the tip circle.
     fn check_tip_edge(&self, tip_thickness: f64) -> Option<GeometryError> {
         let edge = self.tip_edge_radius;
-        let centre_radius = self.minor_radius + edge;
-        // The offset of the involute into the material is the involute of the same base circle,
-        // rotated.
-        let tangent =
-            ((centre_radius - self.base_radius) * (centre_radius + self.base_radius)).max(0.0).sqrt();
-        let end_roll = (tangent - edge) / self.base_radius;
-        let centre_angle = self.half_base_angle() + end_roll - math::atan2(tangent, self.base_radius);
+        let end_roll = roll_at_tip_edge(self.base_radius, self.minor_radius, edge);
+        let centre_roll = end_roll + edge / self.base_radius;
+        let centre_angle = self.half_base_angle() + end_roll - math::atan(centre_roll);
         let fits = edge > 0.0 && end_roll > 0.0 && end_roll < self.form_roll && centre_angle > 0.0;
         (!fits).then(|| {
             GeometryError::error(
@@ -431,6 +434,14 @@ fn reach_error(data: &InternalGearData, base_difference: f64) -> GeometryError {
         ],
         sentence!["reduce the shaper's `addendum` or number of teeth, or enlarge `root_diameter`"],
     )
+}
+
+/// Roll angle at which the arc of a tip edge with this radius (m) continues the involute.
+fn roll_at_tip_edge(base_radius: f64, minor_radius: f64, edge: f64) -> f64 {
+    let centre_radius = minor_radius + edge;
+    // The offset of the involute into the material is the involute of the same base circle, rotated.
+    let tangent = ((centre_radius - base_radius) * (centre_radius + base_radius)).max(0.0).sqrt();
+    (tangent - edge) / base_radius
 }
 
 /// Checks the data before any computation.

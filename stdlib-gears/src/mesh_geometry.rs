@@ -25,8 +25,8 @@ const WIDE_BACKLASH: f64 = 0.25;
 /// its root to its tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathOfContact {
-    /// SAP, start of active profile (point A): the tip of the second member enters contact, or the
-    /// involute of an undercut first member begins.
+    /// SAP, start of active profile (point A): the tip form circle of the second member enters
+    /// contact, or the involute of an undercut first member begins.
     pub start_of_active_profile: f64,
     /// LPSTC, lowest point of single-tooth contact (point B): the preceding pair leaves contact.
     pub lowest_single_tooth: f64,
@@ -34,7 +34,7 @@ pub struct PathOfContact {
     pub pitch_point: f64,
     /// HPSTC, highest point of single-tooth contact (point D): the following pair enters contact.
     pub highest_single_tooth: f64,
-    /// EAP, end of active profile (point E): the tip of the first member leaves contact.
+    /// EAP, end of active profile (point E): the tip form circle of the first member leaves contact.
     pub end_of_active_profile: f64,
 }
 
@@ -70,7 +70,7 @@ pub struct MeshGeometry {
     pub operating_pressure_angle: f64,
     /// Base pitch of both members.
     pub base_pitch: f64,
-    /// Length of the path of contact between the tip circles.
+    /// Length of the path of contact between the active tip circles `d_Na`.
     pub line_of_action_length: f64,
     /// Transverse contact ratio: length of the path of contact in base pitches.
     pub contact_ratio: f64,
@@ -142,9 +142,9 @@ impl MeshGeometry {
         }
         let tangent_distance = ((center_distance - base_sum) * (center_distance + base_sum)).sqrt();
         let angle = math::atan2(tangent_distance, base_sum);
-        // Each tooth is in contact from the point that its mate's tip reaches up to its own tip. An
-        // undercut tooth is not in contact below its form circle, where the rack has removed the
-        // flank.
+        // Each tooth is in contact from the point that its mate's tip form circle reaches up to its
+        // own tip form circle. An undercut tooth is not in contact below its form circle, where the
+        // rack has removed the flank.
         let undercut_start =
             |gear: &ExternalGear| if gear.undercut { gear.form_roll } else { f64::NEG_INFINITY };
         let start = base_radius[0] * undercut_start(first);
@@ -161,8 +161,8 @@ impl MeshGeometry {
                 first.base_pitch,
                 angle,
                 [
-                    start.max(tangent_distance - base_radius[1] * second.tip_roll),
-                    end.min(base_radius[0] * first.tip_roll),
+                    start.max(tangent_distance - base_radius[1] * second.tip_form_roll),
+                    end.min(base_radius[0] * first.tip_form_roll),
                 ],
                 normal_backlash,
             )
@@ -206,8 +206,8 @@ impl MeshGeometry {
         let tangent_distance = ((center_distance - difference) * (center_distance + difference)).sqrt();
         let undercut_start =
             if first.undercut { base_radius[0] * first.form_roll } else { f64::NEG_INFINITY };
-        let start = (base_radius[1] * second.tip_roll - tangent_distance).max(undercut_start);
-        let end = base_radius[0] * first.tip_roll;
+        let start = (base_radius[1] * second.tip_form_roll - tangent_distance).max(undercut_start);
+        let end = base_radius[0] * first.tip_form_roll;
         if end <= start {
             return Err(GeometryError::error(
                 "E0632",
@@ -328,7 +328,7 @@ impl MeshGeometry {
             Some(fitting.judge(gears, undercut).0)
         });
         let reach = |gear: &ExternalGear, mate: &ExternalGear| {
-            (mesh.tangent_distance - mate.base_radius * mate.tip_roll) / gear.base_radius
+            (mesh.tangent_distance - mate.base_radius * mate.tip_form_roll) / gear.base_radius
         };
         warnings.extend(shortened_by_protuberance("first", first, reach(first, second)));
         warnings.extend(shortened_by_protuberance("second", second, reach(second, first)));
@@ -354,7 +354,7 @@ impl MeshGeometry {
             let fitting = Self::internal(first, second, distance).ok()?.across(first, wound);
             Some(fitting.judge(gears, undercut).0)
         });
-        let reach = (second.base_radius * second.tip_roll - mesh.tangent_distance) / first.base_radius;
+        let reach = (second.base_radius * second.tip_form_roll - mesh.tangent_distance) / first.base_radius;
         warnings.extend(shortened_by_protuberance("first", first, reach));
         let margin = tip_margin(
             [first.teeth, second.teeth],

@@ -8,7 +8,7 @@ use crate::basic_rack::{RackForm, StatedRack};
 use crate::blank::Tool;
 use crate::data_block::normal_angle;
 use crate::externs::{defect, host};
-use crate::gear::Gear;
+use crate::gear::{Gear, ToothForm};
 use crate::helix::Helix;
 use crate::prototype::GearPrototype;
 use crate::rack::Plane;
@@ -216,6 +216,7 @@ fn number(gear: &GearPrototype, symbol: &str) -> Option<f64> {
         "b" => gear.face_width,
         "d_a" => or_nan(stated.tip_diameter),
         "k" => stated.tip_alteration,
+        "h_K" => tip_chamfer(&form),
         "d_f" => or_nan(stated.root_diameter),
         "d_Ff" => or_nan((!stated.generated_by_rack).then_some(2.0 * form.form_radius)),
         "E_sns" => allowances(gear)[0],
@@ -236,6 +237,14 @@ fn number(gear: &GearPrototype, symbol: &str) -> Option<f64> {
         "edition" => or_nan(gear.stated.tolerances.map(|tolerances| tolerances.edition.year())),
         _ => return None,
     })
+}
+
+/// Radial height `h_K` of a stated tip edge, m: distance of the tip form circle from the tip circle.
+fn tip_chamfer(form: &ToothForm) -> f64 {
+    match form.tip_form_roll == form.tip_roll {
+        true => 0.0,
+        false => (form.tip_radius - form.radius_at_roll(form.tip_form_roll)).abs(),
+    }
 }
 
 /// Returns a text of a gear by the name of the quantity; empty if the gear has none.

@@ -198,5 +198,26 @@ fn a_relief_is_told_by_the_diameter_where_it_begins() {
     let gear = prototype(standard(25, 3e-3, 0.0), vec![relief]);
     let quantities = of_gear(&gear);
     close(find(&quantities, "d_Ca", None).value, 2.0 * gear.form().base_radius * 0.45_f64.hypot(1.0), "d_Ca");
-    assert!(find(&quantities, "d_Fa", None).value < find(&quantities, "d_a", None).value);
+}
+
+/// A tip edge of a drawing ends the involute, and the path of contact. The default edge belongs to the
+/// contact analysis.
+#[test]
+fn only_stated_tip_edges_end_the_involute() {
+    let data = standard(25, 3e-3, 0.0);
+    let default = prototype(data, Vec::new());
+    let quantities = of_gear(&default);
+    assert_eq!(find(&quantities, "d_Fa", None).value, find(&quantities, "d_a", None).value);
+    let rounded = prototype(ExternalGearData { tip_edge_radius: Some(0.3e-3), ..data }, Vec::new());
+    let form = rounded.form();
+    let [flank, _] = rounded.flanks();
+    close(form.tip_form_roll, flank.edge_roll(), "the beginning of the edge");
+    let quantities = of_gear(&rounded);
+    close(find(&quantities, "d_Fa", None).value, 2.0 * form.radius_at_roll(flank.edge_roll()), "d_Fa");
+    let gear = |prototype: &GearPrototype| prototype.gear.external().expect("external").clone();
+    let mesh = MeshGeometry::external(&gear(&rounded), &gear(&default), 75e-3).expect("a mesh");
+    close(mesh.first_roll.end_of_active_profile, flank.edge_roll(), "the end of contact");
+    let sharp = MeshGeometry::external(&gear(&default), &gear(&default), 75e-3).expect("a mesh");
+    let shorter = form.base_radius * (form.tip_roll - form.tip_form_roll);
+    close(sharp.line_of_action_length - mesh.line_of_action_length, shorter, "g_alpha");
 }

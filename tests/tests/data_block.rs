@@ -171,6 +171,61 @@ var second = gears.body(\"gear\", blanks[1],
 var mesh = gears.mesh(first, second);
 ";
 
+/// Pair with tips that the drawing rounds by 0.25 mm and 0.4 mm, external and internal.
+const ROUNDED: [&str; 2] = [
+    "var first = gears.external(teeth = 19, normal_module = 3 mm, helix_angle = 14 deg, profile_shift = 0.25,
+        face_width = 32 mm, tip_edge_radius = 0.25 mm);
+    var second = gears.external(teeth = 47, normal_module = 3 mm, helix_angle = 14 deg, hand = \"left\",
+        face_width = 32 mm, tip_edge_radius = 0.4 mm);",
+    "var first = gears.external(teeth = 21, module = 3 mm, face_width = 32 mm, tip_edge_radius = 0.25 mm);
+    var second = gears.internal(teeth = 70, module = 3 mm, face_width = 32 mm, tip_diameter = 205 mm,
+        tip_edge_radius = 0.4 mm);",
+];
+
+/// The involute ends at the tip form circle, and the path of contact with it (ISO 21771). Both data
+/// blocks have one definition.
+#[test]
+fn contact_ends_at_the_tip_form_circles() {
+    let of_mesh =
+        [("epsilon_alpha", "transverse_contact_ratio(data)"), ("g_alpha", "path_length(data) / 1 m")];
+    let of_member = [
+        ("d_Na", "active_tip_diameter(data, \"first\") / 1 m"),
+        ("d_Nf", "path_diameter(data, \"A\", \"first\") / 1 m"),
+        ("d_LPSTC", "path_diameter(data, \"B\", \"first\") / 1 m"),
+        ("d_HPSTC", "path_diameter(data, \"D\", \"first\") / 1 m"),
+        ("zeta_max", "specific_sliding(data, \"A\", \"first\")"),
+    ];
+    for gears in ROUNDED {
+        let mut text = format!(
+            "import gears;\nimport iso21771;\nunits mm_N_s;\n{gears}
+            var pair = gears.pair(first, second, torque = 100 N*m, speed = 1000 rpm);
+            var data = iso21771.pair_data_of(pair.mesh);
+            output ratio := gears.contact_ratio(pair.mesh);\n"
+        );
+        for (index, (_, expression)) in of_mesh.iter().chain(&of_member).enumerate() {
+            writeln!(text, "output value_{index} := iso21771.{expression};").expect("text");
+        }
+        let module = Module::from_text(&Engine::default(), "model.cx", &text)
+            .unwrap_or_else(|error| panic!("{error}"));
+        let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
+        let value = |name: &str| results.summary_si(name).expect("an output").max;
+        let data = gear_data(&text);
+        let (mesh, gears) = (&data["meshes"][0], &data["gears"]);
+        let members = &mesh["members"];
+        let sections = of_mesh.map(|entry| (entry.0, &mesh["data"]));
+        let sections = sections.into_iter().chain(of_member.map(|entry| (entry.0, &members[0])));
+        for (index, (key, section)) in sections.enumerate() {
+            close(si(section, key), value(&format!("value_{index}")), key);
+        }
+        close(si(&mesh["data"], "epsilon_alpha"), value("ratio"), "contact_ratio");
+        for member in 0..2 {
+            let gear = &gears[member]["data"];
+            assert!((si(gear, "d_Fa") - si(gear, "d_a")).abs() > 1e-4, "{gear:#}");
+            close(si(&members[member], "d_Na"), si(gear, "d_Fa"), "d_Na");
+        }
+    }
+}
+
 #[test]
 fn the_data_block_agrees_with_the_module_of_gear_data() {
     let of_gear = [

@@ -129,7 +129,7 @@ impl FlankCharts {
         let surfaces = gear.surfaces(&options).ok()?;
         let design = gear.surfaces_with(&options, &intended).ok()?;
         let form = gear.form();
-        let ranges = Ranges::of(gear, meshes, &surfaces[0]);
+        let ranges = Ranges::of(gear, meshes);
         let traces = |flank: ToothFlank| {
             let side = flank.side(form.internal).surface() as usize;
             let lines =
@@ -161,7 +161,7 @@ struct Ranges {
 }
 
 impl Ranges {
-    fn of(gear: &GearPrototype, meshes: &[MeshOfGear<'_>], surface: &GearSurface) -> Ranges {
+    fn of(gear: &GearPrototype, meshes: &[MeshOfGear<'_>]) -> Ranges {
         let form = gear.form();
         let base = form.base_radius;
         let point = |symbol, name, roll: f64| PointOfProfile {
@@ -173,7 +173,7 @@ impl Ranges {
             mate: None,
         };
         let root = point("d_Ff", "root form circle", form.form_roll);
-        let tip_form = point("d_Fa", "tip form circle", surface.tip_form_roll());
+        let tip_form = point("d_Fa", "tip form circle", form.tip_form_roll);
         let tip = point("d_a", "tip circle", form.tip_roll);
         let from_root = |point: &PointOfProfile| (point.roll_length - root.roll_length).abs();
         let mut active_ends = Vec::new();
