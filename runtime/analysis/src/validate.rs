@@ -93,19 +93,27 @@ impl<'a> Request<'a> {
         Ok(plan)
     }
 
-    /// Returns the outputs that have no value at the requested fidelity while others have one, each
-    /// as the error to report.
+    /// Returns the outputs that have no value at the requested fidelity while others have one, as
+    /// one error for all outputs with the same requirements.
     pub fn without_value(&self) -> Vec<EngineError> {
         let refused = UnsupportedOutput::of(self.scene, self.outputs, self.fidelity);
         if refused.len() == self.outputs.len() {
             return Vec::new();
         }
-        let report = |refused: &UnsupportedOutput| {
-            let own = self.outputs.get(refused.output..=refused.output).unwrap_or_default();
-            let about_it = Request { outputs: own, ..*self };
-            about_it.advise(refused.error(self.fidelity))
+        let mut groups: Vec<Vec<&UnsupportedOutput>> = Vec::new();
+        for output in &refused {
+            match groups.iter_mut().find(|group| group[0].needs == output.needs) {
+                Some(group) => group.push(output),
+                None => groups.push(vec![output]),
+            }
+        }
+        let report = |group: &Vec<&UnsupportedOutput>| {
+            let [first, others @ ..] = &group[..] else { return None };
+            let own = self.outputs.get(first.output..=first.output).unwrap_or_default();
+            let about_them = Request { outputs: own, ..*self };
+            Some(about_them.advise(first.error_with(others, self.fidelity)))
         };
-        refused.iter().map(report).collect()
+        groups.iter().filter_map(report).collect()
     }
 
     /// Applies all rules but the restraint check, which depends on neither fidelity nor method.

@@ -1,10 +1,13 @@
 //! Plan of an analysis: the modelled part of the scene, the models of its bodies, and the reasons.
 //! Parts that no observable depends on are left out.
 
+mod unsupported_output;
+
+pub use self::unsupported_output::UnsupportedOutput;
+
 use crate::bearing::Bearing;
 use crate::body::Body;
 use crate::dof::DOF_NAMES;
-use crate::fidelity::Needs;
 use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
 use crate::ids::BodyId;
 use crate::load::Wrench;
@@ -58,46 +61,6 @@ impl BodyPlan {
     /// Returns whether the body has a structure.
     pub fn is_elastic(&self) -> bool {
         !self.left_out && !self.rigid
-    }
-}
-
-/// Output without a value at the chosen fidelity.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnsupportedOutput {
-    /// Index of the output.
-    pub output: usize,
-    /// Name in results.
-    pub name: String,
-    /// Requirements of the output.
-    pub needs: Needs,
-}
-
-impl UnsupportedOutput {
-    /// Returns the error that reports this output.
-    pub fn error(&self, fidelity: Fidelity) -> EngineError {
-        EngineError::new(
-            "E0780",
-            format!(
-                "output `{}` has no value: it needs {}, which the fidelity \"{}\" does not have",
-                self.name,
-                self.needs.name(),
-                fidelity.name()
-            ),
-            "leave the output out",
-        )
-        .about(Subject::Output(self.output))
-    }
-
-    /// Returns those of the outputs that require more than a fidelity provides.
-    pub fn of(scene: &dyn Examined, outputs: &[OutputRequest], fidelity: Fidelity) -> Vec<UnsupportedOutput> {
-        let targets = scene.targets();
-        let needs = |observable: usize| targets.get(observable).map(|target| target.needs);
-        let refused = |(output, request): (usize, &OutputRequest)| {
-            let needs = request.value.observes().into_iter().filter_map(needs).max()?;
-            let name = request.name.clone();
-            (needs > fidelity.supports()).then_some(UnsupportedOutput { output, name, needs })
-        };
-        outputs.iter().enumerate().filter_map(refused).collect()
     }
 }
 

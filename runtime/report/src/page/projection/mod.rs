@@ -19,8 +19,8 @@ use tooth::Tooth;
 
 /// Layer thickness of a marking compound, m: the usual 6.35 um (0.25 thousandths of an inch).
 const MARKING: f64 = 6.35e-6;
-/// Ease-off below which flanks are conjugate, um: the accuracy of their interpolation.
-const CONJUGATE: f64 = 0.1;
+/// Ease-off below which flanks are conjugate, m: the accuracy of their interpolation.
+const CONJUGATE: f64 = 1e-7;
 /// Variation of a transmission error below which it is that of conjugate flanks, urad: the accuracy
 /// of their interpolation.
 const NO_ERROR: f64 = 0.01;
@@ -213,7 +213,7 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
         let rows = mesh.ease_off.iter().map(|row| row.row).max().map_or(0, |last| last + 1);
         let mut field = vec![vec![None; rows]; columns];
         for row in &mesh.ease_off {
-            let value = 1e6 * of(row);
+            let value = units.film.of(of(row));
             let node = Node { at: tooth.position(place(row)), value };
             field[row.column][row.row] = value.is_finite().then_some(node);
         }
@@ -222,12 +222,16 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
     let (ease_off, gap) = (field(|row| row.ease_off), field(|row| row.gap));
     let largest = ease_off.iter().flatten().flatten().map(|node| node.value).fold(0.0, f64::max);
     // The rest is rounding. The path of a contact line is not unique.
-    let is_conjugate = largest < CONJUGATE;
+    let smallest_scale = units.film.of(CONJUGATE);
+    let is_conjugate = largest < smallest_scale;
     let patches = patches(&ease_off);
-    let marking = 1e6 * MARKING;
+    let marking = units.film.of(MARKING);
     let mut legend = vec![
         (PATH, "path of contact without load".to_owned()),
-        (PATTERN, format!("contact pattern with a marking compound of {} um", number(marking))),
+        (
+            PATTERN,
+            format!("contact pattern with a marking compound of {} {}", number(marking), units.film.name),
+        ),
     ];
     if mesh.unloaded.iter().any(|row| row.touches && row.edge) {
         legend.push((EDGE, "contact of an edge".to_owned()));
@@ -239,7 +243,7 @@ fn unloaded(mesh: &Mesh<'_>, side: usize, units: Units) -> Markup {
         tooth,
         patches,
         on_edges: Vec::new(),
-        scale: (largest.max(CONJUGATE), Axis { what: "ease-off", unit: "um" }),
+        scale: (largest.max(smallest_scale), Axis { what: "ease-off", unit: units.film.name }),
         contours: (!is_conjugate).then(|| (&ease_off, levels(largest, CONTOURS))),
         boundary: Some((&gap, marking)),
         paths: if is_conjugate { Vec::new() } else { unloaded_paths(mesh, side) },

@@ -253,6 +253,15 @@ fn conjugate_flanks_have_a_plain_picture() {
 }
 
 #[test]
+fn the_ease_off_has_the_unit_of_the_model() {
+    let run = run(false);
+    let inches = section(&run, Units::of_system("inch_lbf_s")).into_string();
+    assert!(inches.contains("ease-off [microinch]") && !inches.contains("ease-off [um]"));
+    assert!(inches.contains("a marking compound of 250 microinch"));
+    assert!(text(&run).contains("a marking compound of 6.35 um"));
+}
+
+#[test]
 fn runs_of_parallel_axes_have_no_section() {
     let mut run = run(false);
     run.flanks = FlankTables::default();
