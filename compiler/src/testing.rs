@@ -102,7 +102,7 @@ pub fn files_with_tests(path: &Path) -> io::Result<Vec<PathBuf>> {
 pub fn tests(text: &str) -> Vec<String> {
     let (module, _) = parse(FileId(0), text);
     let name = |statement: &Stmt| match &statement.kind {
-        StmtKind::Function(function) if function.is_test => Some(function.name.name.clone()),
+        StmtKind::Function(function) if function.is_test => Some(function.name.name.to_string()),
         _ => None,
     };
     module.statements.iter().filter_map(name).collect()

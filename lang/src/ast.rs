@@ -4,11 +4,12 @@
 //! parser reports the reason.
 
 use crate::span::Span;
+use smol_str::SmolStr;
 use std::ops::Deref;
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Ident {
-    pub name: String,
+    pub name: SmolStr,
     pub span: Span,
 }
 

@@ -4,11 +4,12 @@
 //! so that edits above a statement do not invalidate its results.
 
 use crate::ast::*;
+use crate::hashed::HashSet;
 use crate::span::{FileId, Span};
-use std::collections::BTreeSet;
+use smol_str::SmolStr;
 
 /// A callback that receives each source range and, if the range is a name, the name.
-pub type Visit<'v> = dyn FnMut(&mut Span, Option<&str>) + 'v;
+pub type Visit<'v> = dyn FnMut(&mut Span, Option<&SmolStr>) + 'v;
 
 /// Moves a statement so that it starts at `start` of `file`.
 pub fn to(statement: &mut Stmt, file: FileId, start: u32) {
@@ -23,12 +24,12 @@ pub fn to(statement: &mut Stmt, file: FileId, start: u32) {
 }
 
 /// Adds the names that `visit_part` visits.
-pub fn names(found: &mut BTreeSet<String>, visit_part: impl FnOnce(&mut Visit<'_>)) {
+pub fn names(found: &mut HashSet<SmolStr>, visit_part: impl FnOnce(&mut Visit<'_>)) {
     visit_part(&mut |_, name| {
         if let Some(name) = name
-            && !found.contains(name)
+            && !found.contains(name.as_str())
         {
-            found.insert(name.to_string());
+            found.insert(name.clone());
         }
     });
 }

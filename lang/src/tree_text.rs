@@ -244,7 +244,7 @@ fn parameter(p: &Parameter) -> String {
 
 fn type_text(t: &TypeExpr) -> String {
     match &t.kind {
-        TypeKind::Name(name) => name.name.clone(),
+        TypeKind::Name(name) => name.name.to_string(),
         TypeKind::Member(module, name) => format!("(. {} {})", module.name, name.name),
         TypeKind::Apply(name, arguments) => {
             format!("{}({})", name.name, arguments.iter().map(type_text).collect::<Vec<_>>().join(", "))
@@ -284,7 +284,7 @@ pub fn expr(e: &Expr) -> String {
             };
             format!("(string{})", parts.iter().map(part).collect::<String>())
         }
-        ExprKind::Name(name) => name.name.clone(),
+        ExprKind::Name(name) => name.name.to_string(),
         ExprKind::Field { base, field } => format!("(. {} {})", expr(base), field.name),
         ExprKind::Call { callee, arguments } => {
             let one = |a: &Argument| match &a.name {

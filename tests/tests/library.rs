@@ -107,7 +107,7 @@ fn every_declared_function_is_provided_as_declared() {
             let value = repr(ty);
             // Presence precedes the value.
             let value = if optional { Repr::Tuple(vec![Repr::Bool, value]) } else { value };
-            (parameter.name.name.clone(), value)
+            (parameter.name.name.to_string(), value)
         });
         assert_eq!(provided, wanted.collect::<Vec<_>>(), "{symbol}");
         assert_eq!(row.result.repr(), decl.result.as_ref().map_or(Repr::Unit, repr), "{symbol}");

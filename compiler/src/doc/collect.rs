@@ -164,7 +164,7 @@ struct Reader<'t> {
 
 impl Reader<'_> {
     fn inferred(&self, name: &Ident) -> Option<Type> {
-        let text = self.types.get(&name.name)?.clone();
+        let text = self.types.get(name.name.as_str())?.clone();
         // An output is an observable or a number over time: show its dimension.
         let inner =
             text.strip_prefix("Observable(").and_then(|inner| inner.strip_suffix(')')).unwrap_or(&text);
@@ -182,7 +182,7 @@ impl Reader<'_> {
                 _ => "...".into(),
             },
             // A choice of an enumeration.
-            ExprKind::Field { field, .. } => field.name.clone(),
+            ExprKind::Field { field, .. } => field.name.to_string(),
             ExprKind::Unary { operand, .. } if is_literal(operand) => self.slice(default.span),
             ExprKind::List(elements) if elements.iter().all(is_literal) => self.slice(default.span),
             _ if is_literal(default) => self.slice(default.span),
@@ -193,8 +193,8 @@ impl Reader<'_> {
     fn entry(&self, statement: &Stmt, module: &str, library: bool) -> Option<Entry> {
         let entry = |kind, name: &Ident, signature: String| Entry {
             kind,
-            name: name.name.clone(),
-            former: former(statement).map(|former| former.name.clone()),
+            name: name.name.to_string(),
+            former: former(statement).map(|former| former.name.to_string()),
             doc: statement.doc.clone().unwrap_or_default(),
             signature,
             result: None,
@@ -205,7 +205,7 @@ impl Reader<'_> {
             StmtKind::Param(param) => {
                 let default = self.slice(param.default.span);
                 let field = Field {
-                    name: param.name.name.clone(),
+                    name: param.name.name.to_string(),
                     former: None,
                     mode: "",
                     doc: String::new(),
@@ -234,7 +234,7 @@ impl Reader<'_> {
             }
             StmtKind::Enum(decl) => {
                 let fields = decl.choices.iter().map(|choice| Field {
-                    name: choice.name.name.clone(),
+                    name: choice.name.name.to_string(),
                     doc: choice.doc.clone().unwrap_or_default(),
                     ..Field::default()
                 });
@@ -282,7 +282,7 @@ impl Reader<'_> {
             _ => return None,
         };
         Some(Field {
-            name: name.name.clone(),
+            name: name.name.to_string(),
             former: None,
             mode,
             doc: statement.doc.clone().unwrap_or_default(),
@@ -299,8 +299,8 @@ impl Reader<'_> {
             None => (false, None),
         };
         Field {
-            name: parameter.name.name.clone(),
-            former: parameter.former.as_ref().map(|former| former.name.clone()),
+            name: parameter.name.name.to_string(),
+            former: parameter.former.as_ref().map(|former| former.name.to_string()),
             mode: match parameter.mode {
                 Mode::In => "in",
                 Mode::Out => "out",
@@ -316,8 +316,8 @@ impl Reader<'_> {
 
     fn field(&self, field: &RecordField) -> Field {
         Field {
-            name: field.name.name.clone(),
-            former: field.former.as_ref().map(|former| former.name.clone()),
+            name: field.name.name.to_string(),
+            former: field.former.as_ref().map(|former| former.name.to_string()),
             mode: "",
             doc: field.doc.clone().unwrap_or_default(),
             ty: field.annotation.as_ref().map(|ty| self.ty(ty)),
@@ -420,10 +420,10 @@ fn type_names(ty: &TypeExpr, names: &mut Vec<String>) {
             let known =
                 OF_THE_LANGUAGE.contains(&name.name.as_str()) || Dimension::from_name(&name.name).is_some();
             if !known {
-                names.push(name.name.clone());
+                names.push(name.name.to_string());
             }
         }
-        TypeKind::Member(_, name) => names.push(name.name.clone()),
+        TypeKind::Member(_, name) => names.push(name.name.to_string()),
         TypeKind::Apply(_, arguments) => arguments.iter().for_each(|ty| type_names(ty, names)),
         TypeKind::Product(a, b) | TypeKind::Quotient(a, b) => {
             type_names(a, names);

@@ -17,7 +17,7 @@ const NAMES: &[&str] = &["Bool", "String", "Vector", "Transform", "Array", "Symb
 pub fn handles_of(decl: &FunctionDecl) -> Vec<String> {
     fn names(ty: &TypeExpr, handles: &mut Vec<String>) {
         match &ty.kind {
-            TypeKind::Name(name) => handles.push(name.name.clone()),
+            TypeKind::Name(name) => handles.push(name.name.to_string()),
             TypeKind::Apply(_, parts) => parts.iter().for_each(|part| names(part, handles)),
             _ => {}
         }
@@ -41,9 +41,9 @@ impl<'a> Checker<'a> {
             TypeKind::Error => Type::Error,
             // A handle of a module.
             TypeKind::Member(_, name)
-                if !self.names.uses.contains_key(&name.span) && self.handles.contains(&name.name) =>
+                if !self.names.uses.contains_key(&name.span) && self.handles.contains(name.name.as_str()) =>
             {
-                Type::Handle(name.name.clone())
+                Type::Handle(name.name.to_string())
             }
             TypeKind::Member(_, name) => self.declared_type(name).unwrap_or(Type::Error),
             TypeKind::Name(name) => match name.name.as_str() {

@@ -29,7 +29,7 @@ impl<'a> Checker<'a> {
         let parameters: Vec<(&str, bool)> = decl
             .parameters
             .iter()
-            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(p.name.name.as_str())))
             .collect();
         let reported = self.diagnostics.len();
         let matched = self.match_arguments(called, &parameters, arguments, span);

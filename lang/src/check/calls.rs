@@ -119,7 +119,7 @@ impl<'a> Checker<'a> {
         let callee = Callee { decl, file, with_argument: &with_argument, function: None };
         for (parameter, argument) in decl.parameters.iter().zip(given) {
             let ty = self.in_file(file, |c| c.extern_parameter(parameter));
-            let is_default = argument.is_none() && !fields.contains_key(&parameter.name.name);
+            let is_default = argument.is_none() && !fields.contains_key(parameter.name.name.as_str());
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) => match &ty {
                     Type::Symbolic(inner) => {
@@ -130,7 +130,7 @@ impl<'a> Checker<'a> {
                         self.former_none(&ty, parameter, value, argument, file)
                     }
                 },
-                (None, _) if fields.contains_key(&parameter.name.name) => {
+                (None, _) if fields.contains_key(parameter.name.name.as_str()) => {
                     self.field_argument(&ty, &parameter.name, &mut fields, span)
                 }
                 (None, Some((_, Some(default)))) => self.default_value(&ty, default, file, None),
@@ -232,7 +232,7 @@ impl<'a> Checker<'a> {
         });
         let name = match owner {
             Some(owner) => format!("{owner}.{}", parameter.name),
-            None => parameter.name.clone(),
+            None => parameter.name.to_string(),
         };
         self.made_symbolic(&name, value, ty.clone())
     }
@@ -309,7 +309,7 @@ impl<'a> Checker<'a> {
                         self.former_none(ty, parameter, value, argument, file)
                     }
                 },
-                (Mode::In, None) if fields.contains_key(&parameter.name.name) => {
+                (Mode::In, None) if fields.contains_key(parameter.name.name.as_str()) => {
                     self.field_argument(ty, &parameter.name, &mut fields, span)
                 }
                 (Mode::In, None) => match (&parameter.default, self.store.shallow(ty)) {

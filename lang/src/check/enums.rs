@@ -18,8 +18,8 @@ impl<'a> Checker<'a> {
     /// Returns the type of an enumeration.
     pub(super) fn enum_type(&self, id: u32) -> Type {
         let decl = self.names.enums[id as usize].decl;
-        let choices = decl.choices.iter().map(|choice| choice.name.name.clone()).collect();
-        Type::Enum(Arc::new(EnumType { name: decl.name.name.clone(), choices }))
+        let choices = decl.choices.iter().map(|choice| choice.name.name.to_string()).collect();
+        Type::Enum(Arc::new(EnumType { name: decl.name.name.to_string(), choices }))
     }
 
     /// Returns the enumeration that an expression denotes: `Hand` or `module.Hand`.
@@ -51,7 +51,7 @@ impl<'a> Checker<'a> {
         {
             self.report(unknown_choice(&of.name, &of.choices, &choice.name, choice.span, ""));
         }
-        Expr { kind: Kind::Text(choice.name.clone()), ty, span }
+        Expr { kind: Kind::Text(choice.name.to_string()), ty, span }
     }
 
     /// Returns `true` if a text stands for a choice of the expected enumeration, or a choice for
@@ -203,7 +203,7 @@ impl<'a> Checker<'a> {
                 let variable = self.variable(id);
                 let decl = self.names.functions[variable.owner.0 as usize].decl?;
                 let parameter = decl.parameters.iter().find(|p| p.name.span == variable.span)?;
-                Some((variable.name.clone(), declared::choices(parameter.domain.as_ref())))
+                Some((variable.name.to_string(), declared::choices(parameter.domain.as_ref())))
             }
             _ => None,
         }

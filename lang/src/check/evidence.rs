@@ -101,7 +101,7 @@ impl Checker<'_> {
         let (Kind::Var(id), Some(wanted), Some(got)) = (&found.kind, wanted, got) else { return };
         let Some(&evidence) = self.evidence.initializers.get(id) else { return };
         let conflict = Conflict {
-            name: self.variable(*id).name.clone(),
+            name: self.variable(*id).name.to_string(),
             evidence,
             dimensions: [wanted, got],
             given: self.store.show(&found.ty),

@@ -294,10 +294,14 @@ impl<'a> Checker<'a> {
             }
             (Type::Unknown(_), _) => {
                 let ty = self.store.fresh();
-                let kind =
-                    ConstraintKind::Field(base.ty.clone(), field.name.clone(), ty.clone(), FieldUse::Read);
+                let kind = ConstraintKind::Field(
+                    base.ty.clone(),
+                    field.name.to_string(),
+                    ty.clone(),
+                    FieldUse::Read,
+                );
                 self.constrain(Constraint { kind, span: field.span });
-                Expr { kind: Kind::Field(Box::new(base), field.name.clone()), ty, span }
+                Expr { kind: Kind::Field(Box::new(base), field.name.to_string()), ty, span }
             }
             _ => {
                 self.report(self.no_field(&shallow, &field.name, field.span));

@@ -62,7 +62,7 @@ impl Checker<'_> {
                 self.named_parts.push((used.span, found.name.span));
             } else if let Some(found) = declared.iter().find(|declared| declared.was(&used.name)) {
                 self.named_parts.push((used.span, found.name.span));
-                self.current_names.insert(used.span, found.name.name.clone());
+                self.current_names.insert(used.span, found.name.name.to_string());
                 // With both names in a call, the fix would give one name twice.
                 if !named().any(|(other, _)| other.name == found.name.name) {
                     self.report(warning(used, &found.name.name));
@@ -73,7 +73,7 @@ impl Checker<'_> {
 
     /// Returns the current name of the parameter that an argument names.
     pub(super) fn current_name<'n>(&'n self, used: &'n Ident) -> &'n str {
-        self.current_names.get(&used.span).unwrap_or(&used.name)
+        self.current_names.get(&used.span).map_or(&used.name, String::as_str)
     }
 
     /// Returns the index of the parameter that takes a field of a spread record, and reports it if

@@ -180,7 +180,7 @@ impl Checker<'_> {
         self.functions.insert(
             id,
             Function {
-                name: decl.name.name.clone(),
+                name: decl.name.name.to_string(),
                 parameters: own.chain(captured).collect(),
                 result,
                 body,

@@ -68,7 +68,7 @@ impl Checker<'_> {
         });
         let module = module.map(|module| module.name.as_str()).filter(|module| !module.is_empty());
         HostOffer {
-            name: module.map_or_else(|| name.clone(), |module| format!("{module}.{name}")),
+            name: module.map_or_else(|| name.to_string(), |module| format!("{module}.{name}")),
             doc: statement.and_then(|statement| statement.doc.clone()).unwrap_or_default(),
         }
     }

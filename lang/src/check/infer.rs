@@ -365,7 +365,7 @@ impl<'a> Checker<'a> {
             let shown = variable.owner == FuncId(0)
                 && variable.kind != VarKind::Hidden
                 && variable.span.file == FileId(0);
-            shown.then(|| (variable.name.clone(), self.store.show(ty)))
+            shown.then(|| (variable.name.to_string(), self.store.show(ty)))
         });
         let params = self.params.iter().filter(|param| param.owner == FuncId(0));
         let params = params.map(|param| (param.name.clone(), self.store.show(&param.ty)));

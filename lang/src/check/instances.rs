@@ -74,19 +74,19 @@ impl<'a> Checker<'a> {
         for (parameter, variable) in decl.parameters.iter().zip(parameters) {
             if self.variable(variable).kind != VarKind::Symbolic {
                 let member = self.member_value(Kind::Var(variable), variable, parameter.name.span);
-                members.push((parameter.name.name.clone(), member));
+                members.push((parameter.name.name.to_string(), member));
             }
         }
         for name in statements.iter().flat_map(declared_names) {
             let kind = match self.names.uses.get(&name.span).copied() {
                 Some(Resolution::Var(variable)) if self.variable(variable).kind == VarKind::Value => {
                     let member = self.member_value(Kind::Var(variable), variable, name.span);
-                    members.push((name.name.clone(), member));
+                    members.push((name.name.to_string(), member));
                     continue;
                 }
                 Some(Resolution::Var(variable)) if self.variable(variable).kind == VarKind::Symbolic => {
                     let member = self.expression_member(variable, name.span);
-                    members.extend(member.map(|member| (name.name.clone(), member)));
+                    members.extend(member.map(|member| (name.name.to_string(), member)));
                     continue;
                 }
                 Some(Resolution::Param(param)) => {
@@ -102,11 +102,11 @@ impl<'a> Checker<'a> {
                 }
                 _ => continue,
             };
-            members.push((name.name.clone(), kind));
+            members.push((name.name.to_string(), kind));
         }
         let fixed = statements.iter().filter_map(|statement| match &statement.kind {
-            ast::StmtKind::Param(decl) => Some((decl.name.name.clone(), "param")),
-            ast::StmtKind::Output { name, .. } => Some((name.name.clone(), "output")),
+            ast::StmtKind::Param(decl) => Some((decl.name.name.to_string(), "param")),
+            ast::StmtKind::Output { name, .. } => Some((name.name.to_string(), "output")),
             _ => None,
         });
         self.fixed_members.insert(id, fixed.collect());

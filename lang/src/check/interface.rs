@@ -262,7 +262,7 @@ impl Interface {
         let place = decl.name.span;
         let definition = self.on_time.map(|on_time| {
             checker.defs.push(Def {
-                name: decl.name.name.clone(),
+                name: decl.name.name.to_string(),
                 expr: Expr::error(place),
                 captures: Vec::new(),
                 stored: false,
@@ -291,7 +291,7 @@ impl Interface {
         checker.functions.insert(
             id,
             Function {
-                name: decl.name.name.clone(),
+                name: decl.name.name.to_string(),
                 parameters: variables,
                 result: result.clone(),
                 body: Vec::new(),

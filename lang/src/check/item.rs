@@ -3,9 +3,10 @@
 //! Locations in an item are relative to its start, so edits above an item do not change it.
 
 use crate::ast::{Domain, Expr, ExprKind, FunctionBody, FunctionDecl, Stmt, StmtKind};
+use crate::hashed::HashSet;
 use crate::relocate;
 use crate::span::{FileId, Span};
-use std::collections::BTreeSet;
+use smol_str::SmolStr;
 use std::sync::Arc;
 
 /// The role of a top-level statement in other checks. Editing its text does not change the role.
@@ -32,8 +33,8 @@ pub struct Item {
     pub statement: Stmt,
     pub text: String,
     /// Names in the header of a function; for other items, all names.
-    pub header_names: BTreeSet<String>,
-    pub names: BTreeSet<String>,
+    pub header_names: HashSet<SmolStr>,
+    pub names: HashSet<SmolStr>,
 }
 
 /// A statement as an item, with its role and the name it declares.
@@ -56,7 +57,7 @@ pub fn split(mut statement: Stmt, text: &str) -> Split {
     let Span { start, end, .. } = statement.span;
     relocate::to(&mut statement, FileId(0), 0);
     let private = statement.private;
-    let (mut header_names, mut names) = (BTreeSet::new(), BTreeSet::new());
+    let (mut header_names, mut names) = (HashSet::default(), HashSet::default());
     let mut more = Vec::new();
     let (kind, name) = match &mut statement.kind {
         StmtKind::Function(decl) => {
@@ -67,27 +68,27 @@ pub fn split(mut statement: Stmt, text: &str) -> Split {
                 FunctionBody::Extern { .. } => ItemKind::Extern,
                 _ => ItemKind::Function,
             };
-            more.extend(decl.former.iter().map(|former| former.name.clone()));
-            (kind, decl.name.name.clone())
+            more.extend(decl.former.iter().map(|former| former.name.to_string()));
+            (kind, decl.name.name.to_string())
         }
         StmtKind::Import(path) => {
-            let name = path.name().map(|ident| ident.name.clone()).unwrap_or_default();
+            let name = path.name().map(|ident| ident.name.to_string()).unwrap_or_default();
             let path: Vec<&str> = path.iter().map(|ident| ident.name.as_str()).collect();
             (ItemKind::Import(path.join(".")), name)
         }
         StmtKind::Const { name, .. } | StmtKind::Dimension { name, .. } => {
-            (ItemKind::Declaration, name.name.clone())
+            (ItemKind::Declaration, name.name.to_string())
         }
         StmtKind::Record(decl) => {
-            more.extend(decl.former.iter().map(|former| former.name.clone()));
-            (ItemKind::Declaration, decl.name.name.clone())
+            more.extend(decl.former.iter().map(|former| former.name.to_string()));
+            (ItemKind::Declaration, decl.name.name.to_string())
         }
-        StmtKind::Enum(decl) => (ItemKind::Declaration, decl.name.name.clone()),
-        StmtKind::Unit(decl) => (ItemKind::Declaration, decl.name.name.clone()),
-        StmtKind::Param(decl) => (ItemKind::State, decl.name.name.clone()),
-        StmtKind::Output { name, .. } => (ItemKind::State, name.name.clone()),
+        StmtKind::Enum(decl) => (ItemKind::Declaration, decl.name.name.to_string()),
+        StmtKind::Unit(decl) => (ItemKind::Declaration, decl.name.name.to_string()),
+        StmtKind::Param(decl) => (ItemKind::State, decl.name.name.to_string()),
+        StmtKind::Output { name, .. } => (ItemKind::State, name.name.to_string()),
         StmtKind::Var(decls) => {
-            let mut all = decls.iter().map(|decl| decl.name.name.clone());
+            let mut all = decls.iter().map(|decl| decl.name.name.to_string());
             let first = all.next().unwrap_or_default();
             more.extend(all);
             (ItemKind::State, first)
@@ -175,7 +176,7 @@ impl Item {
     /// Returns a function without its body, as other checks see it; other items are returned
     /// unchanged.
     pub fn header(&self) -> Item {
-        let none = BTreeSet::new;
+        let none = HashSet::default;
         let whole = || Item {
             statement: self.statement.clone(),
             text: self.text.clone(),

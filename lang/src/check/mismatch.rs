@@ -141,7 +141,7 @@ impl Checker<'_> {
         };
         let mut own = self.zero_starts.keys().filter(|id| self.variable(**id).owner == function);
         let only = own.next().filter(|id| own.next().is_none() && is_number(id))?;
-        Some(self.variable(*only).name.clone())
+        Some(self.variable(*only).name.to_string())
     }
 
     /// Explains the errors since `reported`, of an argument with vectors where the function adds
@@ -247,9 +247,9 @@ impl Checker<'_> {
             self.collect_factors(side, true, &mut parts);
             for (factor, _) in parts {
                 let (name, span) = match factor.kind {
-                    Kind::Var(id) => (&self.variable(id).name, self.variable(id).span),
+                    Kind::Var(id) => (self.variable(id).name.as_str(), self.variable(id).span),
                     Kind::Param(id) => match self.params.get(id as usize) {
-                        Some(param) => (&param.name, param.span),
+                        Some(param) => (param.name.as_str(), param.span),
                         None => continue,
                     },
                     _ => continue,

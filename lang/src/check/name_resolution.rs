@@ -85,7 +85,7 @@ impl NameTable {
         }
         for info in &names.enums {
             for choice in &info.decl.choices {
-                let ty = info.decl.name.name.clone();
+                let ty = info.decl.name.name.to_string();
                 part_types.insert(choice.name.span, (NameKind::Const, ty, None));
                 parts.insert(choice.name.span, choice.name.span);
             }
@@ -113,7 +113,7 @@ impl NameTable {
                 && let Some((_, ty)) = checker.store.field(id, &field.name)
             {
                 let shown = checker.store.show(&ty);
-                members.insert(field.span, (decl.name.span, field.name.clone(), shown));
+                members.insert(field.span, (decl.name.span, field.name.to_string(), shown));
                 continue;
             }
             let declared = names.records.get(id.0 as usize).and_then(|record| {

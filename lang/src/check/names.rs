@@ -21,13 +21,14 @@ use crate::diagnostic::Diagnostic;
 use crate::hashed::{HashMap, HashSet};
 use crate::span::{FileId, Span};
 use crate::units::Unit;
+use smol_str::SmolStr;
 use std::collections::BTreeSet;
 
 pub(super) use captured::points_span;
 
 #[derive(Default)]
 struct Scope {
-    names: HashMap<String, (Resolution, Span)>,
+    names: HashMap<SmolStr, (Resolution, Span)>,
 }
 
 struct Resolver<'a> {
@@ -35,7 +36,7 @@ struct Resolver<'a> {
     modules: &'a [ModuleData],
     around: &'a dyn Surroundings,
     /// Functions and externs by module and name.
-    exports: Vec<HashMap<String, (Resolution, Span)>>,
+    exports: Vec<HashMap<SmolStr, (Resolution, Span)>>,
     /// Names of each module that are private.
     private: Vec<HashSet<&'a str>>,
     scopes: Vec<Scope>,
@@ -176,7 +177,7 @@ impl<'a> Resolver<'a> {
     fn declare_item(
         &mut self,
         statement: &'a Stmt,
-        names: &mut HashMap<String, (Resolution, Span)>,
+        names: &mut HashMap<SmolStr, (Resolution, Span)>,
         module: &str,
     ) {
         let file = self.file;
@@ -217,14 +218,14 @@ impl<'a> Resolver<'a> {
     fn declare_function(
         &mut self,
         decl: &'a FunctionDecl,
-        names: &mut HashMap<String, (Resolution, Span)>,
+        names: &mut HashMap<SmolStr, (Resolution, Span)>,
         module: &str,
     ) {
         let name = &decl.name;
         let res = if matches!(decl.body, FunctionBody::Extern { .. }) {
             // Programs use the functions of the prelude without a module name.
             let (shown, prefix) = match module {
-                "" | "prelude" => (name.name.clone(), "std".to_string()),
+                "" | "prelude" => (name.name.to_string(), "std".to_string()),
                 _ => (format!("{module}.{}", name.name), module.replace('.', "_")),
             };
             self.names.externs.push(ExternInfo {
@@ -259,7 +260,7 @@ impl<'a> Resolver<'a> {
     /// already declared.
     fn insert(
         &mut self,
-        names: &mut HashMap<String, (Resolution, Span)>,
+        names: &mut HashMap<SmolStr, (Resolution, Span)>,
         name: &Ident,
         res: Resolution,
     ) -> bool {

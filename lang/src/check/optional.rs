@@ -344,7 +344,7 @@ impl<'a> Checker<'a> {
             },
             ExprKind::Field { base, field } => {
                 let (id, mut fields) = self.path(base)?;
-                fields.push(field.name.clone());
+                fields.push(field.name.to_string());
                 Some((id, fields))
             }
             ExprKind::Paren(inner) => self.path(inner),

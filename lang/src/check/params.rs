@@ -16,7 +16,7 @@ impl<'a> Checker<'a> {
     pub(super) fn declare_params(&mut self) {
         for index in 0..self.names.params.len() {
             let info = self.names.params[index];
-            let (name, span) = (info.decl.name.name.clone(), info.decl.name.span);
+            let (name, span) = (info.decl.name.name.to_string(), info.decl.name.span);
             let param = match info.owner {
                 FuncId(0) => self.declared_param(index as u32),
                 owner => Param {
@@ -98,7 +98,7 @@ impl<'a> Checker<'a> {
         self.constant_place = around;
         self.declaring_param = false;
         Param {
-            name: name.clone(),
+            name: name.to_string(),
             doc: doc.unwrap_or_default().to_string(),
             ty,
             whole: takes_whole_numbers(decl),
@@ -272,7 +272,7 @@ impl<'a> Checker<'a> {
         let doc = info.and_then(|info| info.doc).unwrap_or_default().to_string();
         let owner = info.map_or(FuncId(0), |info| info.owner);
         self.outputs.push(Output {
-            name: name.name.clone(),
+            name: name.name.to_string(),
             doc,
             ty,
             unit,

@@ -245,10 +245,10 @@ impl<'a> Checker<'a> {
             }
             Type::Unknown(_) => {
                 let ty = self.store.fresh();
-                let (base, name) = (place.ty.clone(), field.name.clone());
+                let (base, name) = (place.ty.clone(), field.name.to_string());
                 let kind = ConstraintKind::Field(base, name, ty.clone(), FieldUse::Assigned);
                 self.constrain(Constraint { kind, span: field.span });
-                (Step::Field(place.ty.clone(), field.name.clone()), ty)
+                (Step::Field(place.ty.clone(), field.name.to_string()), ty)
             }
             other => {
                 self.report(self.no_field(&other, &field.name, field.span));

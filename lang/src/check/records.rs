@@ -30,16 +30,17 @@ impl<'a> Checker<'a> {
         let records = self.names.records.clone();
         for record in &records {
             let fields = record.decl.fields.iter();
-            let fields = fields.map(|field| (field.name.name.clone(), self.store.fresh())).collect();
+            let fields = fields.map(|field| (field.name.name.to_string(), self.store.fresh())).collect();
             let formers = record.decl.fields.iter().enumerate();
-            let former = formers.filter_map(|(at, field)| Some((field.former.as_ref()?.name.clone(), at)));
-            let (name, former) = (record.decl.name.name.clone(), former.collect());
+            let former =
+                formers.filter_map(|(at, field)| Some((field.former.as_ref()?.name.to_string(), at)));
+            let (name, former) = (record.decl.name.name.to_string(), former.collect());
             self.store.records.push(RecordType { name, fields, former });
         }
         // The types of instances have the members of their components, which are known when these
         // have been checked.
         for component in self.components.clone() {
-            let name = self.names.functions[component.0 as usize].name.clone();
+            let name = self.names.functions[component.0 as usize].name.to_string();
             let fields = self.imported_members.remove(&component).unwrap_or_default();
             self.store.records.push(RecordType { name, fields, former: Vec::new() });
         }
@@ -198,9 +199,8 @@ impl<'a> Checker<'a> {
         let parameters: Vec<(&str, bool)> = decl
             .fields
             .iter()
-            .map(|field| &field.name.name)
-            .zip(&decl.fields)
-            .map(|(name, field)| (name.as_str(), field.default.is_some() || fields.contains_key(name)))
+            .map(|field| (field.name.name.as_str(), field))
+            .map(|(name, field)| (name, field.default.is_some() || fields.contains_key(name)))
             .collect();
         let Some(given) = self.match_arguments(&decl.name.name, &parameters, arguments, span) else {
             return failed;
@@ -211,7 +211,7 @@ impl<'a> Checker<'a> {
             values.push(match (argument, &field.default) {
                 (Some(argument), _) if self.symbolic => self.symbolic_field(&wanted, &field.name, argument),
                 (Some(argument), _) => self.value_argument(&wanted, &field.name, argument),
-                (None, _) if fields.contains_key(&field.name.name) => {
+                (None, _) if fields.contains_key(field.name.name.as_str()) => {
                     self.field_argument(&wanted, &field.name, &mut fields, span)
                 }
                 // A record in the default of its own field contains itself, which is reported at
@@ -364,7 +364,7 @@ impl<'a> Checker<'a> {
                 }
                 let kind = Kind::TupleElement(Box::new(record.clone()), at);
                 let value = Expr { kind, ty: ty.clone(), span: argument.value.span };
-                if fields.insert(name.clone(), value).is_some() {
+                if fields.insert(name.to_string(), value).is_some() {
                     self.report(
                         Diagnostic::error(
                             "E0206",
@@ -392,7 +392,7 @@ impl<'a> Checker<'a> {
         fields: &mut HashMap<String, Expr>,
         span: Span,
     ) -> Expr {
-        let Some(value) = fields.remove(&parameter.name) else { return Expr::error(span) };
+        let Some(value) = fields.remove(parameter.name.as_str()) else { return Expr::error(span) };
         let cause = Some((
             parameter.span,
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),

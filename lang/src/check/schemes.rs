@@ -53,9 +53,10 @@ impl Checker<'_> {
         let (function, signature) = (self.names.functions.get(id.0 as usize)?, self.signatures.get(&id)?);
         let mut letters = Letters { store: &self.store, types: Vec::new(), dims: Vec::new() };
         let is_component = function.is_component();
-        let mut shown = ShownScheme { name: function.name.clone(), is_component, ..ShownScheme::default() };
+        let mut shown =
+            ShownScheme { name: function.name.to_string(), is_component, ..ShownScheme::default() };
         for (parameter, ty) in function.decl?.parameters.iter().zip(&signature.parameters) {
-            shown.parameters.push((parameter.mode, parameter.name.name.clone(), letters.ty(ty)));
+            shown.parameters.push((parameter.mode, parameter.name.name.to_string(), letters.ty(ty)));
         }
         let result = letters.ty(&signature.result);
         let nothing = matches!(self.store.shallow(&signature.result), Type::Unit);

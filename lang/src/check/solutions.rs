@@ -89,7 +89,7 @@ impl<'a> Checker<'a> {
         let optional = |p: &ast::Parameter| matches!(p.default, Some((_, Some(_))));
         let listed: Vec<(&str, bool)> = parameters
             .iter()
-            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(&p.name.name)))
+            .map(|p| (p.name.name.as_str(), optional(p) || fields.contains_key(p.name.name.as_str())))
             .collect();
         if !self.check_number_after_guess(called, &name, &listed, rest, span) {
             self.check_loosely(rest);

@@ -97,11 +97,11 @@ impl<'a> Checker<'a> {
             }
             Ast::Label { label, statement } => {
                 self.forget_rebound();
-                StmtKind::Label(label.name.clone(), self.boxed(statement))
+                StmtKind::Label(label.name.to_string(), self.boxed(statement))
             }
             Ast::Goto(label) => {
                 self.dependence.jump();
-                StmtKind::Goto(label.name.clone())
+                StmtKind::Goto(label.name.to_string())
             }
             Ast::Break => {
                 self.dependence.break_out();

@@ -543,7 +543,7 @@ impl<'a> Checker<'a> {
             return Expr { kind: Kind::Var(hidden), ty, span };
         }
         let name = match value.kind {
-            Kind::Var(id) | Kind::Chosen(id) => self.variable(id).name.clone(),
+            Kind::Var(id) | Kind::Chosen(id) => self.variable(id).name.to_string(),
             // A short source text is the name of the captured value in results and messages.
             _ => match self.text(span) {
                 text if text.len() <= 40 && !text.is_empty() && !text.contains('\n') => text.to_string(),

@@ -171,7 +171,7 @@ impl<'a> Checker<'a> {
     ) -> (Vec<Expr>, Vec<(usize, ArgumentRange)>) {
         let (mut values, mut demands) = (Vec::new(), Vec::new());
         for ((parameter, argument), ty) in parameters.iter().zip(given).zip(types) {
-            let is_default = argument.is_none() && !fields.contains_key(&parameter.name.name);
+            let is_default = argument.is_none() && !fields.contains_key(parameter.name.name.as_str());
             let value = match (argument, &parameter.default) {
                 (Some(argument), _) if self.is_function(ty) => {
                     self.as_symbolic(|c| c.function_argument(ty, &parameter.name, argument))
@@ -183,7 +183,7 @@ impl<'a> Checker<'a> {
                     self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
                     value
                 }
-                (None, _) if fields.contains_key(&parameter.name.name) => {
+                (None, _) if fields.contains_key(parameter.name.name.as_str()) => {
                     self.field_argument(ty, &parameter.name, &mut fields, span)
                 }
                 (None, Some((_, Some(default)))) if self.uses_parameters(id, default) => {

@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::hashed::{HashMap, HashSet};
 use crate::span::{FileId, Span};
 use crate::units::Unit;
+use smol_str::SmolStr;
 use std::collections::BTreeSet;
 
 /// The meaning of an identifier.
@@ -69,7 +70,7 @@ pub enum VarKind {
 
 #[derive(Clone, Debug)]
 pub struct Variable {
-    pub name: String,
+    pub name: SmolStr,
     pub span: Span,
     pub kind: VarKind,
     pub owner: FuncId,
@@ -80,7 +81,7 @@ pub struct Variable {
 pub struct FunctionInfo<'a> {
     /// The declaration; `None` for the model's top level.
     pub decl: Option<&'a FunctionDecl>,
-    pub name: String,
+    pub name: SmolStr,
     pub file: FileId,
     pub parent: Option<FuncId>,
     pub parameters: Vec<VarId>,

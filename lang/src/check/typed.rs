@@ -81,7 +81,7 @@ impl Checker<'_> {
             let parameters = info.decl.parameters.iter().map(|p| {
                 let value = p.annotation.as_ref().map_or(Repr::Number, repr);
                 let value = if self.is_optional(p) { Repr::Tuple(vec![Repr::Bool, value]) } else { value };
-                (p.name.name.clone(), value)
+                (p.name.name.to_string(), value)
             });
             ExternDecl {
                 symbol: info.symbol.clone(),

@@ -241,7 +241,7 @@ pub fn sees(extract: super::excerpt::Extract<'_>, variables: &[&str]) -> bool {
     for name in variables {
         let span = Span::new(module.file, at, at + name.len());
         at += name.len() + 1;
-        decls.push(VarDecl { name: Ident { name: name.to_string(), span }, init: None });
+        decls.push(VarDecl { name: Ident { name: (*name).into(), span }, init: None });
     }
     let span = Span::new(module.file, at, at);
     module.tree.statements.insert(0, Stmt { kind: StmtKind::Var(decls), span, doc: None, private: false });

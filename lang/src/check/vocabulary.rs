@@ -51,7 +51,7 @@ impl<'a> Checker<'a> {
             if let (Some(dimension), Some(_)) =
                 (self.own_dimension(id), self.names.dimensions[id as usize].decl.value)
             {
-                let name = self.names.dimensions[id as usize].decl.name.name.clone();
+                let name = self.names.dimensions[id as usize].decl.name.name.to_string();
                 self.store.vocabulary.named.push((name, dimension));
             }
         }
@@ -148,7 +148,7 @@ impl<'a> Checker<'a> {
             }
             UnitMeaning::Equal(value) => self.in_file(file, |c| c.derived_unit(value)),
         };
-        let name = decl.name.name.clone();
+        let name = decl.name.name.to_string();
         let found =
             found.map(|(dimension, factor)| DisplayUnit { name, factor, dimension: dimension.exponents() });
         self.opening.pop();
@@ -185,7 +185,7 @@ impl<'a> Checker<'a> {
             );
             return None;
         }
-        self.store.vocabulary.bases[base].unit = Some(name.name.clone());
+        self.store.vocabulary.bases[base].unit = Some(name.name.to_string());
         Some((dimension, 1.0))
     }
 
@@ -243,7 +243,7 @@ impl<'a> Checker<'a> {
                 | Resolution::Unknown,
             ) => None,
             _ => Unit::find(&name.name).map(|unit| DisplayUnit {
-                name: name.name.clone(),
+                name: name.name.to_string(),
                 factor: unit.factor,
                 dimension: unit.dimension.exponents(),
             }),

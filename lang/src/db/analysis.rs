@@ -125,7 +125,7 @@ pub(super) fn relative_names<'db>(
         found.push(Relative {
             start: span.start.saturating_sub(start),
             end: span.end.saturating_sub(start),
-            text: text.into(),
+            text: text.as_str().into(),
             kind: meaning.kind,
             target,
             ty,
@@ -167,10 +167,10 @@ pub(super) fn extern_scheme(db: &dyn salsa::Database, item: Item<'_>) -> Option<
         |span: Span| content.text.get(span.start as usize..span.end as usize).unwrap_or("_").to_string();
     let parameters = decl.parameters.iter().map(|parameter| {
         let ty = parameter.annotation.as_ref().map_or_else(|| "_".into(), |annotation| text(annotation.span));
-        (parameter.mode, parameter.name.name.clone(), ty)
+        (parameter.mode, parameter.name.name.to_string(), ty)
     });
     Some(ShownScheme {
-        name: decl.name.name.clone(),
+        name: decl.name.name.to_string(),
         is_component: false,
         parameters: parameters.collect(),
         result: decl.result.as_ref().map(|result| text(result.span)),
@@ -370,7 +370,9 @@ impl Database {
                 let Some(text) = self.find(&file) else { continue };
                 for &item in items(db, text) {
                     let names = &item.content(db).names;
-                    if names.contains(name) || former.as_ref().is_some_and(|former| names.contains(former)) {
+                    if names.contains(name)
+                        || former.as_ref().is_some_and(|former| names.contains(former.as_str()))
+                    {
                         let names = self.names_of(item).into_iter();
                         let meant = names.filter(|name| name.declared.as_ref() == Some(place));
                         found.extend(meant.map(|name| (file.clone(), name)));

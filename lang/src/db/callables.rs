@@ -57,7 +57,7 @@ impl Database {
     pub(super) fn former_name(&self, place: &SourceRange) -> Option<String> {
         let part = self.part_at(&place.file, place.start)?;
         let (_, found) = declared::find_in(&part.piece.statements, place.start.checked_sub(part.start)?)?;
-        declared::former(found).map(|former| former.name.clone())
+        declared::former(found).map(|former| former.name.to_string())
     }
 
     /// Returns the members of the instances of the component declared at a location.
@@ -123,7 +123,7 @@ impl Database {
             let Some(TypeKind::Name(handle)) = parameter.annotation.as_ref().map(|ty| &ty.kind) else {
                 continue;
             };
-            let Some(item) = namings.get(&handle.name) else { continue };
+            let Some(item) = namings.get(handle.name.as_str()) else { continue };
             let StmtKind::Function(naming) = &item.content(&self.salsa).statement.kind else { continue };
             let domain = naming.parameters.first().and_then(|parameter| parameter.domain.as_ref());
             described.choices = declared::choices(domain);
@@ -186,7 +186,7 @@ fn described(
         }
         StmtKind::Record(decl) => {
             callable.kind = NameKind::Record;
-            callable.result = Some(decl.name.name.clone());
+            callable.result = Some(decl.name.name.to_string());
             for field in &decl.fields {
                 callable.parameters.push(CallParameter {
                     name: field.name.name.as_str().into(),

@@ -9,7 +9,7 @@ use crate::check::sees;
 use crate::components::components;
 use crate::hashed::{HashMap, HashSet};
 use salsa::plumbing::AsId;
-use std::collections::BTreeSet;
+use smol_str::SmolStr;
 use std::sync::Arc;
 
 /// Functions that are checked together: one function, or mutually recursive functions.
@@ -22,13 +22,13 @@ pub(super) struct Group<'db> {
 fn meant<'db>(
     db: &'db dyn salsa::Database,
     file: Text,
-    names: &BTreeSet<String>,
+    names: &HashSet<SmolStr>,
     library: Library,
 ) -> Vec<Item<'db>> {
     let mut found: Vec<Item<'db>> = Vec::new();
     let mut imported = Vec::new();
     let (own, prelude) = (nameable(db, file), library.prelude(db));
-    for item in names.iter().filter_map(|name| own.get(name).copied()) {
+    for item in names.iter().filter_map(|name| own.get(name.as_str()).copied()) {
         if let ItemKind::Import(path) = item.kind(db) {
             imported.extend(module(db, library, path.clone()));
         }
@@ -37,12 +37,12 @@ fn meant<'db>(
     imported.extend((prelude != file).then_some(prelude));
     // A text may stand for a handle of a type that the item names.
     for file in imported.iter().copied().chain([file]) {
-        let namings = namings(db, file).iter().filter(|(handle, _)| names.contains(*handle));
+        let namings = namings(db, file).iter().filter(|(handle, _)| names.contains(handle.as_str()));
         found.extend(namings.map(|(_, item)| *item));
     }
     for file in imported {
         let exported = nameable(db, file);
-        let all = names.iter().filter_map(|name| exported.get(name).copied());
+        let all = names.iter().filter_map(|name| exported.get(name.as_str()).copied());
         found.extend(all.filter(|item| {
             matches!(item.kind(db), ItemKind::Function | ItemKind::Extern | ItemKind::Declaration)
         }));
@@ -143,7 +143,7 @@ pub(super) fn group_of<'db>(db: &'db dyn salsa::Database, item: Item<'db>, libra
 pub(super) fn sees_state<'db>(db: &'db dyn salsa::Database, item: Item<'db>) -> bool {
     let (states, content) = (state_names(db, item.file(db)), item.content(db));
     let shared: Vec<&str> =
-        content.names.iter().filter(|name| states.contains(*name)).map(String::as_str).collect();
+        content.names.iter().filter(|name| states.contains(name.as_str())).map(SmolStr::as_str).collect();
     // A local variable of the function may shadow the name.
     !shared.is_empty()
         && sees(Extract { name: String::new(), system: None, items: vec![(0, content, Part::Own)] }, &shared)

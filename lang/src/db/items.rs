@@ -243,7 +243,7 @@ pub(super) fn vocabulary(db: &dyn salsa::Database, text: Text) -> Vec<Item<'_>> 
 #[salsa::tracked]
 pub(super) fn bases(db: &dyn salsa::Database, text: Text) -> Vec<String> {
     let base = |item: &Item<'_>| match &item.content(db).statement.kind {
-        StmtKind::Dimension { name, value: None } => Some(name.name.clone()),
+        StmtKind::Dimension { name, value: None } => Some(name.name.to_string()),
         _ => None,
     };
     vocabulary(db, text).iter().filter_map(base).collect()

@@ -108,11 +108,15 @@ impl Database {
             };
             let mut types = parameter_types(given).into_iter();
             let parameters = decl.parameters.iter().map(|parameter| {
-                (parameter.mode, parameter.name.name.clone(), types.next().unwrap_or_default().to_string())
+                (
+                    parameter.mode,
+                    parameter.name.name.to_string(),
+                    types.next().unwrap_or_default().to_string(),
+                )
             });
             let result = result.map(|result| result.split(" where ").next().unwrap_or(result).to_string());
             let parameters = parameters.collect();
-            let (name, is_component) = (decl.name.name.clone(), decl.is_component);
+            let (name, is_component) = (decl.name.name.to_string(), decl.is_component);
             ShownScheme { name, is_component, parameters, result, demands: Vec::new() }
         };
         let field = |decl: &RecordDecl, field: &RecordField| {

@@ -327,7 +327,7 @@ impl Surroundings for GroupContext<'_> {
                 if makes && !item.private(self.db) {
                     let parameters = decl.parameters.iter().filter_map(|parameter| {
                         let kind = type_name(parameter.annotation.as_ref()?)?;
-                        Some((parameter.name.name.clone(), kind.to_owned()))
+                        Some((parameter.name.name.to_string(), kind.to_owned()))
                     });
                     let name = format!("{name}.{}", decl.name.name);
                     makers.push(Maker { name, parameters: parameters.collect() });

@@ -277,7 +277,9 @@ impl Printer<'_> {
 
     fn is_unit(&self, e: &Expr) -> bool {
         match &e.kind {
-            ExprKind::Name(name) => Unit::find(&name.name).is_some() || self.units.contains(&name.name),
+            ExprKind::Name(name) => {
+                Unit::find(&name.name).is_some() || self.units.contains(name.name.as_str())
+            }
             ExprKind::Binary { op: BinaryOp::Power, left, right, .. } => {
                 let whole = match &right.kind {
                     ExprKind::Unary { op: UnaryOp::Minus, operand } => &operand.kind,

@@ -95,7 +95,7 @@ pub fn format_part(part: &str, place: &FormatContext) -> Result<Vec<Edit>, Forma
 /// Returns the units that a file declares, which are formatted like built-in ones.
 pub fn declared_units(module: &Module) -> BTreeSet<String> {
     let units = module.statements.iter().filter_map(|statement| match &statement.kind {
-        StmtKind::Unit(unit) => Some(unit.name.name.clone()),
+        StmtKind::Unit(unit) => Some(unit.name.name.to_string()),
         _ => None,
     });
     units.collect()

@@ -7,6 +7,7 @@ use crate::ast::{ANONYMOUS, Expr, ExprKind, FunctionBody, FunctionDecl, Ident, M
 use crate::diagnostic::Diagnostic;
 use crate::lexer::Kind;
 use chumsky::prelude::*;
+use smol_str::format_smolstr;
 
 /// Parses `(x, y) => e`.
 pub(super) fn anonymous<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
@@ -20,7 +21,8 @@ pub(super) fn anonymous<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule
         let is_name = |at: &usize| source.kind(*at) == Some(Kind::Identifier);
         let names: Vec<usize> = (open..arrow).filter(is_name).collect();
         let shown: Vec<&str> = names.iter().map(|at| source.text(*at)).collect();
-        let name = Ident { name: format!("({}) {ANONYMOUS}", shown.join(", ")), span: source.place(arrow) };
+        let name =
+            Ident { name: format_smolstr!("({}) {ANONYMOUS}", shown.join(", ")), span: source.place(arrow) };
         let parameter = |at| Parameter {
             mode: Mode::In,
             name: source.ident(at),

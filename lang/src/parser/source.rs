@@ -95,7 +95,7 @@ impl<'a> Source<'a> {
     }
 
     pub(super) fn ident(&self, index: usize) -> Ident {
-        Ident { name: self.text(index).to_string(), span: self.place(index) }
+        Ident { name: self.text(index).into(), span: self.place(index) }
     }
 
     pub(super) fn doc(&self, index: usize) -> Option<String> {

@@ -54,7 +54,7 @@ pub fn lenses(source: &Source<'_>, file: &Arc<str>) -> Vec<CodeLens> {
         };
         let (start, end) = (name.span.start, name.span.end);
         let lens = match test {
-            true => Lens::RunTest(name.name.clone()),
+            true => Lens::RunTest(name.name.to_string()),
             false => Lens::Uses(SourceRange { file: file.clone(), start, end }),
         };
         lenses.push(CodeLens { start, end, lens });

@@ -259,7 +259,8 @@ impl<'a> Hints<'a> {
     }
 
     fn result(&mut self, name: &Ident, end: u32) {
-        let Some(result) = self.results.outputs.get(&name.name).filter(|_| self.wanted.results) else {
+        let Some(result) = self.results.outputs.get(name.name.as_str()).filter(|_| self.wanted.results)
+        else {
             return;
         };
         let when = if self.results.outdated { "was " } else { "" };

@@ -31,7 +31,7 @@ impl Found {
         let mut own = Vec::new();
         for mut statement in statements {
             while let StmtKind::Label { label, statement: inner } = &statement.kind {
-                own.push((label.name.clone(), self.labels.len()));
+                own.push((label.name.to_string(), self.labels.len()));
                 self.labels.push(Label { declared: label.span, jumps: Vec::new() });
                 statement = inner;
             }

@@ -118,7 +118,7 @@ impl Outline<'_> {
         let detail = self.types.get(&name_start).map(|ty| ty.to_string());
         let (start, end) = (start.min(name_start), end.max(name_end));
         Symbol {
-            name: name.name.clone(),
+            name: name.name.to_string(),
             kind,
             detail,
             start,

@@ -85,7 +85,7 @@ pub fn functions() -> Vec<Function> {
         }
         for statement in tree.statements.iter().filter(|statement| !statement.private) {
             let StmtKind::Function(decl) = &statement.kind else { continue };
-            let name = decl.name.name.clone();
+            let name = decl.name.name.to_string();
             if OF_FILES.contains(&name.as_str()) {
                 continue;
             }
@@ -104,7 +104,7 @@ fn function(decl: &FunctionDecl, name: String, path: String, module: &LibraryMod
     let parameters = decl.parameters.iter().filter(|parameter| parameter.mode == Mode::In);
     let parameters = parameters.map(|parameter| argument(&name, parameter, module)).collect();
     let result = decl.result.as_ref().map_or("", |ty| slice(module.text, ty.span));
-    let former = decl.former.as_ref().map(|former| former.name.clone());
+    let former = decl.former.as_ref().map(|former| former.name.to_string());
     Function { is_observable: result.starts_with("Observable"), path, parameters, name, former }
 }
 
@@ -121,8 +121,8 @@ fn qualified(value: &str, module: &LibraryModule) -> String {
 
 fn argument(function: &str, parameter: &Parameter, module: &LibraryModule) -> Argument {
     let text = module.text;
-    let name = parameter.name.name.clone();
-    let former = parameter.former.as_ref().map(|former| former.name.clone());
+    let name = parameter.name.name.to_string();
+    let former = parameter.former.as_ref().map(|former| former.name.to_string());
     let default = parameter.default.as_ref().and_then(|(_, value)| value.as_ref());
     let default = default.map(|value| slice(text, value.span).replace("ground()", "gears.ground()"));
     let default = default.map(|value| qualified(&value, module));

@@ -222,7 +222,7 @@ impl<'l, 'c> Body<'l, 'c> {
         let checker = self.lowering.checker;
         let repr = self.environment(id).unwrap_or_else(|| self.repr(&checker.type_of(id)));
         let repr = if checker.chosen.contains(&id) { Repr::Symbolic(Box::new(repr)) } else { repr };
-        self.locals.push(Local { name: checker.variable(id).name.clone(), repr });
+        self.locals.push(Local { name: checker.variable(id).name.to_string(), repr });
         let local = LocalId(self.locals.len() as u32 - 1);
         self.by_variable.insert(id, local);
         local

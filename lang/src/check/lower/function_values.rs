@@ -163,7 +163,7 @@ impl Body<'_, '_> {
             return make(ExprKind::Number(f64::NAN), self.repr(ty));
         };
         let result = self.lowering.program.symbolic_functions[function.0 as usize].result.clone();
-        let name = self.lowering.checker.variable(applied.parameter).name.clone();
+        let name = self.lowering.checker.variable(applied.parameter).name.to_string();
         let captured = |(at, repr): (usize, &Repr)| {
             let kind = SymKind::Capture(at as u32);
             let capture = Capture { name: name.clone(), repr: repr.clone(), observable: false };
@@ -193,7 +193,7 @@ impl Body<'_, '_> {
         if self.lowering.alone() {
             return;
         }
-        let name = self.lowering.checker.variable(applied.parameter).name.clone();
+        let name = self.lowering.checker.variable(applied.parameter).name.to_string();
         self.lowering.report(
             Diagnostic::error(
                 "E0865",

@@ -35,7 +35,7 @@ impl Body<'_, '_> {
             let value = if last.is_some_and(|last| index < last) { self.kept(value) } else { value };
             captures.push(Capture {
                 name: match operand.kind {
-                    Kind::Var(id) => self.lowering.checker.variable(id).name.clone(),
+                    Kind::Var(id) => self.lowering.checker.variable(id).name.to_string(),
                     _ => "observable".into(),
                 },
                 observable: matches!(value.repr, Repr::Symbolic(_)),

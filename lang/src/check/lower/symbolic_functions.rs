@@ -304,7 +304,7 @@ impl<'l, 'c> Body<'l, 'c> {
             .iter()
             .zip(parameter_types.iter().zip(reprs))
             .map(|((variable, _), (ty, repr))| SymbolicParameter {
-                name: checker.variable(*variable).name.clone(),
+                name: checker.variable(*variable).name.to_string(),
                 repr: repr.clone(),
                 unit: unit(ty),
             })

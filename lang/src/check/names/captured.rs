@@ -61,7 +61,7 @@ impl<'a> Resolver<'a> {
         let module = self.modules.get(value.span.file.0 as usize);
         let text = module.and_then(|m| m.text.get(value.span.start as usize..value.span.end as usize));
         let is_short = |text: &&str| text.len() <= 40 && !text.contains('\n');
-        let name = text.filter(is_short).unwrap_or("captured value").to_owned();
+        let name = text.filter(is_short).unwrap_or("captured value").into();
         let (span, kind) = (value.span, VarKind::Parameter(Mode::In));
         self.names.variables.push(Variable { name, span, kind, owner, reads: 1 });
         VarId(self.names.variables.len() as u32 - 1)

@@ -79,7 +79,7 @@ fn of_extern(decl: &FunctionDecl) -> Effect {
     let (FunctionBody::Extern { purity, .. }, Some(result)) = (&decl.body, &decl.result) else {
         return Effect::None;
     };
-    let is_object = matches!(&result.kind, TypeKind::Name(name) if handles_of(decl).contains(&name.name));
+    let is_object = matches!(&result.kind, TypeKind::Name(name) if handles_of(decl).iter().any(|handle| *handle == name.name));
     match purity.as_ref().map(|word| word.name.as_str()) {
         _ if !is_object => Effect::None,
         Some("pure") => Effect::Creates,

@@ -154,7 +154,7 @@ fn declared_in(statement: &Stmt, start: u32) -> bool {
 fn fresh_name(asked: &ActionRequest, around: &EnclosingNodes, e: &Expr) -> String {
     let given = around.given().filter(|given| given.value.span == e.span);
     let base = match given.map(|given| given.to) {
-        Some(Receiver::Argument(argument)) => argument.name.as_ref().map(|(name, _)| name.name.clone()),
+        Some(Receiver::Argument(argument)) => argument.name.as_ref().map(|(name, _)| name.name.to_string()),
         Some(Receiver::Positional(argument)) => around.call().and_then(|(_, callee, arguments)| {
             let at = arguments.iter().position(|other| other.value.span == argument.value.span)?;
             let callable = super::arguments::callable(asked, callee)?;

@@ -215,7 +215,7 @@ pub fn choices_of_enumeration(request: &Request<'_>, name: &str, items: &mut Vec
     };
     for (order, choice) in decl.choices.iter().enumerate() {
         let rank = Rank { order: order as u32, ..Rank::default() };
-        let mut item = Item::new(choice.name.name.clone(), ItemKind::Value, rank);
+        let mut item = Item::new(choice.name.name.to_string(), ItemKind::Value, rank);
         item.detail = choice.doc.as_deref().and_then(|doc| doc.lines().next()).unwrap_or(own).to_string();
         items.push(item);
     }
