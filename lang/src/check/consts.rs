@@ -34,7 +34,7 @@ impl<'a> Checker<'a> {
         let ty = match (&value.kind, self.store.shallow(&value.ty)) {
             // `0`, `inf` and `nan` have any dimension, which each use determines separately.
             (Kind::Number(number), Type::Number(dim)) if *number == 0.0 || !number.is_finite() => {
-                let unknown = self.store.dim(&dim).unknowns.keys().all(|v| !self.store.is_literal(*v));
+                let unknown = self.store.dim(&dim).variables().all(|v| !self.store.is_literal(v));
                 let open = self.store.dim(&dim).as_known().is_none();
                 if open && unknown { self.fresh_number() } else { value.ty }
             }

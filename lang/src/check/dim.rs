@@ -5,7 +5,6 @@
 //! but is stored for display.
 
 use crate::dimension::{Dimension, Rational};
-use std::collections::BTreeMap;
 
 /// A dimension variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -15,7 +14,8 @@ pub struct DimVar(pub u32);
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Dim {
     pub fixed: Dimension,
-    pub unknowns: BTreeMap<DimVar, Rational>,
+    /// The variables and their exponents, in order of the variables. Few dimensions have several.
+    pub unknowns: Vec<(DimVar, Rational)>,
 }
 
 impl Dim {
@@ -24,11 +24,11 @@ impl Dim {
     }
 
     pub fn known(fixed: Dimension) -> Dim {
-        Dim { fixed, unknowns: BTreeMap::new() }
+        Dim { fixed, unknowns: Vec::new() }
     }
 
     pub fn unknown(variable: DimVar) -> Dim {
-        Dim { fixed: Dimension::NONE, unknowns: BTreeMap::from([(variable, Rational::ONE)]) }
+        Dim { fixed: Dimension::NONE, unknowns: vec![(variable, Rational::ONE)] }
     }
 
     pub fn times(&self, other: &Dim) -> Dim {
@@ -43,14 +43,18 @@ impl Dim {
     fn combine(&self, other: &Dim, sign: i64) -> Dim {
         let fixed = if sign < 0 { self.fixed.over(other.fixed) } else { self.fixed.times(other.fixed) };
         let mut unknowns = self.unknowns.clone();
-        for (&variable, &exponent) in &other.unknowns {
-            let before = unknowns.get(&variable).copied().unwrap_or(Rational::ZERO);
+        for &(variable, exponent) in &other.unknowns {
+            let found = unknowns.binary_search_by_key(&variable, |(own, _)| *own);
+            let before = found.map_or(Rational::ZERO, |at| unknowns[at].1);
             // Exponents beyond 32 bits are meaningless; keeping the old value avoids a failure.
             let sum = before.sum(exponent, sign).unwrap_or(before);
-            if sum.is_zero() {
-                unknowns.remove(&variable);
-            } else {
-                unknowns.insert(variable, sum);
+            match found {
+                Ok(at) if sum.is_zero() => {
+                    unknowns.remove(at);
+                }
+                Ok(at) => unknowns[at].1 = sum,
+                Err(_) if sum.is_zero() => {}
+                Err(at) => unknowns.insert(at, (variable, sum)),
             }
         }
         Dim { fixed, unknowns }
@@ -61,11 +65,18 @@ impl Dim {
         if exponent.is_zero() {
             return Some(Dim::none());
         }
-        let mut unknowns = BTreeMap::new();
-        for (&variable, &e) in &self.unknowns {
-            unknowns.insert(variable, multiply(e, exponent)?);
-        }
-        Some(Dim { fixed: self.fixed.power(exponent)?, unknowns })
+        let powers = self.unknowns.iter().map(|&(variable, e)| Some((variable, multiply(e, exponent)?)));
+        Some(Dim { fixed: self.fixed.power(exponent)?, unknowns: powers.collect::<Option<_>>()? })
+    }
+
+    /// Removes a variable.
+    pub fn remove(&mut self, variable: DimVar) {
+        self.unknowns.retain(|(own, _)| *own != variable);
+    }
+
+    /// Returns the variables in order.
+    pub fn variables(&self) -> impl Iterator<Item = DimVar> {
+        self.unknowns.iter().map(|(variable, _)| *variable)
     }
 
     /// Returns the dimension if it has no variables.
@@ -81,6 +92,6 @@ fn multiply(a: Rational, b: Rational) -> Option<Rational> {
 /// Solves `dim = 1` for a variable, given its exponent in `dim`.
 pub fn solve(dim: &Dim, variable: DimVar, exponent: Rational) -> Option<Dim> {
     let mut rest = dim.clone();
-    rest.unknowns.remove(&variable);
+    rest.remove(variable);
     rest.power(Rational::new(-i64::from(exponent.denominator()), i64::from(exponent.numerator()))?)
 }

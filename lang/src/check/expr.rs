@@ -243,14 +243,14 @@ impl<'a> Checker<'a> {
         if self.symbolic {
             self.solve_open_constraints(std::iter::once(&e.ty));
         }
-        match (self.symbolic, self.store.shallow(&e.ty)) {
+        match (self.symbolic, self.store.known(&e.ty)) {
             (true, Type::Observable(dim)) => {
-                let span = e.span;
+                let (span, dim) = (e.span, dim.clone());
                 Expr { kind: Kind::Observe(Box::new(e)), ty: Type::Number(dim), span }
             }
             (true, Type::Symbolic(inner)) => {
-                let span = e.span;
-                Expr { kind: Kind::Part(Box::new(e)), ty: *inner, span }
+                let (span, ty) = (e.span, (**inner).clone());
+                Expr { kind: Kind::Part(Box::new(e)), ty, span }
             }
             _ => e,
         }

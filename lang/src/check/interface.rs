@@ -100,7 +100,7 @@ impl Renaming<'_> {
 
     fn dim(&mut self, dim: &Dim) -> Dim {
         let dim = self.store.dim(dim);
-        let mut unknowns = BTreeMap::new();
+        let mut unknowns = Vec::new();
         for (variable, exponent) in dim.unknowns {
             let next = DimVar(self.dims.len() as u32);
             let renamed = match self.dims.get(&variable) {
@@ -111,8 +111,9 @@ impl Renaming<'_> {
                     continue;
                 }
             };
-            unknowns.insert(renamed, exponent);
+            unknowns.push((renamed, exponent));
         }
+        unknowns.sort_by_key(|(variable, _)| *variable);
         Dim { fixed: dim.fixed, unknowns }
     }
 }

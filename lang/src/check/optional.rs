@@ -40,13 +40,13 @@ impl<'a> Checker<'a> {
         {
             return expression;
         }
-        self.may_be_absent = matches!(self.store.shallow(ty), Type::Optional(_));
+        self.may_be_absent = matches!(self.store.known(ty), Type::Optional(_));
         self.whole(e)
     }
 
     /// Converts a value for a place of a type: a value that is present becomes an optional one.
     pub(super) fn as_optional(&mut self, ty: &Type, value: Expr) -> Expr {
-        match (self.store.shallow(ty), self.store.shallow(&value.ty)) {
+        match (self.store.known(ty), self.store.known(&value.ty)) {
             (Type::Optional(_), Type::Optional(_) | Type::Error) => value,
             (Type::Optional(_), _) => {
                 let span = value.span;
@@ -58,8 +58,8 @@ impl<'a> Checker<'a> {
 
     /// Returns the type that a value for a place of a type must have.
     pub(super) fn without_optional(&self, ty: &Type, value: &Expr) -> Type {
-        match (self.store.shallow(ty), self.store.shallow(&value.ty)) {
-            (Type::Optional(inner), found) if !matches!(found, Type::Optional(_)) => *inner,
+        match (self.store.known(ty), self.store.known(&value.ty)) {
+            (Type::Optional(inner), found) if !matches!(found, Type::Optional(_)) => (**inner).clone(),
             _ => ty.clone(),
         }
     }

@@ -114,7 +114,7 @@ impl Letters<'_> {
         if !dim.fixed.is_none() {
             above.push(self.store.vocabulary.show(dim.fixed));
         }
-        for (&variable, &exponent) in &dim.unknowns {
+        for &(variable, exponent) in &dim.unknowns {
             let name = letter(&mut self.dims, variable, &["a", "b", "c", "d", "e", "f", "g"]);
             let downwards = exponent.numerator() < 0;
             let size = if downwards { exponent.negated() } else { exponent };

@@ -141,11 +141,13 @@ impl Store {
 
     /// Returns `true` if a type contains a record.
     pub fn has_record(&self, ty: &Type) -> bool {
-        match self.shallow(ty) {
+        match self.known(ty) {
             Type::Record(_) => true,
-            Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => self.has_record(&inner),
+            Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => self.has_record(inner),
             Type::Tuple(parts) => parts.iter().any(|part| self.has_record(part)),
-            Type::Function(parts, result) => parts.iter().chain([&*result]).any(|part| self.has_record(part)),
+            Type::Function(parts, result) => {
+                parts.iter().chain([&**result]).any(|part| self.has_record(part))
+            }
             _ => false,
         }
     }
@@ -191,14 +193,19 @@ impl Store {
             // Newest first: assignments mostly refer to older variables, so each is substituted
             // once.
             let mut unknowns = dim.unknowns.iter().rev();
-            unknowns.find_map(|(v, exponent)| Some((*v, *exponent, self.dims[v.0 as usize].as_ref()?)))
+            unknowns.find_map(|&(v, exponent)| Some((v, exponent, self.dims[v.0 as usize].as_ref()?)))
         };
         let mut result = dim.clone();
         while let Some((variable, exponent, known)) = decided(&result) {
-            result.unknowns.remove(&variable);
+            result.remove(variable);
             result = result.times(&known.power(exponent).unwrap_or_else(Dim::none));
         }
         result
+    }
+
+    /// Returns the dimension if all its variables are assigned.
+    pub fn known_dim(&self, dim: &Dim) -> Option<Dimension> {
+        dim.as_known().or_else(|| self.dim(dim).as_known())
     }
 
     /// Returns the outermost constructor, if known.
@@ -224,19 +231,19 @@ impl Store {
 
     /// Returns the type with assigned variables substituted.
     pub fn resolve(&self, ty: &Type) -> Type {
-        match self.shallow(ty) {
-            Type::Number(dim) => Type::Number(self.dim(&dim)),
-            Type::Vector(dim) => Type::Vector(self.dim(&dim)),
-            Type::Observable(dim) => Type::Observable(self.dim(&dim)),
-            Type::Array(element) => Type::array(self.resolve(&element)),
-            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.resolve(&inner))),
-            Type::Optional(inner) => Type::optional(self.resolve(&inner)),
+        match self.known(ty) {
+            Type::Number(dim) => Type::Number(self.dim(dim)),
+            Type::Vector(dim) => Type::Vector(self.dim(dim)),
+            Type::Observable(dim) => Type::Observable(self.dim(dim)),
+            Type::Array(element) => Type::array(self.resolve(element)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.resolve(inner))),
+            Type::Optional(inner) => Type::optional(self.resolve(inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.resolve(part)).collect()),
             Type::Function(parts, result) => Type::Function(
                 parts.iter().map(|part| self.resolve(part)).collect(),
-                Box::new(self.resolve(&result)),
+                Box::new(self.resolve(result)),
             ),
-            other => other,
+            other => other.clone(),
         }
     }
 
@@ -279,7 +286,7 @@ impl Store {
             .iter()
             .rev()
             .find(|(variable, _)| !self.literals.contains(variable))
-            .or_else(|| difference.unknowns.iter().next_back());
+            .or(difference.unknowns.last());
         match unknown {
             None if difference.fixed.fits(Dimension::NONE) => {
                 let equal = difference.fixed.is_none();
@@ -287,7 +294,7 @@ impl Store {
                 Ok(())
             }
             None => Err(Mismatch::Dimension(Box::new((a, b)))),
-            Some((&variable, &exponent)) => {
+            Some(&(variable, exponent)) => {
                 let solution = solve(&difference, variable, exponent)
                     .ok_or_else(|| Mismatch::Dimension(Box::new((a, b))))?;
                 rules::applied(Rule::SolveDimension);
@@ -321,7 +328,15 @@ impl Store {
     }
 
     pub fn unify(&mut self, a: &Type, b: &Type) -> Result<(), Mismatch> {
-        let (a, b) = (self.shallow(a), self.shallow(b));
+        let (a, b) = (self.known(a), self.known(b));
+        if let (Type::Number(x), Type::Number(y)) = (a, b)
+            && x == y
+        {
+            rules::applied(Rule::KnownDimension);
+            rules::unified(a, b, &Ok(()));
+            return Ok(());
+        }
+        let (a, b) = (a.clone(), b.clone());
         let result = self.unify_shallow(&a, &b);
         rules::unified(&a, &b, &result);
         result
@@ -352,20 +367,20 @@ impl Store {
 
     /// Returns the final type at the end of inference: unassigned variables are pure numbers.
     pub fn closed(&self, ty: &Type) -> Type {
-        match self.shallow(ty) {
+        match self.known(ty) {
             Type::Unknown(_) => Type::number(),
-            Type::Number(dim) => Type::Number(self.closed_dim(&dim)),
-            Type::Vector(dim) => Type::Vector(self.closed_dim(&dim)),
-            Type::Observable(dim) => Type::Observable(self.closed_dim(&dim)),
-            Type::Array(element) => Type::array(self.closed(&element)),
-            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.closed(&inner))),
-            Type::Optional(inner) => Type::optional(self.closed(&inner)),
+            Type::Number(dim) => Type::Number(self.closed_dim(dim)),
+            Type::Vector(dim) => Type::Vector(self.closed_dim(dim)),
+            Type::Observable(dim) => Type::Observable(self.closed_dim(dim)),
+            Type::Array(element) => Type::array(self.closed(element)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.closed(inner))),
+            Type::Optional(inner) => Type::optional(self.closed(inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.closed(part)).collect()),
             Type::Function(parts, result) => Type::Function(
                 parts.iter().map(|part| self.closed(part)).collect(),
-                Box::new(self.closed(&result)),
+                Box::new(self.closed(result)),
             ),
-            other => other,
+            other => other.clone(),
         }
     }
 
@@ -380,7 +395,7 @@ impl Store {
                 types.insert(*variable);
             }
             Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => {
-                dims.extend(self.dim(dim).unknowns.keys());
+                dims.extend(self.dim(dim).variables());
             }
             Type::Array(inner) | Type::Symbolic(inner) | Type::Optional(inner) => {
                 self.unknowns(inner, types, dims)
@@ -395,24 +410,24 @@ impl Store {
 
     /// Returns the representation of values of the type; unassigned variables are numbers.
     pub fn repr(&self, ty: &Type) -> Repr {
-        match self.shallow(ty) {
+        match self.known(ty) {
             Type::Unknown(_) | Type::Error | Type::Number(_) => Repr::Number,
             Type::Unit => Repr::Unit,
             Type::Bool => Repr::Bool,
             Type::String | Type::Enum(_) => Repr::String,
             Type::Vector(_) => Repr::Vector,
             Type::Transform => Repr::Transform,
-            Type::Array(element) => Repr::Array(Box::new(self.repr(&element))),
+            Type::Array(element) => Repr::Array(Box::new(self.repr(element))),
             Type::Tuple(parts) => Repr::Tuple(parts.iter().map(|part| self.repr(part)).collect()),
             // The presence of a value, and the value.
-            Type::Optional(inner) => Repr::Tuple(vec![Repr::Bool, self.repr(&inner)]),
+            Type::Optional(inner) => Repr::Tuple(vec![Repr::Bool, self.repr(inner)]),
             Type::Observable(_) => Repr::Symbolic(Box::new(Repr::Number)),
-            Type::Symbolic(inner) => Repr::Symbolic(Box::new(self.repr(&inner))),
+            Type::Symbolic(inner) => Repr::Symbolic(Box::new(self.repr(inner))),
             // Calls determine functions when they are compiled, so no value represents them.
             Type::Function(..) => Repr::Tuple(Vec::new()),
             Type::Handle(_) => Repr::Handle,
             Type::Record(id) => {
-                let fields = self.record(id).into_iter().flat_map(|record| &record.fields);
+                let fields = self.record(*id).into_iter().flat_map(|record| &record.fields);
                 Repr::Tuple(fields.map(|(_, ty)| self.repr(ty)).collect())
             }
         }
@@ -420,31 +435,31 @@ impl Store {
 
     /// Returns the type as displayed: `Length`, `Array(Vector(Force))`; an unknown type is `_`.
     pub fn show(&self, ty: &Type) -> String {
-        match self.shallow(ty) {
+        match self.known(ty) {
             Type::Unknown(_) | Type::Error => "_".into(),
             Type::Unit => "nothing".into(),
-            Type::Number(dim) => self.show_dim(&dim),
+            Type::Number(dim) => self.show_dim(dim),
             Type::Bool => "Bool".into(),
             Type::String => "String".into(),
-            Type::Vector(dim) => match self.show_dim(&dim).as_str() {
+            Type::Vector(dim) => match self.show_dim(dim).as_str() {
                 "Number" => "Vector".into(),
                 inner => format!("Vector({inner})"),
             },
             Type::Transform => "Transform".into(),
-            Type::Array(element) => format!("Array({})", self.show(&element)),
+            Type::Array(element) => format!("Array({})", self.show(element)),
             Type::Tuple(parts) => {
                 format!("[{}]", parts.iter().map(|part| self.show(part)).collect::<Vec<_>>().join(", "))
             }
-            Type::Observable(dim) => format!("Observable({})", self.show_dim(&dim)),
-            Type::Symbolic(inner) => format!("Symbolic({})", self.show(&inner)),
-            Type::Optional(inner) => format!("{} or none", self.show(&inner)),
+            Type::Observable(dim) => format!("Observable({})", self.show_dim(dim)),
+            Type::Symbolic(inner) => format!("Symbolic({})", self.show(inner)),
+            Type::Optional(inner) => format!("{} or none", self.show(inner)),
             Type::Function(parts, result) => {
                 let parts: Vec<String> = parts.iter().map(|part| self.show(part)).collect();
-                format!("Function({}) -> {}", parts.join(", "), self.show(&result))
+                format!("Function({}) -> {}", parts.join(", "), self.show(result))
             }
-            Type::Handle(name) => name,
+            Type::Handle(name) => name.clone(),
             Type::Enum(of) => of.name.clone(),
-            Type::Record(id) => self.record(id).map_or_else(|| "_".into(), |record| record.name.clone()),
+            Type::Record(id) => self.record(*id).map_or_else(|| "_".into(), |record| record.name.clone()),
         }
     }
 
@@ -467,27 +482,27 @@ pub struct Substitution {
 
 impl Substitution {
     pub fn ty(&self, store: &Store, ty: &Type) -> Type {
-        match store.shallow(ty) {
-            Type::Unknown(variable) => self.types.get(&variable).cloned().unwrap_or(Type::Unknown(variable)),
-            Type::Number(dim) => Type::Number(self.dim(store, &dim)),
-            Type::Vector(dim) => Type::Vector(self.dim(store, &dim)),
-            Type::Observable(dim) => Type::Observable(self.dim(store, &dim)),
-            Type::Array(element) => Type::array(self.ty(store, &element)),
-            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(store, &inner))),
-            Type::Optional(inner) => Type::optional(self.ty(store, &inner)),
+        match store.known(ty) {
+            Type::Unknown(variable) => self.types.get(variable).cloned().unwrap_or(Type::Unknown(*variable)),
+            Type::Number(dim) => Type::Number(self.dim(store, dim)),
+            Type::Vector(dim) => Type::Vector(self.dim(store, dim)),
+            Type::Observable(dim) => Type::Observable(self.dim(store, dim)),
+            Type::Array(element) => Type::array(self.ty(store, element)),
+            Type::Symbolic(inner) => Type::Symbolic(Box::new(self.ty(store, inner))),
+            Type::Optional(inner) => Type::optional(self.ty(store, inner)),
             Type::Tuple(parts) => Type::Tuple(parts.iter().map(|part| self.ty(store, part)).collect()),
             Type::Function(parts, result) => Type::Function(
                 parts.iter().map(|part| self.ty(store, part)).collect(),
-                Box::new(self.ty(store, &result)),
+                Box::new(self.ty(store, result)),
             ),
-            other => other,
+            other => other.clone(),
         }
     }
 
     pub fn dim(&self, store: &Store, dim: &Dim) -> Dim {
         let dim = store.dim(dim);
         let mut result = Dim::known(dim.fixed);
-        for (&variable, &exponent) in &dim.unknowns {
+        for &(variable, exponent) in &dim.unknowns {
             let part = self.dims.get(&variable).cloned().unwrap_or_else(|| Dim::unknown(variable));
             result = result.times(&part.power(exponent).unwrap_or_else(Dim::none));
         }
@@ -530,6 +545,6 @@ mod tests {
         let (literal, other) = (store.fresh_literal_dim(), store.fresh_dim());
         store.unify_dims(&literal, &other).unwrap();
         let left = store.dim(&other);
-        assert!(left.unknowns.keys().all(|v| store.is_literal(*v)));
+        assert!(left.variables().all(|v| store.is_literal(v)));
     }
 }
