@@ -58,7 +58,7 @@ impl<'a> Checker<'a> {
                 };
                 let ty = self.variable_type(id);
                 self.forget_variable(id);
-                self.expect(&ty, &value, &format!("`{}`", decl.name.name), None);
+                self.expect(&ty, &value, format_args!("`{}`", decl.name.name), None);
                 let place = Place { variable: id, steps: Vec::new(), ty, span: decl.name.span };
                 self.assigned(&place, &value);
                 self.note_length(id, &value);
@@ -107,19 +107,17 @@ impl<'a> Checker<'a> {
     /// number: then the program is checked again.
     pub(super) fn expect_stored(&mut self, target: &Place, value: Expr) -> Option<Expr> {
         let variable = self.variable(target.variable).clone();
-        let what = match target.steps.is_empty() {
-            true => format!("`{}`", variable.name),
-            false => format!("an element of `{}`", variable.name),
-        };
-        let shown = self.variable_type(target.variable);
-        let cause = (variable.span, format!("`{}` is a {}", variable.name, self.store.show(&shown)));
+        let part = if target.steps.is_empty() { "" } else { "an element of " };
+        let declared = self.variable_type(target.variable);
         self.solve_open_constraints(std::iter::once(&value.ty));
         let value = self.fitted(&target.ty, value);
         if variable.kind == VarKind::Value && self.observable_requested(variable.span, &target.ty, &value) {
             return None;
         }
         let wanted = self.without_optional(&target.ty, &value);
-        self.expect(&wanted, &value, &what, Some(cause));
+        let is_a = |c: &Self| format!("`{}` is a {}", variable.name, c.store.show(&declared));
+        let what = format_args!("{part}`{}`", variable.name);
+        self.expect_from(&wanted, &value, what, (variable.span, is_a));
         Some(self.as_optional(&target.ty, value))
     }
 

@@ -88,7 +88,7 @@ impl<'a> Checker<'a> {
             let cause = Some((values[0].span, format!("this is {shown}")));
             let (number, is_observable) = self.number_of(value);
             observes |= is_observable;
-            self.expect(&ty, &number, &format!("an argument of `{}`", name), cause);
+            self.expect(&ty, &number, format_args!("an argument of `{}`", name), cause);
         }
         let ty = self.observable_if(ty, observes);
         let mut values = values.into_iter();
@@ -208,7 +208,7 @@ impl<'a> Checker<'a> {
             let (number, is_observable) = self.number_of(&value);
             let given = if numeric { &number } else { &value };
             observes |= numeric && is_observable;
-            self.expect(&ty, given, &format!("`{name}` of `{}`", signature.name), None);
+            self.expect(&ty, given, format_args!("`{name}` of `{}`", signature.name), None);
             values.push(value);
         }
         self.symbolic = around;

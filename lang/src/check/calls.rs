@@ -187,12 +187,9 @@ impl<'a> Checker<'a> {
             c.fitted(ty, value)
         });
         let value = self.named_handle(ty, value, &parameter.name);
-        let cause = Some((
-            parameter.span,
-            format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
-        ));
+        let takes = |c: &Self| format!("`{}` takes {}", parameter.name, with_article(&c.store.show(ty)));
         let wanted = self.without_optional(ty, &value);
-        self.expect(&wanted, &value, &format!("`{}`", parameter.name), cause);
+        self.expect_from(&wanted, &value, format_args!("`{}`", parameter.name), (parameter.span, takes));
         self.as_optional(ty, value)
     }
 
@@ -221,7 +218,7 @@ impl<'a> Checker<'a> {
             parameter.span,
             format!("`{}` takes {}", parameter.name, with_article(&self.store.show(ty))),
         ));
-        self.expect(inner, &value, &format!("`{}`", parameter.name), cause);
+        self.expect(inner, &value, format_args!("`{}`", parameter.name), cause);
         // A string argument, usually the name of a body, identifies the kernel in messages.
         let owner = all.iter().find_map(|argument| match &argument.value.kind {
             ExprKind::String(parts) => match parts.as_slice() {
@@ -485,7 +482,7 @@ impl<'a> Checker<'a> {
         let value = Expr { kind: place_value(&place), ty: place.ty.clone(), span: argument.value.span };
         let value = self.presence(&argument.value, value, false, true);
         let cause = (parameter.span, format!("`{}` is an `out` or `inout` parameter", parameter.name));
-        self.expect(ty, &value, &format!("`{}`", parameter.name), Some(cause));
+        self.expect(ty, &value, format_args!("`{}`", parameter.name), Some(cause));
         Some((place, value))
     }
 }

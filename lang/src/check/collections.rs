@@ -233,7 +233,7 @@ impl<'a> Checker<'a> {
     pub(super) fn of_numbers(&mut self, function: Standard, name: &str, array: Expr, span: Span) -> Expr {
         let number = self.fresh_number();
         let array_type = Type::array(number.clone());
-        self.expect(&array_type, &array, &format!("the argument of `{name}`"), None);
+        self.expect(&array_type, &array, format_args!("the argument of `{name}`"), None);
         let ty = if function == Standard::Sort { array_type } else { number };
         Expr { kind: Kind::Standard(function, vec![array]), ty, span }
     }
@@ -425,7 +425,7 @@ impl<'a> Checker<'a> {
     /// Assigns the value of a pass to the variable of a loop.
     fn assign_element(&mut self, id: VarId, name: &'a ast::Ident, element: Expr) -> Stmt {
         let ty = self.variable_type(id);
-        self.expect(&ty, &element, &format!("`{}`", name.name), None);
+        self.expect(&ty, &element, format_args!("`{}`", name.name), None);
         self.dependence.declare(id);
         let place = Place { variable: id, steps: Vec::new(), ty, span: name.span };
         self.assigned(&place, &element);

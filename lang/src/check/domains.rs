@@ -95,7 +95,7 @@ impl<'a> Checker<'a> {
                 for (end, e) in ends.iter_mut().zip([low, high]) {
                     if let Some(e) = e {
                         let e = self.as_value(|c| c.whole(e));
-                        self.expect(ty, &e, &format!("a limit of the range of `{name}`"), None);
+                        self.expect(ty, &e, format_args!("a limit of the range of `{name}`"), None);
                         *end = Some(e);
                     }
                 }

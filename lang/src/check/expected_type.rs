@@ -7,18 +7,46 @@ use super::tree::Expr;
 use super::types::{Mismatch, Type};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
+use std::fmt::Display;
 
 impl Checker<'_> {
     /// Requires that a checked expression has a type. `what` describes the context (`argument
     /// `teeth``), `cause` is the origin of the required type.
-    pub fn expect(&mut self, expected: &Type, found: &Expr, what: &str, cause: Option<(Span, String)>) {
-        self.check_turns(expected, &found.ty, found.span, cause.as_ref().map(|(span, _)| *span));
-        self.note_literal(expected, found);
-        if self.accepts_choice(expected, found) {
-            return;
+    pub fn expect(
+        &mut self,
+        expected: &Type,
+        found: &Expr,
+        what: impl Display,
+        cause: Option<(Span, String)>,
+    ) {
+        let origin = cause.as_ref().map(|(span, _)| *span);
+        if let Err(mismatch) = self.unify_with(expected, found, origin) {
+            self.mismatch(mismatch, expected, found, &what.to_string(), cause);
         }
-        if let Err(mismatch) = self.store.unify(expected, &found.ty) {
-            self.mismatch(mismatch, expected, found, what, cause);
+    }
+
+    /// As [`Self::expect`]; `origin` describes the origin of the required type, which only an error
+    /// needs.
+    pub(super) fn expect_from(
+        &mut self,
+        expected: &Type,
+        found: &Expr,
+        what: impl Display,
+        (span, origin): (Span, impl FnOnce(&Self) -> String),
+    ) {
+        if let Err(mismatch) = self.unify_with(expected, found, Some(span)) {
+            let cause = Some((span, origin(self)));
+            self.mismatch(mismatch, expected, found, &what.to_string(), cause);
+        }
+    }
+
+    /// Unifies the type of an expression with the required type, whose origin is given.
+    fn unify_with(&mut self, expected: &Type, found: &Expr, origin: Option<Span>) -> Result<(), Mismatch> {
+        self.check_turns(expected, &found.ty, found.span, origin);
+        self.note_literal(expected, found);
+        match self.accepts_choice(expected, found) {
+            true => Ok(()),
+            false => self.store.unify(expected, &found.ty),
         }
     }
 

@@ -289,7 +289,7 @@ impl<'a> Checker<'a> {
             }
             (Type::Unknown(_), Some(op)) if self.symbolic => {
                 let (vector, dim) = self.fresh_vector();
-                self.expect(&vector, &base, &format!("the value before `.{}`", field.name), None);
+                self.expect(&vector, &base, format_args!("the value before `.{}`", field.name), None);
                 Expr { kind: Kind::Op(op, vec![base]), ty: Type::Number(dim), span }
             }
             (Type::Unknown(_), _) => {
@@ -453,7 +453,7 @@ impl<'a> Checker<'a> {
     }
 
     fn pure_base(&mut self, base: &Expr, why: &str) -> Type {
-        self.expect(&Type::number(), base, &format!("the base of {why}"), None);
+        self.expect(&Type::number(), base, format_args!("the base of {why}"), None);
         Type::number()
     }
 

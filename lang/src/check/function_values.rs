@@ -119,7 +119,7 @@ impl<'a> Checker<'a> {
         };
         for (parameter, value) in parameters.iter().zip(&values) {
             let cause = Some((declared, cause.clone()));
-            self.expect(parameter, value, &format!("an argument of `{shown}`"), cause);
+            self.expect(parameter, value, format_args!("an argument of `{shown}`"), cause);
         }
         let environment = Expr { kind: Kind::Var(id), ty: ty.clone(), span: name.span };
         let applied = Applied { parameter: id, environment, arguments: values, search: None };
@@ -159,7 +159,7 @@ impl<'a> Checker<'a> {
             {
                 let value = self.function_parameter(id, span);
                 let cause = Some((parameter.span, format!("`{}` is called as this", parameter.name)));
-                self.expect(expected, &value, &format!("`{}`", parameter.name), cause);
+                self.expect(expected, &value, format_args!("`{}`", parameter.name), cause);
                 return value;
             }
             Some(Resolution::Builtin(_) | Resolution::Extern(_)) => {

@@ -67,7 +67,7 @@ impl<'a> Checker<'a> {
         let mut elements = Vec::with_capacity(values.len());
         let element_type = self.store.fresh();
         for value in values {
-            self.expect(&ty, &value, &format!("`{}`", variable.name), None);
+            self.expect(&ty, &value, format_args!("`{}`", variable.name), None);
             self.unrolled.insert(declared, value);
             let element = self.whole(&parts.element);
             self.expect(&element_type, &element, "an element of this array", None);

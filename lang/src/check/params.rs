@@ -44,7 +44,7 @@ impl<'a> Checker<'a> {
                 let param = self.declared_param(index as u32);
                 // Functions inside the component may already use the type.
                 let before = self.params[index].ty.clone();
-                self.expect(&before, &param.default.clone(), &format!("`{}`", param.name), None);
+                self.expect(&before, &param.default.clone(), format_args!("`{}`", param.name), None);
                 self.params[index] = param;
             }
         }
@@ -85,7 +85,7 @@ impl<'a> Checker<'a> {
                 is_sound = texts.is_some();
                 choices = texts.unwrap_or_default();
                 if is_sound {
-                    self.expect(&Type::String, &default, &format!("the default of `{name}`"), None);
+                    self.expect(&Type::String, &default, format_args!("the default of `{name}`"), None);
                 }
             }
             None => {}
@@ -235,7 +235,7 @@ impl<'a> Checker<'a> {
             return self.array_output(id, name, e, (value, unit));
         }
         let number = self.fresh_number();
-        self.expect(&number, &e, &format!("the output `{}`", name.name), None);
+        self.expect(&number, &e, format_args!("the output `{}`", name.name), None);
         let (ty, span) = (e.ty.clone(), e.span);
         self.output_captures = Some(OutputCaptures::Stored);
         let def: DefId = self.make_def(&name.name, e, span);
@@ -295,7 +295,7 @@ impl<'a> Checker<'a> {
                 None => {
                     let e = self.as_symbolic(|c| c.whole(element));
                     let number = self.fresh_number();
-                    self.expect(&number, &e, &format!("an element of the output `{}`", name.name), None);
+                    self.expect(&number, &e, format_args!("an element of the output `{}`", name.name), None);
                     self.output_captures = Some(OutputCaptures::Immediate);
                     let element = self.as_observable(e);
                     self.output_captures = None;
@@ -329,7 +329,7 @@ impl<'a> Checker<'a> {
             other => {
                 let number = self.fresh_number();
                 let found = Expr { ty: other, ..e.clone() };
-                self.expect(&number, &found, &format!("an element of the output `{}`", name.name), None);
+                self.expect(&number, &found, format_args!("an element of the output `{}`", name.name), None);
                 number
             }
         };

@@ -252,7 +252,7 @@ impl<'a> Checker<'a> {
             Type::Symbolic(inner) => *inner,
             _ => ty.clone(),
         };
-        self.expect(&ty, &value, &format!("`{}`", field.name), cause);
+        self.expect(&ty, &value, format_args!("`{}`", field.name), cause);
         value
     }
 
@@ -399,7 +399,7 @@ impl<'a> Checker<'a> {
         ));
         let value = self.named_handle(ty, value, &parameter.name);
         let wanted = self.without_optional(ty, &value);
-        self.expect(&wanted, &value, &format!("`{}`", parameter.name), cause);
+        self.expect(&wanted, &value, format_args!("`{}`", parameter.name), cause);
         self.as_optional(ty, value)
     }
 

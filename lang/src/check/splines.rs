@@ -42,7 +42,7 @@ impl<'a> Checker<'a> {
     fn points(&mut self, [xs, ys]: [&'a ast::Expr; 2], across: &Type, along: &Type) -> [Expr; 2] {
         [(xs, across, "xs"), (ys, along, "ys")].map(|(written, ty, name)| {
             let points = self.as_value(|c| c.whole(written));
-            self.expect(&Type::array(ty.clone()), &points, &format!("`{name}`"), None);
+            self.expect(&Type::array(ty.clone()), &points, format_args!("`{name}`"), None);
             points
         })
     }

@@ -385,7 +385,7 @@ impl<'a> Checker<'a> {
                 {
                     return StmtKind::Nothing;
                 }
-                self.expect(&result, &value, &format!("the result of `{name}`"), declared);
+                self.expect(&result, &value, format_args!("the result of `{name}`"), declared);
                 let function = self.function;
                 self.dependence.returned(function, &value);
                 StmtKind::Return(Some(value))

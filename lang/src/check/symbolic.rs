@@ -238,7 +238,7 @@ impl<'a> Checker<'a> {
         let e = self.as_symbolic(|c| c.whole(value));
         let ty = self.variable_type(id);
         let cause = Some((self.variable(id).span, format!("`{name}` is declared here")));
-        self.expect(&ty, &e, &format!("`{name}`"), cause);
+        self.expect(&ty, &e, format_args!("`{name}`"), cause);
         let def = self.make_def(&name, e, value.span);
         self.defs[def.0 as usize].stored = true;
         self.reaching.insert(id, Reaching::One(def));

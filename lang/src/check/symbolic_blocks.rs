@@ -85,7 +85,7 @@ impl<'a> Checker<'a> {
         };
         let value = self.stored(value);
         let ty = self.variable_type(id);
-        self.expect(&ty, &value, &format!("`{}`", name.name), None);
+        self.expect(&ty, &value, format_args!("`{}`", name.name), None);
         Some((id, value))
     }
 

@@ -44,7 +44,7 @@ impl<'a> Checker<'a> {
         let value = self.as_symbolic(|c| c.whole(body));
         let result = self.current_result();
         let declared = decl.result.as_ref().map(|r| (r.span, format!("result of `{}`", decl.name.name)));
-        self.expect(&result, &value, &format!("the result of `{}`", decl.name.name), declared);
+        self.expect(&result, &value, format_args!("the result of `{}`", decl.name.name), declared);
         self.dependence.returned(id, &value);
         let def = self.make_def_in(&decl.name.name, value, body.span, Some(id));
         if self.defs[def.0 as usize].observes {
@@ -180,7 +180,7 @@ impl<'a> Checker<'a> {
                     let value = self.as_symbolic(|c| c.whole(&argument.value));
                     let shown = with_article(&self.store.show(ty));
                     let cause = (parameter.name.span, format!("`{}` is {shown} here", parameter.name.name));
-                    self.expect(ty, &value, &format!("`{}`", parameter.name.name), Some(cause));
+                    self.expect(ty, &value, format_args!("`{}`", parameter.name.name), Some(cause));
                     value
                 }
                 (None, _) if fields.contains_key(parameter.name.name.as_str()) => {
