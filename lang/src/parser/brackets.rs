@@ -1,6 +1,7 @@
 //! Parses what is in square brackets: arrays, comprehensions, elements and slices.
 
-use super::expressions::{Suffix, may_begin, unit_after};
+use super::expressions::{may_begin, unit_after};
+use super::operators::Suffix;
 use super::recovery::{Reader, advance_to, close, identifier, position, when};
 use super::source::Source;
 use super::{Problem, Rule};

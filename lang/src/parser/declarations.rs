@@ -299,7 +299,8 @@ pub(super) fn function<'a>(
             })
         },
     );
-    begun.or(whole).boxed()
+    let begins = |kind| matches!(kind, Kind::Function | Kind::Extern | Kind::Test | Kind::Host);
+    when(move |at| source.kind(at).is_some_and(begins)).ignore_then(begun.or(whole)).boxed()
 }
 
 /// Parses `private` before a declaration of a module; before anything else, it is reported and

@@ -1,20 +1,19 @@
 //! Parses expressions, literals and argument lists.
 
 use super::anonymous::anonymous;
-use super::brackets::{brackets, element, items, list, values};
+use super::brackets::{brackets, items, list, values};
+use super::operators::{binary, operator_grammar};
 use super::recovery::{
-    Reader, advance_to, assigns_on_new_line, close, conversion, expect, identifier, in_value, index_of, name,
-    position, when,
+    Reader, advance_to, assigns_on_new_line, close, conversion, expect, identifier, index_of, name, position,
+    when,
 };
 use super::source::Source;
 use super::{Extra, Input, Problem, Rule};
-use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Format, Ident, StringPart, UnaryOp, Values};
+use crate::ast::{Argument, BinaryOp, Bind, Expr, ExprKind, Format, Ident, StringPart, Values};
 use crate::diagnostic::Diagnostic;
 use crate::lexer::{Kind, unescape};
 use crate::span::Span;
 use crate::units::Unit;
-use chumsky::input::MapExtra;
-use chumsky::pratt::{infix, left, postfix, prefix, right};
 use chumsky::prelude::*;
 
 /// Rules for expressions. All of them succeed: if there is no expression, they report it and return
@@ -32,17 +31,6 @@ pub(super) struct Expressions<'a> {
     /// `array` or `low .. high`, after the `in` of a loop.
     pub values: Rule<'a, Values>,
 }
-
-// From lowest to highest precedence; `at` has a lower precedence than all of these and is not an
-// operator here.
-const OR: u16 = 1;
-const AND: u16 = 2;
-const RELATION: u16 = 3;
-const SUM: u16 = 4;
-const PRODUCT: u16 = 5;
-const SIGN: u16 = 6;
-const POWER: u16 = 7;
-const SUFFIX: u16 = 8;
 
 pub(super) fn expressions<'a>(source: &'a Source<'a>) -> Expressions<'a> {
     // The rule refers to itself weakly: a strong cycle would never be freed, and an editor builds
@@ -264,32 +252,32 @@ fn format<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Format> {
 }
 
 fn boolean<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
-    let proper = select! { Kind::True => true, Kind::False => false };
-    // The spelling of most other languages.
-    let lower = custom(move |input: &mut Reader<'a, '_>| {
+    custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);
-        let value = match source.text(at) {
-            "true" => true,
-            "false" => false,
+        let (value, span) = (source.text(at), source.place(at));
+        let (value, proper) = match (source.kind(at), value) {
+            (Some(Kind::True), _) => (true, None),
+            (Some(Kind::False), _) => (false, None),
+            // The spelling of most other languages.
+            (_, "true") => (true, Some("TRUE")),
+            (_, "false") => (false, Some("FALSE")),
             _ => return Err(Problem(None)),
         };
         input.next();
-        let (wrong, proper) = if value { ("true", "TRUE") } else { ("false", "FALSE") };
-        let place = source.place(at);
-        input.emit(
-            Diagnostic::error("E0119", format!("`{wrong}` is written `{proper}`"), place, "unknown spelling")
-                .help(format!("write `{proper}`"))
-                .fix(format!("write `{proper}`"), place, proper)
-                .into(),
-        );
-        Ok(value)
-    });
-    spanned(source, proper.or(lower).map(ExprKind::Bool))
+        if let Some(proper) = proper {
+            let message = format!("`{value}` is written `{proper}`");
+            let problem = Diagnostic::error("E0119", message, span, "unknown spelling");
+            let help = format!("write `{proper}`");
+            input.emit(problem.help(help.clone()).fix(help, span, proper).into());
+        }
+        Ok(Expr { kind: ExprKind::Bool(value), span })
+    })
+    .boxed()
 }
 
 fn variable<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
     // Excludes `y` in `x = a +` followed by `y = 2;` on the next line.
-    let name = when(move |at| {
+    let is_next_statement = move |at| {
         let half_written = matches!(
             source.previous(at),
             Some(
@@ -315,10 +303,17 @@ fn variable<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
                     | Kind::Not
             )
         );
-        source.begins_statement(at) || !(half_written && assigns_on_new_line(source, at))
+        !source.begins_statement(at) && half_written && assigns_on_new_line(source, at)
+    };
+    custom(move |input: &mut Reader<'a, '_>| {
+        let at = position(input);
+        if source.kind(at) != Some(Kind::Identifier) || is_next_statement(at) {
+            return Err(Problem(None));
+        }
+        input.next();
+        Ok(Expr { kind: ExprKind::Name(source.ident(at)), span: source.place(at) })
     })
-    .ignore_then(identifier(source));
-    spanned(source, name.map(ExprKind::Name))
+    .boxed()
 }
 
 fn parenthesised<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
@@ -330,7 +325,7 @@ fn parenthesised<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Ex
     spanned(source, inner.map(|e| ExprKind::Paren(Box::new(e))))
 }
 
-fn arguments<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Argument>> {
+pub(super) fn arguments<'a>(source: &'a Source<'a>, any: Rule<'a, Expr>) -> Rule<'a, Vec<Argument>> {
     let bind = select! { Kind::Assign => Bind::Evaluate, Kind::Bind => Bind::Symbolic };
     let parameter = identifier(source).then(bind);
     let spread = just(Kind::DotDot).ignore_then(any.clone());
@@ -424,156 +419,6 @@ fn missing<'a>(source: &'a Source<'a>) -> Rule<'a, Expr> {
         Ok(Expr { kind: ExprKind::Error, span: source.after(at) })
     })
     .boxed()
-}
-
-fn binary(left: Expr, (op, op_span): (BinaryOp, Span), right: Expr) -> Expr {
-    let span = left.span.to(right.span);
-    Expr { kind: ExprKind::Binary { op, op_span, left: Box::new(left), right: Box::new(right) }, span }
-}
-
-/// Returns a warning for `1/2 inch`, which may be intended as half an inch.
-fn divided_quantity(left: &Expr, op: BinaryOp, right: &Expr) -> Option<Diagnostic> {
-    let (BinaryOp::Divide, ExprKind::Number(above), ExprKind::Quantity { value, unit, .. }) =
-        (op, &left.kind, &right.kind)
-    else {
-        return None;
-    };
-    let message = format!("this is {above}/({value} {})", unit.name);
-    let help = format!(
-        "write `{above}/({value} {0})`, or `{above} {0} / {value}` to divide the quantity",
-        unit.name
-    );
-    let place = left.span.to(right.span);
-    let unit = &unit.name;
-    Some(
-        Diagnostic::warning("W0125", message, place, "the unit belongs to the divisor")
-            .help(help)
-            .suggest(format!("divide by `{value} {unit}`"), place, format!("{above}/({value} {unit})"))
-            .suggest(format!("divide `{above} {unit}`"), place, format!("{above} {unit} / {value}")),
-    )
-}
-
-/// A suffix of an operand.
-pub(super) enum Suffix {
-    Call(Vec<Argument>),
-    Index(Expr),
-    Slice(Option<Expr>, Option<Expr>),
-    Field(Option<Ident>),
-}
-
-fn operator_grammar<'a>(source: &'a Source<'a>, atom: Rule<'a, Expr>, any: Rule<'a, Expr>) -> Rule<'a, Expr> {
-    let operator =
-        |rule: Rule<'a, BinaryOp>| rule.map_with(|op, extra| (op, source.range(extra.span()))).boxed();
-    let or = operator(
-        select! { Kind::Or => BinaryOp::Or }.or(doubled(source, Kind::OrOr, BinaryOp::Or, "|")).boxed(),
-    );
-    let and = operator(
-        select! { Kind::And => BinaryOp::And }.or(doubled(source, Kind::AndAnd, BinaryOp::And, "&")).boxed(),
-    );
-    let relation = operator(
-        select! {
-            Kind::Less => BinaryOp::Less,
-            Kind::LessEqual => BinaryOp::LessEqual,
-            Kind::Greater => BinaryOp::Greater,
-            Kind::GreaterEqual => BinaryOp::GreaterEqual,
-            Kind::Equal => BinaryOp::Equal,
-            Kind::NotEqual => BinaryOp::NotEqual,
-        }
-        .boxed(),
-    );
-    let sum = operator(select! { Kind::Plus => BinaryOp::Add, Kind::Minus => BinaryOp::Subtract }.boxed());
-    let product =
-        operator(select! { Kind::Star => BinaryOp::Multiply, Kind::Slash => BinaryOp::Divide }.boxed());
-    let power = operator(select! { Kind::Caret => BinaryOp::Power }.boxed());
-    let sign =
-        select! { Kind::Plus => UnaryOp::Plus, Kind::Minus => UnaryOp::Minus, Kind::Not => UnaryOp::Not }
-            .map_with(|op, extra| (op, source.range(extra.span())))
-            .boxed();
-    // `x = gears.` followed by `y = 2;` on the next line.
-    let no_field = custom(move |input: &mut Reader<'a, '_>| {
-        let at = position(input);
-        if !(assigns_on_new_line(source, at) && in_value(source, at)) {
-            return Err(Problem(None));
-        }
-        let place = source.after(at);
-        let message = "the name of the field is expected, not the end of the line";
-        input.emit(Diagnostic::error("E0114", message, place, "a name is expected here").into());
-        Ok(None)
-    });
-    let suffix = choice((
-        arguments(source, any.clone()).map(Suffix::Call),
-        element(source, any),
-        just(Kind::Dot).ignore_then(no_field.or(name(source, "the field"))).map(Suffix::Field),
-    ))
-    .map_with(|suffix, extra| (suffix, source.range(extra.span())))
-    .boxed();
-
-    // `none` or `not none` follows `is`, or the lexer would not have marked it.
-    let is_none = just(Kind::Is)
-        .ignore_then(
-            when(move |at| source.text(at) == "not").ignore_then(index_of(Kind::Identifier)).or_not(),
-        )
-        .then_ignore(index_of(Kind::Identifier))
-        .map_with(|not, extra| (not.is_some(), source.range(extra.span())))
-        .boxed();
-
-    atom.pratt((
-        postfix(SUFFIX, suffix, |base: Expr, (suffix, suffix_span): (Suffix, Span), _: &mut _| {
-            let span = base.span.to(suffix_span);
-            let base = Box::new(base);
-            let kind = match suffix {
-                Suffix::Call(arguments) => ExprKind::Call { callee: base, arguments },
-                Suffix::Index(index) => ExprKind::Index { base, index: Box::new(index) },
-                Suffix::Slice(low, high) => {
-                    ExprKind::Slice { base, low: low.map(Box::new), high: high.map(Box::new) }
-                }
-                Suffix::Field(Some(field)) => ExprKind::Field { base, field },
-                Suffix::Field(None) => ExprKind::Error,
-            };
-            Expr { kind, span }
-        }),
-        infix(right(POWER), power, |l, op, r, _: &mut _| binary(l, op, r)),
-        prefix(SIGN, sign, |(op, op_span): (UnaryOp, Span), operand: Expr, _: &mut _| {
-            let span = op_span.to(operand.span);
-            Expr { kind: ExprKind::Unary { op, operand: Box::new(operand) }, span }
-        }),
-        infix(
-            left(PRODUCT),
-            product,
-            |l, op: (BinaryOp, Span), r, extra: &mut MapExtra<'a, '_, Input<'a>, Extra>| {
-                if let Some(hint) = divided_quantity(&l, op.0, &r) {
-                    extra.emit(hint.into());
-                }
-                binary(l, op, r)
-            },
-        ),
-        infix(left(SUM), sum, |l, op, r, _: &mut _| binary(l, op, r)),
-        infix(left(RELATION), relation, |l, op, r, _: &mut _| binary(l, op, r)),
-        postfix(RELATION, is_none, |value: Expr, (negated, words): (bool, Span), _: &mut _| {
-            let span = value.span.to(words);
-            Expr { kind: ExprKind::IsNone { value: Box::new(value), negated }, span }
-        }),
-        infix(left(AND), and, |l, op, r, _: &mut _| binary(l, op, r)),
-        infix(left(OR), or, |l, op, r, _: &mut _| binary(l, op, r)),
-    ))
-    .boxed()
-}
-
-/// Parses `&&` and `||`, the spelling of C.
-fn doubled<'a>(source: &'a Source<'a>, kind: Kind, op: BinaryOp, single: &'static str) -> Rule<'a, BinaryOp> {
-    just(kind)
-        .map_with(move |_, extra| {
-            let place = source.range(extra.span());
-            let message = format!("{} is written `{single}`", kind.describe());
-            extra.emit(
-                Diagnostic::error("E0118", message, place, "unknown operator")
-                    .help(format!("write `{single}`, which evaluates its right side only if needed"))
-                    .fix(format!("write `{single}`"), place, single)
-                    .into(),
-            );
-            op
-        })
-        .boxed()
 }
 
 /// Parses `value at Time = 0.1 s`.

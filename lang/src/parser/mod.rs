@@ -15,6 +15,7 @@ mod expressions;
 mod foreign_loops;
 mod layout;
 mod nesting;
+mod operators;
 mod recovery;
 mod source;
 mod statements;

@@ -168,7 +168,9 @@ fn jump<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
         input.emit(Diagnostic::error("E0114", message, source.after(at), "a name is expected here").into());
         Ok(None)
     });
-    choice((
+    let begins =
+        |kind| matches!(kind, Kind::Break | Kind::Continue | Kind::Return | Kind::Throw | Kind::Goto);
+    let jump = choice((
         just(Kind::Break).to(StmtKind::Break),
         just(Kind::Continue).to(StmtKind::Continue),
         just(Kind::Return).ignore_then(value.clone()).map(StmtKind::Return),
@@ -176,8 +178,8 @@ fn jump<'a>(source: &'a Source<'a>, e: &Expressions<'a>) -> Rule<'a, StmtKind> {
         just(Kind::Goto)
             .ignore_then(no_label.or(name(source, "the label")))
             .map(|label| label.map_or(StmtKind::Error, StmtKind::Goto)),
-    ))
-    .boxed()
+    ));
+    when(move |at| source.kind(at).is_some_and(begins)).ignore_then(jump).boxed()
 }
 
 /// Returns `true` if `return` or `throw` before `at` has no value: an assignment or a call on the
@@ -284,7 +286,9 @@ fn loops<'a>(source: &'a Source<'a>, e: &Expressions<'a>, body: Rule<'a, Stmt>) 
         just(Kind::For).ignore_then(header).then(body.clone()).map(|(((init, condition), step), body)| {
             StmtKind::For { init: Box::new(init), condition, step: Box::new(step), body: Box::new(body) }
         });
-    choice((repeat, repeat_after, each(source, e, body), count)).boxed()
+    let begins = |kind| matches!(kind, Kind::While | Kind::Do | Kind::For);
+    let any = choice((repeat, repeat_after, each(source, e, body), count));
+    when(move |at| source.kind(at).is_some_and(begins)).ignore_then(any).boxed()
 }
 
 /// Parses `for (x in values) body`.
