@@ -157,6 +157,7 @@ impl Lexer<'_> {
                     self.lines_since_doc += 1;
                     self.at += 1;
                 }
+                ' ' => self.at += self.rest().bytes().take_while(|byte| *byte == b' ').count(),
                 _ if c.is_whitespace() => self.at += c.len_utf8(),
                 '/' if self.rest().starts_with("//") => self.line_comment(),
                 '/' if self.rest().starts_with("/*") => self.block_comment(),
@@ -295,7 +296,10 @@ impl Lexer<'_> {
 
     fn word(&mut self, start: usize) {
         let rest = self.rest();
-        let length = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        let simple = rest.bytes().take_while(|byte| byte.is_ascii_alphanumeric() || *byte == b'_').count();
+        let others = &rest[simple..];
+        let more = others.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(others.len());
+        let length = simple + more;
         let word = &rest[..length];
         let kind = spelled(self.keywords, word).unwrap_or(Kind::Identifier);
         self.at += length;

@@ -31,8 +31,8 @@ pub struct AngleChecks {
 impl Checker<'_> {
     /// Returns the dimension of a number or vector if it is completely known.
     fn known_dimension(&self, ty: &Type) -> Option<Dimension> {
-        match self.store.resolve(ty) {
-            Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => dim.as_known(),
+        match self.store.known(ty) {
+            Type::Number(dim) | Type::Vector(dim) | Type::Observable(dim) => self.store.known_dim(dim),
             _ => None,
         }
     }
@@ -74,10 +74,10 @@ impl Checker<'_> {
         match &e.kind {
             // Units of angles also contain pi.
             Kind::Number(value) => {
-                let part = Rational::from_f64(value / PI).filter(|part| part.numerator().abs() <= 1000);
+                let part = || Rational::from_f64(value / PI).filter(|part| part.numerator().abs() <= 1000);
                 *value != 0.0
-                    && part.is_some()
                     && self.known_dimension(&e.ty).is_some_and(|d| d == Dimension::NONE)
+                    && part().is_some()
             }
             Kind::Var(id) => self.turns.circular.contains(id),
             Kind::Param(id) => self.turns.circular_params.contains(id),

@@ -105,6 +105,9 @@ impl Checker<'_> {
     /// operands have equal results. Without merging, the schemes of functions that call each other
     /// twice would double at each level.
     fn merge_constraints(&mut self) {
+        if self.pending.len() < 2 {
+            return;
+        }
         // The result of each constraint and its index.
         let mut seen: HashMap<ConstraintKey, (Type, usize)> = HashMap::default();
         for constraint in std::mem::take(&mut self.pending) {

@@ -108,7 +108,7 @@ pub struct ControlContext {
 
 #[derive(Debug, Default)]
 pub struct Dependence {
-    edges: HashMap<Node, BTreeSet<Node>>,
+    edges: HashMap<Node, Vec<Node>>,
     asked: Vec<DependenceQuery>,
     around: ControlContext,
     controls: u32,
@@ -189,7 +189,7 @@ impl Dependence {
     }
 
     /// Returns the conditions of the current statement, given that its function is called.
-    fn conditions(&self) -> BTreeSet<Node> {
+    fn conditions(&self) -> Vec<Node> {
         let function = self.around.function;
         let regions = self.around.regions.iter().map(|(_, control)| Node::Control(*control));
         regions.chain([Node::Jumps(function), Node::Leaves(function)]).collect()
@@ -197,11 +197,11 @@ impl Dependence {
 
     /// Returns the conditions of an assignment at the current position to a variable of the
     /// function `owner`.
-    fn conditions_of(&self, id: VarId, owner: FuncId) -> BTreeSet<Node> {
+    fn conditions_of(&self, id: VarId, owner: FuncId) -> Vec<Node> {
         let function = self.around.function;
         if owner != function {
             let mut all = self.conditions();
-            all.insert(Node::Called(function));
+            all.push(Node::Called(function));
             return all;
         }
         let outside = self.declared.get(&id).copied().unwrap_or(0);
@@ -277,7 +277,7 @@ impl Dependence {
         if can_fail(e) {
             self.may_fail(Some(e));
         }
-        self.calls(e, &BTreeSet::new(), owner);
+        self.calls(e, &[], owner);
     }
 
     /// Records that an error may occur here, in the evaluated expression if there is one.
@@ -296,14 +296,14 @@ impl Dependence {
         if let Some(e) = evaluated {
             sources(e, &mut found);
             called(e, &mut |call| {
-                found.insert(Node::Fails(call.function));
+                found.push(Node::Fails(call.function));
             });
         }
         ends.into_iter().for_each(|end| self.link(end, found.iter().copied()));
     }
 
     /// Records the calls in an expression; `guards` control its evaluation.
-    fn calls(&mut self, e: &Expr, guards: &BTreeSet<Node>, owner: &dyn Fn(VarId) -> FuncId) {
+    fn calls(&mut self, e: &Expr, guards: &[Node], owner: &dyn Fn(VarId) -> FuncId) {
         match &e.kind {
             Kind::If(condition, then, otherwise) => {
                 self.calls(condition, guards, owner);
@@ -536,28 +536,28 @@ fn is_solution(e: &Expr) -> bool {
     }
 }
 
-fn sources(e: &Expr, found: &mut BTreeSet<Node>) {
+fn sources(e: &Expr, found: &mut Vec<Node>) {
     match &e.kind {
         Kind::Var(id) | Kind::Chosen(id) => {
-            found.insert(Node::Variable(*id));
+            found.push(Node::Variable(*id));
         }
         Kind::Param(id) => {
-            found.insert(Node::Param(*id));
+            found.push(Node::Param(*id));
         }
         Kind::Def(id) | Kind::MakeSymbolic(id) | Kind::Eval(id, _) => {
-            found.insert(Node::Definition(*id));
+            found.push(Node::Definition(*id));
         }
         Kind::Call(call) | Kind::SymbolicCall(call) => {
-            found.insert(Node::Function(call.function));
+            found.push(Node::Function(call.function));
         }
         Kind::Function(PassedFunction::Declared(function, _), _) => {
-            found.insert(Node::Function(*function));
+            found.push(Node::Function(*function));
         }
         Kind::Function(PassedFunction::Parameter(id), _) => {
-            found.insert(Node::Variable(*id));
+            found.push(Node::Variable(*id));
         }
         Kind::Applied(applied) => {
-            found.insert(Node::Variable(applied.parameter));
+            found.push(Node::Variable(applied.parameter));
         }
         _ => {}
     }
@@ -580,8 +580,8 @@ fn can_fail(e: &Expr) -> bool {
 }
 
 /// Returns the guards of an operand that is evaluated under a further condition.
-fn guarded(guards: &BTreeSet<Node>, condition: &Expr) -> BTreeSet<Node> {
-    let mut all = guards.clone();
+fn guarded(guards: &[Node], condition: &Expr) -> Vec<Node> {
+    let mut all = guards.to_vec();
     sources(condition, &mut all);
     all
 }

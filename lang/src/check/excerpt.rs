@@ -90,8 +90,9 @@ impl Excerpt {
     pub fn new(extracts: Vec<Extract<'_>>) -> Excerpt {
         let mut excerpt = Excerpt { modules: Vec::new(), layout: Layout::default() };
         for (index, extract) in extracts.into_iter().enumerate() {
-            let file = FileId(index as u32);
-            let (mut text, mut statements, mut segments) = (String::new(), Vec::new(), Vec::new());
+            let (file, count) = (FileId(index as u32), extract.items.len());
+            let (mut text, mut statements, mut segments) =
+                (String::new(), Vec::with_capacity(count), Vec::with_capacity(count));
             for (id, item, part) in extract.items {
                 let start = text.len() as u32;
                 let mut statement = item.statement.clone();

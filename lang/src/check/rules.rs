@@ -160,6 +160,9 @@ pub(super) fn constraint(kind: &ConstraintKind, solved: Option<bool>, shallow: i
         Additive, Comparable, Divide, Field, Index, Multiply, Printable, Styled, Throwable,
     };
     use Rule::*;
+    if !cfg!(feature = "rule-record") {
+        return;
+    }
     let (open, refused) = match kind {
         Multiply(..) => (MultiplyOpen, MultiplyRefused),
         Divide(..) => (DivideOpen, DivideRefused),

@@ -11,6 +11,7 @@ use crate::ir::{DisplayUnit, Op};
 use crate::span::Span;
 use crate::units::UnitSystem;
 use calyx_abi::newton::Search;
+use smallvec::{SmallVec, smallvec};
 use std::collections::BTreeSet;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -456,7 +457,7 @@ impl Expr {
     }
 
     /// Returns the expressions that are evaluated as part of this one.
-    pub fn children(&self) -> Vec<&Expr> {
+    pub fn children(&self) -> SmallVec<[&Expr; 3]> {
         match &self.kind {
             Kind::Error
             | Kind::Number(_)
@@ -471,11 +472,11 @@ impl Expr {
             | Kind::Updated(_)
             | Kind::Zero
             | Kind::None
-            | Kind::MakeSymbolic(_) => Vec::new(),
+            | Kind::MakeSymbolic(_) => SmallVec::new(),
             Kind::Sequence(statements, value) => {
-                let mut all = Vec::new();
+                let mut all = SmallVec::new();
                 statements.iter().for_each(|s| s.walk(&mut |s| all.extend(s.expressions())));
-                all.push(value);
+                all.push(&**value);
                 all
             }
             Kind::Eval(_, time) => time.iter().map(|e| &**e).collect(),
@@ -489,10 +490,10 @@ impl Expr {
             | Kind::IsNone(a)
             | Kind::UnitAxis(a)
             | Kind::Derivative(a, _)
-            | Kind::Gradient(a, _) => vec![a],
-            Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) => vec![a, b],
-            Kind::Assert(assertion) => vec![&assertion.condition, &assertion.message],
-            Kind::If(a, b, c) => vec![a, b, c],
+            | Kind::Gradient(a, _) => smallvec![&**a],
+            Kind::Binary(_, a, b) | Kind::Index(a, b) | Kind::At(a, _, b) => smallvec![&**a, &**b],
+            Kind::Assert(assertion) => smallvec![&assertion.condition, &assertion.message],
+            Kind::If(a, b, c) => smallvec![&**a, &**b, &**c],
             Kind::Op(_, all)
             | Kind::CallExtern(_, all, _)
             | Kind::Print(all, _)

@@ -1,8 +1,8 @@
 //! Token kinds and their spellings, comments, and the result of lexing.
 
 use crate::diagnostic::Diagnostic;
+use crate::hashed::HashMap;
 use crate::span::Span;
-use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// The kind of a token.

@@ -2,11 +2,11 @@
 
 use super::layout::{Layout, is_unmatched};
 use crate::ast::Ident;
+use crate::hashed::HashMap;
 use crate::lexer::{Kind, Token};
 use crate::span::{FileId, Span};
 use chumsky::span::SimpleSpan;
 use std::cell::{Cell, OnceCell};
-use std::collections::HashMap;
 
 /// A lexed file. Tokens are accessed by index; an index past the last token denotes the end of the
 /// file.

@@ -171,13 +171,13 @@ impl<'l, 'c> Body<'l, 'c> {
     /// Removes unreachable blocks and numbers the others in order.
     fn finish(mut self, name: &str, parameters: Vec<(LocalId, Mode)>, result: Repr, span: Span) -> Function {
         let mut order = Vec::new();
-        let mut number = HashMap::default();
+        let mut number = vec![None; self.blocks.len()];
         let mut stack = vec![0];
         while let Some(at) = stack.pop() {
-            if number.contains_key(&at) {
+            if number[at].is_some() {
                 continue;
             }
-            number.insert(at, BlockId(order.len() as u32));
+            number[at] = Some(BlockId(order.len() as u32));
             order.push(at);
             match &self.blocks[at].terminator {
                 Some(Terminator::Jump(to)) => stack.push(to.0 as usize),
@@ -189,8 +189,8 @@ impl<'l, 'c> Body<'l, 'c> {
             }
             stack.extend(self.blocks[at].handler);
         }
-        let renumber = |id: BlockId| number.get(&(id.0 as usize)).copied().unwrap_or(BlockId(0));
-        let mut blocks = Vec::new();
+        let renumber = |id: BlockId| number[id.0 as usize].unwrap_or(BlockId(0));
+        let mut blocks = Vec::with_capacity(order.len());
         for at in order {
             let draft = &mut self.blocks[at];
             let terminator = match draft.terminator.take() {
