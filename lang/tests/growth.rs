@@ -14,14 +14,16 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The system's allocator, which counts the allocated bytes of all threads.
+/// The system's allocator, which counts the allocations of all threads and their bytes.
 struct Counting;
 
+static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
 static ALLOCATED: AtomicU64 = AtomicU64::new(0);
 
 // SAFETY: every call is passed on to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Relaxed);
         ALLOCATED.fetch_add(layout.size() as u64, Relaxed);
         // SAFETY: the caller's obligations are those of the system's allocator.
         unsafe { System.alloc(layout) }
@@ -77,6 +79,22 @@ fn chains_are_in_proportion_to_their_factors() {
         program.sites.iter().map(|site| site.shared.len()).sum::<usize>()
     });
     assert_eq!(three - two, two - one);
+}
+
+/// A quarter of the time of a check is spent on allocations. Their number is the same on all machines.
+#[test]
+fn a_line_of_a_component_takes_few_allocations() {
+    let _alone = alone();
+    let library = Library::read();
+    let [twenty, forty] = [20, 40].map(|count| {
+        let text = generator::components(count);
+        let before = ALLOCATIONS.load(Relaxed);
+        assert!(check_program("model.cx", &text, &library).program.is_some());
+        (text.lines().count() as u64, ALLOCATIONS.load(Relaxed) - before)
+    });
+    let per_line = (forty.1 - twenty.1) / (forty.0 - twenty.0);
+    println!("{per_line} allocations per line");
+    assert!(per_line < 75, "{per_line} allocations per line");
 }
 
 /// A quadratic algorithm that copies or collects anything allocates a quadratic amount of memory.
