@@ -5,6 +5,7 @@
 //! but is stored for display.
 
 use crate::dimension::{Dimension, Rational};
+use smallvec::{SmallVec, smallvec};
 
 /// A dimension variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -15,7 +16,7 @@ pub struct DimVar(pub u32);
 pub struct Dim {
     pub fixed: Dimension,
     /// The variables and their exponents, in order of the variables. Few dimensions have several.
-    pub unknowns: Vec<(DimVar, Rational)>,
+    pub unknowns: SmallVec<[(DimVar, Rational); 1]>,
 }
 
 impl Dim {
@@ -24,11 +25,11 @@ impl Dim {
     }
 
     pub fn known(fixed: Dimension) -> Dim {
-        Dim { fixed, unknowns: Vec::new() }
+        Dim { fixed, unknowns: SmallVec::new() }
     }
 
     pub fn unknown(variable: DimVar) -> Dim {
-        Dim { fixed: Dimension::NONE, unknowns: vec![(variable, Rational::ONE)] }
+        Dim { fixed: Dimension::NONE, unknowns: smallvec![(variable, Rational::ONE)] }
     }
 
     pub fn times(&self, other: &Dim) -> Dim {

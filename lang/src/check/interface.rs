@@ -14,6 +14,7 @@ use super::tree::{
 use super::types::{Store, Type, TypeVar};
 use crate::ast::{Mode, Stmt, StmtKind};
 use crate::span::Span;
+use smallvec::SmallVec;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -100,7 +101,7 @@ impl Renaming<'_> {
 
     fn dim(&mut self, dim: &Dim) -> Dim {
         let dim = self.store.dim(dim);
-        let mut unknowns = Vec::new();
+        let mut unknowns = SmallVec::new();
         for (variable, exponent) in dim.unknowns {
             let next = DimVar(self.dims.len() as u32);
             let renamed = match self.dims.get(&variable) {

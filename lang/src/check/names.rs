@@ -62,6 +62,8 @@ pub fn resolve<'a>(modules: &'a [ModuleData], around: &'a dyn Surroundings) -> N
         is_base: false,
         created: Vec::new(),
     };
+    // On average, a text has a name for every 16 bytes.
+    resolver.names.uses.reserve(modules.iter().map(|module| module.text.len()).sum::<usize>() / 16);
     resolver.names.functions.push(FunctionInfo {
         decl: None,
         name: "main".into(),

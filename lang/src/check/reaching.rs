@@ -4,7 +4,7 @@ use super::infer::{Checker, Reaching};
 use super::symbols::Resolution;
 use super::tree::VarId;
 use crate::ast::{self, Bind, ExprKind};
-use crate::declared::children;
+use crate::walk::Node;
 use std::collections::BTreeSet;
 
 impl<'a> Checker<'a> {
@@ -23,7 +23,11 @@ impl<'a> Checker<'a> {
         {
             bound.insert(*id);
         }
-        children(statement).into_iter().for_each(|inner| self.bound_in(inner, bound));
+        Node::Statement(statement).children(&mut |child| {
+            if let Node::Statement(inner) = child {
+                self.bound_in(inner, bound);
+            }
+        });
     }
 
     /// Checks code that may run repeatedly or be entered in the middle: names bound in it have

@@ -14,7 +14,7 @@ use crate::span::Span;
 
 impl<'a> Checker<'a> {
     pub(super) fn statements(&mut self, statements: &'a [ast::Stmt]) -> Vec<Stmt> {
-        let mut checked = Vec::new();
+        let mut checked = Vec::with_capacity(statements.len());
         for s in statements {
             checked.push(self.statement(s));
             self.solve_constraints();
