@@ -19,7 +19,7 @@ impl<'a> Checker<'a> {
     /// Checks a complete value that is stored or returned.
     pub(super) fn stored(&mut self, e: &'a ast::Expr) -> Expr {
         let value = self.whole(e);
-        if matches!(self.store.shallow(&value.ty), Type::Unit) {
+        if matches!(self.store.known(&value.ty), Type::Unit) {
             self.report(
                 Diagnostic::error(
                     "E0303",
@@ -86,7 +86,7 @@ impl<'a> Checker<'a> {
             _ => None,
         };
         let ty = target.as_ref().map_or(Type::Error, |target| target.ty.clone());
-        self.may_be_absent = matches!(self.store.shallow(&ty), Type::Optional(_));
+        self.may_be_absent = matches!(self.store.known(&ty), Type::Optional(_));
         let expression = match self.store.shallow(&ty) {
             Type::Symbolic(_) => self.expression_for(&ty, value),
             _ => None,
@@ -211,7 +211,7 @@ impl<'a> Checker<'a> {
             return StmtKind::Nothing;
         }
         let what = format!("an element of `{}`", self.text(place.span));
-        self.expect(&element, &value, &what, Some(cause));
+        self.expect(&element, &value, what, Some(cause));
         self.assigned(&place, &value);
         StmtKind::Push(place, value)
     }

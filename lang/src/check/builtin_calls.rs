@@ -67,7 +67,7 @@ impl<'a> Checker<'a> {
         self.refuse_names(name, arguments);
         if let [array] = arguments {
             let array = self.as_value(|c| c.expr(&array.value));
-            if matches!(self.store.shallow(&array.ty), Type::Number(_)) {
+            if matches!(self.store.known(&array.ty), Type::Number(_)) {
                 return self.wrong_count(name, span);
             }
             self.solve_open_constraints(std::iter::once(&array.ty));

@@ -198,7 +198,7 @@ impl Checker<'_> {
         match self.store.unify(a, b) {
             Ok(()) => Outcome::Solved,
             Err(Mismatch::Infinite) => Outcome::failed(too_large(constraint.span)),
-            Err(Mismatch::Kind) if matches!(self.store.shallow(b), Type::Observable(_)) => {
+            Err(Mismatch::Kind) if matches!(self.store.known(b), Type::Observable(_)) => {
                 Outcome::failed(self.observable_as_value(constraint.span))
             }
             Err(mismatch) => {

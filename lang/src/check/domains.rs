@@ -86,10 +86,10 @@ impl<'a> Checker<'a> {
         value: Option<&Expr>,
         name: &str,
     ) -> Option<ArgumentRange> {
+        let domain = domain?;
         let ty = &self.scalar(ty);
         let check = match domain {
-            None => return None,
-            Some(Domain::Range { low, high, span }) => {
+            Domain::Range { low, high, span } => {
                 let around = self.constant_place.replace("a range");
                 let mut ends = [None, None];
                 for (end, e) in ends.iter_mut().zip([low, high]) {
@@ -113,7 +113,7 @@ impl<'a> Checker<'a> {
                     text: self.text(*span).to_string(),
                 }
             }
-            Some(Domain::Choices { values, span, other_names }) => {
+            Domain::Choices { values, span, other_names } => {
                 let around = self.constant_place.replace("a list of choices");
                 let mut choices = Vec::new();
                 for e in values {
@@ -150,18 +150,18 @@ impl<'a> Checker<'a> {
 
     /// Returns the type of the numbers in an array or vector; for any other type, the type itself.
     pub(super) fn scalar(&self, ty: &Type) -> Type {
-        match self.store.shallow(ty) {
-            Type::Array(element) => self.scalar(&element),
-            Type::Optional(inner) => self.scalar(&inner),
-            Type::Vector(dim) => Type::Number(dim),
-            other => other,
+        match self.store.known(ty) {
+            Type::Array(element) => self.scalar(element),
+            Type::Optional(inner) => self.scalar(inner),
+            Type::Vector(dim) => Type::Number(dim.clone()),
+            other => other.clone(),
         }
     }
 
     /// Checks the range or choices of a function's parameter at the declaration.
     pub(super) fn parameter_domain(&mut self, ty: &Type, parameter: &'a Parameter) {
         let Some(domain) = &parameter.domain else { return };
-        let open = matches!(self.store.shallow(ty), Type::Unknown(_));
+        let open = matches!(self.store.known(ty), Type::Unknown(_));
         let bare = match domain {
             Domain::Range { low, high, .. } => low.iter().chain(high).any(super::expr::is_bare),
             Domain::Choices { .. } => false,

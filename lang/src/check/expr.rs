@@ -329,7 +329,7 @@ impl<'a> Checker<'a> {
         }
         self.expect(&Type::number(), &index, "an index", None);
         let element = self.store.fresh();
-        let tuple = matches!(self.store.shallow(&base.ty), Type::Tuple(_));
+        let tuple = matches!(self.store.known(&base.ty), Type::Tuple(_));
         self.constrain(Constraint {
             kind: ConstraintKind::Index(base.ty.clone(), constant.filter(|_| tuple), element.clone()),
             span,
@@ -463,7 +463,7 @@ impl<'a> Checker<'a> {
         };
         let time = self.whole(at);
         let what = format!("the value of `{}`", symbol.name);
-        self.expect(&Type::Number(dim), &time, &what, None);
+        self.expect(&Type::Number(dim), &time, what, None);
         let inner = self.as_symbolic(|c| c.expr(value));
         let ty = inner.ty.clone();
         if self.symbolic {

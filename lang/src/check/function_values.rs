@@ -298,7 +298,7 @@ impl<'a> Checker<'a> {
         let result = self.current_result();
         let value = self.fitted(&result, value);
         let name = format!("the result of `{}`", self.names.functions[id.0 as usize].name);
-        self.expect(&result, &value, &name, None);
+        self.expect(&result, &value, name, None);
         self.dependence.returned(id, &value);
         Stmt { kind: StmtKind::Return(Some(value)), span: body.span }
     }
@@ -346,7 +346,7 @@ impl<'a> Checker<'a> {
             };
             self.compute_with(id, &value);
             let name = format!("`{}`", self.variable(variable).name);
-            self.expect(ty, &value, &name, None);
+            self.expect(ty, &value, name, None);
             values.push(value);
         }
         values

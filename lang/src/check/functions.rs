@@ -169,7 +169,7 @@ impl Checker<'_> {
         }
         let returns = definition.is_some() || body.iter().any(returns_value);
         let result = self.signatures.get(&id).map_or(Type::Unit, |signature| signature.result.clone());
-        if !returns && matches!(self.store.shallow(&result), Type::Unknown(_)) {
+        if !returns && matches!(self.store.known(&result), Type::Unknown(_)) {
             let _ = self.store.unify(&result, &Type::Unit);
         }
         let own = variables.iter().copied().zip(decl.parameters.iter().map(|p| p.mode));

@@ -52,7 +52,7 @@ impl Checker<'_> {
                     None => diagnostic,
                 }
             }
-            _ if [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.shallow(ty), Type::Observable(_))) => {
+            _ if [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.known(ty), Type::Observable(_))) => {
                 self.observable_as_value(op_span)
             }
             _ => {
@@ -65,7 +65,7 @@ impl Checker<'_> {
                     self.report(diagnostic);
                     return false;
                 }
-                let text = [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.shallow(ty), Type::String));
+                let text = [&a.ty, &b.ty].iter().any(|ty| matches!(self.store.known(ty), Type::String));
                 let help = match self.array_and_element(a, b, verb) {
                     _ if text && verb == "add" => {
                         "convert values to text by interpolation: `\"{a}{b}\"`".to_owned()
@@ -117,7 +117,7 @@ impl Checker<'_> {
             _ => None,
         };
         let (id, zero) = started(a).or_else(|| started(b))?;
-        let vector = |e: &Expr| matches!(self.store.shallow(&e.ty), Type::Vector(_));
+        let vector = |e: &Expr| matches!(self.store.known(&e.ty), Type::Vector(_));
         if !vector(a) && !vector(b) {
             return None;
         }

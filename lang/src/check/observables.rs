@@ -18,12 +18,12 @@ use crate::span::Span;
 
 impl Checker<'_> {
     fn is_observable(&self, ty: &Type) -> bool {
-        matches!(self.store.shallow(ty), Type::Observable(_))
+        matches!(self.store.known(ty), Type::Observable(_))
     }
 
     /// Returns whether a type is an array of observables.
     pub(super) fn is_array_of_observables(&self, ty: &Type) -> bool {
-        matches!(self.store.shallow(ty), Type::Array(element) if self.is_observable(&element))
+        matches!(self.store.known(ty), Type::Array(element) if self.is_observable(element))
     }
 
     /// Converts a number to a constant observable, and an expression with observables to an
@@ -40,18 +40,16 @@ impl Checker<'_> {
         if self.symbolic {
             return e;
         }
-        match (self.store.shallow(expected), self.store.shallow(&e.ty), e.kind) {
-            (Type::Observable(_), Type::Number(_), kind) => self.as_observable(Expr { kind, ..e }),
-            (Type::Symbolic(_), found, kind) if is_stored(&found) => {
-                self.as_expression("expression", Expr { kind, ..e })
-            }
-            (Type::Array(expected), Type::Array(_), Kind::Array(elements))
-                if self.is_observable(&expected) =>
-            {
+        match (self.store.known(expected), self.store.known(&e.ty)) {
+            (Type::Observable(_), Type::Number(_)) => self.as_observable(e),
+            (Type::Symbolic(_), found) if is_stored(found) => self.as_expression("expression", e),
+            (Type::Array(expected), Type::Array(_)) if self.is_observable(expected) => {
+                let expected = expected.clone();
+                let Kind::Array(elements) = e.kind else { return e };
                 let elements = elements.into_iter().map(|element| self.fitted(&expected, element)).collect();
                 Expr { kind: Kind::Array(elements), ty: Type::Array(expected), span: e.span }
             }
-            (_, _, kind) => Expr { kind, ..e },
+            _ => e,
         }
     }
 
@@ -68,7 +66,7 @@ impl Checker<'_> {
 
     /// As [`Self::alike`], for the elements of an array.
     pub(super) fn all_alike(&mut self, elements: Vec<Expr>) -> Vec<Expr> {
-        let stored = |ty: &Type| matches!(self.store.shallow(ty), Type::Observable(_) | Type::Symbolic(_));
+        let stored = |ty: &Type| matches!(self.store.known(ty), Type::Observable(_) | Type::Symbolic(_));
         let observable = elements.iter().find(|e| stored(&e.ty)).map(|e| e.ty.clone());
         let Some(ty) = observable.filter(|_| !self.symbolic) else { return elements };
         elements.into_iter().map(|element| self.fitted(&ty, element)).collect()
@@ -96,7 +94,7 @@ impl Checker<'_> {
     /// number. Returns `true` if the value of the assignment or return requires this.
     pub(super) fn observable_requested(&mut self, declared: Span, ty: &Type, value: &Expr) -> bool {
         let number = |ty: &Type| match ty {
-            Type::Array(element) => matches!(self.store.shallow(element), Type::Number(_)),
+            Type::Array(element) => matches!(self.store.known(element), Type::Number(_)),
             ty => matches!(ty, Type::Number(_)),
         };
         let observable = |ty: &Type| match ty {
@@ -123,7 +121,7 @@ impl Checker<'_> {
     /// Returns `true` for a choice between observables whose condition does not depend on `Time` or
     /// on observables.
     pub(super) fn chooses_observable(&self, condition: &Expr, a: &Expr, b: &Expr) -> bool {
-        let number = matches!(self.store.shallow(&a.ty), Type::Number(_));
+        let number = matches!(self.store.known(&a.ty), Type::Number(_));
         number && (self.observes(a) || self.observes(b)) && self.is_known_at_binding(condition)
     }
 
@@ -183,7 +181,7 @@ impl Checker<'_> {
                     None => Some(index),
                 };
                 let ty = at.and_then(|at| signature.parameters.get(at));
-                let number = ty.is_some_and(|ty| matches!(self.store.shallow(ty), Type::Number(_)));
+                let number = ty.is_some_and(|ty| matches!(self.store.known(ty), Type::Number(_)));
                 number && self.names_observable(&argument.value)
             })
     }

@@ -406,7 +406,7 @@ impl<'a> Checker<'a> {
     /// Records the assignment of a place.
     pub(super) fn assigned_presence(&mut self, place: &Place, written: &ast::Expr, value: &Expr) {
         self.present.retain(|(id, _)| *id != place.variable);
-        let optional = matches!(self.store.shallow(&place.ty), Type::Optional(_));
+        let optional = matches!(self.store.known(&place.ty), Type::Optional(_));
         if optional
             && matches!(value.kind, Kind::Some(_))
             && let Some(path) = self.path(written)

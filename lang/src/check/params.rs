@@ -75,7 +75,7 @@ impl<'a> Checker<'a> {
                         let number = self.fresh_number();
                         self.expect(&number, &e, "a limit of a range", None);
                         let what = format!("a limit of the range of `{name}`");
-                        self.expect(&limit, &e, &what, cause.clone());
+                        self.expect(&limit, &e, what, cause.clone());
                         *end = Some(e);
                     }
                 }
@@ -207,12 +207,12 @@ impl<'a> Checker<'a> {
         let value = self.named_handle(ty, value, &name.name);
         self.constant_place = around;
         // Under a unit system, a literal without a unit has the dimension of each call.
-        let open = matches!(self.store.shallow(ty), Type::Unknown(_));
+        let open = matches!(self.store.known(ty), Type::Unknown(_));
         if !(open && super::expr::is_bare(default) && self.system().is_some()) {
             self.expect(
                 ty,
                 &value,
-                &format!("the default of `{}`", name.name),
+                format_args!("the default of `{}`", name.name),
                 Some((name.span, "declared here".into())),
             );
         }
@@ -231,7 +231,7 @@ impl<'a> Checker<'a> {
             None => self.as_symbolic(|c| c.whole(value)),
         };
         self.solve_open_constraints(std::iter::once(&e.ty));
-        if matches!(self.store.shallow(&e.ty), Type::Array(_)) && !self.is_symbolic_brackets(&e) {
+        if matches!(self.store.known(&e.ty), Type::Array(_)) && !self.is_symbolic_brackets(&e) {
             return self.array_output(id, name, e, (value, unit));
         }
         let number = self.fresh_number();

@@ -100,7 +100,7 @@ impl<'a> Checker<'a> {
                 match c.store.unify(&ty, &value.ty) {
                     Err(Mismatch::Infinite) if c.holds(&value.ty, id) => c.endless_record(id, at),
                     Err(Mismatch::Infinite) => c.large_record(id),
-                    _ => c.expect(&ty, &value, &what, Some((field.name.span, "declared here".into()))),
+                    _ => c.expect(&ty, &value, what, Some((field.name.span, "declared here".into()))),
                 }
             });
             self.making.pop();
@@ -220,7 +220,7 @@ impl<'a> Checker<'a> {
                     return failed;
                 }
                 // Already reported at the field.
-                (None, Some(_)) if matches!(self.store.shallow(&wanted), Type::Error) => Expr::error(span),
+                (None, Some(_)) if matches!(self.store.known(&wanted), Type::Error) => Expr::error(span),
                 (None, Some(default)) => {
                     self.making.push(id);
                     let value = self.in_file(file, |c| {
@@ -404,7 +404,7 @@ impl<'a> Checker<'a> {
     }
 
     fn has_field(&self, ty: &Type, field: &str) -> bool {
-        matches!(self.store.shallow(ty), Type::Record(id) if self.store.field(id, field).is_some())
+        matches!(self.store.known(ty), Type::Record(id) if self.store.field(*id, field).is_some())
     }
 
     /// Returns the error for a field that does not exist.

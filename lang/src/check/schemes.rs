@@ -59,7 +59,7 @@ impl Checker<'_> {
             shown.parameters.push((parameter.mode, parameter.name.name.to_string(), letters.ty(ty)));
         }
         let result = letters.ty(&signature.result);
-        let nothing = matches!(self.store.shallow(&signature.result), Type::Unit);
+        let nothing = matches!(self.store.known(&signature.result), Type::Unit);
         shown.result = (!nothing).then_some(result);
         for constraint in signature.scheme.iter().flat_map(|scheme| &scheme.constraints) {
             let demand = letters.demand(&constraint.kind);

@@ -31,7 +31,7 @@ impl<'a> Checker<'a> {
         let Type::Symbolic(inner) = self.store.shallow(ty) else { return self.stored_expression(e) };
         // A stored expression, such as an element of an array.
         if let Some(known) = self.written_type(e)
-            && matches!(self.store.shallow(&known), Type::Symbolic(_))
+            && matches!(self.store.known(&known), Type::Symbolic(_))
         {
             return None;
         }

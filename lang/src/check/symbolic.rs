@@ -298,9 +298,7 @@ impl<'a> Checker<'a> {
                 to.on_time = true;
                 kind
             }
-            Kind::Param(_)
-                if matches!(self.store.shallow(&ty), Type::Number(_) | Type::Bool | Type::Error) =>
-            {
+            Kind::Param(_) if matches!(self.store.known(&ty), Type::Number(_) | Type::Bool | Type::Error) => {
                 kind
             }
             Kind::Var(id) if to.function == Some(self.variable(id).owner) => kind,
@@ -399,7 +397,7 @@ impl<'a> Checker<'a> {
     fn compares_values(&self, op: BinaryOp, operand: &Expr) -> bool {
         matches!(op, BinaryOp::Equal | BinaryOp::NotEqual)
             && matches!(
-                self.store.shallow(&operand.ty),
+                self.store.known(&operand.ty),
                 Type::String | Type::Enum(_) | Type::Array(_) | Type::Tuple(_) | Type::Record(_)
             )
     }

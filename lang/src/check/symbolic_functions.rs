@@ -341,7 +341,7 @@ impl<'a> Checker<'a> {
             Kind::Def(def) => self.is_brackets(&self.defs[def.0 as usize].expr),
             Kind::Var(id) if self.variable(*id).kind == VarKind::Hidden => {
                 // A captured record or tuple has a known number of values, unlike an array.
-                matches!(self.store.shallow(&e.ty), Type::Record(_) | Type::Tuple(_))
+                matches!(self.store.known(&e.ty), Type::Record(_) | Type::Tuple(_))
             }
             Kind::Var(id) => self.is_of_symbolic_function(*id),
             Kind::Block(_, result) | Kind::Part(result) => self.is_brackets(result),

@@ -35,7 +35,7 @@ pub(super) fn declaration(function: Standard) -> Declaration {
 impl Body<'_, '_> {
     /// Returns `true` if values of a type are arrays in this instance.
     pub(super) fn is_array(&self, ty: &Type) -> bool {
-        match self.lowering.checker.store.shallow(ty) {
+        match self.lowering.checker.store.known(ty) {
             Type::Array(_) => true,
             Type::Unknown(_) => matches!(self.repr(ty), Repr::Array(_)),
             _ => false,

@@ -21,7 +21,7 @@ impl Body<'_, '_> {
             _ => false,
         };
         let store = &self.lowering.checker.store;
-        operation && matches!(store.shallow(&self.types.ty(store, &e.ty)), Type::Observable(_))
+        operation && matches!(store.known(&self.types.ty(store, &e.ty)), Type::Observable(_))
     }
 
     /// Lowers an operation on observables.

@@ -90,7 +90,7 @@ impl Body<'_, '_> {
             };
             described.push(Capture {
                 name: checker.variable(id).name.to_string(),
-                observable: matches!(checker.store.shallow(&checker.type_of(id)), Type::Observable(_)),
+                observable: matches!(checker.store.known(&checker.type_of(id)), Type::Observable(_)),
                 repr: value.repr.clone(),
             });
             values.push(value);

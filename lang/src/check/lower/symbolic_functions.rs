@@ -237,7 +237,7 @@ impl Lowering<'_> {
             .map(|(variable, _)| checker.store.repr(&checker.type_of(*variable)))
             .collect();
         // An argument of an unknown type with elements or fields is not a scalar.
-        let generic = |ty: &Type| matches!(checker.store.shallow(ty), Type::Unknown(_));
+        let generic = |ty: &Type| matches!(checker.store.known(ty), Type::Unknown(_));
         let has_parts = found.scheme.constraints.iter().any(|constraint| {
             matches!(&constraint.kind,
                 ConstraintKind::Index(base, ..) | ConstraintKind::Field(base, ..) if generic(base))
