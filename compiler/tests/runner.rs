@@ -65,7 +65,8 @@ impl Way {
         } else {
             command.env_clear();
         }
-        // All runs need the same structures, and a run with cached structures writes the same bytes.
+        // All runs need the same structures, and a run with cached structures writes the same
+        // bytes.
         let cache = folder.path().join("cache");
         command.args(["--out", "results"]).args(arguments).env("CALYX_CACHE", cache).current_dir(directory);
         command

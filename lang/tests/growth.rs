@@ -81,7 +81,8 @@ fn chains_are_in_proportion_to_their_factors() {
     assert_eq!(three - two, two - one);
 }
 
-/// A quarter of the time of a check is spent on allocations. Their number is the same on all machines.
+/// A quarter of the time of a check is spent on allocations. Their number is the same on all
+/// machines.
 #[test]
 fn a_line_of_a_component_takes_few_allocations() {
     let _alone = alone();

@@ -439,7 +439,8 @@ fn reach_error(data: &InternalGearData, base_difference: f64) -> GeometryError {
 /// Roll angle at which the arc of a tip edge with this radius (m) continues the involute.
 fn roll_at_tip_edge(base_radius: f64, minor_radius: f64, edge: f64) -> f64 {
     let centre_radius = minor_radius + edge;
-    // The offset of the involute into the material is the involute of the same base circle, rotated.
+    // The offset of the involute into the material is the involute of the same base circle,
+    // rotated.
     let tangent = ((centre_radius - base_radius) * (centre_radius + base_radius)).max(0.0).sqrt();
     (tangent - edge) / base_radius
 }

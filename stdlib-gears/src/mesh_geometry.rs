@@ -34,7 +34,8 @@ pub struct PathOfContact {
     pub pitch_point: f64,
     /// HPSTC, highest point of single-tooth contact (point D): the following pair enters contact.
     pub highest_single_tooth: f64,
-    /// EAP, end of active profile (point E): the tip form circle of the first member leaves contact.
+    /// EAP, end of active profile (point E): the tip form circle of the first member leaves
+    /// contact.
     pub end_of_active_profile: f64,
 }
 

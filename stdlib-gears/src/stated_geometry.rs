@@ -239,7 +239,8 @@ fn number(gear: &GearPrototype, symbol: &str) -> Option<f64> {
     })
 }
 
-/// Radial height `h_K` of a stated tip edge, m: distance of the tip form circle from the tip circle.
+/// Radial height `h_K` of a stated tip edge, m: distance of the tip form circle from the tip
+/// circle.
 fn tip_chamfer(form: &ToothForm) -> f64 {
     match form.tip_form_roll == form.tip_roll {
         true => 0.0,

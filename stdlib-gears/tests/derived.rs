@@ -200,8 +200,8 @@ fn a_relief_is_told_by_the_diameter_where_it_begins() {
     close(find(&quantities, "d_Ca", None).value, 2.0 * gear.form().base_radius * 0.45_f64.hypot(1.0), "d_Ca");
 }
 
-/// A tip edge of a drawing ends the involute, and the path of contact. The default edge belongs to the
-/// contact analysis.
+/// A tip edge of a drawing ends the involute, and the path of contact. The default edge belongs to
+/// the contact analysis.
 #[test]
 fn only_stated_tip_edges_end_the_involute() {
     let data = standard(25, 3e-3, 0.0);

@@ -1,6 +1,6 @@
-//! Compares the face gear of `examples/face_gear.cx`, whose machine is written in Calyx, with closed
-//! forms: the limits of its face, zero transmission error of conjugate flanks, and the forces at the
-//! contact point.
+//! Compares the face gear of `examples/face_gear.cx`, whose machine is written in Calyx, with
+//! closed forms: the limits of its face, zero transmission error of conjugate flanks, and the
+//! forces at the contact point.
 
 use calyx::rt::{ParamAssignment, RunOptions, run};
 use calyx::{Engine, Module, Override, check_file};
@@ -141,11 +141,11 @@ fn undercut_and_pointed_teeth_limit_the_face_where_closed_forms_do() {
     }
 }
 
-/// The flanks of the shaper, of a pinion with fewer teeth in mesh with it, and of the face gear have
-/// the same lines of action, so that pinion and face gear are conjugate. With the shaper as pinion
-/// the contact is a line and ends at the ends of the face when the axes are displaced; with fewer
-/// teeth it is a point, and the pair remains conjugate (Litvin and Fuentes 2004, section 18.1). The
-/// interpolation along the face limits the accuracy.
+/// The flanks of the shaper, of a pinion with fewer teeth in mesh with it, and of the face gear
+/// have the same lines of action, so that pinion and face gear are conjugate. With the shaper as
+/// pinion the contact is a line and ends at the ends of the face when the axes are displaced; with
+/// fewer teeth it is a point, and the pair remains conjugate (Litvin and Fuentes 2004, section
+/// 18.1). The interpolation along the face limits the accuracy.
 #[test]
 fn face_gear_and_pinion_are_conjugate() {
     let largest = |teeth: &str, given: &[(&str, &str)]| {

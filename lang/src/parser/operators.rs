@@ -155,8 +155,8 @@ pub(super) fn operator_grammar<'a>(
     .boxed()
 }
 
-/// Parses one of the operators, and returns it with its location. All operators are tried after every
-/// operand, so this rule fails fast.
+/// Parses one of the operators, and returns it with its location. All operators are tried after
+/// every operand, so this rule fails fast.
 fn operator<'a, O: Copy>(source: &'a Source<'a>, operators: &'static [(Kind, O)]) -> Rule<'a, (O, Span)> {
     custom(move |input: &mut Reader<'a, '_>| {
         let at = position(input);

@@ -114,8 +114,8 @@ fn a_wider_grid_covers_a_contact_line_that_ends_at_a_tip_edge() {
 
 /// At this position a pair of teeth enters at a corner of the face, on a contact line of half a
 /// millimetre. An oblique side face ends its grid, which a wider one cannot change. The grid was
-/// made eight times wider than needed instead, none of its cells touched, and the transmission error
-/// was larger by 1 %.
+/// made eight times wider than needed instead, none of its cells touched, and the transmission
+/// error was larger by 2 %.
 #[test]
 fn a_grid_that_an_oblique_side_face_ends_is_not_made_wider() {
     let row = Row::of("entering no analytic 22 29 2.5 20 22 0 0 18 0 3 90 no 1 3 6 5 3 1 3 12 10 32");

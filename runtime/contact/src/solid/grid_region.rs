@@ -89,8 +89,8 @@ fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2],
             contact_line.points.iter().map(|point| [point.at[1], point.gap]).collect();
         let low = crossing(&mut points.iter().rev().filter(|[y, _]| *y < 0.0));
         let high = crossing(&mut points.iter().filter(|[y, _]| *y > 0.0));
-        // Surfaces may also be near each other beyond a larger gap, as hollow ones at both ends of a
-        // face.
+        // Surfaces may also be near each other beyond a larger gap, as hollow ones at both ends of
+        // a face.
         let near = points.iter().filter(|[_, gap]| gap - floor <= depth).map(|[y, _]| *y);
         near.fold([low, high], |[low, high], y| [low.min(y), high.max(y)])
     };
