@@ -99,19 +99,13 @@ pub struct Grid {
     pub surface_ends: [bool; 2],
     /// Hertzian half-width of a line load of 1 N/m, m.
     pub unit_half_width: f64,
-    /// True if forces act along local normals ([`GridOptions::local_normals`]).
-    pub local_normals: bool,
 }
 
 impl Grid {
-    /// Returns the length to which corrections of [`GridOptions::length`] refer, m: that of the
-    /// grid, or with local normals the least one that covers this grid. If a surface ends near the
-    /// closest approach, as in contact along a whole face, it is nearly twice the length of the
-    /// grid.
+    /// Returns the length to which corrections of [`GridOptions::length`] refer, m: the least one
+    /// that covers this grid. If a surface ends near the closest approach, as in contact along a
+    /// whole face, it is nearly twice the length of the grid.
     pub fn correctable_length(&self) -> f64 {
-        if !self.local_normals {
-            return self.extent[1];
-        }
         let ends = self.slices.iter().flat_map(|slice| slice.y);
         2.0 * ends.fold(0.0, |farthest: f64, y| farthest.max(y.abs()))
     }
@@ -157,17 +151,7 @@ pub fn build_grid(
     let line = high - low;
     let unit_half_width = unit_half_width(options.contact_modulus, flank);
     let (cells, slices) = (Vec::new(), Vec::new());
-    let mut grid = Grid {
-        frame,
-        cells,
-        slices,
-        extent,
-        line,
-        half_counts,
-        surface_ends,
-        unit_half_width,
-        local_normals: options.local_normals,
-    };
+    let mut grid = Grid { frame, cells, slices, extent, line, half_counts, surface_ends, unit_half_width };
     if !(extent.iter().all(|size| size.is_finite() && *size > 0.0)) {
         return Ok(grid);
     }

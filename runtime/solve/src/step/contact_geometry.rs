@@ -112,9 +112,9 @@ pub(super) trait ContactGeometry {
         Vec::new()
     }
 
-    /// Returns whether a grid may be enlarged after the usual number of corrections: on general
-    /// axes, where the extent of the load is least predictable.
-    fn may_grow(&self, candidate: &Candidate<Self::Site>) -> bool;
+    /// Returns whether grids may be enlarged after the usual number of corrections: in three
+    /// dimensions, where the extent of the load along the contact line is least predictable.
+    fn may_grow(&self) -> bool;
 
     /// Returns a better size for a grid whose size is not prescribed and is unsuitable. If `wide`
     /// grids are acceptable, only a wider one. `size` is that of an earlier correction.

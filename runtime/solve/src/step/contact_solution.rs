@@ -25,7 +25,7 @@ const WORTH_LOADING: f64 = 0.1;
 const MATRICES: u64 = 4;
 /// Maximum number of corrections of grid sizes at a position.
 const REGRIDS: usize = 3;
-/// Maximum number of further corrections on general axes, which only enlarge grids: pressures on a
+/// Maximum number of further corrections in three dimensions, which only enlarge grids: pressures on a
 /// truncated grid are too high, and a correction that makes a grid smaller could truncate it.
 const GROWTHS: usize = 3;
 
@@ -56,8 +56,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         }
         let mut sizes = vec![None; candidates.len()];
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
-        let may_grow = candidates.iter().any(|candidate| self.space.may_grow(candidate));
-        let growths = if may_grow { GROWTHS } else { 0 };
+        let growths = if self.space.may_grow() { GROWTHS } else { 0 };
         let mut rounds = REGRIDS + growths;
         let (grids, drags, mut problem, modal, solution) = loop {
             let grids = candidates
@@ -204,9 +203,6 @@ impl<S: ContactGeometry> Solver<'_, S> {
         laid.map(|((candidate, grid), &size)| {
             let own = end..end + self.space.count(grid);
             end = own.end;
-            if grow_only && !self.space.may_grow(candidate) {
-                return None;
-            }
             let loaded = LoadedCells {
                 forces: &solution.forces[own.clone()],
                 gaps: &solution.gaps[own],

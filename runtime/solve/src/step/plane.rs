@@ -196,7 +196,7 @@ impl ContactGeometry for Plane<'_> {
         Ok(growth)
     }
 
-    fn may_grow(&self, _: &Candidate<Site>) -> bool {
+    fn may_grow(&self) -> bool {
         false
     }
 

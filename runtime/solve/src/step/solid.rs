@@ -9,8 +9,8 @@ use crate::system::{SolidBodies, System};
 use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, Slice, assess, build_grid,
-    compliance, contact_modulus, find_contact_line, first_guess, fitting_size, grid_width, pressures,
+    self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance,
+    contact_modulus, find_contact_line, first_guess, fitting_size, grid_width, pressures,
 };
 use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
@@ -22,7 +22,7 @@ use calyx_structure::surface::Surface;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-/// Largest factor by which a correction enlarges a grid on general axes.
+/// Largest factor by which a correction enlarges a grid.
 const MOST_GROWTH: f64 = 2.0;
 
 pub(super) struct Solid<'a> {
@@ -214,8 +214,8 @@ impl ContactGeometry for Solid<'_> {
         first_guess(problem, &grids.iter().collect::<Vec<_>>(), &self.system.interrupt)
     }
 
-    fn may_grow(&self, candidate: &Candidate<Site>) -> bool {
-        has_local_normals(self.pair(candidate))
+    fn may_grow(&self) -> bool {
+        true
     }
 
     fn corrected_grid_size(
@@ -234,12 +234,9 @@ impl ContactGeometry for Solid<'_> {
             // Several teeth share the load, and a point contact shrinks with it in both directions.
             asked = fitting_size(grid, &pressures);
         }
-        let general = has_local_normals(self.pair(candidate));
         let present = [grid.extent[0], grid.correctable_length()];
-        if general {
-            // An extrapolation from the pressure next to an edge is no estimate of the size.
-            asked = [0, 1].map(|k: usize| asked[k].map(|size| size.min(MOST_GROWTH * present[k])));
-        }
+        // An extrapolation from the pressure next to an edge is no estimate of the size.
+        asked = [0, 1].map(|k: usize| asked[k].map(|size| size.min(MOST_GROWTH * present[k])));
         let [width, length] = asked;
         // A contact beyond a gap does not appear as pressure at the end of the grid.
         let length = match self.length_to_separate_contact(candidate, grid, loaded) {
@@ -280,7 +277,6 @@ impl ContactGeometry for Solid<'_> {
             half_counts: [0; 2],
             surface_ends: [false; 2],
             unit_half_width: 0.0,
-            local_normals: has_local_normals(self.pair(candidate)),
         };
         let (grid, forces) = laid.unwrap_or_else(|| (empty(), Vec::new()));
         ContactPatch {
@@ -296,7 +292,7 @@ impl ContactGeometry for Solid<'_> {
 
 impl Solid<'_> {
     /// Returns the length of a grid that covers all points of the contact line at which the
-    /// surfaces overlap beyond its ends, m; `None` without such a point.
+    /// surfaces overlap beyond its ends without load, m; `None` without such a point.
     ///
     /// Bodies deflect least where they carry no load, so a point that overlaps after the deflection
     /// at the end of the grid does carry load.
@@ -306,29 +302,26 @@ impl Solid<'_> {
         grid: &Grid,
         loaded: &LoadedCells,
     ) -> Option<f64> {
-        if grid.surface_ends == [true; 2] {
-            return None;
-        }
-        let (first, last) = (grid.slices.first()?, grid.slices.last()?);
-        let arms = self.arms(candidate, grid);
+        let slices = [grid.slices.first()?, grid.slices.last()?];
         let dofs = loaded.motion.len();
-        let deflection = |slice: &Slice| {
-            let nearest = slice.cells.clone().min_by(|&i, &j| loaded.gaps[i].total_cmp(&loaded.gaps[j]))?;
-            let own = arms[nearest * dofs..(nearest + 1) * dofs].iter().zip(loaded.motion);
-            let rigid: f64 = own.map(|(arm, motion)| arm * motion).sum();
-            Some(loaded.gaps[nearest] - grid.cells[nearest].gap - rigid)
-        };
-        let [below, above] = [deflection(first)?, deflection(last)?];
-        let points = candidate.site.contact_line.points.iter().map(|point| point.at[1]);
-        let overlapping = points.zip(&candidate.others).filter(|(y, approach)| {
-            let deflection = match (*y < first.y[0], *y > last.y[1]) {
-                (true, _) => below,
-                (_, true) => above,
-                _ => return false,
-            };
-            approach.gap_growth(loaded.motion) + deflection < 0.0
-        });
-        let farthest = overlapping.map(|(y, _)| y.abs()).fold(0.0, f64::max);
+        let beyond = |end: usize, y: f64| [y < slices[0].y[0], y > slices[1].y[1]][end];
+        let mut farthest = 0.0f64;
+        for end in [0, 1] {
+            let cells = slices[end].cells.clone();
+            // A load up to the end of the grid is not separate.
+            if grid.surface_ends[end] || cells.clone().any(|cell| loaded.forces[cell] > 0.0) {
+                continue;
+            }
+            let nearest = cells.min_by(|&i, &j| loaded.gaps[i].total_cmp(&loaded.gaps[j]))?;
+            let arms = &self.arms(candidate, grid)[nearest * dofs..(nearest + 1) * dofs];
+            let rigid: f64 = arms.iter().zip(loaded.motion).map(|(arm, motion)| arm * motion).sum();
+            let deflection = loaded.gaps[nearest] - grid.cells[nearest].gap - rigid;
+            for (point, approach) in candidate.site.contact_line.points.iter().zip(&candidate.others) {
+                if beyond(end, point.at[1]) && approach.gap_growth(loaded.motion) + deflection < 0.0 {
+                    farthest = farthest.max(point.at[1].abs());
+                }
+            }
+        }
         (farthest > 0.0).then_some(2.0 * MARGIN * farthest)
     }
 
