@@ -2,6 +2,7 @@
 
 use super::helical::{CYCLE, solved, total};
 use super::pairs::{FIRST, MESH, MODULE, Options, SECOND, TEETH, TORQUE, system};
+use crate::common::built;
 use calyx_gears::assembly::Misalignment;
 use calyx_gears::helix::Hand;
 use calyx_runtime::contact::solid::Pose;
@@ -10,7 +11,7 @@ use calyx_runtime::observables::Observe;
 use calyx_runtime::observables::{
     Equilibrium, FaceLoadFactor, LoadedFace, MaxContactPressure, MeshStiffness, Observable, TransmissionError,
 };
-use calyx_runtime::scene::StructureOptions;
+use calyx_runtime::scene::{Fidelity, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 
@@ -227,4 +228,31 @@ fn the_load_moves_as_that_of_a_uniform_stiffness() {
         ((factor / even - 1.0) / (expected_factor - 1.0) - 1.0).abs() < 0.02,
         "{factor} {even} {expected_factor}"
     );
+}
+
+/// The closest approach of misaligned gears is at the end of the face. The grid on the side of it
+/// that exists must reach the end of the load. It was half as long as its corrections intended, and
+/// the load per length was too large by a fifth.
+#[test]
+fn the_grid_of_a_misaligned_pair_covers_its_load() {
+    for angle in [2e-4, 5e-4, -5e-4] {
+        let face_width = 12.0 * MODULE;
+        let options =
+            Options { backed: false, face_width, misalignment: in_action(angle), ..Options::spur() };
+        let (scene, mesh) = options.scene();
+        let system = built(&scene, Fidelity::Analytic, StructureOptions::default());
+        for part in CYCLE {
+            let step = system.solve(mesh.start + part * mesh.period).expect("equilibrium");
+            let at = Equilibrium::new(&system, &step);
+            for contact in at.contacts(MESH) {
+                let mut slices: Vec<[f64; 2]> =
+                    contact.slices().iter().map(|slice| [slice.point[2], slice.force]).collect();
+                slices.sort_by(|a, b| a[0].total_cmp(&b[0]));
+                let inner = if slices[0][1] > 0.0 { slices[slices.len() - 1] } else { slices[0] };
+                println!("{angle} {part}: {inner:?} {}", slices.len());
+                let at_the_other_end = inner[0].abs() > 0.45 * face_width;
+                assert!(inner[1] == 0.0 || at_the_other_end, "{angle} {part}: {slices:?}");
+            }
+        }
+    }
 }
