@@ -122,8 +122,9 @@ fn a_bevel_pair_of_small_cone_angles_is_a_spur_pair() {
         let outputs =
             ["transmission_error", "max_root_stress_pinion", "max_root_stress_gear", "max_contact_pressure"];
         outputs.map(|output| {
-            // At 0 a tooth pair enters contact. Results vary fast there, and the cycle of the spur pair
-            // begins at the tip form circle, that of the bevel pair at the first contact of the edge.
+            // At 0 a tooth pair enters contact. Results vary fast there, and the cycle of the spur
+            // pair begins at the tip form circle, that of the bevel pair at the first contact of
+            // the edge.
             let off = (1..4).map(|index| {
                 let cycle = 0.25 * f64::from(index);
                 (value(&bevel, output, cycle) / value(&spur, output, cycle) - 1.0).abs()

@@ -175,8 +175,8 @@ fn is_number(ty: &TypeExpr) -> bool {
     }
 }
 
-/// Functions that need a planetary set, a splined rim or a dynamic analysis; [`samples::SCENE`] has none of
-/// them.
+/// Functions that need a planetary set, a splined rim or a dynamic analysis; [`samples::SCENE`] has
+/// none of them.
 pub const NOT_IN_SCENE: [&str; 7] = [
     "mode_type",
     "lumped_natural_frequency",

@@ -25,8 +25,8 @@ const WORTH_LOADING: f64 = 0.1;
 const MATRICES: u64 = 4;
 /// Maximum number of corrections of grid sizes at a position.
 const REGRIDS: usize = 3;
-/// Maximum number of further corrections in three dimensions, which only enlarge grids: pressures on a
-/// truncated grid are too high, and a correction that makes a grid smaller could truncate it.
+/// Maximum number of further corrections in three dimensions, which only enlarge grids: pressures
+/// on a truncated grid are too high, and a correction that makes a grid smaller could truncate it.
 const GROWTHS: usize = 3;
 
 /// Coupling of modal coordinates, which are eliminated, to the cells of a contact problem.
