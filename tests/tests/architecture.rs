@@ -15,6 +15,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("calyx-symbolic", "compiler/symbolic", &["calyx-abi"]),
     ("calyx-numerics", "runtime/numerics", &[]),
     ("calyx-fe", "runtime/fe", &["calyx-numerics"]),
+    ("calyx-elastic", "runtime/elastic", &["calyx-fe", "calyx-numerics"]),
     ("calyx-structure", "runtime/structure", &["calyx-fe", "calyx-numerics"]),
     ("calyx-contact", "runtime/contact", &["calyx-numerics", "calyx-structure"]),
     (
@@ -72,6 +73,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
 const NUMERICAL: &[&str] = &[
     "calyx-numerics",
     "calyx-fe",
+    "calyx-elastic",
     "calyx-structure",
     "calyx-contact",
     "calyx-model",

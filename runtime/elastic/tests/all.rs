@@ -1,0 +1,1 @@
+//! Tests of elastic bodies of any shape.
