@@ -32,14 +32,45 @@ pub struct PatchCells<'a> {
     pub cells: &'a [Cell],
 }
 
+/// Compliance matrix of the same patches of which some had other cells.
+#[derive(Clone, Copy)]
+pub struct FormerCompliance<'a> {
+    /// The matrix, row-major.
+    pub matrix: &'a [f64],
+    /// Number of cells of each patch in it.
+    pub sizes: &'a [usize],
+    /// Whether each patch still has these cells.
+    pub unchanged: &'a [bool],
+}
+
+impl FormerCompliance<'_> {
+    /// Returns the block of two patches, row-major, if both are unchanged.
+    fn block(&self, p: usize, q: usize) -> Option<Vec<f64>> {
+        if !(self.unchanged[p] && self.unchanged[q]) {
+            return None;
+        }
+        let n: usize = self.sizes.iter().sum();
+        let [rows, columns] = [p, q].map(|patch| {
+            let first: usize = self.sizes[..patch].iter().sum();
+            first..first + self.sizes[patch]
+        });
+        Some(rows.flat_map(|row| &self.matrix[row * n..][columns.clone()]).copied().collect())
+    }
+}
+
 /// Computes A, row-major, with the cells in the order of the patches: growth of a cell's average
-/// gap per force on a cell, m/(N/m). Each row of a block is a checkpoint.
+/// gap per force on a cell, m/(N/m). Blocks of unchanged patches are copied from the `former`
+/// matrix. Each row of a block is a checkpoint.
 ///
 /// # Errors
 /// Those of the interrupt.
-pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+pub fn compliance(
+    patches: &[PatchCells],
+    former: Option<FormerCompliance>,
+    interrupt: &Interrupt,
+) -> Result<Vec<f64>, EngineError> {
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
-    symmetric_of_blocks(&sizes, interrupt, |p, q| {
+    symmetric_of_blocks(&sizes, former, interrupt, |p, q| {
         let block = block(&patches[p], &patches[q], p == q, interrupt)?;
         debug_assert!(p != q || is_symmetric(&block, sizes[q]), "a structure's compliance is not symmetric");
         Ok(block)
@@ -47,9 +78,11 @@ pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f
 }
 
 /// Assembles a symmetric matrix, row-major. `block(p, q)` returns the block, row-major, of the
-/// `sizes[p]` rows of patch `p` and the `sizes[q]` columns of patch `q`. It is called for `p <= q`.
+/// `sizes[p]` rows of patch `p` and the `sizes[q]` columns of patch `q`. It is called for `p <= q`
+/// unless both are unchanged since the `former` matrix.
 pub(crate) fn symmetric_of_blocks(
     sizes: &[usize],
+    former: Option<FormerCompliance>,
     interrupt: &Interrupt,
     mut block: impl FnMut(usize, usize) -> Result<Vec<f64>, EngineError>,
 ) -> Result<Vec<f64>, EngineError> {
@@ -59,7 +92,10 @@ pub(crate) fn symmetric_of_blocks(
     for (p, &rows) in sizes.iter().enumerate() {
         let mut column = row;
         for (q, &columns) in sizes.iter().enumerate().skip(p) {
-            let block = block(p, q)?;
+            let block = match former.and_then(|former| former.block(p, q)) {
+                Some(known) => known,
+                None => block(p, q)?,
+            };
             insert(&mut matrix, n, &block, [rows, columns], [row, column], interrupt)?;
             column += columns;
         }

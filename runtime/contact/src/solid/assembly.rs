@@ -7,9 +7,10 @@
 use super::grid::Cell;
 use super::half_space::mean_inverse_distance;
 use super::image::{Images, PlacedMirror};
+use super::image_influence::add_images;
 use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
-use crate::assembly::{is_symmetric, symmetric_of_blocks};
+use crate::assembly::{FormerCompliance, is_symmetric, symmetric_of_blocks};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Chart;
@@ -42,13 +43,18 @@ pub struct PatchCells<'a> {
 }
 
 /// Computes A, row-major, with the cells in the order of the patches: growth of a cell's average
-/// gap per force on a cell, m/N. Each block has checkpoints.
+/// gap per force on a cell, m/N. Blocks of unchanged patches are copied from the `former` matrix.
+/// Each block has checkpoints.
 ///
 /// # Errors
 /// Those of the interrupt.
-pub fn compliance(patches: &[PatchCells], interrupt: &Interrupt) -> Result<Vec<f64>, EngineError> {
+pub fn compliance(
+    patches: &[PatchCells],
+    former: Option<FormerCompliance>,
+    interrupt: &Interrupt,
+) -> Result<Vec<f64>, EngineError> {
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
-    symmetric_of_blocks(&sizes, interrupt, |p, q| {
+    symmetric_of_blocks(&sizes, former, interrupt, |p, q| {
         let mut block = structural(&patches[p], &patches[q], interrupt)?;
         debug_assert!(p != q || is_symmetric(&block, sizes[q]), "a structure's compliance is not symmetric");
         if p == q {
@@ -115,42 +121,47 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
             }
         }
     }
-    let images: Vec<Images> = mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).collect();
+    let (level, inclined): (Vec<Images>, Vec<Images>) = mirrors
+        .into_iter()
+        .map(|mirror| Images::new(mirror, patch.frame))
+        .partition(|images| images.is_level);
     let given = |first: &Cell, second: &Cell| {
         let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
         let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
         direct * mean_inverse_distance(offset, halves[0], halves[1])
     };
     let mirrored = |first: &Cell, second: &Cell| -> f64 {
-        images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
+        level.iter().map(|images| images.influence(first, second)).sum()
     };
-    // The half-space term depends on the difference of two cells' positions. The image term depends
-    // on the difference across and both positions along the patch, for upright mirrors only on
-    // their sum, and for inclined mirrors on more.
+    // The half-space term depends on the difference of two cells' positions. The image term of a
+    // level mirror depends on the difference across and both positions along the patch, for upright
+    // mirrors only on their sum.
     let [across, along] = [0, 1].map(|axis| Intervals::of(patch.cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
     let mut direct_known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
-    let mut images_known = images.iter().all(|images| images.is_level).then(|| {
-        let is_upright = images.iter().all(Images::is_upright);
-        let rows = if is_upright { along.pairs(|one, other| one + other) } else { along.each_pair() };
-        RelationCache::new([across.pairs(apart), rows], n)
-    });
+    let is_upright = level.iter().all(Images::is_upright);
+    let rows = if is_upright { along.pairs(|one, other| one + other) } else { along.each_pair() };
+    let mut level_known = (!level.is_empty()).then(|| RelationCache::new([across.pairs(apart), rows], n));
+    let mut own = Vec::with_capacity(n);
     for i in 0..n {
         interrupt.check()?;
         for j in 0..=i {
             let (first, second) = (&patch.cells[i], &patch.cells[j]);
             let mut value = direct_known.get(i, j, || given(first, second));
-            if !images.is_empty() {
-                value += match &mut images_known {
-                    Some(known) => known.get(i, j, || mirrored(first, second)),
-                    None => mirrored(first, second),
-                };
+            if i == j {
+                own.push(value);
+            }
+            if let Some(known) = &mut level_known {
+                value += known.get(i, j, || mirrored(first, second));
             }
             block[i * n + j] += value;
             if j < i {
                 block[j * n + i] += value;
             }
         }
+    }
+    for images in &inclined {
+        add_images(images, patch.cells, &own, block, interrupt)?;
     }
     Ok(())
 }

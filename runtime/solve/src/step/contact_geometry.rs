@@ -5,6 +5,7 @@ use super::ContactPatch;
 use super::friction::Action;
 use crate::modal::Modes;
 use crate::system::Teeth;
+use calyx_contact::assembly::FormerCompliance;
 use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
@@ -95,8 +96,13 @@ pub(super) trait ContactGeometry {
     /// Returns the point of action of the closest approach, if there is no grid.
     fn approaching(&self, candidate: &Candidate<Self::Site>) -> Action;
 
-    /// Computes the compliance matrix, see [`ContactProblem::compliance`].
-    fn compliance(&self, laid: &[(&Candidate<Self::Site>, &Self::Grid)]) -> Result<Vec<f64>, EngineError>;
+    /// Computes the compliance matrix, see [`ContactProblem::compliance`]. Blocks of unchanged grids
+    /// are copied from the `former` matrix.
+    fn compliance(
+        &self,
+        laid: &[(&Candidate<Self::Site>, &Self::Grid)],
+        former: Option<FormerCompliance>,
+    ) -> Result<Vec<f64>, EngineError>;
 
     /// Returns the growth of the gap of each cell by the forces on the flanks of all spline teeth;
     /// none in three dimensions. There is a checkpoint before each side of a patch.

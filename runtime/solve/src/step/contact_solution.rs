@@ -6,6 +6,7 @@ use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
 use super::relinearization::ContactReference;
 use super::{ContactPatch, StepResult};
 use crate::restraint_check;
+use calyx_contact::assembly::FormerCompliance;
 use calyx_contact::friction::solve_with_friction;
 use calyx_contact::problem::{ContactError, ContactProblem, Solution};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
@@ -20,14 +21,24 @@ const TOUCHING: f64 = 1e-7;
 /// A patch whose arm on a DOF is below this fraction of the largest leaves the load on it to
 /// others.
 const WORTH_LOADING: f64 = 0.1;
-/// Largest number of matrices of all cells by all cells that exist at a time: the terms of the
-/// compliance, the compliance itself, and the factor of the active set.
+/// Largest number of matrices of all cells by all cells that exist at a time: the compliance, its
+/// copy for the next correction of grids, its static part if modes are eliminated, and the factor of
+/// the active set.
 const MATRICES: u64 = 4;
 /// Maximum number of corrections of grid sizes at a position.
 const REGRIDS: usize = 3;
 /// Maximum number of further corrections in three dimensions, which only enlarge grids: pressures
 /// on a truncated grid are too high, and a correction that makes a grid smaller could truncate it.
 const GROWTHS: usize = 3;
+
+/// Compliance matrix of the grids before their correction.
+struct KnownCompliance {
+    matrix: Vec<f64>,
+    /// Number of cells of each patch.
+    sizes: Vec<usize>,
+    /// Whether each patch keeps its grid.
+    unchanged: Vec<bool>,
+}
 
 /// Coupling of modal coordinates, which are eliminated, to the cells of a contact problem.
 struct Modal {
@@ -58,14 +69,14 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
         let growths = if self.space.may_grow() { GROWTHS } else { 0 };
         let mut rounds = REGRIDS + growths;
-        let (grids, drags, mut problem, modal, solution) = loop {
-            let grids = candidates
-                .iter()
-                .zip(&largest_forces)
-                .zip(&sizes)
-                .map(|((candidate, &force), &size)| self.space.build_grid(candidate, force, size))
-                .collect::<Result<Vec<S::Grid>, EngineError>>()?;
-            let (problem, modal) = self.problem(load, candidates, &grids)?;
+        let build_grid = |patch: usize, size: Option<S::Size>| {
+            self.space.build_grid(candidates[patch], largest_forces[patch], size)
+        };
+        let mut grids =
+            (0..candidates.len()).map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
+        let mut known: Option<KnownCompliance> = None;
+        let (drags, mut problem, modal, solution) = loop {
+            let (problem, modal, compliance) = self.problem(load, candidates, &grids, known.as_ref())?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let guess = self.guess(load, candidates, &problem, &grids);
@@ -75,10 +86,16 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let better =
                 self.corrected_grid_sizes(candidates, (&grids[..], &sizes[..]), &solution, rounds <= growths);
             if rounds == 0 || better.iter().all(Option::is_none) {
-                break (grids, drags, problem, modal, solution);
+                break (drags, problem, modal, solution);
             }
-            for (size, better) in sizes.iter_mut().zip(better) {
-                *size = better.or(*size);
+            known = Some(KnownCompliance {
+                matrix: compliance,
+                sizes: grids.iter().map(|grid| self.space.count(grid)).collect(),
+                unchanged: better.iter().map(Option::is_none).collect(),
+            });
+            for (patch, size) in better.into_iter().enumerate().filter(|(_, size)| size.is_some()) {
+                grids[patch] = build_grid(patch, size)?;
+                sizes[patch] = size;
             }
             rounds -= 1;
         };
@@ -258,18 +275,26 @@ impl<S: ContactGeometry> Solver<'_, S> {
         forces
     }
 
+    /// Creates the contact problem; also returns the compliance matrix of the cells alone.
     fn problem(
         &self,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
         grids: &[S::Grid],
-    ) -> Result<(ContactProblem, Modal), EngineError> {
+        known: Option<&KnownCompliance>,
+    ) -> Result<(ContactProblem, Modal, Vec<f64>), EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
         let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
         let _room =
             self.system.interrupt.reserve_memory(MATRICES * (count * count * size_of::<f64>()) as u64)?;
+        let former = known.map(|KnownCompliance { matrix, sizes, unchanged }| FormerCompliance {
+            matrix,
+            sizes,
+            unchanged,
+        });
+        let compliance = self.space.compliance(&laid, former)?;
         let cells = ContactProblem {
-            compliance: self.space.compliance(&laid)?,
+            compliance: compliance.clone(),
             arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),
             gaps: grids.iter().flat_map(|grid| self.space.gaps(grid)).collect(),
             stiffness: self.under.springs.stiffness.clone(),
@@ -278,14 +303,14 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let across = self.space.by_spline_teeth(&laid)?;
         let mut problem = self.under.springs.behind(cells, across.as_ref(), &self.system.interrupt)?;
         let Some(elastic) = self.under.elastic else {
-            return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }));
+            return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }, compliance));
         };
         let modal = Modal {
             arms: self.space.modal_arms(&laid, elastic.modes),
             statics: Some([problem.compliance.clone(), problem.arms.clone()]),
         };
         elastic.eliminate(&mut problem, &modal.arms);
-        Ok((problem, modal))
+        Ok((problem, modal, compliance))
     }
 
     /// Returns the initial active set. A spline tooth carries load on one flank at most; starting

@@ -7,7 +7,7 @@ use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
 use crate::system::{PlaneBodies, System};
 use calyx_contact::approach::{self, PlacedProfile, closest_approach};
-use calyx_contact::assembly::{self, compliance};
+use calyx_contact::assembly::{self, FormerCompliance, compliance};
 use calyx_contact::grid::{self, Grid, GridOptions, Width, assess, build_grid, pressures};
 use calyx_contact::zone::ENDLESS;
 use calyx_contact::{ContactFrame, Placement};
@@ -149,7 +149,11 @@ impl ContactGeometry for Plane<'_> {
         Action { normal, across, points: vec![[x, y, 0.0]] }
     }
 
-    fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {
+    fn compliance(
+        &self,
+        laid: &[(&Candidate<Site>, &Grid)],
+        former: Option<FormerCompliance>,
+    ) -> Result<Vec<f64>, EngineError> {
         let mut patches = Vec::with_capacity(laid.len());
         for (candidate, grid) in laid {
             let pair = self.pair(candidate);
@@ -163,7 +167,7 @@ impl ContactGeometry for Plane<'_> {
                 patches.push(assembly::PatchCells { sides: [first, second], cells: &grid.cells });
             }
         }
-        compliance(&patches, &self.system.interrupt)
+        compliance(&patches, former, &self.system.interrupt)
     }
 
     fn by_spline_teeth(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Mat<f64>, EngineError> {

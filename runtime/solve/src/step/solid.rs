@@ -6,6 +6,7 @@ use super::friction::Action;
 use super::patch::solid_arm;
 use super::{ContactGrid, ContactPatch};
 use crate::system::{SolidBodies, System};
+use calyx_contact::assembly::FormerCompliance;
 use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
@@ -189,7 +190,11 @@ impl ContactGeometry for Solid<'_> {
         Action { normal, across, points: vec![point] }
     }
 
-    fn compliance(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Vec<f64>, EngineError> {
+    fn compliance(
+        &self,
+        laid: &[(&Candidate<Site>, &Grid)],
+        former: Option<FormerCompliance>,
+    ) -> Result<Vec<f64>, EngineError> {
         let mut patches = Vec::with_capacity(laid.len());
         for (candidate, grid) in laid {
             let pair = self.pair(candidate);
@@ -207,7 +212,7 @@ impl ContactGeometry for Solid<'_> {
                 });
             }
         }
-        compliance(&patches, &self.system.interrupt)
+        compliance(&patches, former, &self.system.interrupt)
     }
 
     fn guess(&self, problem: &ContactProblem, grids: &[Grid]) -> Vec<usize> {
