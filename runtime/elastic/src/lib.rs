@@ -6,11 +6,24 @@
 
 #![warn(missing_docs)]
 
+pub mod assembly;
+pub mod beam;
+pub mod check;
+pub mod constraint;
+pub mod element;
+pub mod error;
+pub mod factor;
 pub mod model;
+pub mod modes;
+pub mod resources;
+pub mod solid;
+pub mod statics;
 
+pub use error::{ElasticError, ElementError};
 pub use model::{
     Component, Constraint, ElasticModel, Element, ElementKind, FixedComponents, Material, NodalLoad, Node,
 };
+pub use resources::Resources;
 
 /// Fingerprint of this crate's source: stored bodies depend on it.
 pub const SOURCE: &str = env!("CALYX_SOURCE");
