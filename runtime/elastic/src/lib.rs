@@ -7,8 +7,10 @@
 #![warn(missing_docs)]
 
 pub mod assembly;
+pub mod attachment;
 pub mod beam;
 pub mod check;
+pub mod condensation;
 pub mod constraint;
 pub mod element;
 pub mod error;

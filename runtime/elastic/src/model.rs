@@ -39,7 +39,8 @@ pub struct Node {
     pub label: u64,
     /// Position, m.
     pub position: [f64; 3],
-    /// Unit vectors of the displacement axes: components of motion refer to them.
+    /// Unit vectors of the displacement axes: components of motion refer to them. Zero for a node whose
+    /// components are amplitudes of a deformation, which rigid-body motion leaves at zero.
     pub axes: [[f64; 3]; 3],
 }
 

@@ -1,0 +1,279 @@
+//! Attachment nodes: node sets by name or geometry, connected rigidly, by weighted average or as a
+//! Fourier surface.
+
+use crate::error::ElementError;
+use crate::model::{Constraint, ElasticModel, Node};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// Region of nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Region {
+    /// Named set of the model.
+    Set(String),
+    /// Nodes with these labels.
+    Labels(Vec<u64>),
+    /// Cylinder about an axis.
+    Cylinder {
+        /// Point on the axis, from which heights count.
+        origin: [f64; 3],
+        /// Direction of the axis.
+        axis: [f64; 3],
+        /// Radius, m.
+        radius: f64,
+        /// Lowest and highest position along the axis, m.
+        heights: [f64; 2],
+        /// Largest distance from the cylinder and from the ends, m.
+        tolerance: f64,
+    },
+    /// Plane.
+    Plane {
+        /// Point on the plane.
+        origin: [f64; 3],
+        /// Normal.
+        normal: [f64; 3],
+        /// Largest distance, m.
+        tolerance: f64,
+    },
+    /// Box along the basic axes, with its boundary.
+    Box {
+        /// Smallest coordinates, m.
+        lowest: [f64; 3],
+        /// Largest coordinates, m.
+        highest: [f64; 3],
+    },
+    /// The node nearest to a point; of equally near ones the first.
+    Nearest([f64; 3]),
+}
+
+/// Connection of a region to its attachment node.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Connection {
+    /// The nodes move with the attachment node as a rigid body.
+    Rigid,
+    /// The attachment node follows the mean motion of the nodes, which can deform.
+    Average,
+    /// The nodes move with the attachment node, and their displacements along and around the axis and
+    /// radially are Fourier series of the angle about it. Harmonic 0 is radial expansion; harmonic 1
+    /// is the rigid motion.
+    Fourier {
+        /// Axis of the surface through the attachment node.
+        axis: [f64; 3],
+        /// Orders: 0, or at least 2.
+        harmonics: Vec<u32>,
+    },
+}
+
+/// Attachment of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attachment {
+    /// Name, for messages and as the name of a node set.
+    pub name: String,
+    /// Position of the attachment node, m; `None` selects the centre of the region.
+    pub position: Option<[f64; 3]>,
+    /// Nodes that are connected.
+    pub region: Region,
+    /// Connection.
+    pub connection: Connection,
+}
+
+/// Unit vectors along the basic axes.
+const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+impl Region {
+    /// Returns the indices of the nodes of a region, ascending.
+    ///
+    /// # Errors
+    /// The region contains no node, or a set or label does not exist.
+    pub fn nodes(&self, model: &ElasticModel) -> Result<Vec<usize>, ElementError> {
+        let within = |test: &dyn Fn(Vector3<f64>) -> bool| -> Vec<usize> {
+            let spatial = model.nodes.iter().enumerate().filter(|(_, node)| is_spatial(node));
+            spatial.filter(|(_, node)| test(Vector3::from(node.position))).map(|(index, _)| index).collect()
+        };
+        let nodes = match self {
+            Self::Set(name) => model.sets.get(name).cloned().ok_or_else(|| {
+                let names: Vec<&str> = model.sets.keys().map(String::as_str).collect();
+                ElementError::new(
+                    format!("the body has no node set `{name}`"),
+                    format!("name one of its sets: {}", names.join(", ")),
+                )
+            })?,
+            Self::Labels(labels) => {
+                let find = |label: &u64| {
+                    model.nodes.iter().position(|node| node.label == *label).ok_or_else(|| {
+                        ElementError::new(format!("the body has no node {label}"), "name nodes of the body")
+                    })
+                };
+                labels.iter().map(find).collect::<Result<Vec<_>, _>>()?
+            }
+            Self::Cylinder { origin, axis, radius, heights, tolerance } => {
+                let axis = unit(*axis)?;
+                within(&|position| {
+                    let from = position - Vector3::from(*origin);
+                    let height = axis.dot(&from);
+                    ((from - axis * height).norm() - radius).abs() <= *tolerance
+                        && (heights[0] - tolerance..=heights[1] + tolerance).contains(&height)
+                })
+            }
+            Self::Plane { origin, normal, tolerance } => {
+                let normal = unit(*normal)?;
+                within(&|position| normal.dot(&(position - Vector3::from(*origin))).abs() <= *tolerance)
+            }
+            Self::Box { lowest, highest } => {
+                within(&|position| (0..3).all(|k| (lowest[k]..=highest[k]).contains(&position[k])))
+            }
+            Self::Nearest(point) => {
+                let distance = |node: &Node| (Vector3::from(node.position) - Vector3::from(*point)).norm();
+                let spatial = model.nodes.iter().enumerate().filter(|(_, node)| is_spatial(node));
+                let nearest = spatial.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+                nearest.map(|(index, _)| index).into_iter().collect()
+            }
+        };
+        let mut nodes = nodes;
+        nodes.sort_unstable();
+        nodes.dedup();
+        if nodes.is_empty() {
+            return Err(ElementError::new(
+                "the region contains no node",
+                "enlarge the region or its tolerance",
+            ));
+        }
+        Ok(nodes)
+    }
+}
+
+/// Returns true for a node whose components are motions, not amplitudes.
+fn is_spatial(node: &Node) -> bool {
+    node.axes != [[0.0; 3]; 3]
+}
+
+fn unit(vector: [f64; 3]) -> Result<Vector3<f64>, ElementError> {
+    let vector = Vector3::from(vector);
+    let norm = vector.norm();
+    if norm > 0.0 && norm.is_finite() {
+        Ok(vector / norm)
+    } else {
+        Err(ElementError::new("a direction is zero or not finite", "state a vector with a length"))
+    }
+}
+
+/// Adds an attachment to a model and returns its nodes: the attachment node, and one node per harmonic
+/// of a Fourier surface, whose six components are the amplitudes (cosine, sine) of the radial, the
+/// circumferential and the axial displacement.
+///
+/// # Errors
+/// The region is empty, or a harmonic is 1 or repeated.
+pub fn attach(model: &mut ElasticModel, attachment: &Attachment) -> Result<Vec<usize>, ElementError> {
+    let nodes = attach_unnamed(model, attachment)
+        .map_err(|error| error.within(format_args!("attachment `{}`", attachment.name)))?;
+    model.sets.insert(attachment.name.clone(), nodes.clone());
+    Ok(nodes)
+}
+
+fn attach_unnamed(model: &mut ElasticModel, attachment: &Attachment) -> Result<Vec<usize>, ElementError> {
+    let region = attachment.region.nodes(model)?;
+    let position = attachment.position.unwrap_or_else(|| {
+        let sum = region
+            .iter()
+            .fold(Vector3::zeros(), |sum, &node| sum + Vector3::from(model.nodes[node].position));
+        (sum / region.len() as f64).into()
+    });
+    let reference = add_node(model, position, BASIC);
+    let label = model.constraints.iter().map(crate::constraint::label).max().unwrap_or(0) + 1;
+    // Nodes of solids have no stiffness against rotation: their translations are connected.
+    let translations = [true, true, true, false, false, false];
+    match &attachment.connection {
+        Connection::Rigid => {
+            let dependents = region.into_iter().map(|node| (node, translations)).collect();
+            model.constraints.push(Constraint::Rigid { label, reference, dependents });
+            Ok(vec![reference])
+        }
+        Connection::Average => {
+            let terms = region.into_iter().map(|node| (1.0, node, translations)).collect();
+            let components = [true; 6];
+            model.constraints.push(Constraint::WeightedAverage { label, reference, components, terms });
+            Ok(vec![reference])
+        }
+        Connection::Fourier { axis, harmonics } => {
+            let mut sorted = harmonics.clone();
+            sorted.sort_unstable();
+            sorted.dedup();
+            if sorted.len() != harmonics.len() || sorted.contains(&1) {
+                return Err(ElementError::new(
+                    "a harmonic is repeated, or is 1, which is the rigid motion of the attachment node",
+                    "state each order once: 0, or at least 2",
+                ));
+            }
+            let axis = unit(*axis)?;
+            let mut nodes = vec![reference];
+            for _ in harmonics {
+                nodes.push(add_node(model, position, [[0.0; 3]; 3]));
+            }
+            for (index, node) in region.into_iter().enumerate() {
+                let first = label + 3 * index as u64;
+                fourier(model, node, &nodes, axis, harmonics, first)?;
+            }
+            Ok(nodes)
+        }
+    }
+}
+
+fn add_node(model: &mut ElasticModel, position: [f64; 3], axes: [[f64; 3]; 3]) -> usize {
+    let label = model.nodes.iter().map(|node| node.label).max().unwrap_or(0) + 1;
+    model.nodes.push(Node { label, position, axes });
+    model.nodes.len() - 1
+}
+
+/// Makes the translations of a node depend on the attachment node and the amplitudes.
+fn fourier(
+    model: &mut ElasticModel,
+    node: usize,
+    nodes: &[usize],
+    axis: Vector3<f64>,
+    harmonics: &[u32],
+    label: u64,
+) -> Result<(), ElementError> {
+    let reference = nodes[0];
+    let from = Vector3::from(model.nodes[node].position) - Vector3::from(model.nodes[reference].position);
+    let across = from - axis * axis.dot(&from);
+    if across.norm() <= 1e-12 * from.norm().max(1e-300) {
+        return Err(ElementError::new(
+            format!("node {} of the surface is on its axis", model.nodes[node].label),
+            "select the nodes of a surface around the axis",
+        ));
+    }
+    let radial = across.normalize();
+    let around = axis.cross(&radial);
+    let [start, side] = transverse(axis);
+    let angle = radial.dot(&side).atan2(radial.dot(&start));
+    for component in 0..3 {
+        let direction = Vector3::from(model.nodes[node].axes[component]);
+        let mut terms = vec![(node, component, 1.0)];
+        let rigid =
+            crate::constraint::rigid_row(&model.nodes[node], component, model.nodes[reference].position);
+        terms.extend((0..6).map(|k| (reference, k, -rigid[k])));
+        for (&order, &amplitudes) in harmonics.iter().zip(&nodes[1..]) {
+            let phase = f64::from(order) * angle;
+            let series = [phase.cos(), (phase).sin()];
+            for (kind, along) in [radial, around, axis].into_iter().enumerate() {
+                for (part, value) in series.into_iter().enumerate() {
+                    // Of order 0, only the radial expansion is not a rigid motion.
+                    if order > 0 || (kind == 0 && part == 0) {
+                        terms.push((amplitudes, 2 * kind + part, -value * along.dot(&direction)));
+                    }
+                }
+            }
+        }
+        terms.retain(|&(_, _, factor)| factor != 0.0);
+        model.constraints.push(Constraint::Equation { label: label + component as u64, terms });
+    }
+    Ok(())
+}
+
+/// Returns two directions across an axis from which angles count: the first is as near as possible to
+/// the basic x axis, or to the y axis if the axis is along x.
+pub fn transverse(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
+    let reference = if axis.x.abs() < (PI / 18.0).cos() { Vector3::x() } else { Vector3::y() };
+    let start = (reference - axis * axis.dot(&reference)).normalize();
+    [start, axis.cross(&start)]
+}
