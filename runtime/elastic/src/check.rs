@@ -289,3 +289,20 @@ pub fn mechanism(system: &System<'_>, singular: &[usize]) -> ElasticError {
         nodes,
     }
 }
+
+/// Returns the error of mechanisms within a body, whose free rigid-body motions are normal.
+pub(crate) fn mechanism_within(system: &System<'_>, dofs: &[usize]) -> ElasticError {
+    let mut nodes: Vec<u64> = dofs.iter().map(|&dof| system.model.nodes[dof / 6].label).collect();
+    nodes.dedup();
+    match nodes.as_slice() {
+        [] => mechanism(system, dofs),
+        [first, ..] => ElasticError::Mechanism {
+            message: format!(
+                "with its attachments fixed, the body has {} mechanisms without stiffness, the first at node {first}",
+                dofs.len()
+            ),
+            help: "connect these nodes to elements that resist the motion".into(),
+            nodes,
+        },
+    }
+}

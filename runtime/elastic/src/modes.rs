@@ -7,7 +7,8 @@
 //! constrained to zero by Lagrange multipliers, without dense coupling. See
 //! `docs/theory/elastic-bodies.md`.
 
-use crate::assembly::{dot, multiply};
+use crate::assembly::{System, dot, multiply};
+use crate::check::{mechanism_within, parts};
 use crate::error::ElasticError;
 use crate::factor::{Factor, Pencil};
 use crate::resources::Resources;
@@ -65,6 +66,28 @@ impl Modes {
     pub fn frequencies(&self) -> Vec<f64> {
         self.eigenvalues.iter().map(|value| value.max(0.0).sqrt() / std::f64::consts::TAU).collect()
     }
+}
+
+/// Computes the requested modes of a body; `mass` is that of the system.
+///
+/// # Errors
+/// As for [`solve`].
+pub fn natural_modes(
+    system: &System<'_>,
+    mass: &SparseColMat<usize, f64>,
+    request: Request,
+    resources: &Resources,
+) -> Result<Modes, ElasticError> {
+    let constrained = system.constrained();
+    let problem = Problem {
+        stiffness: &system.stiffness,
+        mass,
+        positions: &system.positions,
+        constrained: &constrained,
+        forms: &[],
+        is_free: parts(system).iter().any(|part| !part.free_motions.is_empty()),
+    };
+    solve(&problem, request, |dofs| mechanism_within(system, dofs), resources)
 }
 
 /// Inverse of `K - shift M` under the constraints.

@@ -1,1 +1,10 @@
-//! Tests of elastic bodies of any shape.
+//! Tests of elastic bodies of any shape, one module per subject.
+
+mod attachments;
+mod beams;
+mod condensation;
+mod constraints;
+mod meshes;
+mod modes;
+mod resources;
+mod solids;

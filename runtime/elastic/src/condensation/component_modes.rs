@@ -2,8 +2,9 @@
 //! flexibility.
 
 use super::interface::Interface;
-use super::{Attached, CondensedBody, mechanism_within, prescribed_forces};
+use super::{Attached, CondensedBody, prescribed_forces};
 use crate::assembly::{System, multiply};
+use crate::check::mechanism_within;
 use crate::error::ElasticError;
 use crate::factor::{Factor, Pencil};
 use crate::model::NodalLoad;

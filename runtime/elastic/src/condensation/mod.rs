@@ -11,7 +11,7 @@ mod interface;
 pub use component_modes::{Synthesis, component_modes};
 
 use crate::assembly::System;
-use crate::check::{determinate_support, mechanism, parts};
+use crate::check::{determinate_support, mechanism_within, parts};
 use crate::error::ElasticError;
 use crate::model::{Component, NodalLoad};
 use crate::resources::Resources;
@@ -267,23 +267,6 @@ fn singular(
     match crate::factor::Factor::new(pencil, &system.positions, &fixed, resources) {
         Ok(factor) => mechanism_within(system, &factor.singular),
         Err(error) => error,
-    }
-}
-
-/// Returns the error of mechanisms within a body, whose free rigid-body motions are normal.
-pub(crate) fn mechanism_within(system: &System<'_>, dofs: &[usize]) -> ElasticError {
-    let mut nodes: Vec<u64> = dofs.iter().map(|&dof| system.model.nodes[dof / 6].label).collect();
-    nodes.dedup();
-    match nodes.as_slice() {
-        [] => mechanism(system, dofs),
-        [first, ..] => ElasticError::Mechanism {
-            message: format!(
-                "with its attachments fixed, the body has {} mechanisms without stiffness, the first at node {first}",
-                dofs.len()
-            ),
-            help: "connect these nodes to elements that resist the motion".into(),
-            nodes,
-        },
     }
 }
 
