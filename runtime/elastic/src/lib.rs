@@ -15,6 +15,7 @@ pub mod constraint;
 pub mod element;
 pub mod error;
 pub mod factor;
+pub mod import;
 pub mod model;
 pub mod modes;
 pub mod resources;

@@ -8,3 +8,6 @@ mod meshes;
 mod modes;
 mod resources;
 mod solids;
+//! Tests of elastic bodies of any shape.
+
+mod import;

@@ -1,0 +1,6 @@
+//! Tests of the readers of finite-element models.
+
+mod cases;
+mod decks;
+mod files;
+mod summary;
