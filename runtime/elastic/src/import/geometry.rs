@@ -40,29 +40,6 @@ pub(super) fn unit(a: Vector) -> Option<Vector> {
     (length > 0.0 && length.is_finite()).then(|| scale(a, 1.0 / length))
 }
 
-/// Number of nodes of a solid element.
-pub(super) fn solid_nodes(shape: SolidShape) -> usize {
-    match shape {
-        SolidShape::Hexahedron8 => 8,
-        SolidShape::Hexahedron20 => 20,
-        SolidShape::Wedge6 => 6,
-        SolidShape::Wedge15 => 15,
-        SolidShape::Tetrahedron4 => 4,
-        SolidShape::Tetrahedron10 => 10,
-    }
-}
-
-/// Number of nodes of a shell element.
-pub(super) fn shell_nodes(shape: ShellShape) -> usize {
-    match shape {
-        ShellShape::Triangle3 => 3,
-        ShellShape::Triangle6 => 6,
-        ShellShape::Quadrilateral4 => 4,
-        ShellShape::Quadrilateral8 => 8,
-        ShellShape::Quadrilateral9 => 9,
-    }
-}
-
 /// Number of corners of a shell element.
 pub(super) fn shell_corners(shape: ShellShape) -> usize {
     if matches!(shape, ShellShape::Triangle3 | ShellShape::Triangle6) { 3 } else { 4 }

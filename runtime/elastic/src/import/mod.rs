@@ -12,17 +12,23 @@
 //! body and that it does not support; it lists in its [`ImportReport`] the input that it skipped
 //! because it does not change the body.
 
+mod abaqus;
 mod builder;
+mod condensed;
 mod constraints;
 mod error;
 mod geometry;
+mod gmsh;
 mod mass;
 mod nastran;
 mod section;
 mod source;
 mod units;
 
+pub use abaqus::{AbaqusOptions, read_abaqus};
+pub use condensed::{CondensedMatrices, CondensedNode, CondensedOptions, read_condensed};
 pub use error::{ImportError, Unreadable};
+pub use gmsh::{GmshOptions, GmshPart, read_gmsh};
 pub use mass::{MassProperties, element_mass_properties, mass_properties};
 pub use nastran::{NastranOptions, read_nastran};
 pub use source::OpenFile;

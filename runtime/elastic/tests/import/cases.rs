@@ -1,13 +1,18 @@
 //! Cases of `tests/data/import/*.md`.
 //!
 //! A case is a section with fenced blocks. The info string of the first one names the format and its
-//! options: `nastran UNITS`, `abaqus UNITS`, `gmsh`, `csv UNITS`, `pch UNITS`. A block `file NAME` is an
+//! options: `nastran UNITS SUBCASE`, `abaqus UNITS`, `gmsh LENGTH PARTS`, `csv UNITS`,
+//! `pch UNITS STIFFNESS MASS`. A block `file NAME` is an
 //! included file. The last block is `model`, the text of the body, or `error`. With CALYX_BLESS=1, the
 //! test writes the last block of each case.
 
 use super::files::{Files, data, open_in};
-use super::summary::summary;
-use calyx_elastic::import::{ImportError, NastranOptions, Units, read_nastran};
+use super::summary::{condensed, summary};
+use calyx_elastic::import::{
+    AbaqusOptions, CondensedOptions, GmshOptions, GmshPart, ImportError, NastranOptions, Units, read_abaqus,
+    read_condensed, read_gmsh, read_nastran,
+};
+use calyx_elastic::model::Material;
 
 /// Fenced block of a case: info string, text, range of lines of the text in the page.
 struct Block {
@@ -50,8 +55,38 @@ pub fn import(info: &str, files: &Files) -> Result<String, ImportError> {
             let options = NastranOptions { units: units(option), subcase };
             read_nastran("main", &options, &mut open).map(|import| summary(&import))
         }
+        "abaqus" => {
+            let options = AbaqusOptions { units: units(option) };
+            read_abaqus("main", &options, &mut open).map(|import| summary(&import))
+        }
+        "gmsh" => {
+            let parts = words.map(part).collect();
+            let options = GmshOptions { length: option.parse().expect("a length"), parts };
+            read_gmsh("main", &options, &mut open).map(|import| summary(&import))
+        }
+        "csv" | "pch" => {
+            let names: Vec<&str> = words.collect();
+            let name = |at: usize| names.get(at).map(|name| (*name).to_owned());
+            let options = CondensedOptions { units: units(option), stiffness: name(0), mass: name(1) };
+            let path = format!("main.{format}");
+            let content = files["main"].clone();
+            read_condensed(&path, &options, &mut |_| Ok(content.clone())).map(|body| condensed(&body))
+        }
         _ => panic!("`{format}` is not a format"),
     }
+}
+
+/// Part of a mesh from `NAME` or `NAME:THICKNESS`; `*` is all elements.
+fn part(text: &str) -> GmshPart {
+    let (name, thickness) = text.split_once(':').unwrap_or((text, ""));
+    let material = Material {
+        youngs_modulus: 2e11,
+        poissons_ratio: 0.25,
+        shear_modulus: 8e10,
+        density: 8000.0,
+        structural_damping: 0.0,
+    };
+    GmshPart { physical: (name != "*").then(|| name.to_owned()), material, thickness: thickness.parse().ok() }
 }
 
 fn outcome(info: &str, files: &Files) -> (&'static str, String) {
@@ -104,4 +139,19 @@ fn nastran_cards() {
 #[test]
 fn nastran_errors() {
     check("import/nastran_errors.md");
+}
+
+#[test]
+fn abaqus_keywords() {
+    check("import/abaqus.md");
+}
+
+#[test]
+fn gmsh_meshes() {
+    check("import/gmsh.md");
+}
+
+#[test]
+fn condensed_bodies() {
+    check("import/condensed.md");
 }

@@ -3,4 +3,7 @@
 mod cases;
 mod decks;
 mod files;
+mod formats;
+mod hostile;
+mod mutations;
 mod summary;

@@ -1,6 +1,6 @@
 //! Text of an imported body, to compare with the text of a case.
 
-use calyx_elastic::import::Import;
+use calyx_elastic::import::{CondensedMatrices, Import};
 use calyx_elastic::model::{Components, Constraint, Element, ElementKind};
 use std::fmt::Write;
 
@@ -154,4 +154,21 @@ fn kind(element: &Element) -> String {
             numbers(inertia.iter().flatten().copied())
         ),
     }
+}
+
+/// Text with a line for each node and each row of the matrices of a condensed body.
+pub fn condensed(body: &CondensedMatrices) -> String {
+    let mut text = String::new();
+    for node in &body.nodes {
+        let position = node.position.map_or_else(|| "?".to_owned(), numbers);
+        writeln!(text, "node {}: {position}", node.label).expect("text grows");
+    }
+    for (row, (node, component)) in body.components.iter().enumerate() {
+        let entries = |matrix: &nalgebra::DMatrix<f64>| numbers(matrix.row(row).iter().copied());
+        let mass = body.mass.as_ref().map_or_else(String::new, |mass| format!(" mass {}", entries(mass)));
+        let label = &body.nodes[*node].label;
+        let stiffness = entries(&body.stiffness);
+        writeln!(text, "{label}({}): stiffness {stiffness}{mass}", component + 1).expect("text grows");
+    }
+    text
 }

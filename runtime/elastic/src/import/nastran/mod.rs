@@ -65,6 +65,23 @@ pub(super) fn cards(path: &str, sources: &mut Sources) -> Result<Vec<Card>, Impo
     deck::read(path, sources).map(|deck| deck.cards)
 }
 
+/// Positions of the grid points of a file of matrices. Matrices in other displacement systems than the
+/// basic one are rejected.
+pub(super) fn positions(cards: &[Card]) -> Result<HashMap<u64, [f64; 3]>, Problem> {
+    let basic = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let nodes = Geometry::read(cards)?.nodes()?;
+    for card in cards.iter().filter(|card| card.name == "GRID") {
+        let id = card.id(1, "ID")?;
+        let at = nodes.binary_search_by_key(&id, |node| node.label);
+        if at.is_ok_and(|at| nodes[at].axes != basic) {
+            let message =
+                format!("GRID {id} has a displacement system (CD), which is not supported for matrices");
+            return Err(card.problem(message, "export the matrices in basic coordinates"));
+        }
+    }
+    Ok(nodes.into_iter().map(|node| (node.label, node.position)).collect())
+}
+
 /// Converts the cards of a deck. Returns the model and the value of PARAM,WTMASS.
 fn build(deck: &deck::Deck, options: &NastranOptions) -> Result<(Builder, f64), Problem> {
     let cards = &deck.cards;

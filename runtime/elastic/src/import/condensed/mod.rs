@@ -1,0 +1,217 @@
+//! Condensed bodies: stiffness and mass at nodes, from DMIG, CSV and NPZ files.
+
+mod csv;
+mod dmig;
+mod npz;
+
+use super::Units;
+use super::builder::Problem;
+use super::error::ImportError;
+use super::source::{OpenFile, Place, Sources};
+use crate::model::Component;
+use nalgebra::DMatrix;
+use std::collections::{BTreeMap, HashMap};
+
+/// Largest number of components of a condensed body.
+const LARGEST: usize = 4096;
+/// Largest difference of an entry and its transpose, relative to the diagonal entries.
+const ASYMMETRY: f64 = 1e-6;
+
+/// Condensed body: stiffness and mass at components of nodes, in SI units and basic coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CondensedMatrices {
+    /// Nodes.
+    pub nodes: Vec<CondensedNode>,
+    /// Index of the node, and component, of each row.
+    pub components: Vec<(usize, Component)>,
+    /// Symmetric stiffness matrix, N/m, N and N m.
+    pub stiffness: DMatrix<f64>,
+    /// Symmetric mass matrix, kg, kg m and kg m²; `None` if the source has none.
+    pub mass: Option<DMatrix<f64>>,
+}
+
+/// Node of a condensed body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CondensedNode {
+    /// Label in the source.
+    pub label: String,
+    /// Position, m; `None` if the source does not state it.
+    pub position: Option<[f64; 3]>,
+}
+
+/// Arguments of [`read_condensed`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct CondensedOptions {
+    /// Units of the matrices.
+    pub units: Units,
+    /// Name of the stiffness matrix in a DMIG file; `None` for the only one that begins with K.
+    pub stiffness: Option<String>,
+    /// Name of the mass matrix in a DMIG file; `None` for the only one that begins with M.
+    pub mass: Option<String>,
+}
+
+type Result<T> = std::result::Result<T, Problem>;
+/// Row or column: index of a node, component.
+type Dof = (usize, Component);
+
+/// Entries of a matrix with their locations.
+#[derive(Default)]
+struct Entries {
+    values: HashMap<(Dof, Dof), (f64, Place)>,
+    /// True if an entry also states its transpose.
+    is_triangle: bool,
+}
+
+impl Entries {
+    fn add(&mut self, name: &str, row: Dof, column: Dof, value: f64, place: Place) -> Result<()> {
+        match self.values.insert((row, column), (value, place)) {
+            Some((known, other)) if known != value => Err(Problem::new(
+                place,
+                format!("an entry of {name} is {value}, but {known} in line {}", other.line),
+                "state each entry once",
+            )),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Parts of a condensed body in the units of its source.
+struct Parts {
+    nodes: Vec<CondensedNode>,
+    components: Vec<Dof>,
+    stiffness: DMatrix<f64>,
+    mass: Option<DMatrix<f64>>,
+}
+
+/// Reads a condensed body. The extension of the path selects the format: `pch` (also `bdf`, `dat`) for
+/// DMIG, `csv` or `npz`.
+///
+/// # Errors
+/// The file is not valid, or a matrix is not finite or not symmetric.
+pub fn read_condensed(
+    path: &str,
+    options: &CondensedOptions,
+    open: &mut OpenFile,
+) -> std::result::Result<CondensedMatrices, ImportError> {
+    let mut sources = Sources::new(open);
+    let start = Place { file: 0, line: 1 };
+    let extension = path.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+    let parts = match extension.as_str() {
+        "pch" | "bdf" | "dat" | "nas" => dmig::read(path, options, &mut sources)?,
+        "csv" => {
+            let (_, text) = sources.text(path, None)?;
+            csv::read(&text).map_err(|problem| problem.located(&sources.names))?
+        }
+        "npz" => {
+            let (_, content) = sources.bytes(path, None)?;
+            let parts = npz::read(&content).map_err(|(message, help)| Problem::new(start, message, help));
+            parts.map_err(|problem| problem.located(&sources.names))?
+        }
+        _ => {
+            return Err(ImportError {
+                file: path.to_owned(),
+                line: 1,
+                message: format!("`{extension}` is no format of condensed bodies"),
+                help: "use a file with the extension pch, csv or npz".into(),
+            });
+        }
+    };
+    let checked = finish(parts, &options.units).map_err(|(message, help)| Problem::new(start, message, help));
+    checked.map_err(|problem| problem.located(&sources.names))
+}
+
+/// Checks the matrices, and converts them to SI.
+fn finish(parts: Parts, units: &Units) -> std::result::Result<CondensedMatrices, (String, String)> {
+    let Parts { mut nodes, components, mut stiffness, mut mass } = parts;
+    if !units.is_valid() {
+        return Err(("the units are not positive".into(), "state positive units".into()));
+    }
+    if components.is_empty() {
+        return Err(("the body has no stiffness matrix".into(), "state its entries".into()));
+    }
+    let motion = |at: usize| if components[at].1 < 3 { units.length } else { 1.0 };
+    let scaled = |matrix: &mut DMatrix<f64>, unit: f64| {
+        for column in 0..matrix.ncols() {
+            for row in 0..matrix.nrows() {
+                matrix[(row, column)] *= unit / (motion(row) * motion(column));
+            }
+        }
+    };
+    scaled(&mut stiffness, units.force * units.length);
+    check("stiffness", &mut stiffness, &nodes, &components)?;
+    if let Some(mass) = &mut mass {
+        scaled(mass, units.mass() * units.length * units.length);
+        check("mass", mass, &nodes, &components)?;
+    }
+    for node in &mut nodes {
+        node.position = node.position.map(|position| position.map(|x| x * units.length));
+        if node.position.is_some_and(|position| position.iter().any(|x| !x.is_finite())) {
+            return Err((format!("the position of node {} is not finite", node.label), "correct it".into()));
+        }
+    }
+    Ok(CondensedMatrices { nodes, components, stiffness, mass })
+}
+
+/// Checks that a matrix is finite, symmetric and has no negative diagonal entry. Makes it exactly
+/// symmetric.
+fn check(
+    name: &str,
+    matrix: &mut DMatrix<f64>,
+    nodes: &[CondensedNode],
+    components: &[Dof],
+) -> std::result::Result<(), (String, String)> {
+    let dof =
+        |at: usize| format!("component {} of node {}", components[at].1 + 1, nodes[components[at].0].label);
+    let largest = matrix.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    for column in 0..matrix.ncols() {
+        if matrix[(column, column)] < 0.0 {
+            let message = format!("{name}: the diagonal entry of {} is negative", dof(column));
+            return Err((message, "check the sign of the matrix".into()));
+        }
+        for row in 0..=column {
+            let (a, b) = (matrix[(row, column)], matrix[(column, row)]);
+            let pair = || format!("{name}: the entry of {} and {}", dof(row), dof(column));
+            if !a.is_finite() || !b.is_finite() {
+                return Err((format!("{} is not finite", pair()), "export the matrix again".into()));
+            }
+            let scale = (matrix[(row, row)].abs() * matrix[(column, column)].abs()).sqrt();
+            if (a - b).abs() > ASYMMETRY * scale + 1e-12 * largest {
+                let message = format!("{} is {a:e}, but its transpose is {b:e}", pair());
+                return Err((message, "export the symmetric matrix".into()));
+            }
+            let mean = 0.5 * (a + b);
+            matrix[(row, column)] = mean;
+            matrix[(column, row)] = mean;
+        }
+    }
+    Ok(())
+}
+
+/// Matrices of entries: rows are in the order of nodes and components.
+fn assemble(nodes: Vec<CondensedNode>, stiffness: &Entries, mass: Option<&Entries>) -> Result<Parts> {
+    let mut rows: BTreeMap<Dof, usize> = BTreeMap::new();
+    for entries in [Some(stiffness), mass].into_iter().flatten() {
+        for ((row, column), (_, place)) in &entries.values {
+            rows.insert(*row, 0);
+            rows.insert(*column, 0);
+            if rows.len() > LARGEST {
+                let message = format!("the body has more than {LARGEST} components");
+                return Err(Problem::new(*place, message, "condense the body to fewer nodes"));
+            }
+        }
+    }
+    rows.values_mut().enumerate().for_each(|(at, row)| *row = at);
+    let matrix = |entries: &Entries| {
+        let mut matrix = DMatrix::zeros(rows.len(), rows.len());
+        for ((row, column), (value, _)) in &entries.values {
+            let (i, j) = (rows[row], rows[column]);
+            matrix[(i, j)] = *value;
+            if entries.is_triangle && !entries.values.contains_key(&(*column, *row)) {
+                matrix[(j, i)] = *value;
+            }
+        }
+        matrix
+    };
+    let (stiffness, mass) = (matrix(stiffness), mass.map(matrix));
+    Ok(Parts { nodes, components: rows.into_keys().collect(), stiffness, mass })
+}
