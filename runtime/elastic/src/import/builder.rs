@@ -1,12 +1,13 @@
 //! Collection of the parts of a model with their locations, and the checks that all formats share.
 
 use super::error::ImportError;
-use super::source::{Place, Skipped, error};
+use super::source::{Place, Skipped, error, most_references};
 use super::units::{Units, to_si};
 use super::{Import, ImportReport, constraints, geometry, mass};
 use crate::model::{
     Component, Components, Constraint, ElasticModel, Element, ElementKind, FixedComponents, NodalLoad, Node,
 };
+use std::cell::Cell;
 use std::collections::{BTreeMap, HashMap};
 
 /// Card or element type that a part of the model comes from, and its location.
@@ -30,6 +31,8 @@ pub(super) struct Builder {
     constraints: Vec<Origin>,
     fixed: BTreeMap<(usize, Component), (f64, Origin)>,
     loads: BTreeMap<usize, [f64; 6]>,
+    /// Number of nodes that ranges have given so far.
+    expanded: Cell<usize>,
 }
 
 /// Problem without its file name.
@@ -68,6 +71,7 @@ impl Builder {
             constraints: Vec::new(),
             fixed: BTreeMap::new(),
             loads: BTreeMap::new(),
+            expanded: Cell::new(0),
         }
     }
 
@@ -91,6 +95,24 @@ impl Builder {
     /// Returns the indices of nodes with these labels.
     pub fn nodes(&self, labels: &[u64], owner: &str, place: Place) -> Result<Vec<usize>, Problem> {
         labels.iter().map(|label| self.node(*label, owner, place)).collect()
+    }
+
+    /// Indices of the nodes with labels from `from` to `to`. Ranges may be stated often, so their total
+    /// is limited.
+    pub fn range(&self, from: u64, to: u64, place: Place) -> Result<std::ops::Range<usize>, Problem> {
+        let nodes = &self.model.nodes;
+        let start = nodes.partition_point(|node| node.label < from);
+        let end = nodes.partition_point(|node| node.label <= to).max(start);
+        let expanded = self.expanded.get().saturating_add(end - start);
+        self.expanded.set(expanded);
+        match expanded <= most_references(nodes.len()) {
+            true => Ok(start..end),
+            false => Err(Problem::new(
+                place,
+                format!("the range {from} to {to} and others are stated too often"),
+                "state each range once",
+            )),
+        }
     }
 
     /// Adds an element. Labels of elements are unique, except those of masses and springs.

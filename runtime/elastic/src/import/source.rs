@@ -16,6 +16,12 @@ const LARGEST: usize = 1 << 30;
 /// Largest number of files of an import.
 const MOST_FILES: usize = 1000;
 
+/// Largest number of labels that ranges and references to sets may give, for a model of this many nodes
+/// and elements. Short files could otherwise state an unlimited amount of work.
+pub(super) fn most_references(size: usize) -> usize {
+    1_000_000 + 200 * size
+}
+
 /// Location in the files of an import.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {

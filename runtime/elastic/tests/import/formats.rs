@@ -1,8 +1,9 @@
 //! The same body in all formats.
 
-use super::files::{Files, open_in};
+use super::files::{Files, open_data, open_in};
 use calyx_elastic::import::{
-    AbaqusOptions, GmshOptions, GmshPart, Import, NastranOptions, Units, read_abaqus, read_gmsh, read_nastran,
+    AbaqusOptions, CondensedMatrices, CondensedOptions, GmshOptions, GmshPart, Import, NastranOptions, Units,
+    read_abaqus, read_condensed, read_gmsh, read_nastran,
 };
 use calyx_elastic::model::{ElasticModel, ElementKind, Material, SolidShape};
 use std::fmt::Write;
@@ -310,4 +311,26 @@ fn assert_same(found: &ElasticModel, expected: &ElasticModel) {
     for (element, shape) in found.elements.iter().zip(quadratic) {
         assert_eq!(element.kind, ElementKind::Solid(shape));
     }
+}
+
+#[test]
+fn a_condensed_body_in_all_formats_gives_the_same_matrices() {
+    let read = |name: &str, units: Units| -> CondensedMatrices {
+        let options = CondensedOptions { units, stiffness: None, mass: None };
+        read_condensed(&format!("import/condensed.{name}"), &options, &mut open_data).expect("a valid body")
+    };
+    let npz = read("npz", Units::N_M_S);
+    assert_eq!(npz, read("csv", Units::N_M_S));
+    let mut punch = read("pch", Units::N_MM_S);
+    let labels: Vec<&str> = punch.nodes.iter().map(|node| node.label.as_str()).collect();
+    assert_eq!(labels, ["7", "12"]);
+    for (node, label) in punch.nodes.iter_mut().zip(["left", "right"]) {
+        label.clone_into(&mut node.label);
+    }
+    assert_eq!(npz.components, punch.components);
+    assert_eq!(npz.nodes, punch.nodes);
+    let close = |a: &nalgebra::DMatrix<f64>, b: &nalgebra::DMatrix<f64>| (a - b).amax() <= 1e-15 * b.amax();
+    assert!(close(&npz.stiffness, &punch.stiffness));
+    assert!(close(npz.mass.as_ref().expect("a mass"), punch.mass.as_ref().expect("a mass")));
+    assert_eq!(npz.stiffness[(1, 1)], 3e4);
 }

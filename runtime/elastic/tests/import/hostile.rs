@@ -123,3 +123,38 @@ fn random_bytes_are_rejected() {
         }
     }
 }
+
+#[test]
+fn short_files_cannot_state_unlimited_work() {
+    let grids: String = (1..=500).map(|label| format!("GRID,{label},,{label}.\n")).collect();
+    let supports = "SPC1,1,1,1,THRU,99999999\n".repeat(3000);
+    let nodes: String = (1..=500).map(|label| format!("{label}, {label}.\n")).collect();
+    let sets = "ALL, ALL, ALL, ALL\n".repeat(1000);
+    let element =
+        "*ELEMENT, TYPE=B31, ELSET=E\n1, 1, 2\n*BEAM SECTION, ELSET=E, SECTION=CIRC, MATERIAL=M\n1.\n";
+    let material = "*MATERIAL, NAME=M\n*ELASTIC\n1., 0.\n";
+    for (kind, text, words) in [
+        ("bdf", format!("{grids}{supports}CONM2,1,1,,1.\n"), "stated too often"),
+        ("inp", format!("*NODE, NSET=ALL\n{nodes}*NSET, NSET=X\n{sets}{element}{material}"), "too often"),
+        ("bdf", format!("INCLUDE 'main'\n{grids}"), "includes itself"),
+    ] {
+        let files = Files::from([("main".to_owned(), text.into_bytes())]);
+        let error = read_as(kind, &files).expect_err("the work is limited");
+        assert!(error.contains(words), "{error}");
+    }
+}
+
+#[test]
+fn units_must_be_positive() {
+    let files = Files::from([("main".to_owned(), read("import/bracket.bdf"))]);
+    for units in [Units { length: 0.0, ..Units::N_M_S }, Units { time: f64::NAN, ..Units::N_M_S }] {
+        let options = NastranOptions { units, subcase: None };
+        let error = read_nastran("main", &options, &mut open_in(&files)).expect_err("not valid");
+        assert!(error.message.contains("units"), "{error}");
+    }
+    for name in Units::NAMES {
+        assert!(Units::named(name).is_some_and(|units| units.is_valid()), "{name}");
+    }
+    assert_eq!(Units::named("N-mm-s").map(|units| units.mass()), Some(1000.0));
+    assert_eq!(Units::named("kg"), None);
+}

@@ -5,9 +5,10 @@
 
 use super::super::builder::Problem;
 use super::super::geometry::{Vector, cross, norm, sub};
-use super::super::source::Place;
+use super::super::source::{Place, most_references};
 use super::keyword::{Block, DataLine, Result, integer_at, normalized, real_at};
 use crate::model::{ShellShape, SolidShape};
+use std::cell::Cell;
 use std::collections::{BTreeMap, HashMap};
 
 /// Kind of an element type.
@@ -88,6 +89,8 @@ pub(super) struct Mesh {
     pub node_sets: HashMap<String, Set>,
     pub element_sets: HashMap<String, Set>,
     pub surfaces: HashMap<String, Surface>,
+    /// Number of labels that references to sets have given so far.
+    expanded: Cell<usize>,
 }
 
 impl Mesh {
@@ -267,9 +270,27 @@ impl Mesh {
                 )),
             };
         }
-        find(&self.node_sets, value)
-            .map(|set| set.labels.clone())
-            .ok_or_else(|| missing(line, "node set", value))
+        self.labels_of(&self.node_sets, "node set", value, line)
+    }
+
+    /// Labels of a set. Sets may be referred to often, so their total is limited.
+    fn labels_of(
+        &self,
+        sets: &HashMap<String, Set>,
+        what: &str,
+        name: &str,
+        line: &DataLine,
+    ) -> Result<Vec<u64>> {
+        let set = find(sets, name).ok_or_else(|| missing(line, what, name))?;
+        let expanded = self.expanded.get().saturating_add(set.labels.len());
+        self.expanded.set(expanded);
+        if expanded > most_references(self.nodes.len() + self.elements.len()) {
+            return Err(line.problem(
+                format!("the {what} `{name}` and others are referred to too often"),
+                "remove repeated references to large sets",
+            ));
+        }
+        Ok(set.labels.clone())
     }
 
     /// Single node that a value states.
@@ -294,9 +315,7 @@ impl Mesh {
                 )),
             };
         }
-        find(&self.element_sets, value)
-            .map(|set| set.labels.clone())
-            .ok_or_else(|| missing(line, "element set", value))
+        self.labels_of(&self.element_sets, "element set", value, line)
     }
 
     pub fn surface(&self, name: &str, block: &Block) -> Result<&Surface> {

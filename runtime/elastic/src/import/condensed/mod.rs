@@ -187,20 +187,39 @@ fn check(
     Ok(())
 }
 
+/// Error for the first entry that contradicts its transpose in an earlier line.
+fn contradiction(entries: &Entries) -> Option<Problem> {
+    let contradicts = |((row, column), (value, place)): (&(Dof, Dof), &(f64, Place))| {
+        let (other, first) = entries.values.get(&(*column, *row))?;
+        let differs = (value - other).abs() > ASYMMETRY * value.abs().max(other.abs());
+        (first.line < place.line && differs).then_some((place.line, *place, *value, *other, first.line))
+    };
+    let (_, place, value, other, first) =
+        entries.values.iter().filter_map(contradicts).min_by_key(|found| found.0)?;
+    let message = format!("the entry is {value:e}, but its transpose in line {first} is {other:e}");
+    Some(Problem::new(place, message, "state one of the two"))
+}
+
 /// Matrices of entries: rows are in the order of nodes and components.
 fn assemble(nodes: Vec<CondensedNode>, stiffness: &Entries, mass: Option<&Entries>) -> Result<Parts> {
     let mut rows: BTreeMap<Dof, usize> = BTreeMap::new();
     for entries in [Some(stiffness), mass].into_iter().flatten() {
-        for ((row, column), (_, place)) in &entries.values {
+        for (row, column) in entries.values.keys() {
             rows.insert(*row, 0);
             rows.insert(*column, 0);
             if rows.len() > LARGEST {
                 let message = format!("the body has more than {LARGEST} components");
-                return Err(Problem::new(*place, message, "condense the body to fewer nodes"));
+                let place = Place { file: 0, line: 1 };
+                return Err(Problem::new(place, message, "condense the body to fewer nodes"));
             }
         }
     }
     rows.values_mut().enumerate().for_each(|(at, row)| *row = at);
+    for entries in [Some(stiffness), mass].into_iter().flatten().filter(|entries| entries.is_triangle) {
+        if let Some(problem) = contradiction(entries) {
+            return Err(problem);
+        }
+    }
     let matrix = |entries: &Entries| {
         let mut matrix = DMatrix::zeros(rows.len(), rows.len());
         for ((row, column), (value, _)) in &entries.values {

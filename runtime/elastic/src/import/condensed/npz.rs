@@ -139,6 +139,10 @@ fn arrays(archive: &[u8]) -> Result<BTreeMap<String, Array>> {
         if !matches!(label.as_str(), "stiffness" | "mass" | "nodes" | "components" | "positions") {
             continue;
         }
+        // Repeated entries could state an unlimited amount of work.
+        if arrays.contains_key(&label) {
+            return invalid(format!("the archive has two arrays `{label}`"));
+        }
         let start = local + 30 + number::<2>(archive, local + 26)? + number::<2>(archive, local + 28)?;
         let Some(packed) = archive.get(start..start.saturating_add(packed)) else {
             return invalid(format!("the array `{label}` is not complete"));

@@ -53,19 +53,19 @@ const TYPES: &[ElementType] = &[
     (4, "tetrahedron", 3, 4, Kind::Solid(SolidShape::Tetrahedron4)),
     (5, "hexahedron", 3, 8, Kind::Solid(SolidShape::Hexahedron8)),
     (6, "prism", 3, 6, Kind::Solid(SolidShape::Wedge6)),
-    (7, "pyramid of 5 nodes", 3, 5, Kind::Other),
-    (8, "line of 3 nodes", 1, 3, Kind::Other),
-    (9, "triangle of 6 nodes", 2, 6, Kind::Shell(ShellShape::Triangle6)),
-    (10, "quadrangle of 9 nodes", 2, 9, Kind::Shell(ShellShape::Quadrilateral9)),
-    (11, "tetrahedron of 10 nodes", 3, 10, Kind::Solid(SolidShape::Tetrahedron10)),
-    (12, "hexahedron of 27 nodes", 3, 27, Kind::Other),
-    (13, "prism of 18 nodes", 3, 18, Kind::Other),
-    (14, "pyramid of 14 nodes", 3, 14, Kind::Other),
+    (7, "5-node pyramid", 3, 5, Kind::Other),
+    (8, "3-node line", 1, 3, Kind::Other),
+    (9, "6-node triangle", 2, 6, Kind::Shell(ShellShape::Triangle6)),
+    (10, "9-node quadrangle", 2, 9, Kind::Shell(ShellShape::Quadrilateral9)),
+    (11, "10-node tetrahedron", 3, 10, Kind::Solid(SolidShape::Tetrahedron10)),
+    (12, "27-node hexahedron", 3, 27, Kind::Other),
+    (13, "18-node prism", 3, 18, Kind::Other),
+    (14, "14-node pyramid", 3, 14, Kind::Other),
     (15, "point", 0, 1, Kind::Other),
-    (16, "quadrangle of 8 nodes", 2, 8, Kind::Shell(ShellShape::Quadrilateral8)),
-    (17, "hexahedron of 20 nodes", 3, 20, Kind::Solid(SolidShape::Hexahedron20)),
-    (18, "prism of 15 nodes", 3, 15, Kind::Solid(SolidShape::Wedge15)),
-    (19, "pyramid of 13 nodes", 3, 13, Kind::Other),
+    (16, "8-node quadrangle", 2, 8, Kind::Shell(ShellShape::Quadrilateral8)),
+    (17, "20-node hexahedron", 3, 20, Kind::Solid(SolidShape::Hexahedron20)),
+    (18, "15-node prism", 3, 15, Kind::Solid(SolidShape::Wedge15)),
+    (19, "13-node pyramid", 3, 13, Kind::Other),
 ];
 
 /// Indices of Gmsh's nodes in the order of [`SolidShape`].
@@ -79,6 +79,9 @@ fn order(kind: Kind) -> &'static [usize] {
         _ => &[],
     }
 }
+
+/// Largest number of physical groups of an entity.
+const MOST_GROUPS: u64 = 100;
 
 /// Dimension and tag of an entity.
 type Entity = (i32, i32);
@@ -164,7 +167,7 @@ impl Mesh {
         let count = reader.size("the number of physical names")?;
         reader.line();
         for _ in 0..count {
-            let place = reader.place();
+            let place = reader.counted_place();
             let line = reader.line().unwrap_or_default();
             let mut words = line.splitn(3, char::is_whitespace);
             let mut number = || words.next()?.parse::<i32>().ok();
@@ -191,7 +194,14 @@ impl Mesh {
                     reader.double("the bounding box of an entity")?;
                 }
                 let mut physical = Vec::new();
-                for _ in 0..reader.size("the number of physical tags")? {
+                let count = reader.size("the number of physical tags")?;
+                if count > MOST_GROUPS {
+                    let message = format!("an entity belongs to {count} physical groups");
+                    return Err(
+                        reader.problem(message, format!("use at most {MOST_GROUPS} groups for an entity"))
+                    );
+                }
+                for _ in 0..count {
                     // The sign is the orientation.
                     physical.push(reader.int("a physical tag")?.saturating_abs());
                 }
@@ -251,12 +261,12 @@ impl Mesh {
             let Some(kind) = TYPES.iter().find(|kind| kind.0 == number) else {
                 return Err(reader.problem(
                     format!("the element type {number} is not supported"),
-                    "mesh with order 1, or with order 2 and incomplete elements",
+                    "mesh with order 1, or with order 2 and `Mesh.SecondOrderIncomplete = 1`",
                 ));
             };
             for _ in 0..reader.size("the number of elements of a block")? {
                 let label = reader.size("the tag of an element")?;
-                let place = reader.place_of_element();
+                let place = reader.counted_place();
                 let mut nodes = Vec::with_capacity(kind.3);
                 for _ in 0..kind.3 {
                     nodes.push(reader.size(&format!("a node of {} {label}", kind.1))?);
@@ -350,7 +360,7 @@ fn build(mesh: &Mesh, options: &GmshOptions) -> ReadResult<Builder> {
             (Kind::Other, _) if dimension == 3 => {
                 return problem(
                     "is of a type that is not supported".into(),
-                    "mesh without pyramids and complete elements",
+                    "mesh without pyramids, and with `Mesh.SecondOrderIncomplete = 1`",
                 );
             }
             _ => continue,

@@ -40,8 +40,9 @@ impl<'d> Reader<'d> {
         Place { file: 0, line: line as u32 }
     }
 
-    /// Location of an element. It is found by counting from the last one, so that it costs little.
-    pub fn place_of_element(&mut self) -> Place {
+    /// Location of an item for later messages. Lines are counted from the last one, so that it costs
+    /// little.
+    pub fn counted_place(&mut self) -> Place {
         if let Form::Text = self.form {
             let (at, line) = self.counted;
             let line = line + self.data[at..self.at].iter().filter(|byte| **byte == b'\n').count() as u32;

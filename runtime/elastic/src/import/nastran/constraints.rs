@@ -181,9 +181,8 @@ pub(super) fn in_range(card: &Card, range: Range, builder: &Builder) -> Result<V
         return Ok(vec![builder.node(range.from, &card.subject(), card.place)?]);
     }
     let nodes = &builder.model.nodes;
-    let start = nodes.partition_point(|node| node.label < range.from);
-    let end = nodes.partition_point(|node| node.label <= range.to);
-    Ok((start..end).filter(|at| range.contains(nodes[*at].label)).collect())
+    let all = builder.range(range.from, range.to, card.place)?;
+    Ok(all.filter(|at| range.contains(nodes[*at].label)).collect())
 }
 
 /// Reads the selected supports.
