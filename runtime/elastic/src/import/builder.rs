@@ -97,8 +97,8 @@ impl Builder {
         labels.iter().map(|label| self.node(*label, owner, place)).collect()
     }
 
-    /// Indices of the nodes with labels from `from` to `to`. Ranges may be stated often, so their total
-    /// is limited.
+    /// Indices of the nodes with labels from `from` to `to`. Ranges may be stated often, so their
+    /// total is limited.
     pub fn range(&self, from: u64, to: u64, place: Place) -> Result<std::ops::Range<usize>, Problem> {
         let nodes = &self.model.nodes;
         let start = nodes.partition_point(|node| node.label < from);
@@ -227,8 +227,8 @@ impl Builder {
     }
 }
 
-/// Joins the fixed components of each node. Components with a value stay apart, because the units of
-/// translations and rotations differ.
+/// Joins the fixed components of each node. Components with a value stay apart, because the units
+/// of translations and rotations differ.
 fn fixed_components(fixed: &BTreeMap<(usize, Component), (f64, Origin)>) -> Vec<FixedComponents> {
     let mut joined: Vec<FixedComponents> = Vec::new();
     for (&(node, component), &(value, _)) in fixed {

@@ -1,5 +1,5 @@
-//! Checks of constraints: each component depends on one constraint at most, is not fixed as well, and
-//! does not depend on itself.
+//! Checks of constraints: each component depends on one constraint at most, is not fixed as well,
+//! and does not depend on itself.
 
 use super::builder::{Origin, Problem};
 use crate::model::{Component, Constraint, ElasticModel};

@@ -1,7 +1,7 @@
 //! Shape functions of the elements, their quadrature points, and checks of their geometry.
 //!
-//! Derivatives are central differences. All shape functions are polynomials of degree two at most in
-//! each coordinate, so the differences are exact.
+//! Derivatives are central differences. All shape functions are polynomials of degree two at most
+//! in each coordinate, so the differences are exact.
 //!
 //! Source: O. C. Zienkiewicz, R. L. Taylor, "The Finite Element Method", volume 1, chapter on shape
 //! functions (serendipity family).

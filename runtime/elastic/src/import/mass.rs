@@ -106,8 +106,8 @@ fn accumulate(model: &ElasticModel, element: &Element, moments: &mut Moments) {
     }
 }
 
-/// Adds a line with a mass per length that varies linearly, by quadrature at three points (Simpson):
-/// exact for the mass and the centre, and for the inertia of a uniform line.
+/// Adds a line with a mass per length that varies linearly, by quadrature at three points
+/// (Simpson): exact for the mass and the centre, and for the inertia of a uniform line.
 fn slender(ends: [Vector; 2], mass: [f64; 2], moments: &mut Moments) {
     let length = norm(sub(ends[1], ends[0]));
     for (at, weight) in [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)] {

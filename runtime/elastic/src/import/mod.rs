@@ -7,10 +7,10 @@
 //! | Gmsh meshes, version 4.1 | [`read_gmsh`] |
 //! | condensed matrices: DMIG, CSV, NPZ | [`read_condensed`] |
 //!
-//! A reader opens files only through the closure that the caller passes, so the caller decides which
-//! files may be read. All quantities are converted to SI. A reader rejects everything that changes the
-//! body and that it does not support; it lists in its [`ImportReport`] the input that it skipped
-//! because it does not change the body.
+//! A reader opens files only through the closure that the caller passes, so the caller decides
+//! which files may be read. All quantities are converted to SI. A reader rejects everything that
+//! changes the body and that it does not support; it lists in its [`ImportReport`] the input that
+//! it skipped because it does not change the body.
 
 mod abaqus;
 mod builder;

@@ -1,8 +1,9 @@
 //! Properties of beam sections from their dimensions.
 //!
-//! Areas and second moments are exact for sections of rectangles without fillets. Torsion constants:
-//! solid rectangle by W. C. Young, R. G. Budynas, "Roark's Formulas for Stress and Strain", table of
-//! torsion; closed thin-walled sections by Bredt; open thin-walled sections by the sum of b t³ / 3.
+//! Areas and second moments are exact for sections of rectangles without fillets. Torsion
+//! constants: solid rectangle by W. C. Young, R. G. Budynas, "Roark's Formulas for Stress and
+//! Strain", table of torsion; closed thin-walled sections by Bredt; open thin-walled sections by
+//! the sum of b t³ / 3.
 
 use crate::model::BeamSection;
 use std::f64::consts::PI;

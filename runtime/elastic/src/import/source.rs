@@ -5,10 +5,10 @@ use std::collections::HashMap;
 
 /// Function that returns the content of a file, given its path.
 ///
-/// The path of the main file is the one that was passed to the reader. The path of an included file is
-/// relative to the directory of the including file, joined with that file's path; backslashes are
-/// replaced by slashes. The function restricts the location, accepts regular files only, and limits
-/// their size.
+/// The path of the main file is the one that was passed to the reader. The path of an included file
+/// is relative to the directory of the including file, joined with that file's path; backslashes
+/// are replaced by slashes. The function restricts the location, accepts regular files only, and
+/// limits their size.
 pub type OpenFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, Unreadable> + 'a;
 
 /// Largest total size of all files of an import, bytes.
@@ -16,8 +16,8 @@ const LARGEST: usize = 1 << 30;
 /// Largest number of files of an import.
 const MOST_FILES: usize = 1000;
 
-/// Largest number of labels that ranges and references to sets may give, for a model of this many nodes
-/// and elements. Short files could otherwise state an unlimited amount of work.
+/// Largest number of labels that ranges and references to sets may give, for a model of this many
+/// nodes and elements. Short files could otherwise state an unlimited amount of work.
 pub(super) fn most_references(size: usize) -> usize {
     1_000_000 + 200 * size
 }

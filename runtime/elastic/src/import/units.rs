@@ -2,8 +2,8 @@
 
 use crate::model::{Component, Constraint, ElasticModel, ElementKind};
 
-/// Consistent system of units of a model: its units of length, force and time in SI. The unit of mass
-/// follows: force times time squared over length.
+/// Consistent system of units of a model: its units of length, force and time in SI. The unit of
+/// mass follows: force times time squared over length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     /// Unit of length, m.

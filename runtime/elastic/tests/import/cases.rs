@@ -1,10 +1,9 @@
 //! Cases of `tests/data/import/*.md`.
 //!
-//! A case is a section with fenced blocks. The info string of the first one names the format and its
-//! options: `nastran UNITS SUBCASE`, `abaqus UNITS`, `gmsh LENGTH PARTS`, `csv UNITS`,
-//! `pch UNITS STIFFNESS MASS`. A block `file NAME` is an
-//! included file. The last block is `model`, the text of the body, or `error`. With CALYX_BLESS=1, the
-//! test writes the last block of each case.
+//! A case is a section with fenced blocks. The info string of the first one names the format and
+//! its options: `nastran UNITS SUBCASE`, `abaqus UNITS`, `gmsh LENGTH PARTS`, `csv UNITS`, `pch
+//! UNITS STIFFNESS MASS`. A block `file NAME` is an included file. The last block is `model`, the
+//! text of the body, or `error`. With CALYX_BLESS=1, the test writes the last block of each case.
 
 use super::files::{Files, data, open_in};
 use super::summary::{condensed, summary};

@@ -67,8 +67,8 @@ fn check_against_reference(name: &str) {
         assert_eq!(card(&element.kind), entry[0].as_str().expect("a card"));
         assert_eq!(nodes, numbers(&entry[2]), "element {label}");
     }
-    // The reference has the mass of each element at the mean of its corners, and the inertia about the
-    // centre of mass.
+    // The reference has the mass of each element at the mean of its corners, and the inertia about
+    // the centre of mass.
     let parts: Vec<(f64, [f64; 3])> = model
         .elements
         .iter()

@@ -283,8 +283,8 @@ fn a_body_in_all_formats_gives_one_model() {
             }
         }
     }
-    // Volume of straight-sided elements: sum over tetrahedra from the centre to triangles of the faces
-    // is exact for plane faces; the tetrahedron has the closed form.
+    // Volume of straight-sided elements: sum over tetrahedra from the centre to triangles of the
+    // faces is exact for plane faces; the tetrahedron has the closed form.
     let tetrahedron = calyx_elastic::import::element_mass_properties(&expected, &expected.elements[2]);
     let [a, b, c] = [[1.0, 0.1, 0.0], [0.0, 1.0, 0.0], [0.2, 0.0, 1.0_f64]];
     let determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])

@@ -1,5 +1,5 @@
-//! Supports, loads and constraints: *TRANSFORM, *BOUNDARY, *CLOAD, *EQUATION, *RIGID BODY, *COUPLING
-//! with *KINEMATIC or *DISTRIBUTING.
+//! Supports, loads and constraints: *TRANSFORM, *BOUNDARY, *CLOAD, *EQUATION, *RIGID BODY,
+//! *COUPLING with *KINEMATIC or *DISTRIBUTING.
 //!
 //! Source: Abaqus Keywords Reference Guide, entries of these names. The weights of a distributing
 //! coupling to faces are equal shares of the area of each face.

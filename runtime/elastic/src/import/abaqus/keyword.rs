@@ -1,7 +1,7 @@
 //! Keyword blocks of an input file: keyword lines with parameters, and their data lines.
 //!
-//! Source: Abaqus Analysis User's Guide, "Input syntax rules"; CalculiX CrunchiX User's Manual, "Input
-//! deck format".
+//! Source: Abaqus Analysis User's Guide, "Input syntax rules"; CalculiX CrunchiX User's Manual,
+//! "Input deck format".
 
 use super::super::builder::Problem;
 use super::super::error::ImportError;

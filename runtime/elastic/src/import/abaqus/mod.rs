@@ -1,10 +1,10 @@
 //! Reader of input files of Abaqus and CalculiX.
 //!
-//! Sources: Abaqus Keywords Reference Guide; CalculiX CrunchiX User's Manual, "Input deck format". The
-//! modules name the entries.
+//! Sources: Abaqus Keywords Reference Guide; CalculiX CrunchiX User's Manual, "Input deck format".
+//! The modules name the entries.
 //!
-//! Deviations: one part and one instance at most, without translation; beams are Timoshenko beams also
-//! if CalculiX would expand them to solids; the first step only.
+//! Deviations: one part and one instance at most, without translation; beams are Timoshenko beams
+//! also if CalculiX would expand them to solids; the first step only.
 
 mod constraints;
 mod keyword;

@@ -1,8 +1,8 @@
 //! Materials and sections: *MATERIAL, *ELASTIC, *DENSITY, *DAMPING, *SOLID SECTION, *SHELL SECTION,
 //! *BEAM SECTION, *MASS, *SPRING.
 //!
-//! Source: Abaqus Keywords Reference Guide, entries of these names; Abaqus Analysis User's Guide, "Beam
-//! cross-section library" and "Choosing a beam element" (transverse shear stiffness).
+//! Source: Abaqus Keywords Reference Guide, entries of these names; Abaqus Analysis User's Guide,
+//! "Beam cross-section library" and "Choosing a beam element" (transverse shear stiffness).
 
 use super::super::builder::{Builder, Origin};
 use super::super::geometry::cross;
@@ -232,8 +232,8 @@ fn shell(block: &Block, materials: &HashMap<String, usize>) -> Result<Section> {
     Ok(Section::Shell { material: material(block, materials)?, thickness, offset: -nodes * thickness })
 }
 
-/// Section of a beam. The local y axis of the model is the first axis of the section; its z axis is the
-/// second. The shear factors are those of Abaqus.
+/// Section of a beam. The local y axis of the model is the first axis of the section; its z axis is
+/// the second. The shear factors are those of Abaqus.
 fn beam(block: &Block, materials: &HashMap<String, usize>) -> Result<Section> {
     let kind = normalized(block.required("SECTION")?);
     let line = block.line(0, "the dimensions of the section")?;

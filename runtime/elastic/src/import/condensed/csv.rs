@@ -7,8 +7,8 @@
 //! mass, NODE, COMPONENT, NODE, COMPONENT, VALUE
 //! ```
 //!
-//! Components are 1 to 3 for translations and 4 to 6 for rotations. An entry also states its transpose.
-//! Rows `node` are needed only for positions.
+//! Components are 1 to 3 for translations and 4 to 6 for rotations. An entry also states its
+//! transpose. Rows `node` are needed only for positions.
 
 use super::super::builder::Problem;
 use super::super::source::{Place, lines};

@@ -83,8 +83,8 @@ struct Parts {
     mass: Option<DMatrix<f64>>,
 }
 
-/// Reads a condensed body. The extension of the path selects the format: `pch` (also `bdf`, `dat`) for
-/// DMIG, `csv` or `npz`.
+/// Reads a condensed body. The extension of the path selects the format: `pch` (also `bdf`, `dat`)
+/// for DMIG, `csv` or `npz`.
 ///
 /// # Errors
 /// The file is not valid, or a matrix is not finite or not symmetric.

@@ -9,8 +9,8 @@
 //! | `positions` | k × 3 | positions of the nodes; optional |
 //!
 //! Sources: NumPy documentation, "numpy.lib.format"; PKWARE, "APPNOTE.TXT - .ZIP File Format
-//! Specification". The project reads the format itself, because crates for NPZ depend on compression
-//! libraries in C.
+//! Specification". The project reads the format itself, because crates for NPZ depend on
+//! compression libraries in C.
 
 use super::{CondensedNode, Dof, LARGEST, Parts};
 use flate2::Crc;

@@ -29,8 +29,9 @@ pub struct GmshPart {
     pub physical: Option<String>,
     /// Material.
     pub material: Material,
-    /// Thickness of shells, m. Surface elements are shells if their part has a thickness and either names
-    /// their group or the mesh has no solid elements. Other surface elements only define node sets.
+    /// Thickness of shells, m. Surface elements are shells if their part has a thickness and either
+    /// names their group or the mesh has no solid elements. Other surface elements only define node
+    /// sets.
     pub thickness: Option<f64>,
 }
 

@@ -40,8 +40,8 @@ impl<'d> Reader<'d> {
         Place { file: 0, line: line as u32 }
     }
 
-    /// Location of an item for later messages. Lines are counted from the last one, so that it costs
-    /// little.
+    /// Location of an item for later messages. Lines are counted from the last one, so that it
+    /// costs little.
     pub fn counted_place(&mut self) -> Place {
         if let Form::Text = self.form {
             let (at, line) = self.counted;

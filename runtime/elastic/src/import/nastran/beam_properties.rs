@@ -1,8 +1,9 @@
 //! Sections of bars: PBAR, PBARL, and the dimensions of section types.
 //!
-//! Source: NASTRAN Quick Reference Guide, entries PBAR and PBARL (figure of cross-section types). The
-//! shear factors of section types: solid and tube by R. J. Roark; thin-walled sections have the area of
-//! the walls along the force over the whole area, and five sixths of it for flanges of open sections.
+//! Source: NASTRAN Quick Reference Guide, entries PBAR and PBARL (figure of cross-section types).
+//! The shear factors of section types: solid and tube by R. J. Roark; thin-walled sections have the
+//! area of the walls along the force over the whole area, and five sixths of it for flanges of open
+//! sections.
 
 use super::super::section::{circle, composed, hollow_box, open_torsion, rectangle, rectangle_torsion, tube};
 use super::card::Result;
@@ -177,7 +178,8 @@ pub(super) fn typed(card: &Card, kind: &str, d: &[f64]) -> Result<BeamSection> {
     })
 }
 
-/// I section: height, widths of the bottom and top flange, web, thickness of the bottom and top flange.
+/// I section: height, widths of the bottom and top flange, web, thickness of the bottom and top
+/// flange.
 pub(super) fn flanged(height: f64, bottom: f64, top: f64, web: f64, below: f64, above: f64) -> BeamSection {
     let clear = height - below - above;
     let parts = [

@@ -59,7 +59,8 @@ fn weighted_average(card: &Card, label: u64, builder: &Builder) -> Result<Constr
     let mut group: Option<(f64, Option<Components>)> = None;
     for field in (5..=card.len()).filter(|field| !card.is_blank(*field)) {
         let text = card.text(field);
-        // UM only selects the dependent components of the same equations; ALPHA is thermal expansion.
+        // UM only selects the dependent components of the same equations; ALPHA is thermal
+        // expansion.
         if matches!(text, "UM" | "ALPHA") {
             break;
         }
@@ -174,8 +175,8 @@ pub(super) fn equations(cards: &[Card], selected: &Selected, builder: &mut Build
     Ok(())
 }
 
-/// Indices of the nodes in a range. A single number must be a grid point; in a range, numbers without
-/// one are skipped.
+/// Indices of the nodes in a range. A single number must be a grid point; in a range, numbers
+/// without one are skipped.
 pub(super) fn in_range(card: &Card, range: Range, builder: &Builder) -> Result<Vec<usize>> {
     if range.is_single() {
         return Ok(vec![builder.node(range.from, &card.subject(), card.place)?]);

@@ -1,7 +1,7 @@
 //! Sections of a deck, included files, and cards assembled from their lines.
 //!
-//! Source: NASTRAN Quick Reference Guide, "File Management Statements" (INCLUDE), "Executive Control",
-//! "Case Control", "Format of Bulk Data Entries" (continuations).
+//! Source: NASTRAN Quick Reference Guide, "File Management Statements" (INCLUDE), "Executive
+//! Control", "Case Control", "Format of Bulk Data Entries" (continuations).
 
 use super::super::error::ImportError;
 use super::super::source::{Place, Sources, included, lines, plain};

@@ -1,7 +1,7 @@
 //! Field formats of bulk data lines, and the forms of numbers.
 //!
-//! Source: NASTRAN Quick Reference Guide, "Format of Bulk Data Entries": small-field, large-field and
-//! free-field format, continuations, real numbers.
+//! Source: NASTRAN Quick Reference Guide, "Format of Bulk Data Entries": small-field, large-field
+//! and free-field format, continuations, real numbers.
 
 /// Physical line of bulk data.
 #[derive(Debug, PartialEq)]
@@ -96,8 +96,9 @@ pub(super) fn integer(field: &str) -> Option<i64> {
     valid.then(|| field.parse().ok()).flatten()
 }
 
-/// Returns the real number that a field states. Besides `1.5` and `1.5E3`, the exponent may be written
-/// with `D`, or as a sign and digits only after a decimal point: `7.0+3`, `1.-5`. Integers are valid.
+/// Returns the real number that a field states. Besides `1.5` and `1.5E3`, the exponent may be
+/// written with `D`, or as a sign and digits only after a decimal point: `7.0+3`, `1.-5`. Integers
+/// are valid.
 pub(super) fn real(field: &str) -> Option<f64> {
     let (sign, body) = match field.as_bytes().first()? {
         b'-' => ("-", &field[1..]),

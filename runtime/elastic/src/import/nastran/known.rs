@@ -18,8 +18,8 @@ pub(super) const HARMLESS: &[&str] = &[
     "TSTEPNL", "USET", "USET1",
 ];
 
-/// Loads that the reader does not convert: rejected if case control selects their set. Field 1 is the
-/// identification number of the set.
+/// Loads that the reader does not convert: rejected if case control selects their set. Field 1 is
+/// the identification number of the set.
 pub(super) const LOADS: &[&str] = &[
     "ACCEL", "ACCEL1", "DEFORM", "FORCE1", "FORCE2", "GRAV", "MOMENT1", "MOMENT2", "PLOAD", "PLOAD1",
     "PLOAD2", "PLOAD4", "RFORCE", "SLOAD", "SPCD", "TEMP", "TEMPD", "TEMPP1", "TEMPRB",

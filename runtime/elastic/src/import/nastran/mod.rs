@@ -3,8 +3,8 @@
 //! Source: NASTRAN Quick Reference Guide: "Executive Control Statements", "Case Control Commands",
 //! "Format of Bulk Data Entries", and the bulk data entries that `known` lists.
 //!
-//! Deviations: a continuation must follow its card or be named by it in field 10; integers are valid
-//! where the guide requires real numbers; blanks are no separators of free-field format.
+//! Deviations: a continuation must follow its card or be named by it in field 10; integers are
+//! valid where the guide requires real numbers; blanks are no separators of free-field format.
 
 mod beam_properties;
 mod card;
@@ -65,8 +65,8 @@ pub(super) fn cards(path: &str, sources: &mut Sources) -> Result<Vec<Card>, Impo
     deck::read(path, sources).map(|deck| deck.cards)
 }
 
-/// Positions of the grid points of a file of matrices. Matrices in other displacement systems than the
-/// basic one are rejected.
+/// Positions of the grid points of a file of matrices. Matrices in other displacement systems than
+/// the basic one are rejected.
 pub(super) fn positions(cards: &[Card]) -> Result<HashMap<u64, [f64; 3]>, Problem> {
     let basic = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let nodes = Geometry::read(cards)?.nodes()?;

@@ -1,8 +1,8 @@
 //! Sections of beams: PBEAM, PBEAML.
 //!
-//! Source: NASTRAN Quick Reference Guide, entries PBEAM and PBEAML. The model has the centroid of the
-//! section on the line between the ends, so offsets of the neutral axis from the shear centre, offsets
-//! of non-structural mass, warping and intermediate stations are rejected.
+//! Source: NASTRAN Quick Reference Guide, entries PBEAM and PBEAML. The model has the centroid of
+//! the section on the line between the ends, so offsets of the neutral axis from the shear centre,
+//! offsets of non-structural mass, warping and intermediate stations are rejected.
 
 use super::beam_properties::{dimensions, section_type, shear_factor, typed, valid};
 use super::card::Result;

@@ -59,8 +59,8 @@ impl System {
         (0..3).fold([0.0; 3], |sum, i| add(sum, scale(self.axes[i], local[i])))
     }
 
-    /// Unit vectors of the system at a position in basic coordinates. On the axis of a cylindrical or
-    /// spherical system, the angle about the axis is zero.
+    /// Unit vectors of the system at a position in basic coordinates. On the axis of a cylindrical
+    /// or spherical system, the angle about the axis is zero.
     pub fn axes_at(&self, position: Vector) -> [Vector; 3] {
         if self.kind == Kind::Rectangular {
             return self.axes;
