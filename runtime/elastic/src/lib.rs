@@ -23,6 +23,11 @@ pub mod solid;
 pub mod statics;
 
 pub use error::{ElasticError, ElementError};
+pub mod error;
+pub mod model;
+pub mod shell;
+
+pub use error::ElementError;
 pub use model::{
     Component, Constraint, ElasticModel, Element, ElementKind, FixedComponents, Material, NodalLoad, Node,
 };

@@ -11,3 +11,4 @@ mod solids;
 //! Tests of elastic bodies of any shape.
 
 mod import;
+mod shell;
