@@ -2,9 +2,12 @@
 
 mod benchmarks;
 mod convergence;
+mod director;
 
 mod elements;
 mod frequencies;
+mod hemisphere;
+mod joints;
 
 mod patch;
 mod plates;

@@ -296,6 +296,20 @@ impl DirectorMesh {
         Self { nodes, parameters: numbering.parameters, elements }
     }
 
+    /// Moves the corners by `shift` and places all other nodes between them.
+    pub fn straighten(&mut self, shift: impl Fn([f64; 3]) -> [f64; 3]) {
+        let before = self.nodes.clone();
+        for (shape, nodes) in &self.elements {
+            let moved = corners(*shape).into_iter().map(|corner| shift(before[nodes[corner]].position));
+            let moved = moved.collect::<Vec<_>>();
+            for (&node, at) in nodes.iter().zip(places(*shape)) {
+                self.nodes[node].position = std::array::from_fn(|axis| {
+                    within(&moved.iter().map(|p| [p[axis], 0.0]).collect::<Vec<_>>(), at)[0]
+                });
+            }
+        }
+    }
+
     pub fn nodes_where(&self, condition: impl Fn([f64; 2]) -> bool) -> Vec<usize> {
         (0..self.nodes.len()).filter(|&node| condition(self.parameters[node])).collect()
     }
@@ -311,6 +325,17 @@ impl DirectorMesh {
             let nodes = indices.iter().map(|&node| self.nodes[node]).collect::<Vec<_>>();
             call(indices, &DirectorShell { shape: *shape, nodes: &nodes, material, integration });
         }
+    }
+}
+
+/// Returns the indices of the corners of a report element.
+pub fn corners(shape: DirectorShape) -> Vec<usize> {
+    match shape {
+        DirectorShape::Quadrilateral(order) => {
+            let n = usize::from(order);
+            vec![0, n, n * (n + 2), n * (n + 1)]
+        }
+        DirectorShape::Triangle(order) => vec![0, usize::from(order), shape.node_count() - 1],
     }
 }
 
