@@ -29,7 +29,7 @@ pub fn stiffness(element: &ShellElement<'_>) -> Result<DMatrix<f64>, ElementErro
     let internal = prepared.internal.ncols() + enhanced;
 
     let strains = strain_rows(&prepared, &rule, &root, enhanced)?;
-    let drilling = drilling_rows(&prepared, &rule, element.material.shear_modulus);
+    let drilling = drilling_rows(&prepared, &rule, element.material.shear_modulus, enhanced);
     let bubble = bubble_row(&prepared, &rule, element.material.shear_modulus);
     let parts = [strains, drilling, bubble];
     let mut rows = DMatrix::zeros(parts.iter().map(DMatrix::nrows).sum(), nodes + internal);
@@ -206,10 +206,16 @@ fn enhancement(centre: &Basis, local: &Basis, volume_here: f64, [xi, eta]: [f64;
 
 /// Returns roots of the drilling stiffness: the rotation about the normal less that of the surface,
 /// `theta . n - 1/2 n . curl u` (Hughes and Brezzi 1989).
-fn drilling_rows(prepared: &Prepared, rule: &[Weighted], shear_modulus: f64) -> DMatrix<f64> {
+fn drilling_rows(
+    prepared: &Prepared,
+    rule: &[Weighted],
+    shear_modulus: f64,
+    enhanced: usize,
+) -> DMatrix<f64> {
     let nodes = prepared.offsets.len();
     let mut surface = DMatrix::zeros(rule.len(), 6 * prepared.column_nodes());
-    let mut rotations = DMatrix::zeros(rule.len(), 6 * nodes + prepared.internal.ncols());
+    let columns = 6 * nodes + prepared.internal.ncols();
+    let mut rotations = DMatrix::zeros(rule.len(), columns + enhanced);
     let (mut total, mut thickness) = (0.0, 0.0);
     for (at, weight) in rule {
         let base = prepared.middle.base(&prepared.sample(*at), 0.0);
@@ -234,13 +240,21 @@ fn drilling_rows(prepared: &Prepared, rule: &[Weighted], shear_modulus: f64) -> 
                 surface[(row, 6 * node + axis)] = -factor * rotation;
             }
         }
+        if enhanced > 0 {
+            // Enhanced shear strains are parts of a gradient: xi of u_2 by xi, eta of u_1 by eta.
+            rotations[(row, columns + 2)] = -0.5 * factor * at[0] / area;
+            rotations[(row, columns + 3)] = 0.5 * factor * at[1] / area;
+        }
         for (node, shape) in sample.position.iter().enumerate() {
             for axis in 0..3 {
                 rotations[(row, 6 * node + 3 + axis)] = factor * shape[0] * normal[axis];
             }
         }
     }
-    prepared.to_degrees_of_freedom(&prepared.without_bubbles(surface)) + rotations
+    let surface = prepared.to_degrees_of_freedom(&prepared.without_bubbles(surface));
+    let mut of_nodes = rotations.columns_mut(0, columns);
+    of_nodes += surface;
+    rotations
 }
 
 /// Returns the root of the stiffness that ties the deflection of the inner node of quadratic

@@ -98,3 +98,64 @@ fn offset_layers_are_a_composite_section() {
         assert_close(axial, b / a * curvature * length, 1e-8, &format!("{shape:?} axial"));
     }
 }
+
+/// Returns the deflection of the end of a cantilever 6 long and 0.2 high of six elements that bends in its plane,
+/// relative to beam theory, under a moment (no force) or a force at its end. `slope` shifts the upper nodes of
+/// inner mesh lines, in alternating directions for trapezoids.
+fn in_plane(shape: ShellShape, slope: f64, trapezoids: bool, force: bool) -> f64 {
+    let (length, height, thickness) = (6.0, 0.2, 0.1);
+    let steel = material(1e7, 0.3, 0.0);
+    let mesh = Mesh::grid(shape, &uniform(6), &[0.0, 1.0], |[u, v]| [length * u, height * v, 0.0]);
+    let mesh = mesh.straight(|[x, y, z]| {
+        if !(0.01..length - 0.01).contains(&x) {
+            return [x, y, z];
+        }
+        let sign = if trapezoids && x.round() as i64 % 2 == 0 { -1.0 } else { 1.0 };
+        let middle = if trapezoids { y - 0.5 * height } else { y };
+        [x + sign * slope * middle, y, z]
+    });
+    let mut model = Model::of_mesh(&mesh, thickness, 0.0, &steel);
+    model.fix_all(&mesh.nodes(|_| true), &[2, 3, 4]);
+    model.fix_all(&mesh.nodes(|[u, _]| u == 0.0), &[0]);
+    model.fix(mesh.node([0.0, 0.0]), &[1]);
+    let second = thickness * f64::powi(height, 3) / 12.0;
+    for node in mesh.nodes(|[u, _]| u == 1.0) {
+        let v = mesh.parameters[node][1];
+        if force {
+            let quadratic = shape.node_count() > 4;
+            let share = if !quadratic {
+                0.5
+            } else if v == 0.5 {
+                4.0 / 6.0
+            } else {
+                1.0 / 6.0
+            };
+            model.load[6 * node + 1] = share;
+        } else {
+            model.load[6 * node] = (1.0 - 2.0 * v) / height;
+        }
+    }
+    let expected = if force {
+        length.powi(3) / 3.0 / (1e7 * second) + 1.2 * length / (steel.shear_modulus * height * thickness)
+    } else {
+        length * length / 2.0 / (1e7 * second)
+    };
+    model.solve()[6 * mesh.node([1.0, 0.0]) + 1] / expected
+}
+
+/// Cantilever of MacNeal and Harder 1985, with elements five times as long as high.
+#[test]
+fn quadrilaterals_bend_in_their_plane() {
+    for shape in &SHAPES[1..] {
+        // A moment on rectangles is exact.
+        let moment = in_plane(*shape, 0.0, false, false);
+        assert!((moment - 1.0).abs() < 1e-8, "{shape:?} moment: {moment}");
+        let force = in_plane(*shape, 0.0, false, true);
+        assert!((force - 1.0).abs() < 0.02, "{shape:?} force: {force}");
+        let parallelograms = in_plane(*shape, 1.0, false, true);
+        let trapezoids = in_plane(*shape, 1.0, true, true);
+        println!("{shape:?}: {force} {parallelograms} {trapezoids}");
+        let allowed = if *shape == ShellShape::Quadrilateral4 { 0.3 } else { 0.05 };
+        assert!((parallelograms - 1.0).abs() < allowed, "{shape:?} parallelograms: {parallelograms}");
+    }
+}

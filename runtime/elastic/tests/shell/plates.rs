@@ -101,7 +101,8 @@ fn full_integration_agrees_with_the_report() {
     );
 }
 
-/// Table 2.4.
+/// Table 2.4. Under simple support all of these meshes are mechanisms. The report prints values for two of
+/// them, which it calls almost singular.
 #[test]
 fn reduced_integration_agrees_with_the_report() {
     compare(
@@ -140,15 +141,16 @@ fn selectively_reduced_integration_agrees_with_the_report() {
     );
 }
 
-/// Rows of 16 by 16 elements.
+/// Rows of 16 by 16 elements. The report prints 0.4614497 for cubic elements under clamped support and full
+/// integration, less than with 8 elements: one digit 4 too many.
 #[test]
 #[ignore = "takes seconds"]
 fn fine_meshes_agree_with_the_report() {
     compare(
         Integration::Full,
-        &[(1, 16, NONE, 0.0481433), (2, 16, 1.4833, 0.45705), (3, 16, 1.48757, 0.4614497)],
+        &[(1, 16, NONE, 0.0481433), (2, 16, 1.4833, 0.45705), (3, 16, 1.48757, 0.461497)],
     );
-    compare(Integration::Reduced, &[(2, 16, 1.49216, 0.461519), (3, 16, NONE, 0.4615)]);
+    compare(Integration::Reduced, &[(2, 16, NONE, 0.461519), (3, 16, NONE, 0.4615)]);
     compare(
         Integration::SelectivelyReduced,
         &[(1, 16, 1.491377, 0.4601705), (2, 16, 1.492135, 0.461514), (3, 16, 1.492136, 0.4615005)],
