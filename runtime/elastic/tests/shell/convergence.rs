@@ -159,3 +159,49 @@ fn quadrilaterals_bend_in_their_plane() {
         assert!((parallelograms - 1.0).abs() < allowed, "{shape:?} parallelograms: {parallelograms}");
     }
 }
+
+/// Cantilever whose thickness varies linearly, under a force at its end: the deflection by Timoshenko's beam
+/// theory as in the test of the report's element.
+#[test]
+fn a_cantilever_of_varying_thickness_bends_as_a_beam() {
+    let (length, [root, tip]) = (10.0, [0.2_f64, 0.1]);
+    let steel = material(1e7, 0.0, 0.0);
+    let slope = (tip - root) / length;
+    let antiderivative = |t: f64| -tip * tip / (2.0 * t * t) + 2.0 * tip / t + t.ln();
+    let bending = 12.0 / 1e7 * (antiderivative(tip) - antiderivative(root)) / slope.powi(3);
+    let expected = bending + 1.2 / steel.shear_modulus * (tip / root).ln() / slope;
+    for shape in SHAPES {
+        let quadratic = shape.node_count() > 4;
+        let lines = uniform(if quadratic { 10 } else { 20 });
+        let mesh = Mesh::grid(shape, &lines, &[0.0, 1.0], |[u, v]| [length * u, v, 0.0]);
+        let mut model = Model::new(mesh.positions.len());
+        for (nodes, positions) in mesh.each() {
+            let corners = &positions[..shape.corner_count()];
+            let thickness = corners.iter().map(|at| root + slope * at[0]).collect::<Vec<_>>();
+            let element = calyx_elastic::shell::ShellElement {
+                shape,
+                positions: &positions,
+                thickness: &thickness,
+                offset: 0.0,
+                material: &steel,
+                added_mass: 0.0,
+            };
+            model.add_stiffness(nodes, calyx_elastic::shell::stiffness(&element).unwrap());
+        }
+        model.fix_all(&mesh.nodes(|[u, _]| u == 0.0), &[0, 1, 2, 3, 4, 5]);
+        for node in mesh.nodes(|[u, _]| u == 1.0) {
+            let middle = mesh.parameters[node][1] == 0.5;
+            let share = if !quadratic {
+                0.5
+            } else if middle {
+                4.0 / 6.0
+            } else {
+                1.0 / 6.0
+            };
+            model.load[6 * node + 2] = share;
+        }
+        let found = model.solve()[6 * mesh.node([1.0, 0.0]) + 2];
+        println!("{shape:?} tapered: {:.2e}", found / expected - 1.0);
+        assert_close(found, expected, if quadratic { 5e-4 } else { 5e-3 }, &format!("{shape:?}"));
+    }
+}
