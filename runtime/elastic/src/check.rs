@@ -180,8 +180,8 @@ fn free_motions(system: &System<'_>, nodes: &[usize], diagonal: &[f64]) -> Vec<V
 /// Orthonormalizes motions and removes those that depend on others.
 fn independent(motions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
+    let largest = motions.iter().map(|motion| dot(motion, motion).sqrt()).fold(0.0, f64::max);
     for mut motion in motions {
-        let before = dot(&motion, &motion).sqrt();
         for _ in 0..2 {
             for other in &basis {
                 let share = dot(&motion, other);
@@ -189,7 +189,7 @@ fn independent(motions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
             }
         }
         let norm = dot(&motion, &motion).sqrt();
-        if norm > 1e-9 * before {
+        if norm > 1e-9 * largest {
             motion.iter_mut().for_each(|value| *value /= norm);
             basis.push(motion);
         }

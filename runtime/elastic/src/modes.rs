@@ -171,7 +171,7 @@ pub fn count_below(problem: &Problem<'_>, shift: f64, resources: &Resources) -> 
 }
 
 /// Returns a small negative shift, with which the pencil of a free body is definite.
-fn negative_shift(problem: &Problem<'_>, request: Request) -> f64 {
+pub(crate) fn negative_shift(problem: &Problem<'_>, request: Request) -> f64 {
     if let Request::Below(frequency) = request {
         return -1e-2 * (std::f64::consts::TAU * frequency).powi(2);
     }

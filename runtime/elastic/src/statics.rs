@@ -39,6 +39,8 @@ pub fn solve(
     }
     let mut start = vec![0.0; system.dof_count()];
     system.prescribed.iter().for_each(|(&dof, &value)| start[dof] = value);
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    let by_prescribed = largest(&multiply(&system.stiffness, &start));
     let mut displacements: Vec<Vec<f64>> = vec![start; cases.len()];
     // The second pass corrects the first one by its residual.
     for _ in 0..2 {
@@ -59,11 +61,9 @@ pub fn solve(
         .zip(&displacements)
         .map(|(load, moved)| {
             let forces = multiply(&system.stiffness, moved);
-            let (mut error, mut size) = (0.0_f64, 0.0_f64);
-            for dof in (0..system.dof_count()).filter(|&dof| system.is_unknown(dof)) {
-                error = error.max((forces[dof] - load[dof]).abs());
-            }
-            load.iter().chain(&forces).for_each(|value| size = size.max(value.abs()));
+            let unknowns = (0..system.dof_count()).filter(|&dof| system.is_unknown(dof));
+            let residual: Vec<f64> = unknowns.map(|dof| forces[dof] - load[dof]).collect();
+            let (error, size) = (largest(&residual), largest(load).max(by_prescribed));
             // The comparison is negated so that NaN fails it.
             if !(error <= 1e-6 * size) {
                 return Err(mechanism(system, &factor.singular));

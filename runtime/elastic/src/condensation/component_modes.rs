@@ -8,10 +8,10 @@ use crate::check::mechanism_within;
 use crate::error::ElasticError;
 use crate::factor::{Factor, Pencil};
 use crate::model::NodalLoad;
-use crate::modes::{self, Modes, Problem, Request, apply};
+use crate::modes::{self, Modes, Operator, Problem, Request, apply};
 use crate::resources::Resources;
 use calyx_fe::sparse::SparseVector;
-use calyx_numerics::dense::Interruptible;
+use calyx_numerics::dense::{Interruptible, symmetric_eigen};
 use faer::linalg::solvers::Solve;
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef};
@@ -19,7 +19,8 @@ use faer::{Mat, MatRef};
 /// Kind of component modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Synthesis {
-    /// Modes with fixed attachments (Craig and Bampton 1968).
+    /// Modes with fixed attachments (Craig and Bampton 1968), and pseudo-modes above the highest
+    /// frequency for the inertia of the omitted ones.
     FixedInterface,
     /// Modes with free attachments, and the residual flexibility of all others (MacNeal 1971, Rubin
     /// 1975, Craig and Chang 1977).
@@ -129,9 +130,18 @@ fn fixed_interface(
         forms: &attached.forms,
         is_free: !attached.helpers.is_empty(),
     };
-    let modes = modes::solve(&problem, request, |dofs| mechanism_within(system, dofs), resources)?;
-    fixed.extend(&attached.helpers);
-    let factor = Factor::new(Pencil::stiffness(&system.stiffness), &system.positions, &fixed, resources)?;
+    let mut modes = modes::solve(&problem, request, |dofs| mechanism_within(system, dofs), resources)?;
+    let shift = if problem.is_free { modes::negative_shift(&problem, request) } else { 0.0 };
+    let operator = Operator::new(&problem, shift, resources)?;
+    let constrained = [fixed.as_slice(), &attached.helpers].concat();
+    let own_factor;
+    let factor = if attached.helpers.is_empty() {
+        &operator.factor
+    } else {
+        let pencil = Pencil::stiffness(&system.stiffness);
+        own_factor = Factor::new(pencil, &system.positions, &constrained, resources)?;
+        &own_factor
+    };
     if !factor.singular.is_empty() {
         return Err(mechanism_within(system, &factor.singular));
     }
@@ -168,7 +178,7 @@ fn fixed_interface(
     let components = attached.components.len();
     let check = || resources.check();
     let others = responses.subcols(direct, count + forms - direct);
-    let mut shapes = Mat::zeros(system.dof_count(), components + modes.eigenvalues.len());
+    let mut shapes = Mat::zeros(system.dof_count(), components);
     let by_others = Interruptible(&check).product(others, relaxed.response.as_ref())?;
     for (component, &place) in attached.places.iter().enumerate() {
         for dof in 0..system.dof_count() {
@@ -176,12 +186,56 @@ fn fixed_interface(
             shapes[(dof, component)] = own + by_others[(dof, place)];
         }
     }
-    for mode in 0..modes.eigenvalues.len() {
-        for dof in 0..system.dof_count() {
-            shapes[(dof, components + mode)] = modes.shapes[(dof, mode)];
-        }
-    }
+    let inertia = images(mass, shapes.as_ref());
+    augment(system, mass, &problem, &operator, inertia, &mut modes, resources)?;
+    let count = components + modes.eigenvalues.len();
+    let shapes = Mat::from_fn(system.dof_count(), count, |dof, column| {
+        if column < components { shapes[(dof, column)] } else { modes.shapes[(dof, column - components)] }
+    });
     Ok((shapes, modes, Some(attached.ordered(&relaxed.stiffness))))
+}
+
+/// Adds pseudo-modes to the modes with fixed attachments: the response of the omitted modes to the
+/// inertia of the static shapes (modal truncation augmentation, Dickens, Nakagawa and Wittbrodt 1997).
+fn augment(
+    system: &System<'_>,
+    mass: &SparseColMat<usize, f64>,
+    problem: &Problem<'_>,
+    operator: &Operator,
+    mut loads: Mat<f64>,
+    modes: &mut Modes,
+    resources: &Resources,
+) -> Result<(), ElasticError> {
+    let check = || resources.check();
+    let dense = Interruptible(&check);
+    operator.solve_in_place(problem.forms, loads.as_mut(), resources)?;
+    let of_modes = images(mass, modes.shapes.as_ref());
+    for _ in 0..2 {
+        let shares = dense.product(of_modes.transpose(), loads.as_ref())?;
+        dense.add_product(loads.as_mut(), -1.0, modes.shapes.as_ref(), shares.as_ref())?;
+    }
+    // Mass-orthonormal combinations, without those that depend on others.
+    let failed = || ElasticError::Convergence("the pseudo-modes of the truncated modes failed".into());
+    let inertia = projected(mass, loads.as_ref(), resources)?;
+    let scale: Vec<f64> = (0..inertia.nrows())
+        .map(|k| if inertia[(k, k)] > 0.0 { inertia[(k, k)].sqrt().recip() } else { 0.0 })
+        .collect();
+    let size = scale.len();
+    let scaled = Mat::from_fn(size, size, |i, j| inertia[(i, j)] * scale[i] * scale[j]);
+    let (values, vectors) = symmetric_eigen(scaled.as_ref()).ok_or_else(failed)?;
+    let kept: Vec<usize> = (0..size).filter(|&k| values[k] > 1e-8).collect();
+    let combination =
+        Mat::from_fn(size, kept.len(), |i, j| scale[i] * vectors[(i, kept[j])] / values[kept[j]].sqrt());
+    let basis = dense.product(loads.as_ref(), combination.as_ref())?;
+    let stiffness = projected(&system.stiffness, basis.as_ref(), resources)?;
+    let (values, vectors) = symmetric_eigen(stiffness.as_ref()).ok_or_else(failed)?;
+    let pseudo = dense.product(basis.as_ref(), vectors.as_ref())?;
+    let old = modes.eigenvalues.len();
+    modes.shapes = Mat::from_fn(system.dof_count(), old + values.len(), |dof, column| {
+        if column < old { modes.shapes[(dof, column)] } else { pseudo[(dof, column - old)] }
+    });
+    modes.eigenvalues.extend(values);
+    Ok(())
 }
 
 fn free_interface(

@@ -29,7 +29,7 @@ pub struct CondensedBody {
     /// first unknowns.
     pub components: Vec<(usize, Component)>,
     /// Squared angular frequencies of the component modes, (rad/s)^2; modal coordinates are the last
-    /// unknowns.
+    /// unknowns. Values above the requested highest frequency belong to pseudo-modes.
     pub eigenvalues: Vec<f64>,
     /// Stiffness.
     pub stiffness: Mat<f64>,
