@@ -3,6 +3,7 @@
 use crate::beam;
 use crate::error::ElementError;
 use crate::model::{ElasticModel, Element, ElementKind, Material, Node};
+use crate::shell::{self, ShellElement};
 use crate::solid::{self, SolidElement};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -74,8 +75,17 @@ fn of_element(
             let matrix = if stiff { solid::stiffness(&solid) } else { solid::mass(&solid) };
             Ok(in_basic_axes(matrix?))
         }
-        ElementKind::Shell { .. } => {
-            Err(ElementError::new("shell elements are not supported", "use solid elements"))
+        ElementKind::Shell { shape, thickness, offset, added_mass } => {
+            let shell = ShellElement {
+                shape: *shape,
+                positions: &positions,
+                thickness,
+                offset: *offset,
+                material: material(model, element)?,
+                added_mass: *added_mass,
+            };
+            let matrix = if stiff { shell::stiffness(&shell) } else { shell::mass(&shell) };
+            Ok(in_basic_axes(matrix?))
         }
         ElementKind::Beam(properties) => {
             let (material, ends) = (material(model, element)?, two(&positions)?);
