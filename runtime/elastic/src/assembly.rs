@@ -113,7 +113,7 @@ impl<'m> System<'m> {
     /// # Errors
     /// An element is invalid, memory is insufficient, or the caller ends the computation.
     pub fn mass(&self, resources: &Resources) -> Result<SparseColMat<usize, f64>, ElasticError> {
-        // The matrix is released together with the system.
+        // Refuses the matrix before its allocation; the caller owns it afterwards.
         let bytes = 16 * self.pattern.entry_count() as u64;
         let unknowns = self.pattern.counts.iter().sum();
         let _room = resources.reserve("the mass matrix", bytes, unknowns, 1.0)?;

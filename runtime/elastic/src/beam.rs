@@ -203,7 +203,7 @@ impl<'a> Beam<'a> {
     }
 
     /// Returns the displacements of the ends, in local axes, by those of the nodes in basic axes.
-    fn from_nodes(&self) -> Matrix12 {
+    fn ends_by_nodes(&self) -> Matrix12 {
         let mut matrix = Matrix12::zeros();
         for end in 0..2 {
             let offset = Vector3::from(self.properties.offsets[end]);
@@ -293,7 +293,7 @@ pub fn stiffness(
 ) -> Result<DMatrix<f64>, ElementError> {
     let beam = Beam::new(properties, material, positions)?;
     let local = beam.local_stiffness()?;
-    let to_ends = beam.releases(&local)? * beam.from_nodes();
+    let to_ends = beam.releases(&local)? * beam.ends_by_nodes();
     Ok(dynamic(&(to_ends.transpose() * local * to_ends)))
 }
 
@@ -307,7 +307,7 @@ pub fn mass(
     positions: [[f64; 3]; 2],
 ) -> Result<DMatrix<f64>, ElementError> {
     let beam = Beam::new(properties, material, positions)?;
-    let to_ends = beam.releases(&beam.local_stiffness()?)? * beam.from_nodes();
+    let to_ends = beam.releases(&beam.local_stiffness()?)? * beam.ends_by_nodes();
     Ok(dynamic(&(to_ends.transpose() * beam.local_mass()? * to_ends)))
 }
 

@@ -24,7 +24,7 @@ use std::sync::OnceLock;
 const SINGULAR: f64 = 1e-13;
 /// Size of a matrix that is factorized column by column.
 const COLUMNS: usize = 32;
-/// Number of right-hand sides that are solved in one sequential pass.
+/// Number of right-hand sides that are solved in one sequential pass; twice as many if there are many.
 const TOGETHER: usize = 4;
 /// Pivot in place of a zero one: its unknown does not move.
 const FIXED: f64 = 1e100;
@@ -176,7 +176,8 @@ impl Factor {
                 }
             }
         }
-        right.par_col_chunks_mut(TOGETHER).try_for_each(|mut right| {
+        let together = if right.ncols() < 4 * TOGETHER { TOGETHER } else { 2 * TOGETHER };
+        right.par_col_chunks_mut(together).try_for_each(|mut right| {
             resources.check()?;
             self.solve_chunk(right.as_mut());
             Ok(())
@@ -340,8 +341,7 @@ impl Signed {
             let pivot = matrix[(k, k)];
             let own = self.own[first + k];
             let ratio = pivot.abs() / own;
-            // The comparison is negated so that NaN fails it.
-            if !(ratio > SINGULAR) {
+            if ratio.is_nan() || ratio <= SINGULAR {
                 self.zero.push(first + k);
                 matrix[(k, k)] = FIXED;
             } else {

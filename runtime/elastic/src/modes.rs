@@ -465,7 +465,7 @@ impl<'a> Space<'a> {
             }
             norm = dot(&vector, &masses).max(0.0).sqrt();
         }
-        if !(norm > DEPENDENT * before) || norm == 0.0 {
+        if norm.is_nan() || norm <= DEPENDENT * before {
             return;
         }
         let column = MatRef::from_column_major_slice(&vector, vector.len(), 1);

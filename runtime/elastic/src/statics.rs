@@ -64,8 +64,7 @@ pub fn solve(
             let unknowns = (0..system.dof_count()).filter(|&dof| system.is_unknown(dof));
             let residual: Vec<f64> = unknowns.map(|dof| forces[dof] - load[dof]).collect();
             let (error, size) = (largest(&residual), largest(load).max(by_prescribed));
-            // The comparison is negated so that NaN fails it.
-            if !(error <= 1e-6 * size) {
+            if error.is_nan() || error > 1e-6 * size {
                 return Err(mechanism(system, &factor.singular));
             }
             let all = system.expand(moved);

@@ -78,7 +78,8 @@ fn results_do_not_depend_on_the_number_of_threads() {
             let resources = Resources::default();
             let system = System::new(&model, &resources).expect("valid");
             let case = vec![load(124, [1e3, 2e3, 3e3, 0.0, 0.0, 0.0])];
-            let solution = statics::solve(&system, &[case.clone()], &resources).expect("supported");
+            let solution =
+                statics::solve(&system, std::slice::from_ref(&case), &resources).expect("supported");
             let condensed =
                 static_condensation(&system, &[124, 120], &[case], &resources).expect("condensed");
             (solution, condensed.stiffness)
